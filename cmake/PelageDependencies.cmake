@@ -1,0 +1,16 @@
+# Every library from outside, found once. docs/dependencies.md says why each is there.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(embree 3 REQUIRED)
+# Through pkg-config and not find_package: its macros change the size of cpp-httplib's structures.
+pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
+pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
+pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(tinyobj REQUIRED IMPORTED_TARGET tinyobjloader_double)
+pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp)

@@ -1,0 +1,16 @@
+# Warnings are errors, for our own code only (system headers are included as SYSTEM).
+add_compile_options(-Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wunused)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports overlaps and overreads in std::string that cannot happen (PR105651, PR105329).
+  add_compile_options(-Wno-restrict -Wno-stringop-overread -Wno-array-bounds -Wno-stringop-overflow)
+endif()
+# The same bits on every run: no contraction that depends on the optimiser's mood.
+add_compile_options(-ffp-contract=off)
+# One x86-64 level for every build, so that a log gives the same bits on one kind of CPU.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  add_compile_options(-march=x86-64-v2)
+endif()
+if(PELAGE_SANITIZE)
+  add_compile_options(-fsanitize=${PELAGE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${PELAGE_SANITIZE})
+endif()

@@ -1,0 +1,27 @@
+// Every limit of the contract, once. openapi.yaml repeats them and tests/unit checks that both agree.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pelage::limits {
+
+inline constexpr std::size_t command_body_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t model_bytes = std::size_t{256} << 20;
+inline constexpr std::size_t model_triangles = 2'000'000;
+inline constexpr std::size_t builtin_triangles = 1'000'000;
+inline constexpr std::size_t commands_per_batch = 1'000;
+inline constexpr std::size_t samples_per_stroke = 10'000;
+inline constexpr std::size_t scenes = 64;
+inline constexpr std::size_t name_bytes = 200;
+inline constexpr int json_depth = 32;
+inline constexpr double model_coordinate = 1e20;
+inline constexpr double command_coordinate_sizes = 1e6;  // positions in a command, in sizes of the model
+inline constexpr double model_precision = 1e-4;          // largest 32-bit step of a model, in its sizes
+inline constexpr int shells = 1024;
+inline constexpr int frame_pixels = 8192;                // width and height, each
+inline constexpr std::size_t lights = 8;
+inline constexpr std::size_t ramp_stops = 4;
+inline constexpr double wait_seconds = 25.0;
+
+}  // namespace pelage::limits

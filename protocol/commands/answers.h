@@ -1,0 +1,96 @@
+// What the server answers, before it is JSON.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+using Revision = std::uint64_t;
+
+/// 128-bit sum over (field, vertex, bits) hashes; on the wire 32 hex digits.
+struct FieldsHash {
+  std::uint64_t low = 0, high = 0;
+  bool operator==(const FieldsHash&) const = default;
+};
+std::string to_hex(FieldsHash hash);
+
+/// How one field changed: vertices that changed a bit, the mean change over them and the largest, in the field's unit.
+struct FieldChange {
+  std::string field;
+  std::size_t changed = 0;
+  double mean_change = 0;
+  double max_change = 0;
+};
+
+struct CommandResult {
+  std::string op;
+  std::size_t touched = 0;  // vertices that changed a bit of any field
+  double mean_change = 0;   // of the first field that changed
+  double max_change = 0;
+  std::size_t clamped = 0;  // vertices at which a value was held at its limit
+  double milliseconds = 0;
+  std::vector<FieldChange> fields;
+};
+
+struct CommandAnswer {
+  Revision revision = 0;
+  FieldsHash fields_hash;
+  std::vector<CommandResult> results;
+};
+
+struct Repair {
+  std::string code;  // "welded_vertices", "degenerate_faces", ...
+  std::size_t count = 0;
+};
+
+/// What preparation made of a model.
+struct ModelReport {
+  std::size_t source_vertices = 0;
+  std::size_t source_faces = 0;
+  std::size_t vertices = 0;   // welded on equal positions
+  std::size_t triangles = 0;
+  std::size_t parts = 0;      // connected
+  double size = 0;            // diagonal of the box, in the model's unit
+  glm::dvec3 min{0}, max{0};  // in the model's own coordinates
+  std::vector<Repair> repairs;
+};
+
+struct SceneSummary {
+  std::string id;
+  std::string name;
+  Revision revision = 0;
+  std::string model;  // "creature" or "obj", ...
+  ModelReport report;
+  FieldsHash fields_hash;
+  std::size_t undo_steps = 0;  // that can be undone
+  std::size_t redo_steps = 0;
+};
+
+/// What lies under a pixel.
+struct PickAnswer {
+  bool hit = false;
+  std::uint32_t triangle = 0;
+  glm::dvec3 barycentric{0};
+  glm::dvec3 position{0};  // model coordinates
+  glm::dvec3 normal{0};
+  glm::dvec3 direction{0};  // where the fur leans, a unit vector in model coordinates, 0 when upright
+  double inclination = 0;   // [0, 1]
+  double length = 0;        // sizes
+  double stretch = 0;
+};
+
+/// One line of the undo log.
+struct LogEntry {
+  Revision revision = 0;
+  std::string kind;      // "do", "join", "undo", "redo", "revert"
+  std::string commands;  // JSON text of the resolved commands, "" for undo and redo
+  std::size_t touched = 0;
+};
+
+}  // namespace pelage

@@ -1,0 +1,43 @@
+// The coat: how the strands of the sample tile are made. Lengths are fractions of the model's size.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+enum class LeanCurve { arc, root };  // science.md 2: the arc, and y = K sqrt(x)
+
+/// One stop of the colour ramp along the strand. Colour is linear inside and #rrggbb sRGB on the wire.
+struct RampStop {
+  double at = 0;  // [0, 1], root to tip, rising
+  glm::vec3 colour{1};
+
+  bool operator==(const RampStop&) const = default;
+};
+
+struct Coat {
+  int count = 9000;             // strands in the tile, [1, 100000]
+  double tile = 0.12;           // side of the tile, sizes, [0.01, 1]
+  double width_root = 0.0011;   // sizes, [0, 0.05]
+  double width_tip = 0.00028;   // sizes, [0, 0.05]
+  double bend = 0.25;           // how far a strand bows to a side, over a length of .03, [0, 2]
+  double curl = 0;              // radius of the helix, over a length of .03, [0, 0.5]
+  double curl_turns = 3;        // turns of the helix from root to tip, [0, 20]
+  double clump = 0.5;           // how far tips gather to the middle of their clump, [0, 1]
+  double clump_size = 0.012;    // mean distance of clumps, sizes, [0.001, 0.5]
+  double length_spread = 0.3;   // share of the length that is random, [0, 1]
+  double colour_spread = 0.12;  // change of lightness from strand to strand, [0, 1]
+  double root_share = 0.3;      // angle at the root over angle at the tip: 0 plush, .6 sleek, [0, 1]
+  LeanCurve lean_curve = LeanCurve::arc;
+  std::vector<RampStop> ramp{{0.0, {0.100f, 0.060f, 0.035f}},
+                             {0.55, {0.360f, 0.210f, 0.110f}},
+                             {1.0, {0.620f, 0.440f, 0.270f}}};  // 1 to 4 stops
+  std::uint32_t seed = 1;
+
+  bool operator==(const Coat&) const = default;
+};
+
+}  // namespace pelage

@@ -1,0 +1,31 @@
+#include "protocol/commands/command.h"
+
+#include <type_traits>
+
+namespace pelage {
+
+namespace {
+
+template <class C>
+constexpr bool has_stroke = requires(C command) { command.stroke; };
+
+}  // namespace
+
+const char* op_of(const Command& command) {
+  static constexpr const char* names[] = {"comb", "blow", "attract", "set_coat", "set_look", "set_lights"};
+  static_assert(std::size(names) == std::variant_size_v<Command>);
+  return names[command.index()];
+}
+
+Stroke* stroke_of(Command& command) {
+  return std::visit(
+      [](auto& c) -> Stroke* {
+        if constexpr (has_stroke<std::remove_reference_t<decltype(c)>>) return c.stroke ? &*c.stroke : nullptr;
+        else return nullptr;
+      },
+      command);
+}
+
+const Stroke* stroke_of(const Command& command) { return stroke_of(const_cast<Command&>(command)); }
+
+}  // namespace pelage

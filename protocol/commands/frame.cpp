@@ -1,0 +1,17 @@
+#include "protocol/commands/frame.h"
+
+#include <cassert>
+
+namespace pelage {
+
+Knobs knobs_of(Tier tier) {
+  switch (tier) {
+    case Tier::draft: return {.shells = 8, .samples = 1, .steps = 3, .scale = 0.75, .self_shadow = false};
+    case Tier::interactive: return {};
+    case Tier::detailed: return {.shells = 64, .samples = 4, .steps = 3, .scale = 2};
+  }
+  assert(false);
+  return {};
+}
+
+}  // namespace pelage

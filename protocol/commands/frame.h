@@ -1,0 +1,48 @@
+// What a frame request says: the size, the camera and the quality.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "protocol/commands/camera.h"
+#include "protocol/commands/look.h"
+
+namespace pelage {
+
+enum class Tier { draft, interactive, detailed };
+enum class Accumulation { half, full };
+enum class ToneMap { none, filmic };
+enum class Background { colour, transparent };
+
+/// What a tier stands for, and what a request may set one by one.
+struct Knobs {
+  int shells = 24;                                // [1, 1024]
+  int samples = 4;                                // on outlines: 1 or 4
+  int steps = 4;                                  // texture steps inside each shell's slab, [1, 16]
+  double scale = 1;                               // rendered size over asked size, [0.25, 2]
+  bool self_shadow = true;                        // the one that needs no maps (science.md 4)
+  Accumulation accumulation = Accumulation::half;
+
+  bool operator==(const Knobs&) const = default;
+};
+
+/// The knobs that a tier stands for.
+Knobs knobs_of(Tier tier);
+
+struct FrameRequest {
+  int width = 512;   // [1, 8192]
+  int height = 512;  // [1, 8192]
+  Camera camera;
+  Knobs knobs = knobs_of(Tier::interactive);
+  Background background = Background::colour;
+  glm::vec3 background_colour{0.56f, 0.58f, 0.61f};  // linear
+  double exposure = 0;                               // stops, [-20, 20]
+  ToneMap tone_map = ToneMap::filmic;
+  std::optional<Look> look;  // in place of the scene's, for this frame
+  std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
+};
+
+}  // namespace pelage

@@ -1,0 +1,38 @@
+// How a scene begins: with a built-in model or with the octets of a file.
+#pragma once
+
+#include <string>
+
+namespace pelage {
+
+enum class Builtin { torus, knot, sphere, plane, cloth, creature };
+enum class ModelFormat { obj, ply, stl, off, gltf, glb, tds };  // tds is "3ds" on the wire
+enum class Axis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  // "x", "-x", ...
+
+/// The first groom: fur that lies from nose to tail and a little down.
+struct FirstGroom {
+  double length = 0.03;      // sizes, [0, 10]
+  double inclination = 0.45; // [0, 1]
+};
+
+struct BuiltinModel {
+  Builtin shape = Builtin::creature;
+  int triangles = 5000;  // wished for; [2, 1000000]
+};
+
+struct NewScene {
+  std::string name = "scene";  // 1 to 200 bytes
+  BuiltinModel model;
+  FirstGroom fur;
+};
+
+/// Parameters of PUT model: how to read the octets that come with it. `up` and `front` say which of the file's axes
+/// point up and forward; they differ in more than sign.
+struct ImportOptions {
+  ModelFormat format = ModelFormat::obj;
+  Axis up = Axis::plus_y;
+  Axis front = Axis::plus_z;
+  FirstGroom fur;
+};
+
+}  // namespace pelage

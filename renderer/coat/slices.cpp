@@ -1,0 +1,85 @@
+#include "renderer/coat/slices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include <glm/glm.hpp>
+
+#include "renderer/coat/mip_levels.h"
+#include "renderer/coat/strand_tile.h"
+
+namespace pelage {
+
+namespace {
+
+/// One strand's cross-section at a slice's height.
+struct Sprite {
+  glm::dvec2 centre;  // texels
+  double radius;      // texels
+  glm::vec2 slope;
+  glm::vec3 colour;
+  float number;
+};
+
+int wrap(int i) { return i & (slice_texels - 1); }
+
+/// The share of a texel that a disc covers, falling softly from the rim; thinner than a texel it keeps its area.
+double coverage(double distance, double radius) {
+  const double reach = std::max(radius, 0.5);
+  const double share = std::min(1.0, (radius * radius) / (reach * reach));
+  return share * std::clamp(reach + 0.5 - distance, 0.0, 1.0);
+}
+
+void draw(const Sprite& sprite, std::vector<SliceTexel>& slice) {
+  const double reach = std::max(sprite.radius, 0.5) + 0.5;
+  const glm::ivec2 low(glm::floor(sprite.centre - reach)), high(glm::ceil(sprite.centre + reach));
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      const double share = coverage(glm::distance(sprite.centre, glm::dvec2(x + 0.5, y + 0.5)), sprite.radius);
+      if (share <= 0) continue;
+      const float depth = static_cast<float>(-std::log1p(-std::min(share, 0.997)));
+      slice[static_cast<std::size_t>(wrap(y) * slice_texels + wrap(x))].add(
+          {depth, sprite.slope * depth, sprite.colour * depth, sprite.number, 0});
+    }
+  }
+}
+
+Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
+  const double q = std::min(1.0, s / strand.length_share), step = 0.02;
+  const double low = std::max(0.0, q - step), high = std::min(1.0, q + step);
+  const glm::dvec2 slope = (strand_offset(coat, strand, high) - strand_offset(coat, strand, low)) /
+                           ((high - low) * strand.length_share);
+  const double to_texels = slice_texels / coat.tile;
+  const double tip = 0.5 * glm::mix(coat.width_root, coat.width_tip, q);
+  return {(strand.root + strand_offset(coat, strand, q)) * to_texels, tip * to_texels, glm::vec2(slope),
+          ramp_colour(coat, q) * static_cast<float>(strand.lightness), static_cast<float>(strand.number)};
+}
+
+std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& strands, int index) {
+  std::vector<SliceTexel> slice(slice_texels * slice_texels);
+  const double s = (index + 0.5) / slice_count;
+  for (const Strand& strand : strands) {
+    if (strand.length_share < s) continue;
+    Sprite sprite = cross_section(coat, strand, s);
+    sprite.radius *= std::min(1.0, (strand.length_share - s) * slice_count);  // a tip ends inside its slab
+    draw(sprite, slice);
+  }
+  return slice;
+}
+
+}  // namespace
+
+Slices bake_slices(const Coat& coat) {
+  const std::vector<Strand> strands = make_strands(coat);
+  std::vector<std::vector<SliceTexel>> stack(slice_count);
+  const auto bake_half = [&](int first) {
+    for (int i = first; i < slice_count; i += 2) stack[static_cast<std::size_t>(i)] = bake_slice(coat, strands, i);
+  };
+  std::thread other(bake_half, 1);  // slices do not depend on each other, so the split changes no bit
+  bake_half(0);
+  other.join();
+  return build_levels(coat, std::move(stack));
+}
+
+}  // namespace pelage

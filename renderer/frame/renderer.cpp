@@ -1,0 +1,110 @@
+#include "renderer/frame/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t kept_coats = 3;           // 90 MB each
+constexpr std::uint64_t patience = 60'000'000'000;  // nanoseconds until a GL that does not answer is given up
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
+  std::unique_ptr<Renderer> renderer(new Renderer(gl));
+  const std::string log = renderer->fur_.failure() + renderer->resolve_.failure();
+  if (!log.empty()) return failure(Code::unavailable, "a shader program cannot be built: " + log);
+  return renderer;
+}
+
+UploadCount Renderer::sync(const FurModel& model, const FurFields& fields) {
+  UploadCount count;
+  const auto found = models_.find(model.id);
+  if (found == models_.end()) models_.try_emplace(model.id, gl_, model, fields, count);
+  else found->second.update(gl_, fields, count);
+  return count;
+}
+
+void Renderer::forget(std::uint64_t model) { models_.erase(model); }
+
+const CoatTextures& Renderer::textures_of(const Coat& coat) {
+  const auto found = std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return c.coat() == coat; });
+  if (found != coats_.end()) {
+    coats_.splice(coats_.begin(), coats_, found);
+    return coats_.front();
+  }
+  if (coats_.size() == kept_coats) coats_.pop_back();
+  UploadCount count;
+  return coats_.emplace_front(gl_, coat, count);
+}
+
+Status Renderer::prepare_targets(const FurFrame& frame) {
+  const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
+  const GLenum colour = frame.knobs.accumulation == Accumulation::half ? GL_RGBA16F : GL_RGBA32F;
+  const int samples = frame.knobs.samples;
+  const auto need = [&](RenderTarget& target, GLenum format, int w, int h, int s, bool depth) {
+    if (target.matches(format, w, h, s)) return true;
+    target = RenderTarget();
+    target = RenderTarget(gl_, format, w, h, s, depth);
+    return target.complete();
+  };
+  bool complete = need(drawn_, colour, width, height, samples, true);
+  if (samples > 1) complete = complete && need(single_, colour, width, height, 1, false);
+  complete = complete && need(picture_, GL_RGBA8, frame.width, frame.height, 1, false);
+  if (complete) return {};
+  drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
+  return failure(Code::too_large, "no memory for a frame of this size", "/width");
+}
+
+Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
+  const auto model = models_.find(frame.model);
+  assert(model != models_.end());
+  const Status status = prepare_targets(frame);
+  if (!status.ok()) return status;
+  const CoatTextures& coat = textures_of(frame.coat);
+  const Stopwatch drawing;
+  const FrameBlock block = make_frame_block(frame, coat.slices(), model->second.has_colours(), drawn_.height());
+  fur_.draw(gl_, block, model->second, coat, drawn_);
+  if (frame.knobs.samples > 1) {
+    gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
+                             drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  resolve_.draw(gl_, frame, frame.knobs.samples > 1 ? single_ : drawn_, picture_);
+  const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
+  gl_.DeleteSync(fence);
+  if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED) return failure(Code::unavailable, "the GL does not answer");
+  if (times) times->draw = drawing.milliseconds();
+  const Stopwatch reading;
+  Result<Image> image = read_back(frame);
+  if (times) times->read = reading.milliseconds();
+  return image;
+}
+
+Result<Image> Renderer::read_back(const FurFrame& frame) {
+  Image image{frame.width, frame.height, {}};
+  image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  if (gl_.GetError() != GL_NO_ERROR) return failure(Code::internal, "a GL error while drawing");
+  return image;
+}
+
+}  // namespace pelage

@@ -1,0 +1,55 @@
+// Frames: the fixed, ordered list of passes, and the GPU copies of models and coats that they read.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+
+#include "protocol/base/status.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/render_target.h"
+#include "renderer/image/image.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/passes/fur/fur_pass.h"
+#include "renderer/passes/resolve/resolve_pass.h"
+#include "renderer/upload/coat_textures.h"
+#include "renderer/upload/model_buffers.h"
+
+namespace pelage {
+
+/// Milliseconds of a frame's stages.
+struct DrawTimes {
+  double draw = 0, read = 0;
+};
+
+/// Belongs to the thread and the context that it was made on.
+class Renderer {
+ public:
+  /// Fails (unavailable) when a program cannot be built.
+  static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
+
+  /// Brings the GPU copies up to date: everything for a model not seen before, dirty ranges for one that was.
+  UploadCount sync(const FurModel& model, const FurFields& fields);
+
+  /// Draws the model of the last sync with its id. Fails with unavailable when the GL does not answer within a minute,
+  /// and with too_large when there is no memory for the size.
+  Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
+
+  void forget(std::uint64_t model);
+
+ private:
+  explicit Renderer(const Gl& gl) : gl_(gl), fur_(gl), resolve_(gl) {}
+  Status prepare_targets(const FurFrame& frame);
+  const CoatTextures& textures_of(const Coat& coat);
+  Result<Image> read_back(const FurFrame& frame);
+
+  const Gl& gl_;
+  FurPass fur_;
+  ResolvePass resolve_;
+  std::map<std::uint64_t, ModelBuffers> models_;
+  std::list<CoatTextures> coats_;  // most recently used first
+  RenderTarget drawn_, single_, picture_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,47 @@
+// A headless GL context, chosen at run time. One for the process, current on one thread for its whole life.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "renderer/gl/functions.h"
+
+namespace pelage {
+
+enum class GlChoice { automatic, egl, osmesa };
+
+class Context {
+ public:
+  virtual ~Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  const Gl& gl() const { return gl_; }
+  /// "EGL device 0, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
+  const std::string& description() const { return description_; }
+  bool is_software() const { return software_; }
+
+ protected:
+  Context() = default;
+  /// Loads the functions and proves the context by drawing and reading a pixel.
+  Status prove(const std::string& name, const LoadFunction& find);
+
+ private:
+  Gl gl_;
+  std::string description_;
+  bool software_ = false;
+};
+
+enum class EglPlatform { hardware_device, software_device, surfaceless };
+
+/// Each makes a context and makes it current on the calling thread, or says (unavailable) what failed.
+Result<std::unique_ptr<Context>> open_egl(EglPlatform platform);
+Result<std::unique_ptr<Context>> open_osmesa();
+
+/// automatic: hardware EGL devices, the software device, surfaceless, OSMesa, the first that proves itself.
+/// An explicit choice never falls back to another. `threads` bounds a software GL's threads (0: as many as cores) and
+/// must be set before any context is made.
+Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads);
+
+}  // namespace pelage

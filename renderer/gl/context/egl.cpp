@@ -1,0 +1,132 @@
+// EGL without a window system: the device platform and Mesa's surfaceless one. The library is opened at run time, so
+// that a machine without EGL still starts with OSMesa.
+#include <dlfcn.h>
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <fmt/format.h>
+
+#include "renderer/gl/context/context.h"
+
+namespace pelage {
+
+namespace {
+
+struct Egl {
+  decltype(&eglGetProcAddress) get = nullptr;
+  PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display = nullptr;
+  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
+  PFNEGLQUERYDEVICESTRINGEXTPROC device_string = nullptr;
+  decltype(&eglInitialize) initialize = nullptr;
+  decltype(&eglBindAPI) bind_api = nullptr;
+  decltype(&eglCreateContext) create_context = nullptr;
+  decltype(&eglDestroyContext) destroy_context = nullptr;
+  decltype(&eglMakeCurrent) make_current = nullptr;
+  decltype(&eglGetError) error = nullptr;
+};
+
+template <class Function>
+void get(const Egl& egl, Function& function, const char* name) {
+  function = reinterpret_cast<Function>(egl.get(name));
+}
+
+/// The library stays open for the life of the process: drivers do not survive being unloaded.
+Result<Egl> open_library() {
+  void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (!library) return failure(Code::unavailable, "libEGL.so.1 cannot be opened");
+  Egl egl;
+  egl.get = reinterpret_cast<decltype(egl.get)>(dlsym(library, "eglGetProcAddress"));
+  if (!egl.get) return failure(Code::unavailable, "libEGL.so.1 has no eglGetProcAddress");
+  get(egl, egl.platform_display, "eglGetPlatformDisplayEXT");
+  get(egl, egl.query_devices, "eglQueryDevicesEXT");
+  get(egl, egl.device_string, "eglQueryDeviceStringEXT");
+  get(egl, egl.initialize, "eglInitialize");
+  get(egl, egl.bind_api, "eglBindAPI");
+  get(egl, egl.create_context, "eglCreateContext");
+  get(egl, egl.destroy_context, "eglDestroyContext");
+  get(egl, egl.make_current, "eglMakeCurrent");
+  get(egl, egl.error, "eglGetError");
+  if (!egl.platform_display || !egl.initialize || !egl.create_context || !egl.make_current || !egl.bind_api) {
+    return failure(Code::unavailable, "libEGL.so.1 lacks platform displays");
+  }
+  return egl;
+}
+
+struct NamedDisplay {
+  EGLDisplay display;
+  std::string name;
+};
+
+std::vector<NamedDisplay> device_displays(const Egl& egl, bool software) {
+  std::array<EGLDeviceEXT, 32> devices{};
+  EGLint count = 0;
+  if (!egl.query_devices || !egl.query_devices(devices.size(), devices.data(), &count)) return {};
+  std::vector<NamedDisplay> displays;
+  for (int i = 0; i < count; ++i) {
+    EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
+    const char* extensions = egl.device_string ? egl.device_string(device, EGL_EXTENSIONS) : nullptr;
+    const bool is_software = extensions && std::strstr(extensions, "EGL_MESA_device_software");
+    if (is_software != software) continue;
+    displays.push_back({egl.platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), fmt::format("EGL device {}", i)});
+  }
+  return displays;
+}
+
+std::vector<NamedDisplay> displays_of(const Egl& egl, EglPlatform platform) {
+  if (platform != EglPlatform::surfaceless) return device_displays(egl, platform == EglPlatform::software_device);
+  return {{egl.platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "EGL surfaceless"}};
+}
+
+/// The display is never terminated while the process runs: handles of one platform are shared.
+class EglContext final : public Context {
+ public:
+  explicit EglContext(const Egl& egl) : egl_(egl) {}
+  ~EglContext() override {
+    if (context_ == EGL_NO_CONTEXT) return;
+    egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl_.destroy_context(display_, context_);
+  }
+
+  Status open(const NamedDisplay& named) {
+    display_ = named.display;
+    if (display_ == EGL_NO_DISPLAY || !egl_.initialize(display_, nullptr, nullptr)) return refuse(named, "eglInitialize");
+    if (!egl_.bind_api(EGL_OPENGL_API)) return refuse(named, "eglBindAPI");  // is for each thread
+    constexpr std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+                                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
+    if (context_ == EGL_NO_CONTEXT) return refuse(named, "eglCreateContext (OpenGL 4.5 core)");
+    if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return refuse(named, "eglMakeCurrent");
+    return prove(named.name, [this](const char* name) { return reinterpret_cast<void*>(egl_.get(name)); });
+  }
+
+ private:
+  Status refuse(const NamedDisplay& named, const char* call) const {
+    return failure(Code::unavailable, fmt::format("{}: {} failed (0x{:x})", named.name, call, egl_.error()));
+  }
+
+  Egl egl_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> open_egl(EglPlatform platform) {
+  const Result<Egl> egl = open_library();
+  if (!egl) return egl.status();
+  std::string tried;
+  for (const NamedDisplay& named : displays_of(*egl, platform)) {
+    auto context = std::make_unique<EglContext>(*egl);
+    const Status status = context->open(named);
+    if (status.ok()) return std::unique_ptr<Context>(std::move(context));
+    tried += (tried.empty() ? "" : "; ") + status.message;
+  }
+  return failure(Code::unavailable, tried.empty() ? "EGL has no such device" : tried);
+}
+
+}  // namespace pelage

@@ -1,0 +1,68 @@
+// Move-only owners of GL objects; 0 when moved from. They must die before the context and on its thread.
+#pragma once
+
+#include <utility>
+
+#include "renderer/gl/functions.h"
+
+namespace pelage {
+
+/// Owns one object; `Kind` knows how it is made and destroyed.
+template <class Kind>
+class Handle {
+ public:
+  Handle() = default;
+  template <class... Arguments>
+  explicit Handle(const Gl& gl, Arguments... arguments) : gl_(&gl), id_(Kind::create(gl, arguments...)) {}
+  Handle(Handle&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_) Kind::destroy(*gl_, id_);
+  }
+
+  GLuint id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+
+ private:
+  const Gl* gl_ = nullptr;
+  GLuint id_ = 0;
+};
+
+struct BufferKind {
+  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateBuffers(1, &id); return id; }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteBuffers(1, &id); }
+};
+struct TextureKind {
+  static GLuint create(const Gl& gl, GLenum target) { GLuint id = 0; gl.CreateTextures(target, 1, &id); return id; }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteTextures(1, &id); }
+};
+struct VertexArrayKind {
+  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateVertexArrays(1, &id); return id; }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteVertexArrays(1, &id); }
+};
+struct FramebufferKind {
+  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateFramebuffers(1, &id); return id; }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteFramebuffers(1, &id); }
+};
+struct RenderbufferKind {
+  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateRenderbuffers(1, &id); return id; }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteRenderbuffers(1, &id); }
+};
+struct ProgramKind {
+  static GLuint create(const Gl& gl) { return gl.CreateProgram(); }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteProgram(id); }
+};
+
+using Buffer = Handle<BufferKind>;
+using Texture = Handle<TextureKind>;
+using VertexArray = Handle<VertexArrayKind>;
+using Framebuffer = Handle<FramebufferKind>;
+using Renderbuffer = Handle<RenderbufferKind>;
+
+}  // namespace pelage

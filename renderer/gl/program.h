@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "renderer/gl/handles.h"
+
+namespace pelage {
+
+/// A linked vertex and fragment shader. Sources were checked by the build, so a failure here is a broken driver:
+/// the program is then empty and `log` says why.
+class Program {
+ public:
+  Program() = default;
+  Program(const Gl& gl, const char* vertex, const char* fragment);
+
+  void use() const { gl_->UseProgram(handle_.id()); }
+  void set(const char* name, int value) const { gl_->Uniform1i(location(name), value); }
+  void set(const char* name, float value) const { gl_->Uniform1f(location(name), value); }
+  GLuint id() const { return handle_.id(); }
+  const std::string& log() const { return log_; }
+
+ private:
+  GLint location(const char* name) const { return gl_->GetUniformLocation(handle_.id(), name); }
+
+  const Gl* gl_ = nullptr;
+  Handle<ProgramKind> handle_;
+  std::string log_;
+};
+
+}  // namespace pelage

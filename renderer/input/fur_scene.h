@@ -1,0 +1,79 @@
+// What the renderer is given: plain views of arrays that it never keeps, in internal coordinates (the box's diagonal is 1).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "protocol/commands/coat.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/look.h"
+
+namespace pelage {
+
+struct ImageView {
+  int width = 0, height = 0;
+  std::span<const std::uint8_t> rgba;  // sRGB, straight alpha, rows from the top
+};
+
+/// What a triangle's corner brings beside its vertex.
+struct FurCorner {
+  glm::vec2 tile_uv{0};   // place on the sample tile, sizes
+  glm::vec3 tile_axis{0}; // the tile's u axis in space, unit
+  glm::vec2 image_uv{0};  // v up
+  glm::vec3 colour{1};    // linear
+  int image = -1;         // index of the base-colour image, -1 for none
+};
+
+/// Constant for a model. `id` is what GPU copies are kept by.
+struct FurModel {
+  std::uint64_t id = 0;
+  std::span<const glm::vec3> positions, normals, tangents;  // for each vertex
+  std::span<const glm::uvec3> triangles;
+  std::span<const std::array<FurCorner, 3>> corners;        // for each triangle
+  std::span<const ImageView> images;
+  bool has_colours = false;                                 // whether corners carry the model's own colours
+};
+
+/// Half-open range of vertices whose fields changed since the last call for this model.
+struct DirtyRange {
+  std::uint32_t begin = 0, end = 0;
+};
+
+struct FurFields {
+  std::span<const glm::vec2> direction;  // for each vertex, in (tangent, bitangent); length is the inclination [0, 1]
+  std::span<const float> length;         // sizes
+  std::span<const DirtyRange> dirty;
+};
+
+struct FurLight {
+  LightKind kind = LightKind::directional;
+  glm::vec3 direction{0, -1, 0};  // unit, where the light goes
+  glm::vec3 position{0};
+  glm::vec3 radiance{1};          // colour times intensity
+};
+
+struct FurCamera {
+  glm::vec3 eye{0, 0, 1}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // unit and orthogonal
+  float tan_half_fov = 0.3f;                                               // vertical
+};
+
+/// Everything a frame needs beside the model: copied, so that the scene may go on changing while it is drawn.
+struct FurFrame {
+  std::uint64_t model = 0;  // of the last sync
+  Coat coat;
+  Look look;
+  std::vector<FurLight> lights;  // at most 8
+  FurCamera camera;
+  int width = 0, height = 0;
+  Knobs knobs;
+  Background background = Background::colour;
+  glm::vec3 background_colour{0};  // linear
+  double exposure = 0;             // stops
+  ToneMap tone_map = ToneMap::filmic;
+};
+
+}  // namespace pelage

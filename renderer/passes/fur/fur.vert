@@ -1,0 +1,59 @@
+#version 450 core
+#include "frame.glsl"
+#include "lean.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 tangent;
+layout(location = 3) in vec2 tile_uv;
+layout(location = 4) in vec3 tile_axis;
+layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
+layout(location = 6) in vec3 colour;
+layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
+
+uniform int first_shell;  // drawn first; the last is drawn where the step leads
+uniform int shell_step;   // 1 inside out, -1 outside in
+
+out vec3 place;
+out vec3 fibre_normal;
+out vec3 fibre_tangent;
+out vec2 tile;           // place on the tile at the slab's middle, in tiles
+out vec2 tile_per_height;// how that moves along the ray for a unit of height, in tiles
+out float level;         // mip level for the size of a pixel here
+out float slant;         // path through a slab over its thickness, as the strands see it
+flat out vec3 tile_u;
+out vec3 base_uv;
+out vec3 base_colour;
+flat out int shell;
+
+void main() {
+  shell = first_shell + gl_InstanceID * shell_step;
+  float s = (float(shell) + 0.5) / frame.counts.x;
+  bool root_curve = frame.tile.z > 0.5;
+  float inclination = min(length(groom.xy), 1.0);
+  vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
+  vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
+  vec3 curve = lean_point(root_curve, inclination, frame.counts.w, s);
+  place = position + groom.z * (curve.x * lean + curve.y * normal);
+  fibre_normal = normal;
+  fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);
+
+  // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans.
+  vec3 to_eye = normalize(frame.eye.xyz - place);
+  float facing = dot(to_eye, normal);
+  float rising = (facing < 0.0 ? -1.0 : 1.0) * max(abs(facing), 0.2);
+  float up_speed = groom.z * cos(curve.z), across_speed = groom.z * sin(curve.z);
+  vec3 crossing = (to_eye - facing * normal) * (up_speed / rising) - across_speed * lean;
+  vec3 tile_v = cross(normal, tile_axis);
+  vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
+  tile = tile_uv * frame.tile.x;
+  tile_per_height = sideways * frame.tile.x;
+  float lateral = length(sideways) / nominal_length;
+  slant = sqrt(1.0 + lateral * lateral);
+  float pixel = frame.eye.w * distance(frame.eye.xyz, place);
+  level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
+  tile_u = tile_axis;
+  base_uv = image_uv;
+  base_colour = colour;
+  gl_Position = frame.world_to_clip * vec4(place, 1.0);
+}

@@ -1,0 +1,32 @@
+#version 450 core
+#include "frame.glsl"
+#include "lighting.glsl"
+#include "base_colour.glsl"
+
+in vec3 place;
+in vec3 skin_normal;
+in vec3 base_uv;
+in vec3 base_colour;
+in float fur_length;
+
+layout(location = 0) out vec4 result;
+
+// Bare skin is lit as a matt surface. Under fur lies an undercoat: the colour of the roots in the light that gets there.
+void main() {
+  vec3 normal = normalize(skin_normal);
+  if (!gl_FrontFacing) normal = -normal;
+  float furred = smoothstep(0.0, 0.008, fur_length);
+  bool own = frame.skin.w > 0.5;
+  vec3 bare = own ? model_colour(base_colour, base_uv) : frame.skin.rgb;
+  vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
+  vec3 colour = mix(bare, undercoat, furred);
+  float depth = furred * frame.depth_above[0].x * frame.exponents.w;
+  vec3 sum = frame.weights.x * mix(1.0, frame.weights.w, furred) * colour * transmittance(0.6 * depth, colour);
+  for (int i = 0; i < int(frame.counts.z); ++i) {
+    vec3 to_light, radiance;
+    light_at(i, place, to_light, radiance);
+    float facing = dot(normal, to_light);
+    sum += radiance * colour * (frame.weights.y * max(facing, 0.0)) * transmittance(depth / max(facing, 0.3), colour);
+  }
+  result = vec4(sum, 1.0);
+}

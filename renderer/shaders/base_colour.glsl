@@ -1,0 +1,14 @@
+// The model's own colour and how it drives fur and skin.
+layout(binding = 2) uniform sampler2DArray base_images;  // linear after decoding from sRGB
+
+vec3 model_colour(vec3 colour, vec3 uv) {
+  if (uv.z < -0.5) return colour;
+  return colour * texture(base_images, vec3(uv.x, 1.0 - uv.y, floor(uv.z + 0.5))).rgb;
+}
+
+// Hue from the model, lightness along the strand from the ramp; or the ramp alone.
+vec3 fur_colour(vec3 strand, vec3 colour, vec3 uv) {
+  if (frame.skin.w < 0.5) return strand;
+  float lightness = dot(strand, vec3(0.2126, 0.7152, 0.0722)) / frame.tile.w;
+  return model_colour(colour, uv) * (0.25 + 0.95 * lightness);
+}

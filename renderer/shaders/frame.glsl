@@ -1,0 +1,25 @@
+// What every pass of a frame knows. Layout std140; renderer/upload/frame_block.h mirrors it.
+struct Light {
+  vec4 direction;  // where the light goes, unit; w is 0, or 1 for a point light
+  vec4 position;
+  vec4 radiance;
+};
+
+layout(std140, binding = 0) uniform FrameBlock {
+  mat4 world_to_clip;
+  vec4 eye;          // w: size of a pixel at distance 1
+  vec4 weights;      // ambient, diffuse, specular, ambient floor
+  vec4 exponents;    // diffuse, specular, back attenuation, self-shadow (0 when off)
+  vec4 skin;         // rgb; w: 1 where the fur takes the model's colours
+  vec4 counts;       // shells, steps, lights, root share
+  vec4 tile;         // 1 / side, texel size at the finest level, lean curve (0 arc, 1 root), largest ramp lightness
+  vec4 depth_scale[8];  // for each level: along the stack, at 60 degrees
+  vec4 depth_above[8];  // 32 values: mean optical depth to the light above each slice
+  vec4 ramp_root;    // colour at the root
+  Light lights[8];
+} frame;
+
+const int slice_count = 32;
+const float stored_depth = 6.0;
+const float stored_slope = 0.06;
+const float nominal_length = 0.03;

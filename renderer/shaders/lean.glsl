@@ -1,0 +1,30 @@
+// The lean curves of renderer/coat/lean_curve.cpp, for a strand of length 1: across, up and the tangent's angle.
+float lean_sinc(float x) { return abs(x) < 1e-2 ? 1.0 - x * x / 6.0 : sin(x) / x; }
+
+float parabola_length(float u) {
+  return sqrt(1.0 + u * u) + (abs(u) < 1e-2 ? 1.0 - u * u / 6.0 : asinh(u) / u);
+}
+
+vec3 lean_arc(float a0, float a, float s) {
+  float x = a * s;
+  float chord = s * lean_sinc(0.5 * x);
+  return vec3(chord * sin(a0 + 0.5 * x), chord * cos(a0 + 0.5 * x), a0 + x);
+}
+
+vec3 lean_root(float a0, float a, float s) {
+  float u1 = 2.0 * tan(0.5 * a);
+  float whole = parabola_length(u1);
+  float r = s;
+  for (int i = 0; i < 3; ++i) {
+    float u = r * u1;
+    r -= (r * parabola_length(u) - s * whole) / (2.0 * sqrt(1.0 + u * u));
+  }
+  float y = 2.0 * r / whole, x = r * r * u1 / whole;
+  return vec3(y * sin(a0) + x * cos(a0), y * cos(a0) - x * sin(a0), a0 + atan(r * u1));
+}
+
+vec3 lean_point(bool root_curve, float inclination, float root_share, float s) {
+  float tip = inclination * 1.57079632679;
+  float a0 = root_share * tip;
+  return root_curve ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s);
+}

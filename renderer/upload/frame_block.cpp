@@ -1,0 +1,71 @@
+#include "renderer/upload/frame_block.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "renderer/coat/strand_tile.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float near_plane = 1e-4f;  // sizes
+
+glm::mat4 projection(const FurFrame& frame) {
+  const float y = 1 / frame.camera.tan_half_fov;
+  const float x = y * static_cast<float>(frame.height) / static_cast<float>(frame.width);
+  glm::mat4 matrix(0);
+  matrix[0][0] = x;
+  matrix[1][1] = y;
+  matrix[2][3] = -1;          // w = -z
+  matrix[3][2] = near_plane;  // z / w = near / distance
+  return matrix;
+}
+
+glm::mat4 view(const FurCamera& camera) {
+  const glm::mat3 turn(camera.right, camera.up, -camera.forward);
+  glm::mat4 matrix(glm::transpose(turn));
+  matrix[3] = glm::vec4(-(glm::transpose(turn) * camera.eye), 1);
+  return matrix;
+}
+
+LightBlock light_block(const FurLight& light) {
+  return {{light.direction, light.kind == LightKind::point ? 1.0f : 0.0f}, {light.position, 1}, {light.radiance, 1}};
+}
+
+float largest_lightness(const Coat& coat) {
+  float largest = 1e-4f;
+  for (const RampStop& stop : coat.ramp) largest = std::max(largest, glm::dot(stop.colour, {0.2126f, 0.7152f, 0.0722f}));
+  return largest;
+}
+
+bool takes_model_colours(ColourSource source, bool model_has_colours) {
+  return source == ColourSource::model || (source == ColourSource::automatic && model_has_colours);
+}
+
+}  // namespace
+
+FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels) {
+  assert(frame.lights.size() <= 8);
+  const Look& look = frame.look;
+  const Coat& coat = frame.coat;
+  FrameBlock block;
+  block.world_to_clip = projection(frame) * view(frame.camera);
+  block.eye = {frame.camera.eye, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};
+  block.weights = glm::vec4(look.ambient, look.diffuse, look.specular, look.ambient_floor);
+  block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,
+                              frame.knobs.self_shadow ? look.self_shadow : 0.0);
+  block.skin = {look.skin, takes_model_colours(look.colour_source, model_has_colours) ? 1.0f : 0.0f};
+  block.counts = glm::vec4(frame.knobs.shells, frame.knobs.steps, frame.lights.size(), coat.root_share);
+  block.tile = glm::vec4(1 / coat.tile, coat.tile / slice_texels, coat.lean_curve == LeanCurve::root ? 1 : 0,
+                         largest_lightness(coat));
+  for (std::size_t i = 0; i < slices.levels.size(); ++i) {
+    block.depth_scale[i] = glm::vec4(slices.levels[i].depth_scale[0], slices.levels[i].depth_scale[1], 0, 0);
+  }
+  for (std::size_t i = 0; i < slice_count; ++i) block.depth_above[i / 4][static_cast<int>(i % 4)] = slices.depth_above[i];
+  block.ramp_root = {ramp_colour(coat, 0), 1};
+  std::transform(frame.lights.begin(), frame.lights.end(), block.lights.begin(), light_block);
+  return block;
+}
+
+}  // namespace pelage

@@ -1,0 +1,31 @@
+// The uniform block of renderer/shaders/frame.glsl, laid out as std140 wants it.
+#pragma once
+
+#include <array>
+
+#include <glm/glm.hpp>
+
+#include "renderer/coat/slices.h"
+#include "renderer/input/fur_scene.h"
+
+namespace pelage {
+
+struct LightBlock {
+  glm::vec4 direction{0}, position{0}, radiance{0};
+};
+
+struct FrameBlock {
+  glm::mat4 world_to_clip{1};
+  glm::vec4 eye{0}, weights{0}, exponents{0}, skin{0}, counts{0}, tile{0};
+  std::array<glm::vec4, slice_levels> depth_scale{};
+  std::array<glm::vec4, slice_count / 4> depth_above{};
+  glm::vec4 ramp_root{0};
+  std::array<LightBlock, 8> lights{};
+};
+static_assert(sizeof(FrameBlock) == 64 + 16 * (6 + 8 + 8 + 1 + 24));
+
+/// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that layers
+/// stay apart at any distance (science.md 1).
+FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels);
+
+}  // namespace pelage

@@ -1,0 +1,171 @@
+#include "renderer/upload/model_buffers.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <numeric>
+
+namespace pelage {
+
+struct RenderVertex {
+  glm::vec3 position, normal, tangent;
+  glm::vec2 tile_uv;
+  glm::vec3 tile_axis, image_uv, colour;
+};
+
+namespace {
+
+GLuint place_of(Attribute attribute) { return static_cast<GLuint>(attribute); }
+
+bool same_look(const FurCorner& a, const FurCorner& b) {
+  return a.tile_uv == b.tile_uv && a.tile_axis == b.tile_axis && a.image_uv == b.image_uv && a.colour == b.colour &&
+         a.image == b.image;
+}
+
+RenderVertex make_vertex(const FurModel& model, std::uint32_t vertex, const FurCorner& corner) {
+  return {model.positions[vertex], model.normals[vertex], model.tangents[vertex], corner.tile_uv, corner.tile_axis,
+          {corner.image_uv, static_cast<float>(corner.image)}, corner.colour};
+}
+
+/// A copy of the image at another size, nearest texel.
+std::vector<std::uint8_t> resized(const ImageView& image, int width, int height) {
+  if (image.width == width && image.height == height) return {image.rgba.begin(), image.rgba.end()};
+  std::vector<std::uint8_t> result(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int from = (y * image.height / height) * image.width + x * image.width / width;
+      std::memcpy(&result[4 * static_cast<std::size_t>(y * width + x)], &image.rgba[4 * static_cast<std::size_t>(from)], 4);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count)
+    : vertex_array_(gl), fixed_(gl), groom_(gl), elements_(gl), has_colours_(model.has_colours) {
+  std::vector<RenderVertex> vertices;
+  split(model, vertices);
+  const auto bytes = vertices.size() * sizeof(RenderVertex);
+  gl.NamedBufferData(fixed_.id(), static_cast<GLsizeiptr>(bytes), vertices.data(), GL_STATIC_DRAW);
+  gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)), nullptr, GL_DYNAMIC_DRAW);
+  count.bytes += bytes, count.buffers += 1;
+  const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};
+  update(gl, {fields.direction, fields.length, {&all, 1}}, count);
+  make_vertex_array(gl);
+  send_images(gl, model, count);
+}
+
+void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& vertices) {
+  const std::size_t corners = 3 * model.triangles.size();
+  const auto vertex_of = [&](std::uint32_t c) { return model.triangles[c / 3][static_cast<int>(c % 3)]; };
+  const auto corner_of = [&](std::uint32_t c) -> const FurCorner& { return model.corners[c / 3][c % 3]; };
+  std::vector<std::uint32_t> order(corners);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return vertex_of(a) < vertex_of(b); });
+
+  triangles_.resize(model.triangles.size());
+  first_.assign(model.positions.size() + 1, 0);
+  std::vector<std::uint32_t> chosen;  // the corner that made each render vertex
+  for (std::size_t i = 0; i < corners;) {
+    const std::uint32_t vertex = vertex_of(order[i]);
+    const std::size_t begin = chosen.size();
+    for (; i < corners && vertex_of(order[i]) == vertex; ++i) {
+      const auto same = std::find_if(chosen.begin() + static_cast<std::ptrdiff_t>(begin), chosen.end(),
+                                     [&](auto c) { return same_look(corner_of(c), corner_of(order[i])); });
+      const auto index = static_cast<std::uint32_t>(same - chosen.begin());
+      if (same == chosen.end()) chosen.push_back(order[i]), welded_.push_back(vertex);
+      triangles_[order[i] / 3][static_cast<int>(order[i] % 3)] = index;
+    }
+    first_[vertex + 1] = static_cast<std::uint32_t>(chosen.size() - begin);
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+
+  vertices.reserve(chosen.size());
+  for (const std::uint32_t c : chosen) vertices.push_back(make_vertex(model, vertex_of(c), corner_of(c)));
+  for (const glm::uvec3& t : model.triangles) {
+    const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
+    centroids_.push_back((a + b + c) / 3.0f);
+    face_normals_.push_back(model.normals[t.x] + model.normals[t.y] + model.normals[t.z]);
+  }
+}
+
+void ModelBuffers::make_vertex_array(const Gl& gl) {
+  const GLuint id = vertex_array_.id();
+  gl.VertexArrayVertexBuffer(id, 0, fixed_.id(), 0, sizeof(RenderVertex));
+  gl.VertexArrayVertexBuffer(id, 1, groom_.id(), 0, sizeof(glm::vec3));
+  gl.VertexArrayElementBuffer(id, elements_.id());
+  const auto add = [&](Attribute attribute, GLint size, std::size_t offset, GLuint buffer) {
+    gl.EnableVertexArrayAttrib(id, place_of(attribute));
+    gl.VertexArrayAttribFormat(id, place_of(attribute), size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    gl.VertexArrayAttribBinding(id, place_of(attribute), buffer);
+  };
+  add(Attribute::position, 3, offsetof(RenderVertex, position), 0);
+  add(Attribute::normal, 3, offsetof(RenderVertex, normal), 0);
+  add(Attribute::tangent, 3, offsetof(RenderVertex, tangent), 0);
+  add(Attribute::tile_uv, 2, offsetof(RenderVertex, tile_uv), 0);
+  add(Attribute::tile_axis, 3, offsetof(RenderVertex, tile_axis), 0);
+  add(Attribute::image_uv, 3, offsetof(RenderVertex, image_uv), 0);
+  add(Attribute::colour, 3, offsetof(RenderVertex, colour), 0);
+  add(Attribute::groom, 3, 0, 1);
+}
+
+void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount& count) {
+  int width = 1, height = 1;
+  for (const ImageView& image : model.images) width = std::max(width, image.width), height = std::max(height, image.height);
+  width = std::min(width, 4096), height = std::min(height, 4096);
+  const auto layers = static_cast<GLsizei>(std::max<std::size_t>(1, model.images.size()));
+  const int levels = model.images.empty() ? 1 : 1 + static_cast<int>(std::floor(std::log2(std::max(width, height))));
+  images_ = Texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
+  gl.TextureStorage3D(images_.id(), levels, GL_SRGB8_ALPHA8, width, height, layers);
+  for (std::size_t i = 0; i < model.images.size(); ++i) {
+    const std::vector<std::uint8_t> pixels = resized(model.images[i], width, height);
+    gl.TextureSubImage3D(images_.id(), 0, 0, 0, static_cast<GLint>(i), width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                         pixels.data());
+    count.bytes += pixels.size();
+  }
+  if (!model.images.empty()) gl.GenerateTextureMipmap(images_.id());
+  gl.TextureParameteri(images_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  gl.TextureParameteri(images_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& count) {
+  std::vector<glm::vec3> values;
+  for (const DirtyRange& range : fields.dirty) {
+    assert(range.begin <= range.end && range.end < first_.size());
+    const std::uint32_t begin = first_[range.begin], end = first_[range.end];
+    if (begin == end) continue;
+    values.clear();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      values.emplace_back(fields.direction[welded_[i]], fields.length[welded_[i]]);
+    }
+    const auto bytes = static_cast<GLsizeiptr>(values.size() * sizeof(glm::vec3));
+    gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, values.data());
+    count.bytes += static_cast<std::size_t>(bytes), count.buffers += 1;
+  }
+}
+
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, glm::vec3 eye) {
+  // Fur on triangles turned further away than this lies behind the skin that faces the eye.
+  constexpr float outline = -0.6f;
+  std::vector<glm::uvec3> facing, averted;
+  facing.reserve(triangles_.size());
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const glm::vec3 to_eye = eye - centroids_[i], normal = face_normals_[i];
+    const float cosine = glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
+    if (cosine >= 0) facing.push_back(triangles_[i]);
+    else if (cosine > outline) averted.push_back(triangles_[i]);
+  }
+  const auto size = [](const std::vector<glm::uvec3>& list) { return static_cast<GLsizeiptr>(list.size() * sizeof(glm::uvec3)); };
+  const GLsizeiptr all = size(triangles_);
+  gl.NamedBufferData(elements_.id(), all + size(facing) + size(averted), nullptr, GL_STREAM_DRAW);
+  gl.NamedBufferSubData(elements_.id(), 0, all, triangles_.data());
+  gl.NamedBufferSubData(elements_.id(), all, size(facing), facing.data());
+  gl.NamedBufferSubData(elements_.id(), all + size(facing), size(averted), averted.data());
+  const auto indices = [](const std::vector<glm::uvec3>& list) { return static_cast<GLsizei>(3 * list.size()); };
+  return {indices(triangles_), indices(facing), indices(averted)};
+}
+
+}  // namespace pelage

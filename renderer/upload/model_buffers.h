@@ -1,0 +1,59 @@
+// The one door from CPU arrays to GPU buffers: a model's vertices, split where corners differ, and its fields.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/gl/handles.h"
+#include "renderer/input/fur_scene.h"
+
+namespace pelage {
+
+/// Attribute places, listed once; shaders name the same numbers.
+enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom };
+
+/// What was sent, for tests and metrics.
+struct UploadCount {
+  std::size_t bytes = 0;
+  std::size_t buffers = 0;
+};
+
+struct RenderVertex;
+
+class ModelBuffers {
+ public:
+  /// Sends the whole model and its fields.
+  ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count);
+
+  /// Sends the vertices in `fields.dirty` only.
+  void update(const Gl& gl, const FurFields& fields, UploadCount& count);
+
+  GLuint vertex_array() const { return vertex_array_.id(); }
+  GLuint base_images() const { return images_.id(); }
+  bool has_colours() const { return has_colours_; }
+
+  /// Sends the triangles to draw for an eye: those that face it, then those turned away but near an outline. Returns
+  /// how many indices each group has.
+  struct DrawLists {
+    GLsizei all = 0, facing = 0, averted = 0;  // indices; they follow each other in the element buffer
+  };
+  DrawLists sort_for(const Gl& gl, glm::vec3 eye);
+
+ private:
+  void split(const FurModel& model, std::vector<RenderVertex>& vertices);
+  void make_vertex_array(const Gl& gl);
+  void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
+
+  VertexArray vertex_array_;
+  Buffer fixed_, groom_, elements_;
+  Texture images_;
+  bool has_colours_ = false;
+  std::vector<std::uint32_t> welded_;     // the model's vertex of each render vertex, rising
+  std::vector<std::uint32_t> first_;      // of each model's vertex, its first render vertex; one more at the end
+  std::vector<glm::uvec3> triangles_;     // in render vertices
+  std::vector<glm::vec3> centroids_, face_normals_;
+};
+
+}  // namespace pelage
