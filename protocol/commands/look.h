@@ -14,10 +14,10 @@ enum class ColourSource { automatic, model, coat };
 /// Weights of GPU fur eq 1 and what goes with them.
 struct Look {
   ColourSource colour_source = ColourSource::automatic;
-  double ambient = 0.35;             // ka, [0, 4]
-  double diffuse = 0.9;              // kd, [0, 4]
+  double ambient = 0.38;             // ka, [0, 4]
+  double diffuse = 0.8;              // kd, [0, 4]
   double specular = 0.25;            // ks, [0, 4]
-  double diffuse_exponent = 2;       // pd, [0, 1e6]
+  double diffuse_exponent = 1.2;     // pd, [0, 1e6]
   double specular_exponent = 40;     // ps, [0, 1e6]
   double back_attenuation = 0.5;     // r of B, (0, 1]
   double ambient_floor = 0.3;        // e of g = (1-e) s + e, [0, 1]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "renderer/coat/strand_tile.h"
 
@@ -105,9 +106,11 @@ void light_from_above(const Coat& coat, Stack& stack) {
   const double kept = 0.42 * std::min(1.0, slant / 4);
   std::vector<double> above(coarse * coarse, 0.0);
   for (std::size_t i = stack.size(); i-- > 0;) {
+    const double mean = std::accumulate(above.begin(), above.end(), 0.0) / static_cast<double>(above.size());
     for (int y = 0; y < slice_texels; ++y) {
       for (int x = 0; x < slice_texels; ++x) {
-        const double depth = above[at(x / 8, y / 8, coarse)];
+        // Light comes from the side too, so a gap between tufts is no brighter than the fur around it.
+        const double depth = 0.5 * mean + 0.5 * std::max(mean, above[at(x / 8, y / 8, coarse)]);
         stack[i][at(x, y, slice_texels)].light = static_cast<float>(std::exp(-kept * depth));
       }
     }

@@ -19,6 +19,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
   get(ClientWaitSync, "glClientWaitSync");
   get(ClipControl, "glClipControl");
+  get(ColorMask, "glColorMask");
   get(CompileShader, "glCompileShader");
   get(CreateBuffers, "glCreateBuffers");
   get(CreateFramebuffers, "glCreateFramebuffers");

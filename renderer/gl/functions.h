@@ -24,6 +24,7 @@ struct Gl {
   PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
   PFNGLCLIENTWAITSYNCPROC ClientWaitSync = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
+  PFNGLCOLORMASKPROC ColorMask = nullptr;
   PFNGLCOMPILESHADERPROC CompileShader = nullptr;
   PFNGLCREATEBUFFERSPROC CreateBuffers = nullptr;
   PFNGLCREATEFRAMEBUFFERSPROC CreateFramebuffers = nullptr;

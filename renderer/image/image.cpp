@@ -112,9 +112,10 @@ Result<Image> decode_image(std::span<const std::byte> octets, std::size_t max_pi
   OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(octets.data()), octets.size());
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open(name, &wishes, &source);
+  const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);
   if (!input) return refusal(reason_of(OIIO::geterror()));
-  const OIIO::ImageSpec spec = input->spec();
+  OIIO::ImageSpec spec;
+  if (!input->set_ioproxy(&source) || !input->open(name, spec, wishes)) return refusal(reason_of(input->geterror()));
   if (Status status = check_size(spec, max_pixels); !status.ok()) return status;
 
   input->threads(1);

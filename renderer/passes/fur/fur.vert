@@ -11,8 +11,10 @@ layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
 
+uniform int shell_count;
 uniform int first_shell;  // drawn first; the last is drawn where the step leads
 uniform int shell_step;   // 1 inside out, -1 outside in
+uniform float push;       // how much further from the eye the depth is written, in lengths of the fur
 
 out vec3 place;
 out vec3 fibre_normal;
@@ -28,7 +30,7 @@ flat out int shell;
 
 void main() {
   shell = first_shell + gl_InstanceID * shell_step;
-  float s = (float(shell) + 0.5) / frame.counts.x;
+  float s = (float(shell) + 0.5) / float(shell_count);
   bool root_curve = frame.tile.z > 0.5;
   float inclination = min(length(groom.xy), 1.0);
   vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
@@ -56,4 +58,5 @@ void main() {
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
+  gl_Position.z *= gl_Position.w / (gl_Position.w + push * groom.z);  // depth is near / distance
 }

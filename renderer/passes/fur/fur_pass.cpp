@@ -7,11 +7,17 @@ namespace pelage {
 namespace shaders {
 extern const char* const fur_vert;
 extern const char* const fur_frag;
+extern const char* const solid_frag;
 extern const char* const skin_vert;
 extern const char* const skin_frag;
 }  // namespace shaders
 
 namespace {
+
+// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written a fur length further away so that
+// the layers of one coat do not hide each other. Without it the body's outer layers would cover an ear's fringe.
+constexpr int solid_shells = 4;
+constexpr float solid_push = 1.0f;
 
 const void* first_index(GLsizei index) {
   return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(index) * sizeof(GLuint));
@@ -36,7 +42,8 @@ void set_state(const Gl& gl, const RenderTarget& target) {
 }  // namespace
 
 FurPass::FurPass(const Gl& gl)
-    : skin_(gl, shaders::skin_vert, shaders::skin_frag), fur_(gl, shaders::fur_vert, shaders::fur_frag), block_(gl) {
+    : skin_(gl, shaders::skin_vert, shaders::skin_frag), solid_(gl, shaders::fur_vert, shaders::solid_frag),
+      fur_(gl, shaders::fur_vert, shaders::fur_frag), block_(gl) {
   gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
 }
 
@@ -56,20 +63,29 @@ void FurPass::draw(const Gl& gl, const FrameBlock& block, ModelBuffers& model, c
   gl.Disable(GL_BLEND);
   skin_.use();
   gl.DrawElements(GL_TRIANGLES, lists.all, GL_UNSIGNED_INT, first_index(0));
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_shells(gl, solid_, lists, solid_shells, solid_push);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  fur_.use();
-  const int shells = static_cast<int>(block.counts.x);
-  fur_.set("first_shell", shells - 1);
-  fur_.set("shell_step", -1);
-  gl.DrawElementsInstanced(GL_TRIANGLES, lists.averted, GL_UNSIGNED_INT, first_index(lists.all + lists.facing), shells);
-  fur_.set("first_shell", 0);
-  fur_.set("shell_step", 1);
-  gl.DrawElementsInstanced(GL_TRIANGLES, lists.facing, GL_UNSIGNED_INT, first_index(lists.all), shells);
+  draw_shells(gl, fur_, lists, static_cast<int>(block.counts.x), 0);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
+}
+
+void FurPass::draw_shells(const Gl& gl, const Program& program, const ModelBuffers::DrawLists& lists, int shells,
+                          float push) const {
+  program.use();
+  program.set("shell_count", shells);
+  program.set("push", push);
+  program.set("first_shell", shells - 1);
+  program.set("shell_step", -1);
+  gl.DrawElementsInstanced(GL_TRIANGLES, lists.averted, GL_UNSIGNED_INT, first_index(lists.all + lists.facing), shells);
+  program.set("first_shell", 0);
+  program.set("shell_step", 1);
+  gl.DrawElementsInstanced(GL_TRIANGLES, lists.facing, GL_UNSIGNED_INT, first_index(lists.all), shells);
 }
 
 }  // namespace pelage

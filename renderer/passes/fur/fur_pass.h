@@ -17,13 +17,17 @@ class FurPass {
   explicit FurPass(const Gl& gl);
 
   /// "" when both programs were built.
-  std::string failure() const { return skin_.log() + fur_.log(); }
+  std::string failure() const { return skin_.log() + solid_.log() + fur_.log(); }
 
-  /// Clears the target and draws. Order: skin; fur turned away from the eye, outside in; fur that faces it, inside out.
+  /// Clears the target and draws. Order: skin; depth of dense fur; fur turned away from the
+  /// eye, outside in; fur that faces it, inside out.
   void draw(const Gl& gl, const FrameBlock& block, ModelBuffers& model, const CoatTextures& coat, const RenderTarget& target);
 
  private:
-  Program skin_, fur_;
+  void draw_shells(const Gl& gl, const Program& program, const ModelBuffers::DrawLists& lists, int shells,
+                   float push) const;
+
+  Program skin_, solid_, fur_;
   Buffer block_;
 };
 

@@ -1,0 +1,43 @@
+// What a ray meets inside one shell's slab.
+layout(binding = 0) uniform sampler2DArray shapes;  // slope, light from above, optical depth
+
+uniform int shell_count;
+uniform int shell_step;  // 1: seen from outside, the slab's top comes first
+
+in vec2 tile;
+in vec2 tile_per_height;
+in float level;
+in float slant;
+flat in int shell;
+
+struct Slab {
+  float opacity, height, light;  // the last two weighted by opacity
+  vec2 slope;
+};
+
+float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
+
+// Front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
+// `blur` levels coarser than a pixel asks for. It is
+// scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1).
+Slab march(int steps, float blur) {
+  float thickness = 1.0 / float(shell_count);
+  float sharp = floor(min(level + blur, 7.0) + 0.5);
+  vec4 scales = frame.depth_scale[int(sharp)];
+  float slanted = clamp(2.0 - 2.0 / slant, 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
+  float scale = stored_depth * 1.442695 * mix(scales.x, scales.y, slanted) * min(slant, 10.0) *
+                float(slice_count) * thickness / float(steps);
+  Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
+  for (int i = 0; i < steps; ++i) {
+    float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_step);
+    float s = shell_height() + off;
+    vec4 shape = textureLod(shapes, vec3(tile + tile_per_height * off, floor(s * float(slice_count))), sharp);
+    float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));
+    slab.opacity += weight;
+    slab.height += weight * s;
+    slab.light += weight * shape.b;
+    slab.slope += weight * shape.xy;
+    if (slab.opacity > 0.985) break;
+  }
+  return slab;
+}
