@@ -17,7 +17,8 @@ constexpr double turn = 2 * std::numbers::pi;
 struct Clump {
   glm::dvec2 centre{0};
   glm::dvec2 bow{0};
-  double length = 1, lightness = 1;
+  double length = 1, lightness = 1;  // [-1, 1]
+  double pull = 1;                   // [0, 1]: tufts are not all alike
 };
 
 class ClumpGrid {
@@ -52,7 +53,7 @@ class ClumpGrid {
     const glm::dvec2 jitter(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
     const double angle = random.uniform(0, turn), reach = random.uniform();
     return {(cell + jitter) * (tile_ / side_), glm::dvec2(std::cos(angle), std::sin(angle)) * reach,
-            random.uniform(-1, 1), random.uniform(-1, 1)};
+            random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.25, 1)};
   }
 
   double tile_;
@@ -80,7 +81,7 @@ std::vector<Strand> make_strands(const Coat& coat) {
     strand.root = root_place(coat, i, random);
     const Clump clump = clumps.nearest(strand.root);
     const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = coat.clump;
-    strand.clump = clump.centre - strand.root;
+    strand.clump = (clump.centre - strand.root) * clump.pull;
     strand.bow = coat.bend * nominal_length *
                  glm::mix(glm::dvec2(std::cos(angle), std::sin(angle)) * random.uniform(), clump.bow, of_clump * 0.8);
     strand.curl_phase = random.uniform(0, turn);

@@ -33,11 +33,17 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
   return renderer;
 }
 
-UploadCount Renderer::sync(const FurModel& model, const FurFields& fields) {
+UploadCount Renderer::add(const FurModel& model, const FurFields& fields) {
+  assert(!has(model.id));
   UploadCount count;
-  const auto found = models_.find(model.id);
-  if (found == models_.end()) models_.try_emplace(model.id, gl_, model, fields, count);
-  else found->second.update(gl_, fields, count);
+  models_.try_emplace(model.id, gl_, model, fields, count);
+  return count;
+}
+
+UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
+  assert(has(model));
+  UploadCount count;
+  models_.at(model).update(gl_, fields, count);
   return count;
 }
 

@@ -29,10 +29,13 @@ class Renderer {
   /// Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
 
-  /// Brings the GPU copies up to date: everything for a model not seen before, dirty ranges for one that was.
-  UploadCount sync(const FurModel& model, const FurFields& fields);
+  bool has(std::uint64_t model) const { return models_.contains(model); }
+  /// Sends a model that the renderer does not have yet, with its fields.
+  UploadCount add(const FurModel& model, const FurFields& fields);
+  /// Sends the dirty ranges of a model that it has.
+  UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws the model of the last sync with its id. Fails with unavailable when the GL does not answer within a minute,
+  /// Draws a model that it has. Fails with unavailable when the GL does not answer within a minute,
   /// and with too_large when there is no memory for the size.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
 

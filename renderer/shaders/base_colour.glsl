@@ -1,7 +1,9 @@
 // The model's own colour and how it drives fur and skin.
 layout(binding = 2) uniform sampler2DArray base_images;  // linear after decoding from sRGB
 
+// Colours of vertices may come out negative where a sample lies outside its triangle.
 vec3 model_colour(vec3 colour, vec3 uv) {
+  colour = max(colour, 0.0);
   if (uv.z < -0.5) return colour;
   return colour * texture(base_images, vec3(uv.x, 1.0 - uv.y, floor(uv.z + 0.5))).rgb;
 }
@@ -10,5 +12,5 @@ vec3 model_colour(vec3 colour, vec3 uv) {
 vec3 fur_colour(vec3 strand, vec3 colour, vec3 uv) {
   if (frame.skin.w < 0.5) return strand;
   float lightness = dot(strand, vec3(0.2126, 0.7152, 0.0722)) / frame.tile.w;
-  return model_colour(colour, uv) * (0.25 + 0.95 * lightness);
+  return model_colour(colour, uv) * (0.36 + 0.84 * lightness);
 }

@@ -14,7 +14,7 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
 }
 
 // Light that passes pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4).
-vec3 transmittance(float depth, vec3 colour) { return exp2(-1.442695 * depth * (1.0 - 0.82 * sqrt(min(colour, 1.0)))); }
+vec3 transmittance(float depth, vec3 colour) { return exp2(-1.442695 * depth * (1.0 - 0.82 * sqrt(clamp(colour, 0.0, 1.0)))); }
 
 struct Fibre {
   vec3 place, normal, tangent, to_eye;

@@ -17,7 +17,7 @@ layout(location = 0) out vec4 result;  // premultiplied
 
 void main() {
   Slab slab = march(int(frame.counts.y), 0.0);
-  if (slab.opacity < 0.004) discard;
+  if (slab.opacity * float(shell_count) < 0.02) discard;  // together less than one step of 255 over most of the fur
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;
   vec2 at = tile + tile_per_height * (height - shell_height());

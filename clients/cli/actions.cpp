@@ -1,0 +1,23 @@
+#include "clients/cli/actions.h"
+
+namespace pelage {
+
+ExitCode perform(Session& session) {
+  switch (session.options().action) {
+    case Action::create: return create_scene(session);
+    case Action::load: return load_model(session);
+    case Action::run: return run_file(session);
+    case Action::frame: return draw_frame(session);
+    case Action::undo:
+    case Action::redo:
+    case Action::revert: return move_in_history(session);
+    case Action::log: return show_log(session);
+    case Action::pick: return pick_pixel(session);
+    case Action::list: return list_scenes(session);
+    case Action::remove: return remove_scene(session);
+    case Action::info: return describe_scene(session);
+  }
+  return failed;
+}
+
+}  // namespace pelage

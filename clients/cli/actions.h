@@ -1,0 +1,23 @@
+// What each subcommand does. All of them print and give the exit code.
+#pragma once
+
+#include "clients/cli/session.h"
+
+namespace pelage {
+
+ExitCode perform(Session& session);
+
+ExitCode create_scene(Session& session);
+ExitCode load_model(Session& session);
+ExitCode list_scenes(Session& session);
+ExitCode describe_scene(Session& session);
+ExitCode remove_scene(Session& session);
+
+ExitCode run_file(Session& session);
+ExitCode move_in_history(Session& session);
+ExitCode show_log(Session& session);
+
+ExitCode draw_frame(Session& session);
+ExitCode pick_pixel(Session& session);
+
+}  // namespace pelage

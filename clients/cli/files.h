@@ -1,0 +1,17 @@
+// Files and the standard streams.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "protocol/base/status.h"
+
+namespace pelage {
+
+/// "-" is standard input. Refused when it cannot be read (not_found) or is over `most_bytes` (too_large).
+Result<std::string> read_file(const std::string& path, std::size_t most_bytes);
+
+/// Under a temporary name in the same folder, then renamed; "-" is standard output.
+Status write_file(const std::string& path, const std::string& octets);
+
+}  // namespace pelage

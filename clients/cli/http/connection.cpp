@@ -1,0 +1,80 @@
+#include "clients/cli/http/connection.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+namespace pelage {
+
+namespace {
+
+constexpr int connection_seconds = 5;
+constexpr int answer_seconds = 600;  // a large model or picture takes a while
+
+HttpAnswer answer_of(const httplib::Response& response) {
+  HttpAnswer answer{.status = response.status, .body = response.body, .headers = {}};
+  for (const auto& [name, value] : response.headers) {
+    std::string lower = name;
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    answer.headers[lower] = value;
+  }
+  return answer;
+}
+
+}  // namespace
+
+struct Connection::Impl {
+  Impl(std::string address, const std::string& token) : server(std::move(address)), client(server) {
+    client.set_connection_timeout(connection_seconds);
+    client.set_read_timeout(answer_seconds);
+    client.set_write_timeout(answer_seconds);
+    client.set_keep_alive(true);
+    client.set_tcp_nodelay(true);
+    if (!token.empty()) client.set_bearer_token_auth(token);
+  }
+
+  Result<HttpAnswer> result_of(const httplib::Result& result) const {
+    if (result) return answer_of(*result);
+    return failure(Code::unavailable, fmt::format("No answer from {} ({}).", server, httplib::to_string(result.error())));
+  }
+
+  std::string server;
+  httplib::Client client;
+};
+
+Connection::Connection(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Connection::~Connection() = default;
+Connection::Connection(Connection&&) noexcept = default;
+Connection& Connection::operator=(Connection&&) noexcept = default;
+
+Result<Connection> Connection::to(const std::string& server, const std::string& token) {
+  static const std::string scheme = "http://";
+  std::string address = server;
+  while (!address.empty() && address.back() == '/') address.pop_back();
+  if (!address.starts_with(scheme) || address.size() == scheme.size() ||
+      address.find_first_of("/?#@ ", scheme.size()) != std::string::npos) {
+    return failure(Code::invalid, "\"" + server + "\" is no address of a server.", "", "http://HOST:PORT");
+  }
+  auto impl = std::make_unique<Impl>(address, token);
+  if (!impl->client.is_valid()) {
+    return failure(Code::invalid, "\"" + server + "\" is no address of a server.", "", "http://HOST:PORT");
+  }
+  return Connection(std::move(impl));
+}
+
+Result<HttpAnswer> Connection::get(const std::string& path) { return impl_->result_of(impl_->client.Get(path)); }
+
+Result<HttpAnswer> Connection::post_json(const std::string& path, const std::string& body, const HttpHeaders& headers) {
+  const httplib::Headers sent(headers.begin(), headers.end());
+  return impl_->result_of(impl_->client.Post(path, sent, body, "application/json"));
+}
+
+Result<HttpAnswer> Connection::put_octets(const std::string& path, const std::string& octets) {
+  return impl_->result_of(impl_->client.Put(path, octets, "application/octet-stream"));
+}
+
+Result<HttpAnswer> Connection::remove(const std::string& path) { return impl_->result_of(impl_->client.Delete(path)); }
+
+}  // namespace pelage

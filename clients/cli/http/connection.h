@@ -1,0 +1,40 @@
+// The client's side of HTTP.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "protocol/base/status.h"
+
+namespace pelage {
+
+struct HttpAnswer {
+  int status = 0;
+  std::string body;
+  std::map<std::string, std::string> headers;  // names in lower case
+};
+
+using HttpHeaders = std::map<std::string, std::string>;
+
+/// Keeps one connection to a server open. A server that cannot be reached gives a Status (unavailable).
+class Connection {
+ public:
+  /// `server`: "http://host:port". Refused (invalid) when it is anything else. `token` may be empty.
+  static Result<Connection> to(const std::string& server, const std::string& token);
+  ~Connection();
+  Connection(Connection&&) noexcept;
+  Connection& operator=(Connection&&) noexcept;
+
+  Result<HttpAnswer> get(const std::string& path);
+  Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
+  Result<HttpAnswer> put_octets(const std::string& path, const std::string& octets);
+  Result<HttpAnswer> remove(const std::string& path);
+
+ private:
+  struct Impl;
+  explicit Connection(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,141 @@
+#include "clients/cli/options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pelage {
+
+namespace {
+
+constexpr int usage_error = 2;
+
+CLI::App* add_action(CLI::App& app, Options& options, Action action, const char* name, const char* help) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->callback([&options, action] { options.action = action; });
+  command->fallthrough();
+  return command;
+}
+
+void add_scene(CLI::App* command, Options& options) {
+  command->add_option("scene", options.scene, "Id or name of the scene")->required();
+}
+
+void add_fur(CLI::App* command, Options& options) {
+  command->add_option("--length", options.length, "Length of the first fur in sizes of the model, 0 to 10")->capture_default_str();
+  command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")->capture_default_str();
+}
+
+/// Options that are handed on under the name that frame.png knows them by.
+void add_frame_parameter(CLI::App* command, Options& options, const char* flag, const char* parameter, const char* help) {
+  command->add_option_function<std::string>(
+      flag, [&options, parameter](const std::string& value) { options.frame.emplace_back(parameter, value); }, help);
+}
+
+void add_view(CLI::App* command, Options& options) {
+  add_frame_parameter(command, options, "--width", "width", "Pixels, 1 to 8192 [512]");
+  add_frame_parameter(command, options, "--height", "height", "Pixels, 1 to 8192 [512]");
+  add_frame_parameter(command, options, "--camera", "camera", "front, back, left, right, top or three_quarter");
+  add_frame_parameter(command, options, "--eye", "eye", "X,Y,Z of a free camera, with --target");
+  add_frame_parameter(command, options, "--target", "target", "X,Y,Z that it looks at");
+  add_frame_parameter(command, options, "--up", "up", "X,Y,Z that is up [0,1,0]");
+  add_frame_parameter(command, options, "--fov", "fov_degrees", "Vertical field of view, degrees, 1 to 150 [35]");
+}
+
+void add_knob(CLI::App* command, Options& options) {
+  command->add_option_function<std::vector<std::string>>(
+      "--knob",
+      [&options](const std::vector<std::string>& knobs) {
+        for (const std::string& knob : knobs) {
+          const std::size_t equals = std::min(knob.find('='), knob.size());
+          options.frame.emplace_back(knob.substr(0, equals), knob.substr(std::min(equals + 1, knob.size())));
+        }
+      },
+      "NAME=VALUE of a single knob, such as shells=48; may be repeated");
+}
+
+void declare_scene_actions(CLI::App& app, Options& options) {
+  CLI::App* create = add_action(app, options, Action::create, "new", "Make a scene with a built-in model; prints its id");
+  create->add_option("--name", options.name, "Name, 1 to 200 bytes")->capture_default_str();
+  create->add_option("--builtin", options.builtin, "torus, knot, sphere, plane, cloth or creature")->capture_default_str();
+  create->add_option("--triangles", options.triangles, "Wished-for triangles")->capture_default_str();
+  add_fur(create, options);
+
+  CLI::App* load = add_action(app, options, Action::load, "load", "Give a scene a model from a file; its log starts empty");
+  add_scene(load, options);
+  load->add_option("file", options.file, "The model; - for standard input")->required();
+  load->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb or 3ds [the file's ending]");
+  load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z")->capture_default_str();
+  load->add_option("--front", options.front, "Axis of the file that the model faces")->capture_default_str();
+  add_fur(load, options);
+
+  add_action(app, options, Action::list, "list", "List the scenes");
+  add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);
+  add_scene(add_action(app, options, Action::remove, "rm", "Remove a scene"), options);
+}
+
+void declare_groom_actions(CLI::App& app, Options& options) {
+  CLI::App* run = add_action(app, options, Action::run, "run", "Run commands; each line or element is one undo step");
+  add_scene(run, options);
+  run->add_option("file", options.file, "JSON lines (as of `pelage log --lines`), an array or one command; - for standard input")
+      ->required();
+  run->add_flag("--dry-run", options.dry_run, "Say what the commands would do; change nothing");
+  run->add_option("--if-match", options.if_match, "Run only when the scene is at this revision");
+
+  for (const auto& [action, name, help] : {std::tuple{Action::undo, "undo", "Take back the newest steps"},
+                                           std::tuple{Action::redo, "redo", "Do again what was taken back"}}) {
+    CLI::App* command = add_action(app, options, action, name, help);
+    add_scene(command, options);
+    command->add_option("steps", options.count, "How many")->capture_default_str();
+  }
+  CLI::App* revert = add_action(app, options, Action::revert, "revert", "Go back to an earlier revision");
+  add_scene(revert, options);
+  revert->add_option("revision", options.count, "The revision")->required();
+
+  CLI::App* log = add_action(app, options, Action::log, "log", "Show the undo log");
+  add_scene(log, options);
+  log->add_flag("--lines", options.lines, "The commands that lead to the present, as JSON lines for `pelage run`");
+}
+
+void declare_picture_actions(CLI::App& app, Options& options) {
+  CLI::App* frame = add_action(app, options, Action::frame, "frame", "Draw a scene");
+  add_scene(frame, options);
+  frame->add_option("-o,--output", options.output, "PNG file; - for standard output")->capture_default_str();
+  add_view(frame, options);
+  add_frame_parameter(frame, options, "--quality", "quality", "draft, interactive or detailed [interactive]");
+  add_knob(frame, options);
+  add_frame_parameter(frame, options, "--background", "background", "transparent or #rrggbb");
+  add_frame_parameter(frame, options, "--exposure", "exposure", "Stops, -20 to 20 [0]");
+  add_frame_parameter(frame, options, "--tone-map", "tone_map", "none or filmic [filmic]");
+  add_frame_parameter(frame, options, "--colour-source", "colour_source", "automatic, model or coat; default look otherwise");
+
+  CLI::App* pick = add_action(app, options, Action::pick, "pick", "Say what lies under a pixel");
+  add_scene(pick, options);
+  pick->add_option("x", options.x, "Pixels from the left")->required();
+  pick->add_option("y", options.y, "Pixels from the top")->required();
+  add_view(pick, options);
+}
+
+}  // namespace
+
+ParsedLine parse_line(int argc, char** argv) {
+  ParsedLine parsed;
+  Options& options = parsed.options;
+  CLI::App app{"Grooms fur on a Pelage server."};
+  app.require_subcommand(1);
+  app.add_option("--server", options.server, "Address of the server")
+      ->envname("PELAGE_SERVER")
+      ->default_val("http://127.0.0.1:8080");
+  app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
+  app.add_flag("--json", options.json, "Print the server's answer as JSON");
+  app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the server refused the input.");
+  declare_scene_actions(app, options);
+  declare_groom_actions(app, options);
+  declare_picture_actions(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    parsed.exit_code = app.exit(error) == 0 ? 0 : usage_error;
+  }
+  return parsed;
+}
+
+}  // namespace pelage

@@ -1,0 +1,55 @@
+// What the user asked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pelage {
+
+enum class Action { create, load, run, frame, undo, redo, revert, log, pick, list, remove, info };
+
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+struct Options {
+  Action action = Action::list;
+  std::string server;
+  std::string token;
+  bool json = false;   // print the server's answer as it is
+  std::string scene;   // id or name
+
+  // create
+  std::string name = "scene";
+  std::string builtin = "creature";
+  int triangles = 5000;
+  // create and load
+  double length = 0.03;      // sizes
+  double inclination = 0.45;
+  // load and run; "-" is standard input
+  std::string file;
+  std::string format;  // "" for the file's ending
+  std::string up = "y", front = "z";
+  // run
+  bool dry_run = false;
+  std::optional<std::uint64_t> if_match;
+  // frame and pick
+  std::string output = "frame.png";
+  Parameters frame;  // as in the address of frame.png
+  double x = 0, y = 0;  // pixels
+  // undo, redo, revert
+  std::uint64_t count = 1;  // steps, or the revision
+  // log
+  bool lines = false;
+};
+
+/// Parses the command line. Gives the exit code instead when that is all there is to do: 0 after --help, 2 when the
+/// line is wrong (the reason is printed).
+struct ParsedLine {
+  std::optional<int> exit_code;
+  Options options;
+};
+ParsedLine parse_line(int argc, char** argv);
+
+}  // namespace pelage

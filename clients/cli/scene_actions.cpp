@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "clients/cli/actions.h"
+#include "clients/cli/files.h"
+#include "clients/cli/print.h"
+#include "protocol/base/limits.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/decode_answers.h"
+#include "protocol/json/encode.h"
+
+namespace pelage {
+
+namespace {
+
+std::string request_of(const Options& options) {
+  return fmt::format(R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}}}})",
+                     json_text(options.name), json_text(options.builtin), options.triangles, options.length,
+                     options.inclination);
+}
+
+/// "obj" of "spot.OBJ".
+std::string ending_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+Query import_query(const Options& options) {
+  return {{"format", options.format.empty() ? ending_of(options.file) : options.format},
+          {"up", options.up},
+          {"front", options.front},
+          {"length", fmt::format("{}", options.length)},
+          {"inclination", fmt::format("{}", options.inclination)}};
+}
+
+ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {
+  if (!answer) return report(answer.status());
+  if (session.options().json) {
+    fmt::print("{}\n", answer->body);
+    return done;
+  }
+  const auto summary = decode_scene_summary(answer->body);
+  if (!summary) return report(summary.status());
+  print(*summary);
+  return done;
+}
+
+}  // namespace
+
+ExitCode create_scene(Session& session) {
+  const std::string request = request_of(session.options());
+  if (const auto checked = decode_new_scene(request); !checked) return report(checked.status());
+  const auto answer = Session::accepted(session.connection().post_json("/v1/scenes", request));
+  if (!answer) return report(answer.status());
+  const auto summary = decode_scene_summary(answer->body);
+  if (!summary) return report(summary.status());
+  fmt::print("{}\n", session.options().json ? answer->body : summary->id);
+  return done;
+}
+
+ExitCode load_model(Session& session) {
+  const Options& options = session.options();
+  const Query query = import_query(options);
+  if (const auto checked = decode_import_query(query); !checked) return report(checked.status());
+  const auto octets = read_file(options.file, limits::model_bytes);
+  if (!octets) return report(octets.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  std::string address = *path + "/model";
+  char separator = '?';
+  // The decoder took every value, so that none needs escaping.
+  for (const auto& [name, value] : query) address += std::exchange(separator, '&') + name + "=" + value;
+  const auto answer = Session::accepted(session.connection().put_octets(address, *octets));
+  if (!answer) return report(answer.status(), options.file);
+  return print_summary(session, answer);
+}
+
+ExitCode list_scenes(Session& session) {
+  const auto answer = Session::accepted(session.connection().get("/v1/scenes"));
+  if (!answer) return report(answer.status());
+  const auto scenes = decode_scene_list(answer->body);
+  if (!scenes) return report(scenes.status());
+  if (session.options().json) fmt::print("{}\n", answer->body);
+  else print(*scenes);
+  return done;
+}
+
+ExitCode describe_scene(Session& session) {
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_summary(session, Session::accepted(session.connection().get(*path)));
+}
+
+ExitCode remove_scene(Session& session) {
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = Session::accepted(session.connection().remove(*path));
+  return answer ? done : report(answer.status());
+}
+
+}  // namespace pelage

@@ -1,0 +1,87 @@
+#include "clients/cli/session.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "protocol/json/decode_answers.h"
+#include "protocol/json/nearest.h"
+
+namespace pelage {
+
+namespace {
+
+const char* advice_for(Code code) {
+  switch (code) {
+    case Code::malformed: return "correct the text; openapi.json of the server says what it takes";
+    case Code::not_found: return "see what there is with `pelage list`";
+    case Code::conflict: return "try again";
+    case Code::precondition: return "look at the scene with `pelage info` and decide again";
+    case Code::too_large: return "send less at a time";
+    case Code::unsupported: return "send it in a form that the server reads";
+    case Code::invalid: return "correct the value and try again; nothing was changed by it";
+    case Code::busy:
+    case Code::unavailable: return "try again, or start a server with `pelaged` and name it with --server or PELAGE_SERVER";
+    case Code::ok:
+    case Code::internal: break;
+  }
+  return "the server's own output says more";
+}
+
+ExitCode exit_code_of(Code code) {
+  const bool ours = code == Code::internal || code == Code::unavailable || code == Code::busy || code == Code::conflict;
+  return ours ? failed : refused;
+}
+
+bool could_be_id(const std::string& text) {
+  return !text.empty() && text.size() <= 64 &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+}
+
+}  // namespace
+
+ExitCode report(const Status& status, const std::string& context) {
+  fmt::print(stderr, "pelage: {}\n", status.message);
+  if (!context.empty()) fmt::print(stderr, "  in:      {}\n", context);
+  if (!status.pointer.empty()) fmt::print(stderr, "  field:   {}\n", status.pointer);
+  if (!status.limit.empty()) fmt::print(stderr, "  limit:   {}\n", status.limit);
+  if (!status.nearest.empty()) fmt::print(stderr, "  nearest: {}\n", status.nearest);
+  fmt::print(stderr, "  next:    {}\n", advice_for(status.code));
+  return exit_code_of(status.code);
+}
+
+Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
+  if (!answer || answer->status < 400) return answer;
+  Status status = decode_problem(answer->body);
+  if (status.code == Code::malformed && answer->status != 400) {
+    status = failure(Code::internal, fmt::format("The server answered {}.", answer->status));
+  }
+  return status;
+}
+
+Result<std::string> Session::scene_path() {
+  const std::string& wanted = options_.scene;
+  if (could_be_id(wanted)) {
+    const std::string path = "/v1/scenes/" + wanted;
+    const auto answer = accepted(connection_.get(path));
+    if (answer) return path;
+    if (answer.status().code != Code::not_found) return answer.status();
+  }
+  const auto answer = accepted(connection_.get("/v1/scenes"));
+  if (!answer) return answer.status();
+  const auto scenes = decode_scene_list(answer->body);
+  if (!scenes) return scenes.status();
+  std::vector<std::string> ids;
+  std::vector<std::string_view> names;
+  for (const SceneSummary& scene : *scenes) {
+    names.push_back(scene.name);
+    if (scene.name == wanted) ids.push_back(scene.id);
+  }
+  if (ids.size() == 1) return "/v1/scenes/" + ids.front();
+  if (ids.size() > 1) return failure(Code::not_found, fmt::format("{} scenes are named \"{}\"; use an id.", ids.size(), wanted));
+  return failure(Code::not_found, "There is no scene \"" + wanted + "\".", "", "", nearest_name(wanted, names));
+}
+
+}  // namespace pelage

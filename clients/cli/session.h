@@ -1,0 +1,36 @@
+// One run of the client: the server it talks to, and how it says what happened.
+#pragma once
+
+#include <string>
+
+#include "clients/cli/http/connection.h"
+#include "clients/cli/options.h"
+#include "protocol/base/status.h"
+
+namespace pelage {
+
+enum ExitCode { done = 0, failed = 1, wrong_use = 2, refused = 3 };
+
+/// Prints the reason, where, the limit, the nearest name and what to do next, to standard error. `context` says what
+/// was being done, such as "step 3 of groom.jsonl". Gives the exit code that fits.
+ExitCode report(const Status& status, const std::string& context = {});
+
+class Session {
+ public:
+  Session(Connection connection, const Options& options) : connection_(std::move(connection)), options_(options) {}
+
+  Connection& connection() { return connection_; }
+  const Options& options() const { return options_; }
+
+  /// Turns problem documents into their Status.
+  static Result<HttpAnswer> accepted(Result<HttpAnswer> answer);
+
+  /// "/v1/scenes/ID" of the scene that the user named by id or, when only one has it, by name.
+  Result<std::string> scene_path();
+
+ private:
+  Connection connection_;
+  const Options& options_;
+};
+
+}  // namespace pelage

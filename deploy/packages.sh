@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs Debian 12 packages that are missing. usage: deploy/packages.sh build|demo|test
+set -euo pipefail
+
+build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml glslang-tools
+  libglm-dev libegl-dev libosmesa6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6
+  libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev libtinyobjloader-dev libassimp-dev libembree-dev
+  libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
+demo=("${build[@]}" glmark2-data openimageio-tools)
+test=("${demo[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev python3-pil python3-numpy python3-jsonschema curl
+  clang-14 libclang-rt-14-dev)
+
+case "${1:-}" in
+  build) wanted=("${build[@]}") ;;
+  demo) wanted=("${demo[@]}") ;;
+  test) wanted=("${test[@]}") ;;
+  *) echo "usage: $0 build|demo|test" >&2; exit 2 ;;
+esac
+
+missing=()
+for package in "${wanted[@]}"; do
+  dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then echo "packages: all ${#wanted[@]} are there"; exit 0; fi
+
+echo "packages: installing ${missing[*]}"
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+for try in 1 2 3; do
+  if "${as_root[@]}" apt-get -qq update &&
+     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends "${missing[@]}" >/dev/null; then
+    exit 0
+  fi
+  echo "packages: try $try failed, once more in $((try * 5)) s" >&2
+  sleep $((try * 5))
+done
+echo "packages: cannot install ${missing[*]}; is the network there, and are Debian 12's sources set up?" >&2
+exit 1

@@ -1,0 +1,18 @@
+// Colours on the wire: "#rrggbb" in sRGB, linear inside.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+/// "#rrggbb" to linear; none when the text is anything else.
+std::optional<glm::vec3> colour_of_text(std::string_view text);
+
+/// The "#rrggbb" that decodes to exactly this colour, if there is one.
+std::optional<std::string> text_of_colour(glm::vec3 linear);
+
+}  // namespace pelage

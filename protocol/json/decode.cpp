@@ -1,0 +1,211 @@
+#include "protocol/json/decode.h"
+
+#include "protocol/json/decode_parts.h"
+#include "protocol/json/parse.h"
+
+namespace pelage {
+
+namespace {
+
+using namespace json_parts;
+
+/// Parses the text, lets `read` make something of the tree, and gives that or the first refusal.
+template <class T, class Read>
+Result<T> decode_document(std::string_view text, Read read) {
+  const auto tree = parse_json(text);
+  if (!tree) return tree.status();
+  Status first_failure;
+  T result = read(Value(*tree, "", first_failure));
+  if (!first_failure.ok()) return first_failure;
+  return result;
+}
+
+void optional_stroke(Object& object, std::optional<Stroke>& out) {
+  object.optional("stroke", [&](const Value& v) { out = stroke(v); });
+}
+
+void optional_brush(Object& object, Brush& out) {
+  object.optional("brush", [&](const Value& v) { out = brush(v); });
+}
+
+Command comb(Object& object) {
+  Comb result;
+  optional_stroke(object, result.stroke);
+  optional_brush(object, result.brush);
+  object.boolean("flood", result.flood);
+  object.number("lean", result.lean, share);
+  object.optional("direction", [&](const Value& v) { result.direction = v.direction(); });
+  const Value& value = object.value();
+  if (result.flood == result.stroke.has_value()) {
+    value.refuse_below("stroke", "A comb takes a stroke, or \"flood\": true.", "one of stroke | flood");
+  } else if (result.flood != result.direction.has_value()) {
+    value.refuse_below("direction", "A flooding comb needs a direction, and a stroke brings its own.",
+                       "with flood only");
+  }
+  return result;
+}
+
+Command blow(Object& object) {
+  Blow result;
+  optional_stroke(object, result.stroke);
+  optional_brush(object, result.brush);
+  object.required("source", [&](const Value& v) { result.source = v.triple(coordinate); });
+  object.optional("direction", [&](const Value& v) { result.direction = v.direction(); });
+  object.number("cone_degrees", result.cone_degrees, {0, 180});
+  object.number("softness", result.softness, share);
+  object.number("strength", result.strength, share);
+  object.number("lean", result.lean, share);
+  return result;
+}
+
+Command attract(Object& object) {
+  Attract result;
+  optional_stroke(object, result.stroke);
+  optional_brush(object, result.brush);
+  object.required("point", [&](const Value& v) { result.point = v.triple(coordinate); });
+  object.number("radius", result.radius, length_in_units);
+  object.name("units", result.units, json_names::units);
+  object.number("strength", result.strength, share);
+  object.number("duration", result.duration, {0, 1e4});
+  object.number("threshold", result.threshold, {0, 1e3});
+  object.number("max_stretch", result.max_stretch, {1, 100});
+  return result;
+}
+
+Command set_coat(Object& object) {
+  SetCoat result;
+  object.required("coat", [&](const Value& v) { result.coat = coat(v); });
+  return result;
+}
+
+Command set_look(Object& object) {
+  SetLook result;
+  object.required("look", [&](const Value& v) { result.look = look(v); });
+  return result;
+}
+
+Command set_lights(Object& object) {
+  SetLights result;
+  object.required("lights", [&](const Value& list) {
+    for (const Value& member : list.list(0, limits::lights)) result.lights.push_back(light(member));
+  });
+  return result;
+}
+
+using CommandReader = Command (*)(Object&);
+constexpr std::array<json_names::Name<CommandReader>, 6> command_readers{{{"comb", comb},
+                                                                         {"blow", blow},
+                                                                         {"attract", attract},
+                                                                         {"set_coat", set_coat},
+                                                                         {"set_look", set_look},
+                                                                         {"set_lights", set_lights}}};
+
+Command command(const Value& value) {
+  Object object(value);
+  CommandReader read = nullptr;
+  object.required("op", [&](const Value& v) { read = v.name_of(command_readers); });
+  if (!read || !value.fine()) return {};
+  Command result = read(object);
+  object.finish();
+  return result;
+}
+
+FrameRequest frame_request(const Value& value) {
+  static constexpr std::array<json_names::Name<bool>, 1> formats{{{"png", true}}};
+  Object object(value);
+  FrameRequest result;
+  object.integer("width", result.width, pixels);
+  object.integer("height", result.height, pixels);
+  object.optional("camera", [&](const Value& v) { result.camera = camera(v); });
+  object.optional("quality", [&](const Value& v) { result.knobs = quality(v); });
+  object.optional("background", [&](const Value& v) {
+    const bool transparent = v.tree().is_string() && v.tree() == "transparent";
+    result.background = transparent ? Background::transparent : Background::colour;
+    if (!transparent) result.background_colour = v.colour();
+  });
+  object.number("exposure", result.exposure, {-20, 20});
+  object.name("tone_map", result.tone_map, json_names::tone_maps);
+  object.optional("look", [&](const Value& v) { result.look = look(v); });
+  object.optional("view", [&](const Value& v) { result.view = v.text(0, limits::name_bytes); });
+  object.optional("format", [&](const Value& v) { v.name_of(formats); });
+  object.finish();
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<Command>> decode_commands(std::string_view text) {
+  return decode_document<std::vector<Command>>(text, [](const Value& value) {
+    std::vector<Command> commands;
+    if (!value.tree().is_object() || !value.tree().contains("commands")) {
+      commands.push_back(command(value));
+      return commands;
+    }
+    Object object(value);
+    object.required("commands", [&](const Value& list) {
+      for (const Value& member : list.list(1, limits::commands_per_batch)) commands.push_back(command(member));
+    });
+    object.finish();
+    return commands;
+  });
+}
+
+Result<NewScene> decode_new_scene(std::string_view text) {
+  return decode_document<NewScene>(text, [](const Value& value) {
+    Object object(value);
+    NewScene result;
+    object.optional("name", [&](const Value& v) { result.name = v.text(1, limits::name_bytes); });
+    object.optional("model", [&](const Value& v) {
+      Object model(v);
+      model.name("builtin", result.model.shape, json_names::builtins);
+      model.integer("triangles", result.model.triangles, {2, static_cast<double>(limits::builtin_triangles)});
+      model.finish();
+    });
+    object.optional("fur", [&](const Value& v) { result.fur = fur(v); });
+    object.finish();
+    return result;
+  });
+}
+
+Result<FrameRequest> decode_frame_request(std::string_view text) {
+  return decode_document<FrameRequest>(text, frame_request);
+}
+
+Result<PickRequest> decode_pick(std::string_view text) {
+  return decode_document<PickRequest>(text, [](const Value& value) {
+    Object object(value);
+    PickRequest result;
+    object.optional("view", [&](const Value& v) { result.view = view(v); });
+    object.required("pixel", [&](const Value& v) {
+      const std::vector<Value> parts = v.list(2, 2);
+      if (parts.empty()) return;
+      result.pixel = {parts[0].number({0, static_cast<double>(result.view.width)}),
+                      parts[1].number({0, static_cast<double>(result.view.height)})};
+    });
+    object.finish();
+    return result;
+  });
+}
+
+Result<int> decode_steps(std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return 1;
+  return decode_document<int>(text, [](const Value& value) {
+    Object object(value);
+    int steps = 1;
+    object.integer("steps", steps, {1, 1e6});
+    object.finish();
+    return steps;
+  });
+}
+
+Result<std::uint64_t> decode_revision(std::string_view text) {
+  return decode_document<std::uint64_t>(text, [](const Value& value) {
+    Object object(value);
+    std::uint64_t revision = 0;
+    object.required("revision", [&](const Value& v) { revision = v.counter(); });
+    object.finish();
+    return revision;
+  });
+}
+
+}  // namespace pelage

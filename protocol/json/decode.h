@@ -1,0 +1,48 @@
+// JSON text to commands and requests. Every refusal is a Status whose `pointer` is the JSON pointer of the bad field.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/scene.h"
+
+namespace pelage {
+
+// All of these refuse: text that is not JSON, duplicate keys, more than 32 levels, numbers that are no finite double
+// (malformed); wrong types, values out of range, missing and unknown names, with the nearest known one (invalid).
+
+/// `{"op": ...}` or `{"commands": [...]}`; 1 to 1,000 commands.
+Result<std::vector<Command>> decode_commands(std::string_view text);
+Result<NewScene> decode_new_scene(std::string_view text);
+Result<FrameRequest> decode_frame_request(std::string_view text);
+
+/// Names and values of a query string, decoded.
+using Query = std::vector<std::pair<std::string, std::string>>;
+/// The same request as parameters of an address: width, height, camera (an automatic view) or eye, target, up (three
+/// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view, format.
+/// Pointers name the member of the request that the parameter stands for.
+Result<FrameRequest> decode_frame_query(const Query& query);
+/// How to read a model's octets: format (required), up, front, length, inclination.
+Result<ImportOptions> decode_import_query(const Query& query);
+
+struct PickRequest {
+  View view;
+  glm::dvec2 pixel{0};  // origin top left
+};
+Result<PickRequest> decode_pick(std::string_view text);
+
+/// `{"steps": n}` (1 when absent or the body is empty), n in [1, 1e6].
+Result<int> decode_steps(std::string_view text);
+/// `{"revision": n}`.
+Result<std::uint64_t> decode_revision(std::string_view text);
+
+/// The texts of a file of commands, each one undo step: JSON lines, an array, or one document over many lines.
+/// Malformed texts are refused with the number of their line or element in the message.
+Result<std::vector<std::string>> split_steps(std::string_view text);
+
+}  // namespace pelage

@@ -1,0 +1,207 @@
+#include "protocol/json/decode_parts.h"
+
+#include <cmath>
+
+namespace pelage::json_parts {
+
+namespace {
+
+constexpr Range screen_coordinate{-1e6, 1e6};
+
+StrokeSample sample(const Value& value) {
+  Object object(value);
+  StrokeSample result;
+  int places = 0;
+  object.optional("position", [&](const Value& v) { result.place = PositionPlace{v.triple(coordinate)}; ++places; });
+  object.optional("screen", [&](const Value& v) { result.place = ScreenPlace{v.pair(screen_coordinate)}; ++places; });
+  const bool on_triangle = object.has("triangle");
+  const bool has_barycentric = object.has("barycentric");
+  if (on_triangle || has_barycentric) {
+    SurfacePlace place;
+    object.required("triangle", [&](const Value& v) {
+      place.triangle = static_cast<std::uint32_t>(v.integer({0, 4294967295.0}));
+    });
+    object.required("barycentric", [&](const Value& v) {
+      place.barycentric = v.triple(share);
+      const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
+      if (std::abs(sum - 1) > 1e-3) v.refuse("The barycentrics do not add up to 1.", "sum within 0.001 of 1");
+    });
+    result.place = place;
+    ++places;
+  }
+  object.number("pressure", result.pressure, share);
+  object.number("time", result.time, {0, 1e6});
+  object.finish();
+  if (places != 1) value.refuse("A sample needs one place.", "one of position | screen | triangle with barycentric");
+  return result;
+}
+
+void check_stroke(const Value& value, const Stroke& stroke) {
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+    const StrokeSample& sample = stroke.samples[i];
+    const std::string name = "samples/" + std::to_string(i);
+    if (i > 0 && sample.time < stroke.samples[i - 1].time) {
+      value.refuse_below(name + "/time", "Time falls from one sample to the next.", "not falling");
+    }
+    if (!stroke.view && std::holds_alternative<ScreenPlace>(sample.place)) {
+      value.refuse_below("view", "Pixel samples need the view that they were drawn on.", "required");
+    }
+  }
+}
+
+}  // namespace
+
+Camera camera(const Value& value) {
+  Object object(value);
+  Camera result;
+  if (object.has("auto")) {
+    object.name("auto", result.automatic, json_names::auto_views);
+    object.finish();
+    return result;
+  }
+  result.automatic = AutoView::none;
+  object.required("eye", [&](const Value& v) { result.eye = v.triple(coordinate); });
+  object.required("target", [&](const Value& v) { result.target = v.triple(coordinate); });
+  object.optional("up", [&](const Value& v) { result.up = v.direction(); });
+  object.number("fov_degrees", result.fov_degrees, {1, 150});
+  object.finish();
+  const glm::dvec3 forward = result.target - result.eye;
+  if (!(glm::length(forward) > 0)) {
+    value.refuse("The eye is at the target.", "eye differs from target");
+  } else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(result.up))) < 1e-6) {
+    value.refuse_below("up", "Up points along the view.", "not along the view");
+  }
+  return result;
+}
+
+View view(const Value& value) {
+  Object object(value);
+  View result;
+  object.optional("camera", [&](const Value& v) { result.camera = camera(v); });
+  object.integer("width", result.width, pixels);
+  object.integer("height", result.height, pixels);
+  object.finish();
+  return result;
+}
+
+Look look(const Value& value) {
+  Object object(value);
+  Look result;
+  object.name("colour_source", result.colour_source, json_names::colour_sources);
+  object.number("ambient", result.ambient, {0, 4});
+  object.number("diffuse", result.diffuse, {0, 4});
+  object.number("specular", result.specular, {0, 4});
+  object.number("diffuse_exponent", result.diffuse_exponent, {0, 1e6});
+  object.number("specular_exponent", result.specular_exponent, {0, 1e6});
+  object.number("back_attenuation", result.back_attenuation, {1e-3, 1});
+  object.number("ambient_floor", result.ambient_floor, share);
+  object.number("self_shadow", result.self_shadow, {0, 4});
+  object.colour("skin", result.skin);
+  object.finish();
+  return result;
+}
+
+Coat coat(const Value& value) {
+  Object object(value);
+  Coat result;
+  object.integer("count", result.count, {1, 100000});
+  object.number("tile", result.tile, {0.01, 1});
+  object.number("width_root", result.width_root, {0, 0.05});
+  object.number("width_tip", result.width_tip, {0, 0.05});
+  object.number("bend", result.bend, {0, 2});
+  object.number("curl", result.curl, {0, 0.5});
+  object.number("curl_turns", result.curl_turns, {0, 20});
+  object.number("clump", result.clump, share);
+  object.number("clump_size", result.clump_size, {0.001, 0.5});
+  object.number("length_spread", result.length_spread, share);
+  object.number("colour_spread", result.colour_spread, share);
+  object.number("root_share", result.root_share, share);
+  object.name("lean_curve", result.lean_curve, json_names::lean_curves);
+  object.integer("seed", result.seed);
+  object.optional("ramp", [&](const Value& list) {
+    result.ramp.clear();
+    for (const Value& stop : list.list(1, limits::ramp_stops)) {
+      Object fields(stop);
+      RampStop made;
+      fields.required("at", [&](const Value& v) { made.at = v.number(share); });
+      fields.required("colour", [&](const Value& v) { made.colour = v.colour(); });
+      fields.finish();
+      if (!result.ramp.empty() && !(made.at > result.ramp.back().at)) {
+        stop.refuse_below("at", "The ramp does not rise.", "above the stop before");
+      }
+      result.ramp.push_back(made);
+    }
+  });
+  object.finish();
+  return result;
+}
+
+Light light(const Value& value) {
+  Object object(value);
+  Light result;
+  object.name("kind", result.kind, json_names::light_kinds);
+  object.optional("direction", [&](const Value& v) { result.direction = v.direction(); });
+  object.triple("position", result.position, coordinate);
+  object.colour("colour", result.colour);
+  object.number("intensity", result.intensity, {0, 1e8});
+  object.finish();
+  return result;
+}
+
+Brush brush(const Value& value) {
+  Object object(value);
+  Brush result;
+  object.number("radius", result.radius, length_in_units);
+  object.name("units", result.units, json_names::units);
+  object.name("falloff_shape", result.falloff_shape, json_names::falloff_shapes);
+  object.name("falloff", result.falloff, json_names::falloffs);
+  object.number("strength", result.strength, share);
+  object.number("spacing", result.spacing, {0.01, 10});
+  object.boolean("front_faces_only", result.front_faces_only);
+  object.boolean("invert", result.invert);
+  object.finish();
+  return result;
+}
+
+Stroke stroke(const Value& value) {
+  Object object(value);
+  Stroke result;
+  object.optional("id", [&](const Value& v) { result.id = v.text(0, limits::name_bytes); });
+  object.integer("part", result.part);
+  object.boolean("last", result.last);
+  object.optional("view", [&](const Value& v) { result.view = view(v); });
+  object.required("samples", [&](const Value& list) {
+    for (const Value& member : list.list(1, limits::samples_per_stroke)) result.samples.push_back(sample(member));
+  });
+  object.finish();
+  check_stroke(value, result);
+  return result;
+}
+
+FirstGroom fur(const Value& value) {
+  Object object(value);
+  FirstGroom result;
+  object.number("length", result.length, {0, 10});
+  object.number("inclination", result.inclination, share);
+  object.finish();
+  return result;
+}
+
+Knobs quality(const Value& value) {
+  if (!value.tree().is_object()) return knobs_of(value.name_of(json_names::tiers));
+  Object object(value);
+  Knobs result = knobs_of(Tier::interactive);
+  object.integer("shells", result.shells, {1, limits::shells});
+  object.optional("samples", [&](const Value& v) {
+    result.samples = static_cast<int>(v.integer({1, 4}));
+    if (result.samples == 2 || result.samples == 3) v.refuse("Outlines take 1 or 4 samples.", "1 | 4");
+  });
+  object.integer("steps", result.steps, {1, 16});
+  object.number("scale", result.scale, {0.25, 2});
+  object.boolean("self_shadow", result.self_shadow);
+  object.name("accumulation", result.accumulation, json_names::accumulations);
+  object.finish();
+  return result;
+}
+
+}  // namespace pelage::json_parts

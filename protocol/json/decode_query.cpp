@@ -1,0 +1,130 @@
+// Query parameters become the JSON document that they stand for, so that one decoder refuses what is wrong with them.
+#include <array>
+
+#include "protocol/json/decode.h"
+#include "protocol/json/decode_parts.h"
+#include "protocol/json/nearest.h"
+#include "protocol/json/parse.h"
+
+namespace pelage {
+
+namespace {
+
+using nlohmann::json;
+
+enum class Kind { text, number, list, boolean };
+
+/// A parameter, and the JSON pointer of what it stands for.
+struct Parameter {
+  std::string_view name;
+  const char* pointer;
+  Kind kind;
+};
+
+constexpr std::array<Parameter, 20> frame_parameters{{{"width", "/width", Kind::number},
+                                                      {"height", "/height", Kind::number},
+                                                      {"camera", "/camera/auto", Kind::text},
+                                                      {"eye", "/camera/eye", Kind::list},
+                                                      {"target", "/camera/target", Kind::list},
+                                                      {"up", "/camera/up", Kind::list},
+                                                      {"fov_degrees", "/camera/fov_degrees", Kind::number},
+                                                      {"quality", "/quality", Kind::text},
+                                                      {"shells", "/quality/shells", Kind::number},
+                                                      {"samples", "/quality/samples", Kind::number},
+                                                      {"steps", "/quality/steps", Kind::number},
+                                                      {"scale", "/quality/scale", Kind::number},
+                                                      {"self_shadow", "/quality/self_shadow", Kind::boolean},
+                                                      {"accumulation", "/quality/accumulation", Kind::text},
+                                                      {"background", "/background", Kind::text},
+                                                      {"exposure", "/exposure", Kind::number},
+                                                      {"tone_map", "/tone_map", Kind::text},
+                                                      {"view", "/view", Kind::text},
+                                                      {"format", "/format", Kind::text},
+                                                      {"colour_source", "/look/colour_source", Kind::text}}};
+
+constexpr std::array<Parameter, 5> import_parameters{{{"format", "/format", Kind::text},
+                                                      {"up", "/up", Kind::text},
+                                                      {"front", "/front", Kind::text},
+                                                      {"length", "/length", Kind::number},
+                                                      {"inclination", "/inclination", Kind::number}}};
+
+/// What is no number, list or truth value stays text, and the decoder says what it expected.
+json value_of(const std::string& text, Kind kind) {
+  if (kind == Kind::text) return text;
+  if (kind == Kind::list && text.find_first_not_of("0123456789+-.eE, ") != std::string::npos) return text;
+  json value = json::parse(kind == Kind::list ? "[" + text + "]" : text, nullptr, false);
+  const bool fits = kind == Kind::number ? value.is_number()
+                    : kind == Kind::list ? value.is_array()
+                                         : value.is_boolean();
+  return fits ? value : json(text);
+}
+
+bool is_utf8(const std::string& text) {
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)) == text;
+}
+
+Status place(json& document, const Parameter& parameter, const std::string& text) {
+  const json::json_pointer pointer(parameter.pointer);
+  json& parent = document[pointer.parent_pointer()];
+  const bool knobs_and_tier = parent.is_string() || (document.contains(pointer) && document[pointer].is_object());
+  if (knobs_and_tier) {
+    return failure(Code::invalid, "A tier and single knobs exclude each other.", "/quality", "a tier or knobs");
+  }
+  if (document.contains(pointer)) {
+    return failure(Code::malformed, "The parameter \"" + std::string(parameter.name) + "\" is given twice.",
+                   parameter.pointer, "each name once");
+  }
+  document[pointer] = value_of(text, parameter.kind);
+  return {};
+}
+
+/// The document that the parameters stand for.
+template <std::size_t N>
+Result<json> document_of(const Query& query, const std::array<Parameter, N>& parameters) {
+  json document = json::object();
+  for (const auto& [name, text] : query) {
+    const Parameter* found = nullptr;
+    std::vector<std::string_view> known;
+    for (const Parameter& parameter : parameters) {
+      known.push_back(parameter.name);
+      if (parameter.name == name) found = &parameter;
+    }
+    if (!found) {
+      return failure(Code::invalid, "There is no parameter of that name.", pointer_step(name), "",
+                     nearest_name(name, known));
+    }
+    if (!is_utf8(text)) return failure(Code::malformed, "The parameter is no UTF-8.", found->pointer, "UTF-8");
+    if (Status status = place(document, *found, text); !status.ok()) return status;
+  }
+  return document;
+}
+
+}  // namespace
+
+Result<FrameRequest> decode_frame_query(const Query& query) {
+  const auto document = document_of(query, frame_parameters);
+  if (!document) return document.status();
+  return decode_frame_request(document->dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+Result<ImportOptions> decode_import_query(const Query& query) {
+  const auto document = document_of(query, import_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  ImportOptions options;
+  object.required("format", [&](const Value& v) { options.format = v.name_of(json_names::model_formats); });
+  object.name("up", options.up, json_names::axes);
+  object.name("front", options.front, json_names::axes);
+  object.number("length", options.fur.length, {0, 10});
+  object.number("inclination", options.fur.inclination, {0, 1});
+  const int up_line = static_cast<int>(options.up) / 2;  // x, y or z, whatever the sign
+  const int front_line = static_cast<int>(options.front) / 2;
+  if (up_line == front_line) {
+    object.value().refuse_below("front", "Up and front lie on one line.", "another axis than up");
+  }
+  if (!first_failure.ok()) return first_failure;
+  return options;
+}
+
+}  // namespace pelage

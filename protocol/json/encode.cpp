@@ -1,0 +1,212 @@
+#include "protocol/json/encode.h"
+
+#include <nlohmann/json.hpp>
+
+#include "protocol/json/colour.h"
+#include "protocol/json/names.h"
+
+namespace pelage {
+
+namespace {
+
+// Keeps members in the order in which they are written here.
+using Json = nlohmann::ordered_json;
+using json_names::text_of;
+
+std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json list(glm::dvec2 v) { return Json::array({v.x, v.y}); }
+Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json colour(glm::vec3 linear) {
+  if (const auto text = text_of_colour(linear)) return *text;
+  return list(glm::dvec3(linear));
+}
+
+Json json_of(const Camera& camera) {
+  if (camera.automatic != AutoView::none) return {{"auto", text_of(json_names::auto_views, camera.automatic)}};
+  return {{"eye", list(camera.eye)},
+          {"target", list(camera.target)},
+          {"up", list(camera.up)},
+          {"fov_degrees", camera.fov_degrees}};
+}
+
+Json json_of(const View& view) {
+  return {{"camera", json_of(view.camera)}, {"width", view.width}, {"height", view.height}};
+}
+
+Json json_of(const StrokeSample& sample) {
+  Json json = Json::object();
+  if (const auto* point = std::get_if<PositionPlace>(&sample.place)) {
+    json["position"] = list(point->position);
+  } else if (const auto* pixel = std::get_if<ScreenPlace>(&sample.place)) {
+    json["screen"] = list(pixel->screen);
+  } else {
+    const auto& place = std::get<SurfacePlace>(sample.place);
+    json["triangle"] = place.triangle;
+    json["barycentric"] = list(place.barycentric);
+  }
+  json["pressure"] = sample.pressure;
+  json["time"] = sample.time;
+  return json;
+}
+
+Json json_of(const Stroke& stroke) {
+  Json json = {{"id", stroke.id}, {"part", stroke.part}, {"last", stroke.last}};
+  if (stroke.view) json["view"] = json_of(*stroke.view);
+  json["samples"] = Json::array();
+  for (const StrokeSample& sample : stroke.samples) json["samples"].push_back(json_of(sample));
+  return json;
+}
+
+Json json_of(const Brush& brush) {
+  return {{"radius", brush.radius},
+          {"units", text_of(json_names::units, brush.units)},
+          {"falloff_shape", text_of(json_names::falloff_shapes, brush.falloff_shape)},
+          {"falloff", text_of(json_names::falloffs, brush.falloff)},
+          {"strength", brush.strength},
+          {"spacing", brush.spacing},
+          {"front_faces_only", brush.front_faces_only},
+          {"invert", brush.invert}};
+}
+
+Json json_of(const Coat& coat) {
+  Json ramp = Json::array();
+  for (const RampStop& stop : coat.ramp) ramp.push_back({{"at", stop.at}, {"colour", colour(stop.colour)}});
+  return {{"count", coat.count},
+          {"tile", coat.tile},
+          {"width_root", coat.width_root},
+          {"width_tip", coat.width_tip},
+          {"bend", coat.bend},
+          {"curl", coat.curl},
+          {"curl_turns", coat.curl_turns},
+          {"clump", coat.clump},
+          {"clump_size", coat.clump_size},
+          {"length_spread", coat.length_spread},
+          {"colour_spread", coat.colour_spread},
+          {"root_share", coat.root_share},
+          {"lean_curve", text_of(json_names::lean_curves, coat.lean_curve)},
+          {"ramp", ramp},
+          {"seed", coat.seed}};
+}
+
+Json json_of(const Look& look) {
+  return {{"colour_source", text_of(json_names::colour_sources, look.colour_source)},
+          {"ambient", look.ambient},
+          {"diffuse", look.diffuse},
+          {"specular", look.specular},
+          {"diffuse_exponent", look.diffuse_exponent},
+          {"specular_exponent", look.specular_exponent},
+          {"back_attenuation", look.back_attenuation},
+          {"ambient_floor", look.ambient_floor},
+          {"self_shadow", look.self_shadow},
+          {"skin", colour(look.skin)}};
+}
+
+Json json_of(const Light& light) {
+  return {{"kind", text_of(json_names::light_kinds, light.kind)},
+          {"direction", list(light.direction)},
+          {"position", list(light.position)},
+          {"colour", colour(light.colour)},
+          {"intensity", light.intensity}};
+}
+
+template <class Tool>
+void add_stroke_and_brush(Json& json, const Tool& tool) {
+  if (tool.stroke) json["stroke"] = json_of(*tool.stroke);
+  json["brush"] = json_of(tool.brush);
+}
+
+void add_members(Json& json, const Comb& comb) {
+  add_stroke_and_brush(json, comb);
+  json["flood"] = comb.flood;
+  json["lean"] = comb.lean;
+  if (comb.direction) json["direction"] = list(*comb.direction);
+}
+
+void add_members(Json& json, const Blow& blow) {
+  add_stroke_and_brush(json, blow);
+  json["source"] = list(blow.source);
+  json["direction"] = list(blow.direction);
+  json["cone_degrees"] = blow.cone_degrees;
+  json["softness"] = blow.softness;
+  json["strength"] = blow.strength;
+  json["lean"] = blow.lean;
+}
+
+void add_members(Json& json, const Attract& attract) {
+  add_stroke_and_brush(json, attract);
+  json["point"] = list(attract.point);
+  json["radius"] = attract.radius;
+  json["units"] = text_of(json_names::units, attract.units);
+  json["strength"] = attract.strength;
+  json["duration"] = attract.duration;
+  json["threshold"] = attract.threshold;
+  json["max_stretch"] = attract.max_stretch;
+}
+
+void add_members(Json& json, const SetCoat& command) { json["coat"] = json_of(command.coat); }
+
+void add_members(Json& json, const SetLook& command) { json["look"] = json_of(command.look); }
+
+void add_members(Json& json, const SetLights& command) {
+  json["lights"] = Json::array();
+  for (const Light& light : command.lights) json["lights"].push_back(json_of(light));
+}
+
+Json json_of(const Command& command) {
+  Json json = {{"op", op_of(command)}};
+  std::visit([&](const auto& c) { add_members(json, c); }, command);
+  return json;
+}
+
+Json json_of(const Knobs& knobs) {
+  return {{"shells", knobs.shells},
+          {"samples", knobs.samples},
+          {"steps", knobs.steps},
+          {"scale", knobs.scale},
+          {"self_shadow", knobs.self_shadow},
+          {"accumulation", text_of(json_names::accumulations, knobs.accumulation)}};
+}
+
+}  // namespace
+
+std::string encode(const Command& command) { return line(json_of(command)); }
+
+std::string encode(const std::vector<Command>& commands) {
+  if (commands.size() == 1) return encode(commands.front());
+  Json json = {{"commands", Json::array()}};
+  for (const Command& command : commands) json["commands"].push_back(json_of(command));
+  return line(json);
+}
+
+std::string encode(const NewScene& request) {
+  const Json model = {{"builtin", text_of(json_names::builtins, request.model.shape)},
+                      {"triangles", request.model.triangles}};
+  const Json fur = {{"length", request.fur.length}, {"inclination", request.fur.inclination}};
+  return line({{"name", request.name}, {"model", model}, {"fur", fur}});
+}
+
+std::string encode(const FrameRequest& request) {
+  Json json = {{"width", request.width},
+               {"height", request.height},
+               {"camera", json_of(request.camera)},
+               {"quality", json_of(request.knobs)},
+               {"background", "transparent"},
+               {"exposure", request.exposure},
+               {"tone_map", text_of(json_names::tone_maps, request.tone_map)}};
+  if (request.background == Background::colour) json["background"] = colour(request.background_colour);
+  if (request.look) json["look"] = json_of(*request.look);
+  if (!request.view.empty()) json["view"] = request.view;
+  return line(json);
+}
+
+std::string encode(const PickRequest& request) {
+  return line({{"view", json_of(request.view)}, {"pixel", list(request.pixel)}});
+}
+
+std::string json_text(std::string_view text) { return line(Json(text)); }
+
+std::string encode(const Knobs& knobs) { return line(json_of(knobs)); }
+
+}  // namespace pelage

@@ -1,0 +1,35 @@
+// Commands, requests and answers to JSON text, in one line.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/scene.h"
+#include "protocol/json/decode.h"
+
+namespace pelage {
+
+std::string encode(const Command& command);  // decodes to the same command, bit for bit
+std::string encode(const std::vector<Command>& commands);  // one: the command itself; more: {"commands": [...]}
+std::string encode(const NewScene& request);               // decodes to the same request
+std::string encode(const FrameRequest& request);           // decodes to the same request
+std::string encode(const PickRequest& request);            // decodes to the same request
+std::string encode(const CommandAnswer& answer);
+std::string encode(const SceneSummary& summary);
+std::string encode(const std::vector<SceneSummary>& summaries);
+std::string encode(const PickAnswer& answer);
+std::string encode(const std::vector<LogEntry>& log);
+std::string encode(const Knobs& knobs);
+
+/// A text as a JSON string, with its quotes.
+std::string json_text(std::string_view text);
+
+/// An RFC 9457 problem document: type, title, status, detail, and pointer, limit, nearest where there are any.
+std::string encode_problem(const Status& status, int http_status);
+
+}  // namespace pelage

@@ -1,0 +1,126 @@
+#include <nlohmann/json.hpp>
+
+#include "protocol/json/encode.h"
+
+namespace pelage {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json json_of(const CommandResult& result) {
+  Json fields = Json::array();
+  for (const FieldChange& change : result.fields) {
+    fields.push_back({{"field", change.field},
+                      {"changed", change.changed},
+                      {"mean_change", change.mean_change},
+                      {"max_change", change.max_change}});
+  }
+  return {{"op", result.op},
+          {"touched", result.touched},
+          {"mean_change", result.mean_change},
+          {"max_change", result.max_change},
+          {"clamped", result.clamped},
+          {"milliseconds", result.milliseconds},
+          {"fields", fields}};
+}
+
+Json json_of(const SceneSummary& summary) {
+  const ModelReport& report = summary.report;
+  Json repairs = Json::array();
+  for (const Repair& repair : report.repairs) repairs.push_back({{"code", repair.code}, {"count", repair.count}});
+  return {{"id", summary.id},
+          {"name", summary.name},
+          {"revision", summary.revision},
+          {"model", summary.model},
+          {"source_vertices", report.source_vertices},
+          {"source_faces", report.source_faces},
+          {"vertices", report.vertices},
+          {"triangles", report.triangles},
+          {"parts", report.parts},
+          {"size", report.size},
+          {"bounds", {{"min", list(report.min)}, {"max", list(report.max)}}},
+          {"repairs", repairs},
+          {"fields_hash", to_hex(summary.fields_hash)},
+          {"undo_steps", summary.undo_steps},
+          {"redo_steps", summary.redo_steps}};
+}
+
+struct Problem {
+  const char* name;
+  const char* title;
+};
+
+Problem problem_of(Code code) {
+  switch (code) {
+    case Code::malformed: return {"malformed", "The request cannot be read"};
+    case Code::not_found: return {"not-found", "There is nothing of that name"};
+    case Code::conflict: return {"conflict", "The request is at odds with another"};
+    case Code::precondition: return {"precondition", "The scene is at another revision"};
+    case Code::too_large: return {"too-large", "The body is too large"};
+    case Code::unsupported: return {"unsupported", "The body has a form that is not read here"};
+    case Code::invalid: return {"invalid", "The request breaks the contract"};
+    case Code::busy: return {"busy", "Too much is going on"};
+    case Code::unavailable: return {"unavailable", "Not possible now"};
+    case Code::ok:
+    case Code::internal: break;
+  }
+  return {"internal", "The server failed"};
+}
+
+}  // namespace
+
+std::string encode(const CommandAnswer& answer) {
+  Json results = Json::array();
+  for (const CommandResult& result : answer.results) results.push_back(json_of(result));
+  return line({{"revision", answer.revision}, {"fields_hash", to_hex(answer.fields_hash)}, {"results", results}});
+}
+
+std::string encode(const SceneSummary& summary) { return line(json_of(summary)); }
+
+std::string encode(const std::vector<SceneSummary>& summaries) {
+  Json scenes = Json::array();
+  for (const SceneSummary& summary : summaries) scenes.push_back(json_of(summary));
+  return line({{"scenes", scenes}});
+}
+
+std::string encode(const PickAnswer& answer) {
+  if (!answer.hit) return line({{"hit", false}});
+  return line({{"hit", true},
+               {"triangle", answer.triangle},
+               {"barycentric", list(answer.barycentric)},
+               {"position", list(answer.position)},
+               {"normal", list(answer.normal)},
+               {"direction", list(answer.direction)},
+               {"inclination", answer.inclination},
+               {"length", answer.length},
+               {"stretch", answer.stretch}});
+}
+
+std::string encode(const std::vector<LogEntry>& log) {
+  Json entries = Json::array();
+  for (const LogEntry& entry : log) {
+    Json json = {{"revision", entry.revision}, {"kind", entry.kind}, {"touched", entry.touched}};
+    if (!entry.commands.empty()) json["commands"] = Json::parse(entry.commands, nullptr, false);
+    entries.push_back(std::move(json));
+  }
+  return line({{"entries", entries}});
+}
+
+std::string encode_problem(const Status& status, int http_status) {
+  const Problem problem = problem_of(status.code);
+  Json json = {{"type", std::string("urn:pelage:problem:") + problem.name},
+               {"title", problem.title},
+               {"status", http_status},
+               {"detail", status.message}};
+  if (!status.pointer.empty() || status.code == Code::invalid) json["pointer"] = status.pointer;
+  if (!status.limit.empty()) json["limit"] = status.limit;
+  if (!status.nearest.empty()) json["nearest"] = status.nearest;
+  return line(json);
+}
+
+}  // namespace pelage

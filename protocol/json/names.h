@@ -1,0 +1,74 @@
+// The words of the contract for each enumeration; decoding and encoding share them.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <string_view>
+
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/scene.h"
+
+namespace pelage::json_names {
+
+template <class E>
+struct Name {
+  std::string_view text;
+  E value;
+};
+
+inline constexpr std::array<Name<Units>, 2> units{{{"relative", Units::relative}, {"world", Units::world}}};
+inline constexpr std::array<Name<FalloffShape>, 1> falloff_shapes{{{"volume", FalloffShape::volume}}};
+inline constexpr std::array<Name<Falloff>, 5> falloffs{{{"constant", Falloff::constant},
+                                                        {"linear", Falloff::linear},
+                                                        {"smooth", Falloff::smooth},
+                                                        {"sharp", Falloff::sharp},
+                                                        {"sphere", Falloff::sphere}}};
+inline constexpr std::array<Name<AutoView>, 6> auto_views{{{"front", AutoView::front},
+                                                           {"back", AutoView::back},
+                                                           {"left", AutoView::left},
+                                                           {"right", AutoView::right},
+                                                           {"top", AutoView::top},
+                                                           {"three_quarter", AutoView::three_quarter}}};
+inline constexpr std::array<Name<LeanCurve>, 2> lean_curves{{{"arc", LeanCurve::arc}, {"root", LeanCurve::root}}};
+inline constexpr std::array<Name<ColourSource>, 3> colour_sources{{{"automatic", ColourSource::automatic},
+                                                                   {"model", ColourSource::model},
+                                                                   {"coat", ColourSource::coat}}};
+inline constexpr std::array<Name<LightKind>, 2> light_kinds{
+    {{"directional", LightKind::directional}, {"point", LightKind::point}}};
+inline constexpr std::array<Name<Tier>, 3> tiers{
+    {{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}};
+inline constexpr std::array<Name<Accumulation>, 2> accumulations{
+    {{"half", Accumulation::half}, {"full", Accumulation::full}}};
+inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
+inline constexpr std::array<Name<Builtin>, 6> builtins{{{"torus", Builtin::torus},
+                                                        {"knot", Builtin::knot},
+                                                        {"sphere", Builtin::sphere},
+                                                        {"plane", Builtin::plane},
+                                                        {"cloth", Builtin::cloth},
+                                                        {"creature", Builtin::creature}}};
+inline constexpr std::array<Name<ModelFormat>, 7> model_formats{{{"obj", ModelFormat::obj},
+                                                                 {"ply", ModelFormat::ply},
+                                                                 {"stl", ModelFormat::stl},
+                                                                 {"off", ModelFormat::off},
+                                                                 {"gltf", ModelFormat::gltf},
+                                                                 {"glb", ModelFormat::glb},
+                                                                 {"3ds", ModelFormat::tds}}};
+inline constexpr std::array<Name<Axis>, 6> axes{{{"x", Axis::plus_x},
+                                                 {"-x", Axis::minus_x},
+                                                 {"y", Axis::plus_y},
+                                                 {"-y", Axis::minus_y},
+                                                 {"z", Axis::plus_z},
+                                                 {"-z", Axis::minus_z}}};
+
+/// The word of a value; every value of an enumeration that goes on the wire has one.
+template <class Names, class E>
+constexpr std::string_view text_of(const Names& names, E value) {
+  for (const auto& name : names) {
+    if (name.value == value) return name.text;
+  }
+  assert(false);
+  return {};
+}
+
+}  // namespace pelage::json_names

@@ -1,0 +1,113 @@
+#include "protocol/json/parse.h"
+
+#include <vector>
+
+#include "protocol/base/limits.h"
+
+namespace pelage {
+
+namespace {
+
+using nlohmann::json;
+
+/// Builds the tree while it is read, so that a second key or a level too many is seen when it comes.
+class TreeBuilder {
+ public:
+  json take_root() { return std::move(root_); }
+  const Status& failure_found() const { return failure_; }
+
+  bool null() { return place(nullptr) != nullptr; }
+  bool boolean(bool value) { return place(value) != nullptr; }
+  bool number_integer(json::number_integer_t value) { return place(value) != nullptr; }
+  bool number_unsigned(json::number_unsigned_t value) { return place(value) != nullptr; }
+  bool number_float(json::number_float_t value, const std::string&) { return place(value) != nullptr; }
+  bool string(std::string& value) { return place(std::move(value)) != nullptr; }
+  bool binary(json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(json::object()); }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t) { return open(json::array()); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    key_ = name;
+    if (!open_.back()->contains(name)) return true;
+    failure_ = failure(Code::malformed, "The name \"" + name + "\" is given twice.", pointer() + pointer_step(name),
+                       "each name once");
+    return false;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) {
+    const std::string text = error.what();
+    const bool overflow = error.id == 406;
+    failure_ = failure(Code::malformed,
+                       overflow ? "A number overflows a double, at octet " + std::to_string(position) + "."
+                                : "The body is not JSON: " + text.substr(text.find("] ") + 2),
+                       pointer(), overflow ? "finite double" : "");
+    return false;
+  }
+
+ private:
+  json* place(json value) {
+    if (open_.empty()) return &(root_ = std::move(value));
+    json& parent = *open_.back();
+    if (parent.is_object()) return &(parent[key_] = std::move(value));
+    parent.push_back(std::move(value));
+    return &parent.back();
+  }
+
+  bool open(json value) {
+    if (open_.size() >= static_cast<std::size_t>(limits::json_depth)) {
+      failure_ = failure(Code::malformed, "The body is nested too deeply.", "",
+                         "at most " + std::to_string(limits::json_depth) + " levels");
+      return false;
+    }
+    steps_.push_back(step());
+    open_.push_back(place(std::move(value)));
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    steps_.pop_back();
+    return true;
+  }
+
+  /// The step from the innermost open value to the one that comes now.
+  std::string step() const {
+    if (open_.empty()) return {};
+    return open_.back()->is_object() ? pointer_step(key_) : "/" + std::to_string(open_.back()->size());
+  }
+
+  std::string pointer() const {
+    std::string text;
+    for (const std::string& part : steps_) text += part;
+    return text;
+  }
+
+  json root_;
+  std::vector<json*> open_;         // the innermost is last; a parent does not move while a child is open
+  std::vector<std::string> steps_;  // how each open value is reached
+  std::string key_;
+  Status failure_;
+};
+
+}  // namespace
+
+std::string pointer_step(std::string_view key) {
+  std::string step = "/";
+  for (const char c : key) {
+    if (c == '~') step += "~0";
+    else if (c == '/') step += "~1";
+    else step += c;
+  }
+  return step;
+}
+
+Result<json> parse_json(std::string_view text) {
+  TreeBuilder builder;
+  const bool done = json::sax_parse(text.begin(), text.end(), &builder);
+  if (!done) return builder.failure_found();
+  return builder.take_root();
+}
+
+}  // namespace pelage

@@ -1,0 +1,111 @@
+// Reading a JSON tree into structs: every refusal names its pointer, the limit it broke and the nearest known name.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+
+#include "protocol/base/status.h"
+#include "protocol/json/names.h"
+
+namespace pelage {
+
+/// Closed interval of a number.
+struct Range {
+  double low, high;
+  std::string text() const;  // "[0, 1]"
+};
+
+/// One value of the tree, and the pointer to it. The first refusal is kept in the status that all readers of a
+/// document share; after it readers go on with defaults, and the caller looks at the status once, at the end.
+class Value {
+ public:
+  Value(const nlohmann::json& value, std::string pointer, Status& first_failure)
+      : json_(&value), pointer_(std::move(pointer)), failure_(&first_failure) {}
+
+  void refuse(std::string message, std::string limit = {}, std::string nearest = {}) const;
+  /// Refuses what lies below this value; `path` is a JSON pointer without its first slash.
+  void refuse_below(const std::string& path, std::string message, std::string limit = {}) const;
+
+  /// Whether nothing of the document was refused so far.
+  bool fine() const { return failure_->ok(); }
+  const nlohmann::json& tree() const { return *json_; }
+  /// A member that is there.
+  Value member(std::string_view name) const;
+
+  double number(Range range) const;
+  std::int64_t integer(Range range) const;
+  std::uint64_t counter() const;  // an integer of 64 bits, 0 or more
+  bool boolean() const;
+  std::string text(std::size_t least_bytes, std::size_t most_bytes) const;  // no control characters
+  glm::dvec2 pair(Range range) const;
+  glm::dvec3 triple(Range range) const;
+  glm::dvec3 direction() const;  // length in [1e-6, 1e6]
+  glm::vec3 colour() const;      // "#rrggbb" (sRGB) or [r, g, b] (linear, each in [0, 1]) to linear
+  std::vector<Value> list(std::size_t least, std::size_t most) const;
+
+  template <class E, std::size_t N>
+  E name_of(const std::array<json_names::Name<E>, N>& names) const;
+
+ private:
+  std::string word_of(const std::vector<std::string_view>& known) const;
+
+  const nlohmann::json* json_;
+  std::string pointer_;
+  Status* failure_;
+};
+
+/// A JSON object. The names that are asked for are the known ones; finish() refuses all others.
+class Object {
+ public:
+  explicit Object(const Value& value);
+
+  bool has(std::string_view name);
+  /// Calls `read(Value)` when the member is there.
+  template <class Read>
+  void optional(std::string_view name, Read read) {
+    if (has(name)) read(value_.member(name));
+  }
+  /// As optional, but refuses when it is missing.
+  template <class Read>
+  void required(std::string_view name, Read read) {
+    if (has(name)) read(value_.member(name));
+    else value_.refuse_below(std::string(name), "The member \"" + std::string(name) + "\" is missing.", "required");
+  }
+
+  void number(std::string_view name, double& out, Range range);
+  void integer(std::string_view name, int& out, Range range);
+  void integer(std::string_view name, std::uint32_t& out);
+  void boolean(std::string_view name, bool& out);
+  void triple(std::string_view name, glm::dvec3& out, Range range);
+  void colour(std::string_view name, glm::vec3& out);
+  template <class E, std::size_t N>
+  void name(std::string_view name, E& out, const std::array<json_names::Name<E>, N>& names) {
+    optional(name, [&](const Value& value) { out = value.name_of(names); });
+  }
+
+  const Value& value() const { return value_; }
+  /// Refuses members that nobody asked for. Call it last.
+  void finish() const;
+
+ private:
+  Value value_;
+  std::vector<std::string_view> known_;
+};
+
+template <class E, std::size_t N>
+E Value::name_of(const std::array<json_names::Name<E>, N>& names) const {
+  std::vector<std::string_view> known;
+  for (const auto& name : names) known.push_back(name.text);
+  const std::string word = word_of(known);
+  for (const auto& name : names) {
+    if (name.text == word) return name.value;
+  }
+  return names.front().value;
+}
+
+}  // namespace pelage

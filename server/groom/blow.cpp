@@ -1,0 +1,64 @@
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "server/groom/brush.h"
+#include "server/groom/tools.h"
+#include "server/groom/vertex_frame.h"
+#include "server/groom/working_set.h"
+
+namespace pelage {
+
+namespace {
+
+/// Wind from a point into a cone with a soft edge, internal coordinates.
+class Wind {
+ public:
+  Wind(const Blow& command, const Mesh& mesh)
+      : source_(mesh.to_internal(command.source)),
+        axis_(safe_unit(command.direction)),
+        outer_(glm::radians(command.cone_degrees)),
+        inner_(outer_ * (1 - command.softness)) {}
+
+  /// Unit; 0 at the source itself.
+  glm::dvec3 heading(glm::dvec3 position) const { return safe_unit(position - source_); }
+
+  /// 1 well inside the cone, falling smoothly to 0 at its edge.
+  double share(glm::dvec3 heading) const {
+    const double angle = std::atan2(glm::length(glm::cross(axis_, heading)), glm::dot(axis_, heading));
+    if (angle <= inner_) return 1;
+    if (angle >= outer_) return 0;
+    const double t = (outer_ - angle) / (outer_ - inner_);
+    return t * t * (3 - 2 * t);
+  }
+
+ private:
+  glm::dvec3 source_, axis_;
+  double outer_, inner_;  // radians from the axis
+};
+
+std::vector<VertexWeight> reach(const Blow& command, const Surface& surface) {
+  if (command.stroke) return coverage(*command.stroke, command.brush, surface);
+  std::vector<VertexWeight> all(surface.mesh().positions.size());
+  for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = {v, 1.0};
+  return all;
+}
+
+}  // namespace
+
+Evaluation blow(const Blow& command, const Surface& surface, const FieldSet& fields) {
+  const Mesh& mesh = surface.mesh();
+  const Wind wind(command, mesh);
+  const double sign = command.brush.invert ? -1 : 1;
+  WorkingSet work(fields);
+  for (const auto [vertex, restriction] : reach(command, surface)) {
+    const glm::dvec3 heading = wind.heading(glm::dvec3(mesh.positions[vertex]));
+    const double weight = command.strength * restriction * wind.share(heading);
+    if (weight == 0) continue;
+    WorkingSet::Fur& fur = work.at(vertex);
+    fur.direction = turned(fur.direction, frame_at(mesh, vertex), sign * heading, command.lean, weight);
+  }
+  return {work.delta(), 0};
+}
+
+}  // namespace pelage

@@ -1,0 +1,42 @@
+// A vertex's own frame, and turning fur in it.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+#include "server/surface/mesh.h"
+
+namespace pelage {
+
+/// Orthonormal, internal coordinates. Frames of neighbours differ, so directions in space are projected on each.
+struct VertexFrame {
+  glm::dvec3 normal, tangent, bitangent;
+
+  glm::dvec2 tangent_part(glm::dvec3 v) const { return {glm::dot(v, tangent), glm::dot(v, bitangent)}; }
+};
+
+inline VertexFrame frame_at(const Mesh& mesh, std::uint32_t vertex) {
+  const glm::dvec3 normal(mesh.normals[vertex]), tangent(mesh.tangents[vertex]);
+  return {normal, tangent, glm::cross(normal, tangent)};
+}
+
+/// Tangent parts of unit vectors shorter than this have no heading of their own.
+inline constexpr double no_heading = 1e-6;
+
+/// V' = V + weight (lean t - V), with t the unit tangent part of the unit vector `towards`; V where it has none.
+inline glm::dvec2 turned(glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards, double lean,
+                         double weight) {
+  const glm::dvec2 part = frame.tangent_part(towards);
+  const double along = glm::length(part);
+  if (along < no_heading) return direction;
+  return direction + weight * (lean * part / along - direction);
+}
+
+/// The unit vector along any finite vector but 0, also where its square has no double.
+inline glm::dvec3 safe_unit(glm::dvec3 v) {
+  const double largest = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+  return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
+}
+
+}  // namespace pelage

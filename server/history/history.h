@@ -1,0 +1,96 @@
+// The undo log of one scene in memory: steps, what can be undone and redone, and what it takes to go to any revision.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+#include "protocol/commands/command.h"
+#include "server/fields/field_set.h"
+
+namespace pelage {
+
+/// What a scene holds beside the fields and changes by commands.
+struct SceneSettings {
+  Coat coat;
+  Look look;
+  std::vector<Light> lights = default_lights();
+};
+
+/// The settings with a set_coat, set_look or set_lights carried out; none for other commands.
+std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command);
+
+/// A new step; a part that joins the last step; and the ways through the steps.
+enum class EntryKind { command, join, undo, redo, revert };
+/// "do", "join", "undo", "redo", "revert".
+const char* name_of(EntryKind kind);
+
+/// One accepted change, as the journal keeps it.
+struct Entry {
+  Revision revision = 0;
+  EntryKind kind = EntryKind::command;
+  std::uint64_t argument = 0;  // steps of undo and redo, the revision that a revert goes back to
+  std::string commands;        // JSON text of the resolved commands; "" for undo, redo and revert
+  FieldDelta delta;            // from the revision before
+  FieldsHash fields_hash;      // after it
+  std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
+};
+
+/// Record k describes the state at revision first + k. The commands that lead to a state form a list that shares its
+/// beginning with the lists of other states, so that undo and revert never copy or re-evaluate anything.
+class History {
+ public:
+  explicit History(Revision first);
+
+  Revision revision() const { return first_ + records_.size() - 1; }
+  Revision first_revision() const { return first_; }
+  const SceneSettings& settings() const { return *records_.back().settings; }
+  const SceneSettings& settings_at(Revision revision) const { return *records_[revision - first_].settings; }
+  std::size_t undo_steps() const { return done_.size(); }
+  std::size_t redo_steps() const { return undone_.size(); }
+
+  /// What undoing or redoing `steps` steps changes. Refused (invalid, "/steps") when there are fewer.
+  Result<FieldDelta> undo(std::uint64_t steps) const;
+  Result<FieldDelta> redo(std::uint64_t steps) const;
+  /// What the last step changed, with all that joined it. There must be one.
+  const FieldDelta& last_step() const { return done_.back().delta; }
+
+  /// Whether the entry can follow: the next revision, and steps and revisions that there are.
+  bool accepts(const Entry& entry) const;
+  /// Takes an accepted entry. Both a running scene and a restart come through here.
+  void record(const Entry& entry);
+
+  /// One line for each entry, oldest first.
+  std::vector<LogEntry> log() const;
+  /// The commands from the first groom to the present state, one element for each step; parts of a stroke are one whole
+  /// stroke without an id.
+  std::vector<std::vector<Command>> effective_log() const;
+
+ private:
+  struct Record {
+    LogEntry line;
+    std::size_t top = 0;    // record of the last entry in the list of commands that leads here
+    std::size_t below = 0;  // do and join: the top of the list before this entry; the list ends at 0
+    std::shared_ptr<const SceneSettings> settings;
+  };
+  struct Step {
+    FieldDelta delta;
+    std::size_t before = 0, after = 0;  // records that describe the states
+  };
+
+  void record_do(const Entry& entry, Record& record);
+  void record_join(const Entry& entry, Record& record);
+  void record_undo(const Entry& entry, Record& record);
+  void record_redo(const Entry& entry, Record& record);
+  void record_revert(const Entry& entry, Record& record);
+  void arrive(std::size_t state, Record& record) const;
+
+  Revision first_;
+  std::vector<Record> records_;
+  std::vector<Step> done_, undone_;  // the last one is the next to undo or redo
+};
+
+}  // namespace pelage

@@ -1,0 +1,192 @@
+#include "server/history/journal.h"
+
+#include <algorithm>
+
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+#include "server/history/delta_codec.h"
+#include "server/history/sqlite.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::uint64_t schema_version = 1;
+
+// Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
+constexpr const char* how_to_keep = R"(
+  PRAGMA locking_mode = EXCLUSIVE;
+  PRAGMA journal_mode = WAL;
+  PRAGMA synchronous = FULL;
+  PRAGMA foreign_keys = ON;
+  BEGIN IMMEDIATE; COMMIT;
+)";
+
+constexpr const char* schema = R"(
+  CREATE TABLE scenes(
+    number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
+    model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
+    first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL);
+  CREATE TABLE entries(
+    scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
+    kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
+    hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL,
+    PRIMARY KEY(scene, revision));
+  PRAGMA user_version = 1;
+)";
+
+Status damaged(const char* what) { return failure(Code::internal, std::string("the journal is damaged: ") + what); }
+
+/// Makes the tables of a new journal, and refuses what is none or too new.
+Status check_schema(Database& database) {
+  Statement version = database.prepare("PRAGMA user_version");
+  Statement tables = database.prepare("SELECT count(*) FROM sqlite_master");
+  for (Statement* question : {&version, &tables}) {
+    if (const Result<bool> row = question->step(); !row) return row.status();
+  }
+  const std::uint64_t found = version.number_at(0);
+  if (found == schema_version) return {};
+  if (found > schema_version) return failure(Code::internal, "the journal comes from a newer version of this program");
+  if (tables.number_at(0) > 0) return failure(Code::internal, "the file in the journal's place is another database");
+  return database.transaction([&database] { return database.execute(schema); });
+}
+
+std::string settings_text(const SceneSettings& settings) {
+  return encode(std::vector<Command>{SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights}});
+}
+
+Result<std::shared_ptr<const SceneSettings>> settings_from(const std::string& text) {
+  const Result<std::vector<Command>> commands = decode_commands(text);
+  if (!commands) return damaged("settings");
+  SceneSettings settings;
+  for (const Command& command : *commands) settings = with_setting(settings, command).value_or(settings);
+  return std::make_shared<const SceneSettings>(std::move(settings));
+}
+
+/// Binds all that a new model changes about a scene, and its id last.
+Status run_with_model(Statement statement, const StoredScene& scene, const std::string& first_groom) {
+  return statement.text(scene.model.name)
+      .number(static_cast<std::uint64_t>(scene.model.up))
+      .number(static_cast<std::uint64_t>(scene.model.front))
+      .number(scene.model.source_is_32_bit)
+      .number(scene.first_revision)
+      .blob(first_groom)
+      .blob(scene.model.raw)
+      .text(scene.id)
+      .run();
+}
+
+Result<Entry> read_entry(const Statement& row) {
+  Entry entry;
+  entry.revision = row.number_at(0);
+  const std::uint64_t kind = row.number_at(1);
+  if (kind > static_cast<std::uint64_t>(EntryKind::revert)) return damaged("kind of an entry");
+  entry.kind = static_cast<EntryKind>(kind);
+  entry.argument = row.number_at(2);
+  entry.commands = row.text_at(3);
+  if (!row.null_at(4)) {
+    auto settings = settings_from(row.text_at(4));
+    if (!settings) return settings.status();
+    entry.settings = *settings;
+  }
+  entry.fields_hash = {row.number_at(5), row.number_at(6)};
+  Result<FieldDelta> delta = decode_delta(row.blob_at(7));
+  if (!delta) return delta.status();
+  entry.delta = std::move(*delta);
+  return entry;
+}
+
+}  // namespace
+
+Journal::Journal(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+Journal::~Journal() = default;
+
+Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
+  Result<Database> database = Database::open(path);
+  if (!database) return database.status();
+  if (Status kept = database->execute(how_to_keep); !kept.ok()) return kept;
+  if (Status good = check_schema(*database); !good.ok()) return good;
+  return std::unique_ptr<Journal>(new Journal(std::make_unique<Database>(std::move(*database))));
+}
+
+Status Journal::add_scene(const StoredScene& scene) {
+  const std::string first_groom = encode_delta(scene.first_groom);
+  const std::lock_guard lock(mutex_);
+  Statement insert = database_->prepare("INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
+                                        " first_groom, raw, id) VALUES(?,?,?,?,?,?,?,?,?)");
+  insert.text(scene.name);
+  return run_with_model(std::move(insert), scene, first_groom);
+}
+
+Status Journal::replace_model(const StoredScene& scene) {
+  const std::string first_groom = encode_delta(scene.first_groom);
+  const std::lock_guard lock(mutex_);
+  return database_->transaction([&] {
+    Status cleared = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
+    if (!cleared.ok()) return cleared;
+    return run_with_model(database_->prepare("UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?,"
+                                             " first_revision = ?, first_groom = ?, raw = ? WHERE id = ?"),
+                          scene, first_groom);
+  });
+}
+
+Status Journal::remove_scene(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  return database_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
+}
+
+Status Journal::append(const std::string& scene, const Entry& entry) {
+  const std::string delta = encode_delta(entry.delta);
+  const std::lock_guard lock(mutex_);
+  Statement insert = database_->prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
+  insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
+  insert.text(entry.commands);
+  if (entry.settings) insert.text(settings_text(*entry.settings));
+  else insert.null();
+  return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
+}
+
+Result<std::vector<std::string>> Journal::scene_ids() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> ids;
+  Statement rows = database_->prepare("SELECT id FROM scenes ORDER BY number");
+  Result<bool> row = rows.step();
+  for (; row && *row; row = rows.step()) ids.push_back(rows.text_at(0));
+  if (!row) return row.status();
+  return ids;
+}
+
+Result<StoredScene> Journal::scene(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  Statement row = database_->prepare("SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw"
+                                     " FROM scenes WHERE id = ?");
+  const Result<bool> found = row.text(id).step();
+  if (!found) return found.status();
+  if (!*found) return failure(Code::not_found, "the journal has no such scene");
+  constexpr auto last_axis = static_cast<std::uint64_t>(Axis::minus_z);
+  if (row.number_at(2) > last_axis || row.number_at(3) > last_axis) return damaged("axes of a model");
+  Result<FieldDelta> first_groom = decode_delta(row.blob_at(6));
+  if (!first_groom) return first_groom.status();
+  const std::span<const std::byte> raw = row.blob_at(7);
+  StoredModel model{row.text_at(1), static_cast<Axis>(row.number_at(2)), static_cast<Axis>(row.number_at(3)),
+                    row.number_at(4) != 0, std::string(reinterpret_cast<const char*>(raw.data()), raw.size())};
+  return StoredScene{id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom)};
+}
+
+Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision after) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Entry> entries;
+  Statement rows = database_->prepare("SELECT revision, kind, argument, commands, settings, hash_low, hash_high, delta"
+                                      " FROM entries WHERE scene = ? AND revision > ? ORDER BY revision");
+  rows.text(scene).number(after);
+  Result<bool> row = rows.step();
+  for (; row && *row; row = rows.step()) {
+    Result<Entry> entry = read_entry(rows);
+    if (!entry) return entry.status();
+    entries.push_back(std::move(*entry));
+  }
+  if (!row) return row.status();
+  return entries;
+}
+
+}  // namespace pelage

@@ -1,0 +1,61 @@
+// The durable log of all scenes: what it has answered ok to is on disk.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+#include "protocol/commands/scene.h"
+#include "server/fields/field_set.h"
+#include "server/history/history.h"
+
+namespace pelage {
+
+/// All that it takes to prepare a scene's model and its first groom again, without the code that made them.
+struct StoredModel {
+  std::string name;  // "creature", "obj", ...
+  Axis up = Axis::plus_y, front = Axis::plus_z;
+  bool source_is_32_bit = false;
+  std::string raw;   // encode_raw_model
+};
+
+struct StoredScene {
+  std::string id, name;
+  StoredModel model;
+  Revision first_revision = 0;  // at which the model came
+  FieldDelta first_groom;       // from fur upright and of length 0
+};
+
+class Database;
+
+/// Thread-safe. One SQLite file in WAL mode, synced at each change, held by one process at a time.
+class Journal {
+ public:
+  /// Fails when the file is no journal, comes from a newer version or is in use (internal, unavailable).
+  static Result<std::unique_ptr<Journal>> open(const std::string& path);
+  ~Journal();
+
+  Status add_scene(const StoredScene& scene);
+  /// Puts a new model in place of the old one and its log.
+  Status replace_model(const StoredScene& scene);
+  Status remove_scene(const std::string& id);
+  Status append(const std::string& scene, const Entry& entry);
+
+  /// Ids of all scenes, in the order they were made in.
+  Result<std::vector<std::string>> scene_ids() const;
+  Result<StoredScene> scene(const std::string& id) const;
+  /// Entries with a revision above `after`, oldest first.
+  Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
+
+ private:
+  explicit Journal(std::unique_ptr<Database> database);
+
+  mutable std::mutex mutex_;
+  std::unique_ptr<Database> database_;
+};
+
+}  // namespace pelage

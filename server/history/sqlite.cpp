@@ -1,0 +1,110 @@
+#include "server/history/sqlite.h"
+
+#include <sqlite3.h>
+
+namespace pelage {
+
+namespace {
+
+Status status_of(sqlite3* database, int code) {
+  if (code == SQLITE_OK || code == SQLITE_DONE || code == SQLITE_ROW) return {};
+  const std::string message = std::string("the journal cannot be used: ") +
+                              (database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
+  if (code == SQLITE_TOOBIG) return failure(Code::too_large, message);
+  if (code == SQLITE_FULL || code == SQLITE_BUSY || code == SQLITE_LOCKED) return failure(Code::unavailable, message);
+  return failure(Code::internal, message);
+}
+
+}  // namespace
+
+Statement::Statement(sqlite3* database, const char* sql) : database_(database) {
+  sqlite3_stmt* statement = nullptr;
+  keep(sqlite3_prepare_v2(database, sql, -1, &statement, nullptr));
+  statement_.reset(statement);
+}
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+void Statement::keep(int code) {
+  if (error_ == SQLITE_OK) error_ = code;
+}
+
+Statement& Statement::number(std::uint64_t value) {
+  if (statement_) keep(sqlite3_bind_int64(statement_.get(), ++bound_, static_cast<sqlite3_int64>(value)));
+  return *this;
+}
+
+Statement& Statement::text(std::string_view value) {
+  if (statement_) {
+    keep(sqlite3_bind_text64(statement_.get(), ++bound_, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+  }
+  return *this;
+}
+
+Statement& Statement::blob(std::string_view octets) {
+  // No copy: the octets of a model are large, and outlive the statement.
+  if (statement_) keep(sqlite3_bind_blob64(statement_.get(), ++bound_, octets.data(), octets.size(), SQLITE_STATIC));
+  return *this;
+}
+
+Statement& Statement::null() {
+  if (statement_) keep(sqlite3_bind_null(statement_.get(), ++bound_));
+  return *this;
+}
+
+Result<bool> Statement::step() {
+  if (error_ != SQLITE_OK) return status_of(database_, error_);
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  return status_of(database_, code);
+}
+
+Status Statement::run() {
+  const Result<bool> row = step();
+  return row ? Status{} : row.status();
+}
+
+std::uint64_t Statement::number_at(int column) const {
+  return static_cast<std::uint64_t>(sqlite3_column_int64(statement_.get(), column));
+}
+
+std::string Statement::text_at(int column) const {
+  const unsigned char* text = sqlite3_column_text(statement_.get(), column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return text != nullptr ? std::string(reinterpret_cast<const char*>(text), size) : std::string();
+}
+
+std::span<const std::byte> Statement::blob_at(int column) const {
+  const void* octets = sqlite3_column_blob(statement_.get(), column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return {static_cast<const std::byte*>(octets), octets != nullptr ? size : 0};
+}
+
+bool Statement::null_at(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+Result<Database> Database::open(const std::string& path) {
+  sqlite3* raw = nullptr;
+  const int code = sqlite3_open_v2(path.c_str(), &raw, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  Database database(raw);
+  if (code != SQLITE_OK) return status_of(raw, code);
+  return Result<Database>(std::move(database));
+}
+
+void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+
+Status Database::execute(const char* sql) {
+  return status_of(database_.get(), sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr));
+}
+
+Status Database::transaction(const std::function<Status()>& work) {
+  if (Status begun = execute("BEGIN IMMEDIATE"); !begun.ok()) return begun;
+  Status done = work();
+  if (done.ok()) done = execute("COMMIT");
+  if (!done.ok()) execute("ROLLBACK");
+  return done;
+}
+
+}  // namespace pelage

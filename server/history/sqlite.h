@@ -1,0 +1,72 @@
+// SQLite, as much of it as the journal needs: every call answers a Status, statements end themselves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "protocol/base/status.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace pelage {
+
+/// One prepared statement. Errors in binding are kept and come out of step.
+class Statement {
+ public:
+  Statement(sqlite3* database, const char* sql);
+
+  Statement& number(std::uint64_t value);
+  Statement& text(std::string_view value);
+  Statement& blob(std::string_view octets);
+  Statement& null();
+
+  /// True for a row, false at the end.
+  Result<bool> step();
+  /// Steps a statement that gives no rows.
+  Status run();
+
+  // Columns of the row, from 0; texts and octets last until the next step.
+  std::uint64_t number_at(int column) const;
+  std::string text_at(int column) const;
+  std::span<const std::byte> blob_at(int column) const;
+  bool null_at(int column) const;
+
+ private:
+  void keep(int code);
+
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  sqlite3* database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  int bound_ = 0;
+  int error_ = 0;
+};
+
+class Database {
+ public:
+  /// Opens or makes the file.
+  static Result<Database> open(const std::string& path);
+
+  Statement prepare(const char* sql) { return {database_.get(), sql}; }
+  /// Several statements without parameters.
+  Status execute(const char* sql);
+  /// All of `work` or nothing of it.
+  Status transaction(const std::function<Status()>& work);
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  explicit Database(sqlite3* database) : database_(database) {}
+
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+}  // namespace pelage

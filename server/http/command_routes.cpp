@@ -1,0 +1,104 @@
+#include "protocol/json/encode.h"
+#include "server/http/reply.h"
+#include "server/http/routes.h"
+
+namespace pelage {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+Result<ExecuteOptions> options_of(const Request& request, const std::vector<std::string_view>& parameters) {
+  const auto if_match = if_match_of(request);
+  if (!if_match) return if_match.status();
+  if (Status status = check_query(request, parameters); !status.ok()) return status;
+  const std::string dry_run = request.get_param_value("dry_run");
+  if (request.has_param("dry_run") && dry_run != "0" && dry_run != "1") {
+    return failure(Code::invalid, "dry_run is 0 or 1.", "/dry_run", "0 | 1");
+  }
+  return ExecuteOptions{.if_match = *if_match, .dry_run = dry_run == "1"};
+}
+
+void reply_answer(Response& response, const Result<CommandAnswer>& answer) {
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer), answer->revision);
+}
+
+void run_commands(Scene& scene, const Request& request, Response& response) {
+  const auto options = options_of(request, {"dry_run"});
+  if (!options) return reply_problem(response, options.status());
+  const auto commands = decode_commands(request.body);
+  if (!commands) return reply_problem(response, commands.status());
+  reply_answer(response, scene.execute(*commands, *options));
+}
+
+Result<HistoryMove> undo_of(const std::string& body) {
+  const auto steps = decode_steps(body);
+  if (!steps) return steps.status();
+  return HistoryMove(Undo{*steps});
+}
+
+Result<HistoryMove> redo_of(const std::string& body) {
+  const auto steps = decode_steps(body);
+  if (!steps) return steps.status();
+  return HistoryMove(Redo{*steps});
+}
+
+Result<HistoryMove> revert_of(const std::string& body) {
+  const auto revision = decode_revision(body);
+  if (!revision) return revision.status();
+  return HistoryMove(Revert{*revision});
+}
+
+void move(Scene& scene, const Result<HistoryMove>& wanted, const Request& request, Response& response) {
+  if (!wanted) return reply_problem(response, wanted.status());
+  const auto options = options_of(request, {});
+  if (!options) return reply_problem(response, options.status());
+  reply_answer(response, scene.move(*wanted, *options));
+}
+
+void read_log(const Scene& scene, const Request& request, Response& response) {
+  const Status status = check_query(request, {"format"});
+  if (!status.ok()) return reply_problem(response, status);
+  const std::string format = request.has_param("format") ? request.get_param_value("format") : "json";
+  if (format == "json") return reply_json(response, 200, encode(scene.log()));
+  if (format != "jsonl") {
+    return reply_problem(response, failure(Code::invalid, "The log has no such format.", "/format", "json | jsonl"));
+  }
+  std::string lines;
+  for (const std::vector<Command>& step : scene.effective_log()) lines += encode(step) + "\n";
+  response.status = 200;
+  response.set_content(lines, "application/jsonl");
+}
+
+using SceneHandler = std::function<void(Scene&, const Request&, Response&)>;
+
+void post(httplib::Server& server, Service& service, const char* name, const SceneHandler& handle) {
+  const std::string pattern = std::string("/v1/scenes/([^/]+)/") + name;
+  add_post(server, pattern, [&service, handle](const Request& request, Response& response) {
+    service.idempotency.answer(request, response, [&] {
+      with_scene(service, request, response, [&](const auto& scene) { handle(*scene, request, response); });
+    });
+  });
+}
+
+}  // namespace
+
+void add_command_routes(httplib::Server& server, Service& service) {
+  post(server, service, "commands", run_commands);
+  post(server, service, "undo", [](Scene& scene, const Request& request, Response& response) {
+    move(scene, undo_of(request.body), request, response);
+  });
+  post(server, service, "redo", [](Scene& scene, const Request& request, Response& response) {
+    move(scene, redo_of(request.body), request, response);
+  });
+  post(server, service, "revert", [](Scene& scene, const Request& request, Response& response) {
+    move(scene, revert_of(request.body), request, response);
+  });
+  server.Get("/v1/scenes/([^/]+)/log", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { read_log(*scene, request, response); });
+  });
+}
+
+}  // namespace pelage

@@ -1,0 +1,153 @@
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "protocol/base/limits.h"
+#include "protocol/json/encode.h"
+#include "server/http/reply.h"
+#include "server/http/routes.h"
+
+namespace pelage {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+using Clock = std::chrono::steady_clock;
+
+constexpr double slice_seconds = 0.25;              // how soon a wait sees that the server stops
+constexpr std::int64_t large_pixels = 4096 * 4096;  // beyond it frames are drawn one at a time
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// `after` and `wait` of the address.
+struct News {
+  std::optional<Revision> after;
+  double wait_seconds = 0;
+};
+
+template <class T>
+std::optional<T> parsed(const std::string& text) {
+  T value{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size()) return {};
+  return value;
+}
+
+Result<News> news_of(const Request& request) {
+  News news;
+  for (const char* name : {"after", "wait"}) {
+    if (request.get_param_value_count(name) > 1) {
+      return failure(Code::malformed, "The parameter is given twice.", std::string("/") + name, "each name once");
+    }
+  }
+  if (request.has_param("after")) {
+    news.after = parsed<Revision>(request.get_param_value("after"));
+    if (!news.after) return failure(Code::invalid, "This is no revision.", "/after", "[0, 18446744073709551615]");
+  }
+  if (request.has_param("wait")) {
+    const auto wait = parsed<double>(request.get_param_value("wait"));
+    if (!wait || !(*wait >= 0 && *wait <= limits::wait_seconds)) {
+      return failure(Code::invalid, "The wait is out of range.", "/wait", fmt::format("[0, {}]", limits::wait_seconds));
+    }
+    if (!news.after) return failure(Code::invalid, "A wait needs the revision to wait for.", "/after", "required");
+    news.wait_seconds = *wait;
+  }
+  return news;
+}
+
+/// Ok when the scene is newer than asked for; unavailable when too many wait; not_found when the scene went away;
+/// precondition when there is nothing newer.
+Status wait_for_news(Service& service, const Scene& scene, const News& news) {
+  if (!news.after || scene.revision() > *news.after) return {};
+  const Status nothing_new = failure(Code::precondition, "Nothing is newer.");
+  if (news.wait_seconds == 0) return nothing_new;
+  const auto pass = service.waiting.enter();
+  if (!pass) return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", worker_threads / 4));
+  const auto start = Clock::now();
+  while (!service.draining) {
+    const double left = news.wait_seconds - seconds_since(start);
+    if (left <= 0) break;
+    if (scene.wait_newer(*news.after, std::min(left, slice_seconds)) > *news.after) return {};
+    if (const auto still_there = service.scenes.find(scene.id()); !still_there) return still_there.status();
+  }
+  return nothing_new;
+}
+
+std::string server_timing(const FrameTimings& t) {
+  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}", t.queue,
+                     t.upload, t.draw, t.read, t.encode);
+}
+
+void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted, Response& response) {
+  const bool large = std::int64_t{wanted.width} * wanted.height > large_pixels;
+  const auto pass = large ? service.large_frames.enter() : Gate::Pass(nullptr);
+  if (large && !pass) {
+    return reply_problem(response, failure(Code::unavailable, "Another large frame is being drawn.", "", "one at a time"));
+  }
+  const auto start = Clock::now();
+  auto frame = service.frames.frame(scene, wanted, [&service] { return service.draining.load(); });
+  if (!frame) return reply_problem(response, frame.status());
+  service.metrics.count_frame(seconds_since(start));
+  response.status = 200;
+  set_etag(response, frame->revision);
+  response.set_header("Pelage-Revision", std::to_string(frame->revision));
+  response.set_header("Pelage-Quality", encode(frame->knobs));
+  response.set_header("Server-Timing", server_timing(frame->timings));
+  response.set_header("Cache-Control", "no-cache");
+  response.set_content(std::move(frame->png), "image/png");
+}
+
+void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
+                  const Request& request, Response& response) {
+  if (!wanted) return reply_problem(response, wanted.status());
+  const auto news = news_of(request);
+  if (!news) return reply_problem(response, news.status());
+  const Status status = wait_for_news(service, *scene, *news);
+  const Revision revision = scene->revision();
+  const bool known = request.method != "POST" && none_match_names(request, revision);
+  if (known || status.code == Code::precondition) {
+    response.status = 304;
+    return set_etag(response, revision);
+  }
+  if (!status.ok()) return reply_problem(response, status);
+  reply_frame(service, scene, *wanted, response);
+}
+
+Query frame_query_of(const Request& request) {
+  Query query = query_of(request);
+  std::erase_if(query, [](const auto& parameter) { return parameter.first == "after" || parameter.first == "wait"; });
+  return query;
+}
+
+void pick(const Scene& scene, const Request& request, Response& response) {
+  const auto wanted = decode_pick(request.body);
+  if (!wanted) return reply_problem(response, wanted.status());
+  const auto answer = scene.pick(wanted->view, wanted->pixel);
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer));
+}
+
+}  // namespace
+
+void add_frame_routes(httplib::Server& server, Service& service) {
+  add_post(server, "/v1/scenes/([^/]+)/frames", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) {
+      const Status status = check_query(request, {"after", "wait"});
+      const auto wanted = status.ok() ? decode_frame_request(request.body) : Result<FrameRequest>(status);
+      answer_frame(service, scene, wanted, request, response);
+    });
+  });
+  server.Get("/v1/scenes/([^/]+)/frame.png", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) {
+      answer_frame(service, scene, decode_frame_query(frame_query_of(request)), request, response);
+    });
+  });
+  add_post(server, "/v1/scenes/([^/]+)/pick", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { pick(*scene, request, response); });
+  });
+}
+
+}  // namespace pelage

@@ -1,0 +1,177 @@
+#include "server/http/http_server.h"
+
+#include <sys/socket.h>
+
+#include <chrono>
+#include <thread>
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include "protocol/base/limits.h"
+#include "server/http/guard.h"
+#include "server/http/reply.h"
+#include "server/http/routes.h"
+
+namespace pelage {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+constexpr int connection_backlog = 128;  // cpp-httplib's own is 5
+constexpr int keep_alive_seconds = 2;
+constexpr std::size_t requests_per_connection = 10'000;
+constexpr int read_timeout_seconds = 5;
+
+/// Not SO_REUSEPORT, which cpp-httplib sets: with it two servers bind one port.
+void share_address_with_the_dead_only(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+/// The request belongs to the worker that handles it, but cpp-httplib hands it out as const. A single range is ignored,
+/// which HTTP allows: a range of an answer that was never asked for before means nothing here. A request without a
+/// Content-Length has no body (RFC 9112 6.3), where cpp-httplib would read until the connection ends.
+void settle_framing(const Request& request) {
+  auto& owned = const_cast<Request&>(request);
+  owned.ranges.clear();
+  const bool takes_body = request.method == "POST" || request.method == "PUT" || request.method == "DELETE";
+  if (takes_body && !request.has_header("Content-Length")) owned.headers.emplace("Content-Length", "0");
+}
+
+void refuse(const Refusal& refusal, const Request& request, Response& response) {
+  auto& owned = const_cast<Request&>(request);
+  owned.ranges.clear();
+  // No body is written for a HEAD, so that close_after would not close; it is answered as a GET.
+  if (request.method == "HEAD") owned.method = "GET";
+  reply_problem(response, refusal.status, refusal.http_status);
+  if (refusal.http_status == 401) response.set_header("WWW-Authenticate", "Bearer");
+  if (refusal.http_status == 405) response.set_header("Allow", "GET, HEAD, POST, PUT, DELETE");
+  close_after(response);
+}
+
+/// Refusals of cpp-httplib itself, which have no body. What it did not read may follow, so the connection ends.
+Refusal own_refusal(const Request& request, int http_status) {
+  const RouteInfo route = route_of(request.path);
+  if (http_status == 404 && !route.methods.empty()) {
+    return {405, failure(Code::malformed, "This address does not take the method.", "", route.methods)};
+  }
+  if (http_status == 404) return {404, failure(Code::not_found, "There is nothing at this address.")};
+  if (http_status == 413) return {413, failure(Code::too_large, "The body is too large.")};
+  if (http_status == 500) return {500, failure(Code::internal, "The server failed.")};
+  return {http_status, failure(Code::malformed, "The request is not what HTTP says.")};
+}
+
+bool is_public(const std::string& path) { return path == "/livez" || path == "/readyz" || path == "/metrics"; }
+
+}  // namespace
+
+struct HttpServer::Impl {
+  Impl(const HttpOptions& options, SceneStore& scenes, FrameService& frames)
+      : service(scenes, frames), guard(options.token, options.hosts, !is_loopback_name(options.host)) {
+    set_up_transport();
+    set_up_handlers();
+    add_scene_routes(server, service);
+    add_command_routes(server, service);
+    add_frame_routes(server, service);
+    add_status_routes(server, service);
+  }
+
+  void set_up_transport() {
+    server.new_task_queue = [] { return new httplib::ThreadPool(worker_threads); };
+    server.set_keep_alive_timeout(keep_alive_seconds);
+    server.set_keep_alive_max_count(requests_per_connection);
+    server.set_read_timeout(read_timeout_seconds);
+    server.set_payload_max_length(limits::model_bytes);
+    server.set_tcp_nodelay(true);
+    server.set_socket_options([this](socket_t socket) {
+      share_address_with_the_dead_only(socket);
+      listening_socket = socket;
+    });
+    server.set_default_headers({{"X-Content-Type-Options", "nosniff"}});
+  }
+
+  void set_up_handlers() {
+    server.set_expect_100_continue_handler([this](const Request& request, Response& response) {
+      const auto refusal = guard.refusal(request);
+      if (!refusal) return 100;
+      refuse(*refusal, request, response);
+      return response.status;
+    });
+    server.set_pre_routing_handler([this](const Request& request, Response& response) {
+      return before_routing(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                               : httplib::Server::HandlerResponse::Handled;
+    });
+    server.set_error_handler([](const Request& request, Response& response) {
+      const bool ours = !response.body.empty() || response.content_length_ > 0;
+      if (!ours) refuse(own_refusal(request, response.status), request, response);
+    });
+    server.set_exception_handler([](const Request& request, Response& response, std::exception_ptr) {
+      fmt::print(stderr, "pelaged: an exception reached {}\n", route_of(request.path).path);
+      response.headers.clear();
+      refuse(own_refusal(request, 500), request, response);
+    });
+    server.set_post_routing_handler([this](const Request& request, Response& response) {
+      service.metrics.count_request(route_of(request.path).path, response.status);
+    });
+  }
+
+  /// False when the answer is made already.
+  bool before_routing(const Request& request, Response& response) {
+    if (const auto refusal = guard.refusal(request)) {
+      refuse(*refusal, request, response);
+      return false;
+    }
+    if (service.draining && !is_public(request.path)) {
+      refuse({503, failure(Code::unavailable, "The server is stopping.")}, request, response);
+      return false;
+    }
+    settle_framing(request);
+    return true;
+  }
+
+  Service service;
+  Guard guard;
+  httplib::Server server;
+  socket_t listening_socket = -1;
+  int port = 0;
+  std::atomic<bool> finished{false};
+};
+
+HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+HttpServer::~HttpServer() = default;
+
+Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& options, SceneStore& scenes,
+                                                       FrameService& frames) {
+  if (!is_loopback_name(options.host) && options.token.empty()) {
+    return failure(Code::invalid, "An address that others can reach needs a token: --token.", "", "loopback, or a token");
+  }
+  auto impl = std::make_unique<Impl>(options, scenes, frames);
+  const bool any_port = options.port == 0;
+  if (any_port) impl->port = impl->server.bind_to_any_port(options.host);
+  else if (impl->server.bind_to_port(options.host, options.port)) impl->port = options.port;
+  if (impl->port <= 0) {
+    return failure(Code::invalid, fmt::format("Cannot listen on {}:{}.", options.host, options.port));
+  }
+  // Allowed on a listening socket; only the backlog changes.
+  ::listen(impl->listening_socket, connection_backlog);
+  return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
+}
+
+int HttpServer::port() const { return impl_->port; }
+
+void HttpServer::run() {
+  impl_->server.listen_after_bind();
+  impl_->finished = true;
+}
+
+void HttpServer::stop() {
+  impl_->service.draining = true;
+  // cpp-httplib forgets a stop that comes before it listens.
+  while (!impl_->server.is_running() && !impl_->finished) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  impl_->server.stop();
+}
+
+}  // namespace pelage

@@ -1,0 +1,40 @@
+// The HTTP service: routes, limits and the cures for the weak spots of cpp-httplib.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "server/scene/frame_service.h"
+#include "server/scene/scene_store.h"
+
+namespace pelage {
+
+struct HttpOptions {
+  std::string host = "127.0.0.1";  // address or name to listen on
+  int port = 0;                    // 0 for a free one
+  std::string token;               // when given, every call but /livez and /readyz needs it
+  std::vector<std::string> hosts;  // names that a request may address beside the loopback ones, without ports
+};
+
+class HttpServer {
+ public:
+  /// Binds. Refused (invalid) when the address is not a loopback one and there is no token, or cannot be bound.
+  /// The store and the frame service outlive the server.
+  static Result<std::unique_ptr<HttpServer>> listen(const HttpOptions& options, SceneStore& scenes, FrameService& frames);
+  ~HttpServer();
+
+  int port() const;
+  /// Serves on this thread until stop() is called and what runs is finished.
+  void run();
+  /// Thread-safe: no longer ready, ends waits, takes no new connections.
+  void stop();
+
+ private:
+  struct Impl;
+  explicit HttpServer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage

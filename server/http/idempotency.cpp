@@ -1,0 +1,76 @@
+#include "server/http/idempotency.h"
+
+#include "protocol/base/limits.h"
+#include "server/http/reply.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t kept_answers = 1000;
+constexpr std::size_t kept_body_bytes = 64 * 1024;  // longer answers (large batches) are run once and not repeated
+
+/// FNV-1a.
+std::uint64_t hash_of(const std::string& text, std::uint64_t hash) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return hash;
+}
+
+}  // namespace
+
+void IdempotencyCache::answer(const httplib::Request& request, httplib::Response& response,
+                              const std::function<void()>& run) {
+  const std::string key = request.get_header_value("Idempotency-Key");
+  if (key.empty()) return run();
+  if (key.size() > limits::name_bytes) {
+    return reply_problem(response, failure(Code::malformed, "The Idempotency-Key is too long.", "", "at most 200 bytes"));
+  }
+  const std::string name = request.path + "\n" + key;
+  Entry entry;
+  const std::string sent = request.target + "\n" + request.body;
+  entry.fingerprint[0] = hash_of(sent, 0xcbf29ce484222325ULL);
+  entry.fingerprint[1] = hash_of(sent, 0x9e3779b97f4a7c15ULL);
+  if (!begin(name, entry, response)) return;
+  // Destroyed on every way out, a thrown exception included, so that no key stays "running".
+  const std::shared_ptr<void> finisher(nullptr, [&](void*) { finish(name, response); });
+  run();
+}
+
+bool IdempotencyCache::begin(const std::string& key, const Entry& entry, httplib::Response& response) {
+  const std::lock_guard lock(mutex_);
+  const auto [found, fresh] = entries_.try_emplace(key, entry);
+  if (fresh) return true;
+  const Entry& known = found->second;
+  if (known.fingerprint[0] != entry.fingerprint[0] || known.fingerprint[1] != entry.fingerprint[1]) {
+    reply_problem(response, failure(Code::invalid, "This Idempotency-Key came with another request before."));
+  } else if (known.running) {
+    reply_problem(response, failure(Code::conflict, "The first request with this Idempotency-Key is still running."));
+  } else {
+    reply_json(response, known.status, known.body);
+    if (!known.location.empty()) response.set_header("Location", known.location);
+    if (!known.etag.empty()) response.set_header("ETag", known.etag);
+  }
+  return false;
+}
+
+void IdempotencyCache::finish(const std::string& key, const httplib::Response& response) {
+  const std::lock_guard lock(mutex_);
+  const bool keep = response.status >= 200 && response.status < 300 && response.body.size() <= kept_body_bytes;
+  if (!keep) {
+    entries_.erase(key);
+    return;
+  }
+  Entry& entry = entries_[key];
+  entry.running = false;
+  entry.status = response.status;
+  entry.body = response.body;
+  entry.location = response.get_header_value("Location");
+  entry.etag = response.get_header_value("ETag");
+  finished_.push_back(key);
+  if (finished_.size() > kept_answers) {
+    entries_.erase(finished_.front());
+    finished_.pop_front();
+  }
+}
+
+}  // namespace pelage

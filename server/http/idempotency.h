@@ -1,0 +1,40 @@
+// Requests that a client may send twice and that are run once.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include <httplib.h>
+
+namespace pelage {
+
+/// Thread-safe. Keeps the answers of the newest requests that succeeded and had an Idempotency-Key.
+class IdempotencyCache {
+ public:
+  /// Runs `run` and keeps its answer, or answers from memory. Without the header it just runs. Refuses: 409 while the
+  /// first request is running, 422 when the key came with another body or address.
+  void answer(const httplib::Request& request, httplib::Response& response, const std::function<void()>& run);
+
+ private:
+  struct Entry {
+    std::uint64_t fingerprint[2] = {0, 0};
+    bool running = true;
+    int status = 0;
+    std::string body;
+    std::string location, etag;
+  };
+
+  /// The answer is made from memory, or the request is entered as running (true).
+  bool begin(const std::string& key, const Entry& entry, httplib::Response& response);
+  void finish(const std::string& key, const httplib::Response& response);
+
+  std::mutex mutex_;
+  std::map<std::string, Entry> entries_;
+  std::deque<std::string> finished_;  // oldest first
+};
+
+}  // namespace pelage

@@ -1,0 +1,40 @@
+// Counters of the service in Prometheus' text format.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace pelage {
+
+/// What the service knows at the moment of asking.
+struct Gauges {
+  std::size_t scenes = 0;
+  bool ready = false;
+  std::size_t frames_drawn = 0;
+  double seconds_drawing = 0;
+};
+
+/// Thread-safe.
+class Metrics {
+ public:
+  /// `route` is a template such as "/v1/scenes/{id}", never a path with an id.
+  void count_request(const std::string& route, int http_status);
+  /// From the start of the call to the encoded picture.
+  void count_frame(double seconds);
+  std::string text(const Gauges& gauges) const;
+
+ private:
+  static constexpr std::array<double, 10> bounds_{0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10};
+
+  mutable std::mutex mutex_;
+  std::map<std::pair<std::string, int>, std::uint64_t> requests_;
+  std::array<std::uint64_t, bounds_.size()> frames_within_{};
+  std::uint64_t frames_ = 0;
+  double frame_seconds_ = 0;
+};
+
+}  // namespace pelage

@@ -1,0 +1,82 @@
+#include "server/http/reply.h"
+
+#include <charconv>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "protocol/json/encode.h"
+
+namespace pelage {
+
+int http_status_of(Code code) {
+  switch (code) {
+    case Code::ok: return 200;
+    case Code::malformed: return 400;
+    case Code::not_found: return 404;
+    case Code::conflict: return 409;
+    case Code::precondition: return 412;
+    case Code::too_large: return 413;
+    case Code::unsupported: return 415;
+    case Code::invalid: return 422;
+    case Code::busy: return 429;
+    case Code::internal: return 500;
+    case Code::unavailable: return 503;
+  }
+  return 500;
+}
+
+void reply_json(httplib::Response& response, int http_status, std::string body) {
+  response.status = http_status;
+  response.set_content(std::move(body), "application/json");
+}
+
+void reply_json(httplib::Response& response, int http_status, std::string body, Revision revision) {
+  reply_json(response, http_status, std::move(body));
+  set_etag(response, revision);
+}
+
+void reply_problem(httplib::Response& response, const Status& status, int http_status) {
+  response.status = http_status;
+  response.set_content(encode_problem(status, http_status), "application/problem+json");
+  if (http_status == 429 || http_status == 503) response.set_header("Retry-After", "1");
+}
+
+void reply_problem(httplib::Response& response, const Status& status) {
+  reply_problem(response, status, http_status_of(status.code));
+}
+
+void close_after(httplib::Response& response) {
+  const auto body = std::make_shared<const std::string>(std::move(response.body));
+  const std::string type = response.get_header_value("Content-Type");
+  response.body.clear();
+  response.headers.erase("Content-Type");
+  response.set_header("Connection", "close");
+  response.set_content_provider(body->size(), type, [body](std::size_t offset, std::size_t, httplib::DataSink& sink) {
+    sink.write(body->data() + offset, body->size() - offset);
+    return false;
+  });
+}
+
+std::string etag_of(Revision revision) { return fmt::format("\"{}\"", revision); }
+
+void set_etag(httplib::Response& response, Revision revision) { response.set_header("ETag", etag_of(revision)); }
+
+Result<std::optional<Revision>> if_match_of(const httplib::Request& request) {
+  const std::string text = request.get_header_value("If-Match");
+  if (text.empty() || text == "*") return std::optional<Revision>();
+  Revision revision = 0;
+  const char* end = text.data() + text.size();
+  if (text.size() >= 3 && text.front() == '"' && text.back() == '"') {
+    const auto [stop, error] = std::from_chars(text.data() + 1, end - 1, revision);
+    if (error == std::errc() && stop == end - 1) return std::optional(revision);
+  }
+  return failure(Code::malformed, "If-Match is no entity tag of a scene.", "", "one ETag such as \"12\", or *");
+}
+
+bool none_match_names(const httplib::Request& request, Revision revision) {
+  const std::string text = request.get_header_value("If-None-Match");
+  return text == "*" || (", " + text + ",").find(" " + etag_of(revision) + ",") != std::string::npos;
+}
+
+}  // namespace pelage

@@ -1,0 +1,38 @@
+// Answers and what requests say about revisions, in HTTP's words.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <httplib.h>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+
+namespace pelage {
+
+int http_status_of(Code code);
+
+void reply_json(httplib::Response& response, int http_status, std::string body);
+/// Also sets ETag.
+void reply_json(httplib::Response& response, int http_status, std::string body, Revision revision);
+
+/// A problem document; with Retry-After where trying again helps.
+void reply_problem(httplib::Response& response, const Status& status, int http_status);
+void reply_problem(httplib::Response& response, const Status& status);
+
+/// Makes the connection end after this answer, which has a body. cpp-httplib goes on after a header
+/// "Connection: close"; it stops when a content provider says false. Needed wherever a request's body was not read,
+/// or what is left of it would run as the next request.
+void close_after(httplib::Response& response);
+
+/// "12", with the quotes.
+std::string etag_of(Revision revision);
+void set_etag(httplib::Response& response, Revision revision);
+
+/// The revision of If-Match; none without the header and for *. Malformed when it is no single strong entity tag of ours.
+Result<std::optional<Revision>> if_match_of(const httplib::Request& request);
+/// Whether If-None-Match names the revision.
+bool none_match_names(const httplib::Request& request, Revision revision);
+
+}  // namespace pelage

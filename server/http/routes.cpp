@@ -1,0 +1,70 @@
+#include "server/http/routes.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "protocol/base/limits.h"
+#include "protocol/json/nearest.h"
+#include "server/http/reply.h"
+
+namespace pelage {
+
+void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
+                const std::function<void(const std::shared_ptr<Scene>&)>& use) {
+  const auto scene = service.scenes.find(request.matches[1].str());
+  if (!scene) return reply_problem(response, scene.status());
+  use(*scene);
+}
+
+void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler) {
+  server.Post(pattern, [handler](const httplib::Request& request, httplib::Response& response) {
+    if (request.body.size() <= limits::command_body_bytes) return handler(request, response);
+    reply_problem(response, failure(Code::too_large, fmt::format("The body has {} octets.", request.body.size()), "",
+                                    fmt::format("at most {} octets", limits::command_body_bytes)));
+  });
+}
+
+Query query_of(const httplib::Request& request) { return {request.params.begin(), request.params.end()}; }
+
+Status check_query(const httplib::Request& request, const std::vector<std::string_view>& known) {
+  for (const auto& [name, value] : request.params) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      return failure(Code::invalid, "There is no parameter of that name.", "/" + name, "", nearest_name(name, known));
+    }
+    if (request.params.count(name) > 1) {
+      return failure(Code::malformed, "The parameter \"" + name + "\" is given twice.", "/" + name, "each name once");
+    }
+  }
+  return {};
+}
+
+RouteInfo route_of(const std::string& path) {
+  static const std::array<RouteInfo, 15> known{{{"/v1/scenes", "GET, HEAD, POST"},
+                                                {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
+                                                {"/v1/scenes/{id}/model", "PUT"},
+                                                {"/v1/scenes/{id}/commands", "POST"},
+                                                {"/v1/scenes/{id}/undo", "POST"},
+                                                {"/v1/scenes/{id}/redo", "POST"},
+                                                {"/v1/scenes/{id}/revert", "POST"},
+                                                {"/v1/scenes/{id}/log", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/frames", "POST"},
+                                                {"/v1/scenes/{id}/frame.png", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/pick", "POST"},
+                                                {"/livez", "GET, HEAD"},
+                                                {"/readyz", "GET, HEAD"},
+                                                {"/metrics", "GET, HEAD"},
+                                                {"/openapi.json", "GET, HEAD"}}};
+  static constexpr std::string_view scenes = "/v1/scenes/";
+  if (path == "/") return {"/", "GET, HEAD"};
+  std::string shape = path;
+  if (path.starts_with(scenes) && path.size() > scenes.size()) {
+    const std::size_t end = std::min(path.find('/', scenes.size()), path.size());
+    if (end > scenes.size()) shape = std::string(scenes) + "{id}" + path.substr(end);
+  }
+  const auto found = std::find_if(known.begin(), known.end(), [&](const RouteInfo& info) { return info.path == shape; });
+  return found == known.end() ? RouteInfo{"other", ""} : *found;
+}
+
+}  // namespace pelage

@@ -1,0 +1,61 @@
+// Which handler answers which address. Each group of routes has a file of its own.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <httplib.h>
+
+#include "protocol/json/decode.h"
+#include "server/http/gate.h"
+#include "server/http/idempotency.h"
+#include "server/http/metrics.h"
+#include "server/scene/frame_service.h"
+#include "server/scene/scene_store.h"
+
+namespace pelage {
+
+inline constexpr int worker_threads = 64;
+
+/// What handlers share. Everything in it is thread-safe.
+struct Service {
+  SceneStore& scenes;
+  FrameService& frames;
+  Metrics metrics;
+  IdempotencyCache idempotency;
+  Gate waiting{worker_threads / 4};  // each holds a thread for seconds
+  Gate uploads{4};                   // each holds a model in memory
+  Gate large_frames{1};
+  std::atomic<bool> draining{false};
+
+  Service(SceneStore& store, FrameService& service) : scenes(store), frames(service) {}
+  bool ready() const { return !draining && frames.healthy(); }
+};
+
+void add_scene_routes(httplib::Server& server, Service& service);
+void add_command_routes(httplib::Server& server, Service& service);
+void add_frame_routes(httplib::Server& server, Service& service);
+void add_status_routes(httplib::Server& server, Service& service);
+
+/// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
+void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
+                const std::function<void(const std::shared_ptr<Scene>&)>& use);
+
+/// A POST; bodies over the limit of commands are refused (413).
+void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler);
+
+Query query_of(const httplib::Request& request);
+/// Refuses (invalid) parameters of the address that are not among `known`, and repeated ones (malformed).
+Status check_query(const httplib::Request& request, const std::vector<std::string_view>& known);
+
+/// The template of a path, such as "/v1/scenes/{id}/undo", and the methods that it takes; "other" and none for a path
+/// that nothing answers.
+struct RouteInfo {
+  std::string path;
+  std::string methods;
+};
+RouteInfo route_of(const std::string& path);
+
+}  // namespace pelage

@@ -1,0 +1,29 @@
+// The only files that assimp sees: the octets of the upload.
+#pragma once
+
+#include <string>
+
+#include <assimp/IOSystem.hpp>
+
+namespace pelage {
+
+/// Knows one file by its name; every other open, and every write, fails and is remembered.
+class ClosedIo : public Assimp::IOSystem {
+ public:
+  ClosedIo(std::string name, const std::string& octets) : name_(std::move(name)), octets_(octets) {}
+
+  bool Exists(const char* file) const override { return name_ == file; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char* mode) override;
+  void Close(Assimp::IOStream* stream) override;
+
+  /// The first other file that was asked for; empty when there was none.
+  const std::string& refused() const { return refused_; }
+
+ private:
+  std::string name_;
+  const std::string& octets_;
+  std::string refused_;
+};
+
+}  // namespace pelage

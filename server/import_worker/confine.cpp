@@ -1,0 +1,89 @@
+#include "server/import_worker/confine.h"
+
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace pelage {
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+#else
+constexpr bool is_sanitized = false;
+#endif
+
+bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+  const rlimit wanted{soft, hard};
+  return setrlimit(resource, &wanted) == 0;
+}
+
+bool limit_resources(double seconds, std::size_t memory_bytes) {
+  const auto cpu = static_cast<rlim_t>(std::ceil(std::clamp(seconds, 1.0, 1e6)));
+  constexpr rlim_t open_files = 3;  // the standard streams
+  return limit(RLIMIT_CPU, cpu, cpu + 1) && limit(RLIMIT_FSIZE, 0, 0) && limit(RLIMIT_CORE, 0, 0) &&
+         limit(RLIMIT_NOFILE, open_files, open_files) &&
+         (is_sanitized || limit(RLIMIT_AS, memory_bytes, memory_bytes));
+}
+
+using Filter = std::unique_ptr<void, void (*)(scmp_filter_ctx)>;
+
+/// A call is allowed when its arguments meet all of the conditions.
+bool allow(const Filter& filter, int call, const std::vector<scmp_arg_cmp>& conditions = {}) {
+  return seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, call, static_cast<unsigned>(conditions.size()),
+                                conditions.data()) == 0;
+}
+
+/// Memory, but none that can be executed: the third argument of both calls holds the protection.
+bool allow_memory(const Filter& filter) {
+  const scmp_arg_cmp not_executable{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0};
+  return allow(filter, SCMP_SYS(mmap), {not_executable}) && allow(filter, SCMP_SYS(mprotect), {not_executable});
+}
+
+/// read from the input, write to the answer and to the complaints.
+bool allow_streams(const Filter& filter) {
+  const auto on = [](int stream) { return scmp_arg_cmp{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(stream), 0}; };
+  return allow(filter, SCMP_SYS(read), {on(STDIN_FILENO)}) && allow(filter, SCMP_SYS(write), {on(STDOUT_FILENO)}) &&
+         allow(filter, SCMP_SYS(write), {on(STDERR_FILENO)});
+}
+
+bool filter_calls() {
+  const Filter filter(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
+  if (!filter || !allow_streams(filter) || !allow_memory(filter)) return false;
+  for (int call : {SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(brk), SCMP_SYS(madvise), SCMP_SYS(futex),
+                   SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask),
+                   SCMP_SYS(rt_sigaction), SCMP_SYS(sigaltstack), SCMP_SYS(getpid), SCMP_SYS(gettid),
+                   SCMP_SYS(tgkill), SCMP_SYS(sched_yield), SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),
+                   SCMP_SYS(getrandom), SCMP_SYS(restart_syscall)}) {
+    if (!allow(filter, call)) return false;
+  }
+  return seccomp_load(filter.get()) == 0;
+}
+
+}  // namespace
+
+Status confine(double seconds, std::size_t memory_bytes) {
+  if (!limit_resources(seconds, memory_bytes)) return failure(Code::internal, "A resource limit was not taken.");
+  if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
+    return failure(Code::internal, "New privileges could not be given up.");
+  }
+  if (!filter_calls()) return failure(Code::internal, "The filter of system calls was not taken.");
+  return {};
+}
+
+}  // namespace pelage

@@ -1,0 +1,188 @@
+#include "server/import_worker/gltf_check.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "protocol/json/parse.h"
+#include "server/import_worker/parse.h"
+
+namespace pelage {
+
+namespace {
+
+using nlohmann::json;
+
+std::uint32_t number_at(std::string_view octets, std::size_t place) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, octets.data() + place, sizeof number);  // little-endian, as this machine
+  return number;
+}
+
+/// The member when it is an array, else an empty one.
+const json& list(const json& object, const char* name) {
+  static const json none = json::array();
+  if (!object.is_object()) return none;
+  const auto member = object.find(name);
+  return member != object.end() && member->is_array() ? *member : none;
+}
+
+std::string text(const json& object, const char* name) {
+  if (!object.is_object()) return {};
+  const auto member = object.find(name);
+  return member != object.end() && member->is_string() ? member->get<std::string>() : std::string();
+}
+
+/// The member as an index, -1 when it is none.
+std::int64_t index(const json& object, const char* name) {
+  if (!object.is_object()) return -1;
+  const auto member = object.find(name);
+  return member != object.end() && member->is_number_unsigned() ? member->get<std::int64_t>() : -1;
+}
+
+std::string printable(std::string word) {
+  word.resize(std::min<std::size_t>(word.size(), 200));
+  std::replace_if(word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return word;
+}
+
+Status check_version(const json& root) {
+  const auto asset = root.find("asset");
+  const std::string version = asset == root.end() ? "" : text(*asset, "version");
+  if (version.starts_with("2.") || version == "2") return {};
+  return broken("its glTF version is \"" + printable(version) + "\"; only 2.0 is read.");
+}
+
+Status check_extensions(const json& root) {
+  for (const json& entry : list(root, "extensionsRequired")) {
+    const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
+    const bool look_only = name.starts_with("KHR_materials_") || name == "KHR_lights_punctual";
+    if (!look_only) return broken("it requires the extension " + printable(name) + ", which is not read.");
+  }
+  return {};
+}
+
+bool is_outside(const std::string& uri) { return !uri.empty() && !uri.starts_with("data:"); }
+
+Status check_uris(const json& root) {
+  for (const char* kind : {"buffers", "images"}) {
+    for (const json& entry : list(root, kind)) {
+      const std::string uri = text(entry, "uri");
+      if (is_outside(uri)) {
+        return broken("it needs the other file \"" + printable(uri) + "\", and none but the upload is opened; pack "
+                      "all into one GLB.");
+      }
+    }
+  }
+  return {};
+}
+
+Status check_buffers(const json& root, std::size_t binary_octets) {
+  const json& buffers = list(root, "buffers");
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (!text(buffers[i], "uri").empty()) continue;
+    const std::int64_t size = index(buffers[i], "byteLength");
+    if (i > 0 || size < 0 || static_cast<std::uint64_t>(size) > binary_octets) {
+      return broken("buffer " + std::to_string(i) + " has no data, or less than its byteLength.");
+    }
+  }
+  return {};
+}
+
+/// Every node has one parent at most, and none is below itself.
+Status check_nodes(const json& root) {
+  const json& nodes = list(root, "nodes");
+  std::vector<std::int64_t> parent(nodes.size(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (const json& child : list(nodes[i], "children")) {
+      const std::int64_t c = child.is_number_unsigned() ? child.get<std::int64_t>() : -1;
+      if (c < 0 || c >= static_cast<std::int64_t>(nodes.size())) return broken("a node names a child that is not there.");
+      if (parent[static_cast<std::size_t>(c)] >= 0) return broken("node " + std::to_string(c) + " has two parents.");
+      parent[static_cast<std::size_t>(c)] = static_cast<std::int64_t>(i);
+    }
+  }
+  // With one parent each, the nodes that no walk from a root reaches lie on a cycle.
+  std::vector<std::size_t> reached;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (parent[i] < 0) reached.push_back(i);
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (const json& child : list(nodes[reached[i]], "children")) reached.push_back(child.get<std::size_t>());
+  }
+  return reached.size() == nodes.size() ? Status() : broken("its node graph has a cycle.");
+}
+
+/// Assimp copies the octets of other types as if they were floats.
+Status check_attribute_types(const json& root) {
+  constexpr std::int64_t float_type = 5126;
+  const json& accessors = list(root, "accessors");
+  for (const json& mesh : list(root, "meshes")) {
+    for (const json& primitive : list(mesh, "primitives")) {
+      const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
+      if (attributes == primitive.end()) continue;
+      for (const char* name : {"POSITION", "TEXCOORD_0"}) {
+        const std::int64_t accessor = index(*attributes, name);
+        if (accessor < 0) continue;
+        if (accessor >= static_cast<std::int64_t>(accessors.size()) ||
+            index(accessors[static_cast<std::size_t>(accessor)], "componentType") != float_type) {
+          return broken(std::string("an accessor of ") + name + " is missing or holds no 32-bit floats.");
+        }
+      }
+    }
+  }
+  return {};
+}
+
+struct Chunk {
+  std::uint32_t type = 0;
+  std::string_view data;
+};
+
+/// Takes the next chunk off `octets`; false when it is cut off.
+bool take_chunk(std::string_view& octets, Chunk& chunk) {
+  constexpr std::size_t header = 8;
+  if (octets.size() < header) return false;
+  const std::uint32_t size = number_at(octets, 0);
+  chunk.type = number_at(octets, 4);
+  octets.remove_prefix(header);
+  if (size > octets.size()) return false;
+  chunk.data = octets.substr(0, size);
+  octets.remove_prefix(size);
+  return true;
+}
+
+}  // namespace
+
+Status check_glb(std::string_view octets) {
+  constexpr std::size_t header = 12;
+  constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
+  if (octets.size() < header || !octets.starts_with("glTF")) return broken("it does not begin with the GLB magic.");
+  if (number_at(octets, 4) != 2) return broken("its GLB version is not 2.");
+  if (number_at(octets, 8) != octets.size()) {
+    return broken("its header says " + std::to_string(number_at(octets, 8)) + " octets, but it has " +
+                  std::to_string(octets.size()) + "; it is cut off or broken.");
+  }
+  octets.remove_prefix(header);
+  Chunk document, binary;
+  if (!take_chunk(octets, document)) return broken("its first chunk is cut off.");
+  if (document.type != json_type) return broken("its first chunk is not JSON.");
+  for (Chunk chunk; !octets.empty();) {
+    if (!take_chunk(octets, chunk)) return broken("a chunk is cut off.");
+    if (chunk.type == binary_type && binary.data.empty()) binary = chunk;
+  }
+  return check_gltf(document.data, binary.data.size());
+}
+
+Status check_gltf(std::string_view document, std::size_t binary_octets) {
+  const Result<json> root = parse_json(document);
+  if (!root.ok()) return broken("its JSON is broken: " + printable(root.status().message));
+  if (!root->is_object()) return broken("its JSON is no object.");
+  for (const Status& status : {check_version(*root), check_extensions(*root), check_uris(*root),
+                               check_buffers(*root, binary_octets), check_nodes(*root), check_attribute_types(*root)}) {
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+}  // namespace pelage

@@ -1,0 +1,27 @@
+// From the octets of a file to polygons. Runs in the confined worker only.
+#pragma once
+
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/scene.h"
+#include "server/surface/raw_model.h"
+
+namespace pelage {
+
+/// Reads `octets` as `format` and as nothing else. Refused (invalid) with the reason when they are broken, cut off,
+/// or ask for files or extensions that are not there. Opens no file.
+Result<RawModel> parse_model(ModelFormat format, std::string octets);
+
+// One for each reader.
+Result<RawModel> parse_obj(std::string text);
+Result<RawModel> parse_ply(const std::string& octets);
+Result<RawModel> parse_stl(const std::string& octets);
+Result<RawModel> parse_off(const std::string& text);
+/// glTF, GLB and 3DS.
+Result<RawModel> parse_with_assimp(ModelFormat format, const std::string& octets);
+
+/// The refusal of a broken file.
+inline Status broken(std::string reason) { return failure(Code::invalid, std::move(reason)); }
+
+}  // namespace pelage

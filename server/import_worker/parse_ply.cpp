@@ -1,0 +1,203 @@
+// Polygon File Format, text or binary, with vertex colours and texture coordinates.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "server/import_worker/parse.h"
+#include "server/import_worker/ply_header.h"
+#include "server/import_worker/srgb.h"
+#include "server/import_worker/text.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The numbers of the body, one after the other. After the first that is not there, all are 0 and ok() is false.
+class Numbers {
+ public:
+  Numbers(std::string_view body, PlyEncoding encoding) : left_(body), encoding_(encoding) {}
+
+  double next(PlyType type) { return encoding_ == PlyEncoding::text ? next_word() : next_binary(type); }
+  bool ok() const { return ok_; }
+  std::size_t octets_left() const { return left_.size(); }
+
+ private:
+  double next_word() {
+    const std::optional<double> number = to_number(take_word(left_));
+    ok_ = ok_ && number;
+    return number.value_or(0);
+  }
+
+  double next_binary(PlyType type) {
+    const std::size_t size = size_of(type);
+    ok_ = ok_ && size <= left_.size();
+    if (!ok_) return 0;
+    char octets[8];
+    std::memcpy(octets, left_.data(), size);
+    left_.remove_prefix(size);
+    const auto file_order = encoding_ == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
+    if (file_order != std::endian::native) std::reverse(octets, octets + size);
+    switch (type) {
+      case PlyType::int8: return as<std::int8_t>(octets);
+      case PlyType::uint8: return as<std::uint8_t>(octets);
+      case PlyType::int16: return as<std::int16_t>(octets);
+      case PlyType::uint16: return as<std::uint16_t>(octets);
+      case PlyType::int32: return as<std::int32_t>(octets);
+      case PlyType::uint32: return as<std::uint32_t>(octets);
+      case PlyType::float32: return as<float>(octets);
+      case PlyType::float64: return as<double>(octets);
+    }
+    return 0;
+  }
+
+  template <class T>
+  static double as(const char* octets) {
+    T value;
+    std::memcpy(&value, octets, sizeof value);
+    return static_cast<double>(value);
+  }
+
+  std::string_view left_;
+  PlyEncoding encoding_;
+  bool ok_ = true;
+};
+
+/// A list's length, or nothing when it is no count or there is no room for it.
+std::optional<std::size_t> take_count(Numbers& numbers, PlyType type) {
+  const double count = numbers.next(type);
+  const bool good = numbers.ok() && count >= 0 && count <= static_cast<double>(numbers.octets_left()) &&
+                    count == std::floor(count);
+  return good ? std::optional(static_cast<std::size_t>(count)) : std::nullopt;
+}
+
+double full_scale(PlyType type) {
+  if (type == PlyType::uint8) return 255;
+  return type == PlyType::uint16 ? 65535 : 1;
+}
+
+struct Vertex {
+  glm::dvec3 position{nan};
+  glm::dvec3 colour{nan};  // sRGB, [0, 1]
+  glm::dvec2 uv{nan};
+};
+
+/// Where a vertex property goes; null when nobody wants it.
+double* place_of(Vertex& vertex, std::string_view name) {
+  struct Name {
+    std::string_view name;
+    double* place;
+  };
+  const Name names[] = {{"x", &vertex.position.x},   {"y", &vertex.position.y},     {"z", &vertex.position.z},
+                        {"red", &vertex.colour.x},   {"green", &vertex.colour.y},   {"blue", &vertex.colour.z},
+                        {"r", &vertex.colour.x},     {"g", &vertex.colour.y},       {"b", &vertex.colour.z},
+                        {"s", &vertex.uv.x},         {"t", &vertex.uv.y},           {"u", &vertex.uv.x},
+                        {"v", &vertex.uv.y},         {"texture_u", &vertex.uv.x},   {"texture_v", &vertex.uv.y}};
+  for (const Name& entry : names) {
+    if (entry.name == name) return entry.place;
+  }
+  return nullptr;
+}
+
+class BodyReader {
+ public:
+  BodyReader(std::string_view body, const PlyHeader& header) : numbers_(body, header.encoding), header_(header) {}
+
+  Result<RawModel> read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.properties.empty()) continue;
+      for (std::uint64_t i = 0; i < element.count; ++i) {
+        const bool good = element.name == "vertex" ? read_vertex(element) : read_other(element);
+        if (!good) return broken("element " + element.name + " " + std::to_string(i) + " is cut off or broken.");
+      }
+    }
+    if (model_.face_sizes.empty()) return broken("it has no faces.");
+    fill_corners();
+    return std::move(model_);
+  }
+
+ private:
+  bool read_vertex(const PlyElement& element) {
+    Vertex vertex;
+    for (const PlyProperty& property : element.properties) {
+      if (property.is_list) {
+        if (!skip_list(property)) return false;
+        continue;
+      }
+      const double value = numbers_.next(property.type);
+      double* place = place_of(vertex, property.name);
+      if (!place) continue;
+      const bool is_colour = place >= &vertex.colour.x && place <= &vertex.colour.z;
+      *place = is_colour ? value / full_scale(property.type) : value;
+      const bool is_position = place >= &vertex.position.x && place <= &vertex.position.z;
+      if (is_position && header_.encoding != PlyEncoding::text && property.type != PlyType::float64) {
+        model_.is_32_bit = true;
+      }
+    }
+    vertices_.push_back(vertex);
+    return numbers_.ok();
+  }
+
+  /// Faces, and elements that nobody wants.
+  bool read_other(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      const bool is_face = element.name == "face" && property.is_list &&
+                           (property.name == "vertex_indices" || property.name == "vertex_index");
+      if (is_face && !read_face(property)) return false;
+      if (!is_face && property.is_list && !skip_list(property)) return false;
+      if (!is_face && !property.is_list) numbers_.next(property.type);
+    }
+    return numbers_.ok();
+  }
+
+  bool skip_list(const PlyProperty& property) {
+    const std::optional<std::size_t> count = take_count(numbers_, property.count_type);
+    for (std::size_t i = 0; count && i < *count; ++i) numbers_.next(property.type);
+    return count.has_value() && numbers_.ok();
+  }
+
+  bool read_face(const PlyProperty& property) {
+    const std::optional<std::size_t> count = take_count(numbers_, property.count_type);
+    if (!count) return false;
+    for (std::size_t i = 0; i < *count; ++i) {
+      const double index = numbers_.next(property.type);
+      const bool is_index = index >= 0 && index < no_position && index == std::floor(index);
+      model_.corners.push_back(is_index ? static_cast<std::uint32_t>(index) : no_position);
+    }
+    if (*count > 0) model_.face_sizes.push_back(static_cast<std::uint32_t>(*count));
+    return numbers_.ok();
+  }
+
+  /// Last, because faces may come before vertices.
+  void fill_corners() {
+    for (const Vertex& vertex : vertices_) model_.positions.push_back(vertex.position);
+    const auto has = [&](auto known) { return std::any_of(vertices_.begin(), vertices_.end(), known); };
+    const bool colours = has([](const Vertex& v) { return !std::isnan(v.colour.x + v.colour.y + v.colour.z); });
+    const bool uvs = has([](const Vertex& v) { return !std::isnan(v.uv.x + v.uv.y); });
+    for (std::uint32_t& corner : model_.corners) {
+      if (corner >= vertices_.size()) corner = no_position;
+      const Vertex vertex = corner == no_position ? Vertex() : vertices_[corner];
+      if (colours) model_.corner_colour.emplace_back(srgb_to_linear(glm::vec3(vertex.colour)), 1.0f);
+      if (uvs) model_.corner_uv.push_back(vertex.uv);
+    }
+  }
+
+  Numbers numbers_;
+  const PlyHeader& header_;
+  std::vector<Vertex> vertices_;
+  RawModel model_;
+};
+
+}  // namespace
+
+Result<RawModel> parse_ply(const std::string& octets) {
+  std::string_view body = octets;
+  const Result<PlyHeader> header = take_ply_header(body);
+  if (!header.ok()) return header.status();
+  return BodyReader(body, *header).read();
+}
+
+}  // namespace pelage

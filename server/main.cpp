@@ -1,0 +1,128 @@
+// pelaged: the render server.
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "server/http/http_server.h"
+#include "server/scene/frame_service.h"
+#include "server/scene/scene_store.h"
+#include "server/surface/import.h"
+
+namespace {
+
+using namespace pelage;
+
+// Exit codes of all programs of the project.
+constexpr int failed = 1, usage = 2, no_gl = 4;
+
+struct Options {
+  std::string listen = "127.0.0.1:8080";
+  std::string port_file;
+  std::string data = "pelage-data";
+  GlChoice gl = GlChoice::automatic;
+  int threads = 0;
+  std::string token;
+  std::vector<std::string> hosts;
+};
+
+void declare(CLI::App& app, Options& options) {
+  static const std::map<std::string, GlChoice> gl_names{
+      {"auto", GlChoice::automatic}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
+  app.add_option("--listen", options.listen, "ADDRESS:PORT; port 0 picks a free one")->capture_default_str();
+  app.add_option("--port-file", options.port_file, "File that the port is written to, by rename");
+  app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();
+  app.add_option("--gl", options.gl, "auto, egl or osmesa")->transform(CLI::CheckedTransformer(gl_names));
+  app.add_option("--threads", options.threads, "Threads of a software GL; 0 for all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--token", options.token, "Bearer token that requests need; required beyond loopback addresses")
+      ->envname("PELAGE_TOKEN");
+  app.add_option("--host", options.hosts, "Name that requests may address beside the loopback ones; may be repeated");
+}
+
+bool split_address(const std::string& text, HttpOptions& http) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) return false;
+  http.host = text.substr(0, colon);
+  if (http.host.size() > 2 && http.host.front() == '[' && http.host.back() == ']') {
+    http.host = http.host.substr(1, http.host.size() - 2);
+  }
+  const std::string digits = text.substr(colon + 1);
+  if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos) return false;
+  http.port = std::stoi(digits);
+  return http.port <= 65535;
+}
+
+/// Readers see no file or the whole of it.
+bool write_port(const std::string& path, int port) {
+  const std::string temporary = fmt::format("{}.{}", path, getpid());
+  std::ofstream(temporary) << port << "\n" << std::flush;
+  return std::rename(temporary.c_str(), path.c_str()) == 0;
+}
+
+/// Blocked in every thread that is started from here on; one thread waits for them.
+sigset_t block_stop_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+int fail(int code, const Status& status) {
+  fmt::print(stderr, "pelaged: {}{}\n", status.message, status.limit.empty() ? "" : " (" + status.limit + ")");
+  return code;
+}
+
+int serve(const Options& options, const HttpOptions& http) {
+  const sigset_t signals = block_stop_signals();
+  const auto frames = FrameService::start(options.gl, options.threads);
+  if (!frames) return fail(no_gl, frames.status());
+  const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import");
+  if (!scenes) return fail(failed, scenes.status());
+  const auto server = HttpServer::listen(http, **scenes, **frames);
+  if (!server) return fail(usage, server.status());
+
+  const int port = (*server)->port();
+  const std::string host = http.host.find(':') == std::string::npos ? http.host : "[" + http.host + "]";
+  fmt::print("pelaged: http://{}:{}/ with {}\n", host, port, (*frames)->description());
+  std::fflush(stdout);
+  if (!options.port_file.empty() && !write_port(options.port_file, port)) {
+    return fail(failed, failure(Code::internal, "Cannot write " + options.port_file + "."));
+  }
+  std::thread stopper([&] {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    (*server)->stop();
+  });
+  (*server)->run();
+  pthread_kill(stopper.native_handle(), SIGTERM);  // in case that it ended on its own
+  stopper.join();
+  fmt::print("pelaged: stopped\n");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"The Pelage render server."};
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : usage;
+  }
+  HttpOptions http{.host = {}, .port = 0, .token = options.token, .hosts = options.hosts};
+  if (!split_address(options.listen, http)) {
+    return fail(usage, failure(Code::invalid, "--listen takes ADDRESS:PORT, not " + options.listen + "."));
+  }
+  return serve(options, http);
+}

@@ -1,0 +1,33 @@
+// What several commands do together, found out without changing anything.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "protocol/commands/answers.h"
+#include "protocol/commands/command.h"
+#include "server/fields/field_set.h"
+#include "server/history/history.h"
+#include "server/surface/surface.h"
+
+namespace pelage {
+
+struct Outcome {
+  FieldDelta delta;                               // of all commands together
+  std::shared_ptr<const SceneSettings> settings;  // after them; null when they changed none
+  FieldsHash fields_hash;                         // after them
+  std::vector<CommandResult> results;             // of each command
+  std::vector<std::size_t> effective;             // numbers of the commands that changed anything
+
+  bool changed() const { return settings || !delta.empty(); }
+};
+
+/// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted
+/// from before that change has happened to `fields`, which are used on the way and are left as they were.
+Outcome evaluate_batch(const std::vector<Command>& commands, const FieldDelta& start, const Surface& surface,
+                       FieldSet& fields, const SceneSettings& settings);
+
+/// What a change of the fields amounts to in an answer.
+CommandResult describe_change(const char* op, const FieldDelta& delta);
+
+}  // namespace pelage

@@ -1,0 +1,56 @@
+// Frames: the one render thread, which owns the one GL context, and the queue in front of it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/frame.h"
+#include "renderer/gl/context/context.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// Milliseconds of each stage, for Server-Timing.
+struct FrameTimings {
+  double queue = 0, upload = 0, draw = 0, read = 0, encode = 0;
+};
+
+struct FrameAnswer {
+  std::string png;
+  Revision revision = 0;
+  Knobs knobs;  // as used
+  FrameTimings timings;
+};
+
+/// Thread-safe. Encoding runs on the caller's thread.
+class FrameService {
+ public:
+  /// Starts the render thread and its context. Fails (unavailable) with what was tried when there is no GL, or when an
+  /// explicit choice does not work. `threads` bounds the threads of a software GL, 0 for all cores.
+  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads);
+  ~FrameService();
+
+  /// Draws and encodes. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
+  /// before drawing starts; a frame that nobody waits for is dropped (unavailable).
+  Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                            const std::function<bool()>& abandoned = {});
+
+  /// Forgets GPU copies of a model that is gone.
+  void forget(std::uint64_t model_id);
+
+  /// "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5".
+  const std::string& description() const;
+  /// False once a readback has hung or the context is lost; the server is then not ready.
+  bool healthy() const;
+  std::size_t frames_drawn() const;
+  double seconds_drawing() const;
+
+ private:
+  struct Impl;
+  explicit FrameService(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,24 @@
+// The renderer's view of a scene: the only place that fills a FurModel.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "protocol/commands/frame.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/input/fur_scene.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have, else the
+/// dirty vertex ranges.
+UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty);
+
+/// What each triangle's corners bring: the place on the sample tile and the model's own look.
+std::vector<std::array<FurCorner, 3>> make_corners(const SceneModel& model);
+
+/// A frame in internal coordinates, with the scene's coat, look and lights.
+FurFrame make_frame(const SceneView& scene, const FrameRequest& request);
+
+}  // namespace pelage

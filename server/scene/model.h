@@ -1,0 +1,22 @@
+// From a parsed model to one that a scene can hold.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/scene.h"
+#include "server/history/journal.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// Names on the wire: "creature", "3ds".
+std::string name_of(Builtin shape);
+std::string name_of(ModelFormat format);
+
+/// Prepares a model as `how` says (its octets are not looked at) and lays its charts. Fails as prepare does.
+Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
+
+}  // namespace pelage

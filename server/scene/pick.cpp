@@ -1,0 +1,46 @@
+#include "server/scene/pick.h"
+
+#include <algorithm>
+
+#include "server/groom/evaluate.h"
+#include "server/groom/vertex_frame.h"
+
+namespace pelage {
+
+namespace {
+
+/// Interpolates the fields at a place; fur leans in the plane across its normal.
+void read_fields(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
+  glm::dvec3 lean(0);
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t v = mesh.triangles[answer.triangle][k];
+    const VertexFrame frame = frame_at(mesh, v);
+    const Groom groom = fields.at(v);
+    const double share = answer.barycentric[k];
+    lean += share * (double{groom.direction.x} * frame.tangent + double{groom.direction.y} * frame.bitangent);
+    answer.length += share * double{groom.length};
+    answer.stretch += share * double{groom.stretch};
+  }
+  lean -= glm::dot(lean, answer.normal) * answer.normal;
+  answer.inclination = std::min(1.0, glm::length(lean));
+  answer.direction = safe_unit(lean);
+}
+
+}  // namespace
+
+PickAnswer pick(const Surface& surface, const FieldSet& fields, const View& view, glm::dvec2 pixel) {
+  const Mesh& mesh = surface.mesh();
+  const PlacedCamera camera = place_camera(view.camera, static_cast<double>(view.width) / view.height, mesh);
+  const auto point = surface.raycast(camera.eye, pixel_ray(camera, pixel, view.width, view.height));
+  PickAnswer answer;
+  if (!point) return answer;
+  answer.hit = true;
+  answer.triangle = point->triangle;
+  answer.barycentric = point->barycentric;
+  answer.position = mesh.to_model(surface.position(*point));
+  answer.normal = surface.normal(*point);
+  read_fields(mesh, fields, answer);
+  return answer;
+}
+
+}  // namespace pelage

@@ -1,0 +1,279 @@
+#include "server/scene/scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "protocol/json/encode.h"
+#include "server/groom/evaluate.h"
+#include "server/history/journal.h"
+#include "server/scene/batch.h"
+#include "server/scene/pick.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::uint32_t dirty_gap = 64;       // vertices between ranges that are sent as one
+constexpr std::size_t many_ranges = 1 << 12;  // when nobody draws, ranges are merged now and then
+
+std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_cast<std::uint32_t>(vertices)}}; }
+
+Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
+
+/// Whether the fields hold what the change begins with.
+bool fits(const FieldDelta& delta, const FieldSet& fields) {
+  for (std::size_t i = 0; i < delta.vertices.size(); ++i) {
+    if (delta.vertices[i] >= fields.size() || !(fields.at(delta.vertices[i]) == delta.before[i])) return false;
+  }
+  return true;
+}
+
+/// In a batch the pointer says which command it is about.
+Status in_batch(Status status, std::size_t command, std::size_t commands) {
+  if (commands > 1) status.pointer.insert(0, "/commands/" + std::to_string(command));
+  return status;
+}
+
+std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers) {
+  std::vector<Command> some;
+  for (const std::size_t k : numbers) some.push_back(commands[k]);
+  return some;
+}
+
+}  // namespace
+
+Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur,
+             Journal& journal)
+    : id_(std::move(id)),
+      name_(std::move(name)),
+      journal_(journal),
+      model_(std::move(model)),
+      fields_(first_groom(model_->surface.mesh(), fur)),
+      history_(0),
+      dirty_(whole_range(fields_.size())) {}
+
+Status Scene::restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries) {
+  const std::lock_guard lock(mutex_);
+  fields_ = FieldSet(fields_.size());
+  history_ = History(first);
+  dirty_ = whole_range(fields_.size());
+  if (!fits(first_groom, fields_)) return damaged();
+  fields_.apply(first_groom);
+  for (const Entry& entry : entries) {
+    if (!history_.accepts(entry) || !fits(entry.delta, fields_)) return damaged();
+    fields_.apply(entry.delta);
+    if (fields_.hash() != entry.fields_hash) return damaged();
+    history_.record(entry);
+  }
+  return {};
+}
+
+// The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
+Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const ExecuteOptions& options) {
+  const std::lock_guard lock(mutex_);
+  if (Status refused = admit(options); !refused.ok()) return refused;
+
+  // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
+  const Result<Plan> planned = plan(commands);
+  if (!planned) return planned.status();
+
+  // What the commands do. This is pure: nothing has changed yet.
+  const FieldDelta start = planned->joins ? inverse(history_.last_step()) : FieldDelta{};
+  Outcome outcome = evaluate_batch(planned->whole, start, model_->surface, fields_, history_.settings());
+  if (options.dry_run) return answer(std::move(outcome.results));
+  const bool changed = outcome.changed();
+
+  // On disk, and only then in the fields and the log. A stroke that misses makes no step.
+  if (changed) {
+    const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
+    const std::string text = encode(chosen(planned->logged, outcome.effective));
+    Status written = commit({history_.revision() + 1, kind, 0, text, std::move(outcome.delta), outcome.fields_hash,
+                             outcome.settings});
+    if (!written.ok()) return written;
+  }
+
+  // The next part of this stroke will join it; after anything else it cannot.
+  if (commands.size() == 1) {
+    live_.accept({planned->whole[0], planned->logged[0], planned->joins}, commands[0], changed);
+  } else if (changed) {
+    live_.end();
+  }
+  return answer(std::move(outcome.results));
+}
+
+// Undo, redo and revert enter the same story with a stored change.
+Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions& options) {
+  const std::lock_guard lock(mutex_);
+  if (Status refused = admit(options); !refused.ok()) return refused;
+  Result<Entry> entry = entry_of(move);
+  if (!entry) return entry.status();
+  const CommandResult result = describe_change(name_of(entry->kind), entry->delta);
+  const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
+  if (!options.dry_run && !stays) {
+    if (Status written = commit(*entry); !written.ok()) return written;
+    live_.end();
+  }
+  return answer({result});
+}
+
+Status Scene::admit(const ExecuteOptions& options) const {
+  if (removed_) return failure(Code::not_found, "the scene has been removed");
+  if (!options.if_match || *options.if_match == history_.revision()) return {};
+  return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
+}
+
+Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
+  Plan all;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    const auto refused = [&](Status status) { return in_batch(std::move(status), k, commands.size()); };
+    Result<Command> resolved = resolve(commands[k], model_->surface);
+    if (!resolved) return refused(resolved.status());
+    const Stroke* stroke = stroke_of(*resolved);
+    if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
+      return refused(failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last"));
+    }
+    if (commands.size() > 1) {
+      all.whole.push_back(*resolved);
+      all.logged.push_back(std::move(*resolved));
+      continue;
+    }
+    Result<LiveStroke::Plan> live = live_.plan(*resolved);
+    if (!live) return live.status();
+    if (live->joins) {  // the whole stroke has limits that no part breaks alone
+      if (Result<Command> checked = resolve(live->whole, model_->surface); !checked) return checked.status();
+    }
+    all = {{std::move(live->whole)}, {std::move(live->unlogged)}, live->joins};
+  }
+  return all;
+}
+
+Status Scene::commit(const Entry& entry) {
+  if (Status written = journal_.append(id_, entry); !written.ok()) return written;
+  fields_.apply(entry.delta);
+  history_.record(entry);
+  const std::vector<VertexRange> dirty = entry.delta.dirty_ranges();
+  dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
+  if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_), dirty_gap);
+  changed_.notify_all();
+  return {};
+}
+
+Result<Entry> Scene::entry_of(const HistoryMove& move) const {
+  Entry entry;
+  entry.revision = history_.revision() + 1;
+  Result<FieldDelta> delta = FieldDelta{};
+  if (const auto* undo = std::get_if<Undo>(&move)) {
+    entry.kind = EntryKind::undo;
+    entry.argument = static_cast<std::uint64_t>(std::max(undo->steps, 1));
+    delta = history_.undo(entry.argument);
+  } else if (const auto* redo = std::get_if<Redo>(&move)) {
+    entry.kind = EntryKind::redo;
+    entry.argument = static_cast<std::uint64_t>(std::max(redo->steps, 1));
+    delta = history_.redo(entry.argument);
+  } else {
+    entry.kind = EntryKind::revert;
+    entry.argument = std::get<Revert>(move).revision;
+    delta = way_back(entry.argument);
+  }
+  if (!delta) return delta.status();
+  entry.delta = std::move(*delta);
+  entry.fields_hash = fields_.hash_after(entry.delta);
+  return entry;
+}
+
+Result<FieldDelta> Scene::way_back(Revision revision) const {
+  if (revision < history_.first_revision() || revision > history_.revision()) {
+    return failure(Code::invalid, "there is no such revision of this model", "/revision",
+                   "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
+  }
+  const Result<std::vector<Entry>> since = journal_.entries(id_, revision);
+  if (!since) return since.status();
+  FieldSet then = fields_;
+  for (auto entry = since->rbegin(); entry != since->rend(); ++entry) then.apply(inverse(entry->delta));
+  return difference(fields_, then);
+}
+
+CommandAnswer Scene::answer(std::vector<CommandResult> results) const {
+  return {history_.revision(), fields_.hash(), std::move(results)};
+}
+
+SceneSummary Scene::describe() const {
+  return {id_, name_, history_.revision(), model_->name, model_->surface.mesh().report, fields_.hash(),
+          history_.undo_steps(), history_.redo_steps()};
+}
+
+SceneSummary Scene::summary() const {
+  const std::lock_guard lock(mutex_);
+  return describe();
+}
+
+std::vector<LogEntry> Scene::log() const {
+  const std::lock_guard lock(mutex_);
+  return history_.log();
+}
+
+std::vector<std::vector<Command>> Scene::effective_log() const {
+  const std::lock_guard lock(mutex_);
+  return history_.effective_log();
+}
+
+Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
+  const std::lock_guard lock(mutex_);
+  return pelage::pick(model_->surface, fields_, view, pixel);
+}
+
+void Scene::read(const std::function<void(const SceneView&)>& use) const {
+  const std::lock_guard lock(mutex_);
+  use({*model_, fields_, history_.settings(), history_.revision()});
+}
+
+void Scene::read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use) {
+  const std::lock_guard lock(mutex_);
+  const std::vector<VertexRange> dirty = merge_ranges(std::exchange(dirty_, {}), dirty_gap);
+  use({*model_, fields_, history_.settings(), history_.revision()}, dirty);
+}
+
+Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
+                                          const ExecuteOptions& options) {
+  FieldSet first = first_groom(model->surface.mesh(), fur);
+  const std::lock_guard lock(mutex_);
+  if (Status refused = admit(options); !refused.ok()) return refused;
+  if (options.dry_run) return describe();
+  const Revision revision = history_.revision() + 1;
+  const FieldDelta groom = difference(FieldSet(first.size()), first);
+  Status written = journal_.replace_model({id_, name_, std::move(stored), revision, groom});
+  if (!written.ok()) return written;
+  model_ = std::move(model);
+  fields_ = std::move(first);
+  history_ = History(revision);
+  live_.end();
+  dirty_ = whole_range(fields_.size());
+  changed_.notify_all();
+  return describe();
+}
+
+Status Scene::remove() {
+  const std::lock_guard lock(mutex_);
+  if (removed_) return failure(Code::not_found, "the scene has been removed");
+  if (Status gone = journal_.remove_scene(id_); !gone.ok()) return gone;
+  removed_ = true;
+  changed_.notify_all();
+  return {};
+}
+
+Revision Scene::wait_newer(Revision after, double seconds) const {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                    [&] { return removed_ || history_.revision() > after; });
+  return history_.revision();
+}
+
+Revision Scene::revision() const {
+  const std::lock_guard lock(mutex_);
+  return history_.revision();
+}
+
+const std::string& Scene::id() const { return id_; }
+
+}  // namespace pelage

@@ -1,0 +1,123 @@
+// One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+#include "protocol/commands/command.h"
+#include "protocol/commands/scene.h"
+#include "server/fields/field_set.h"
+#include "server/history/history.h"
+#include "server/history/live_stroke.h"
+#include "server/surface/charts.h"
+#include "server/surface/surface.h"
+
+namespace pelage {
+
+/// A model that never changes while it is in a scene; shared with frames that are being drawn.
+struct SceneModel {
+  Surface surface;
+  TileMap tile_map;
+  std::uint64_t id = 0;  // unique in the process: what the renderer caches by
+  std::string name;      // "creature", "obj", ...
+};
+
+/// What drawing needs to read, under the scene's lock, for as long as the callback of Scene::read runs.
+struct SceneView {
+  const SceneModel& model;
+  const FieldSet& fields;
+  const SceneSettings& settings;
+  Revision revision;
+};
+
+struct ExecuteOptions {
+  std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
+  bool dry_run = false;              // answer what it would do; nothing changes
+};
+
+struct Undo { int steps = 1; };      // [1, 1e6]; more than there are: invalid, nothing changes
+struct Redo { int steps = 1; };
+struct Revert { Revision revision = 0; };  // any earlier revision of this model
+using HistoryMove = std::variant<Undo, Redo, Revert>;
+
+class Journal;
+struct StoredModel;
+
+/// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned.
+class Scene {
+ public:
+  /// A scene at its first groom, revision 0; SceneStore puts it into the journal.
+  Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal);
+
+  /// Takes the place of what the constructor made: the stored first groom and every entry since. Fails (internal) when
+  /// they do not fit together; the scene is then not to be used.
+  Status restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries);
+
+  /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
+  /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field
+  /// bit, no setting) keeps the revision and makes no step.
+  Result<CommandAnswer> execute(const std::vector<Command>& commands, const ExecuteOptions& options = {});
+  Result<CommandAnswer> move(const HistoryMove& move, const ExecuteOptions& options = {});
+
+  SceneSummary summary() const;
+  /// All entries of the journal since the model came, oldest first.
+  std::vector<LogEntry> log() const;
+  /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
+  std::vector<std::vector<Command>> effective_log() const;
+  Result<PickAnswer> pick(const View& view, glm::dvec2 pixel) const;
+
+  /// Runs `use` under the scene's lock.
+  void read(const std::function<void(const SceneView&)>& use) const;
+  /// As read, and hands over the vertex ranges that changed since the last call (everything after a new model).
+  void read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use);
+
+  /// A new model starts an empty log at the next revision. `stored` is what the journal keeps of it.
+  Result<SceneSummary> replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
+                                     const ExecuteOptions& options = {});
+
+  /// Takes the scene out of the journal. Whoever still holds it gets not_found for every change.
+  Status remove();
+
+  /// Waits until the revision is above `after`, the scene is removed or `seconds` have gone by; the revision then.
+  Revision wait_newer(Revision after, double seconds) const;
+  Revision revision() const;
+  const std::string& id() const;
+
+ private:
+  /// Commands as they are evaluated and as they are logged: with pixels resolved, and parts of a stroke joined.
+  struct Plan {
+    std::vector<Command> whole;
+    std::vector<Command> logged;
+    bool joins = false;
+  };
+
+  // All of these need the lock.
+  Status admit(const ExecuteOptions& options) const;
+  Result<Plan> plan(const std::vector<Command>& commands) const;
+  Status commit(const Entry& entry);
+  Result<Entry> entry_of(const HistoryMove& move) const;
+  Result<FieldDelta> way_back(Revision revision) const;
+  CommandAnswer answer(std::vector<CommandResult> results) const;
+  SceneSummary describe() const;
+
+  const std::string id_, name_;
+  Journal& journal_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  std::shared_ptr<const SceneModel> model_;
+  FieldSet fields_;
+  History history_;
+  LiveStroke live_;
+  std::vector<VertexRange> dirty_;  // since the last frame
+  bool removed_ = false;
+};
+
+}  // namespace pelage

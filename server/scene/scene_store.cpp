@@ -1,0 +1,175 @@
+#include "server/scene/scene_store.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <random>
+
+#include "protocol/base/limits.h"
+#include "server/history/journal.h"
+#include "server/scene/model.h"
+#include "server/surface/builtin.h"
+#include "server/surface/import.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr int imports_at_a_time = 2;
+
+/// 12 random hex characters.
+std::string random_id() {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::random_device device;
+  std::string id(12, '0');
+  for (char& c : id) c = digits[device() & 15];
+  return id;
+}
+
+/// Counts up while it lives, if there is room.
+class Slot {
+ public:
+  Slot(std::atomic<int>& taken, int limit) : taken_(taken), has_(taken.fetch_add(1) < limit) {}
+  ~Slot() { --taken_; }
+  Slot(const Slot&) = delete;
+  Slot& operator=(const Slot&) = delete;
+  bool has() const { return has_; }
+
+ private:
+  std::atomic<int>& taken_;
+  bool has_;
+};
+
+Status full() {
+  return failure(Code::busy, "there are as many scenes as the server holds", {},
+                 "at most " + std::to_string(limits::scenes) + " scenes");
+}
+
+/// Only tinyobjloader reads doubles.
+bool read_as_32_bit(ModelFormat format) { return format != ModelFormat::obj; }
+
+FieldDelta groom_of(const Scene& scene) {
+  FieldDelta groom;
+  scene.read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
+  return groom;
+}
+
+}  // namespace
+
+struct SceneStore::Impl {
+  std::unique_ptr<Journal> journal;
+  std::string worker;
+  std::atomic<int> imports{0};
+  std::atomic<std::uint64_t> last_model{0};
+  mutable std::mutex mutex;
+  std::vector<std::shared_ptr<Scene>> scenes;  // in the order they were made in
+
+  bool has_room() const {
+    const std::lock_guard lock(mutex);
+    return scenes.size() < limits::scenes;
+  }
+
+  Status restore(const std::string& id);
+  Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
+};
+
+Status SceneStore::Impl::restore(const std::string& id) {
+  const Result<StoredScene> stored = journal->scene(id);
+  if (!stored) return stored.status();
+  const Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored->model.raw)));
+  if (!raw) return raw.status();
+  auto model = build_model(*raw, stored->model, ++last_model);
+  if (!model) return model.status();
+  const Result<std::vector<Entry>> entries = journal->entries(id, stored->first_revision);
+  if (!entries) return entries.status();
+  auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal);
+  Status restored = scene->restore(stored->first_groom, stored->first_revision, *entries);
+  if (restored.ok()) scenes.push_back(std::move(scene));
+  return restored;
+}
+
+Result<std::shared_ptr<Scene>> SceneStore::Impl::add(StoredScene stored, std::shared_ptr<const SceneModel> model,
+                                                     FirstGroom fur) {
+  auto scene = std::make_shared<Scene>(stored.id, stored.name, std::move(model), fur, *journal);
+  stored.first_groom = groom_of(*scene);
+  const std::lock_guard lock(mutex);
+  if (scenes.size() >= limits::scenes) return full();
+  if (Status written = journal->add_scene(stored); !written.ok()) return written;
+  scenes.push_back(scene);
+  return scene;
+}
+
+SceneStore::SceneStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SceneStore::~SceneStore() = default;
+
+Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_folder, const std::string& worker) {
+  std::error_code error;
+  std::filesystem::create_directories(data_folder, error);
+  if (error) return failure(Code::internal, "the data folder cannot be made: " + error.message());
+  auto journal = Journal::open((std::filesystem::path(data_folder) / "pelage.sqlite").string());
+  if (!journal) return journal.status();
+  auto impl = std::make_unique<Impl>();
+  impl->journal = std::move(*journal);
+  impl->worker = worker;
+  const Result<std::vector<std::string>> ids = impl->journal->scene_ids();
+  if (!ids) return ids.status();
+  for (const std::string& id : *ids) {
+    if (Status restored = impl->restore(id); !restored.ok()) {
+      return failure(Code::internal, "scene " + id + " cannot be restored: " + restored.message);
+    }
+  }
+  return std::unique_ptr<SceneStore>(new SceneStore(std::move(impl)));
+}
+
+Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
+  if (!impl_->has_room()) return full();
+  const RawModel raw = make_builtin(request.model);
+  StoredModel how{.name = name_of(request.model.shape), .raw = encode_raw_model(raw)};
+  auto model = build_model(raw, how, ++impl_->last_model);
+  if (!model) return model.status();
+  return impl_->add({random_id(), request.name, std::move(how), 0, {}}, *model, request.fur);
+}
+
+Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const {
+  const std::lock_guard lock(impl_->mutex);
+  for (const auto& scene : impl_->scenes) {
+    if (scene->id() == id) return scene;
+  }
+  return failure(Code::not_found, "there is no such scene");
+}
+
+Status SceneStore::remove(const std::string& id) {
+  const Result<std::shared_ptr<Scene>> scene = find(id);
+  if (!scene) return scene.status();
+  if (Status removed = (*scene)->remove(); !removed.ok()) return removed;
+  const std::lock_guard lock(impl_->mutex);
+  std::erase(impl_->scenes, *scene);
+  return {};
+}
+
+std::vector<SceneSummary> SceneStore::list() const {
+  std::vector<std::shared_ptr<Scene>> scenes;
+  {
+    const std::lock_guard lock(impl_->mutex);
+    scenes = impl_->scenes;
+  }
+  std::vector<SceneSummary> summaries;
+  for (const auto& scene : scenes) summaries.push_back(scene->summary());
+  return summaries;
+}
+
+Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
+                                            std::span<const std::byte> octets, const ExecuteOptions& execute) {
+  const Slot slot(impl_->imports, imports_at_a_time);
+  if (!slot.has()) return failure(Code::busy, "the server is reading other models", {}, "two models at a time");
+  const Result<RawModel> raw = import_model(impl_->worker, options.format, octets);
+  if (!raw) return raw.status();
+  StoredModel how{name_of(options.format), options.up, options.front, read_as_32_bit(options.format), {}};
+  auto model = build_model(*raw, how, ++impl_->last_model);
+  if (!model) return model.status();
+  how.raw = encode_raw_model(*raw);
+  return scene.replace_model(*model, options.fur, std::move(how), execute);
+}
+
+}  // namespace pelage

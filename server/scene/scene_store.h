@@ -1,0 +1,40 @@
+// All scenes of the server, and their way through a restart.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/scene.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// Thread-safe.
+class SceneStore {
+ public:
+  /// Opens or makes `data_folder`/pelage.sqlite and restores every scene in it, with its log and revision, by the stored
+  /// deltas. `worker` is the path of pelage-import. Fails (internal) with the reason when the journal cannot be used.
+  static Result<std::unique_ptr<SceneStore>> open(const std::string& data_folder, const std::string& worker);
+  ~SceneStore();
+
+  /// Refused (busy) at the limit of scenes.
+  Result<std::shared_ptr<Scene>> create(const NewScene& request);
+  Result<std::shared_ptr<Scene>> find(const std::string& id) const;
+  Status remove(const std::string& id);
+  std::vector<SceneSummary> list() const;
+
+  /// Reads the octets through the worker and gives the model to the scene. At most two imports run at a time; more are
+  /// refused (busy).
+  Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> octets,
+                                  const ExecuteOptions& execute = {});
+
+ private:
+  struct Impl;
+  explicit SceneStore(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage

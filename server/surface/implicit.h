@@ -1,0 +1,82 @@
+// Closed surfaces as the zero set of blended volumes.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+/// The hull of two balls, squeezed by `flatten` (1 or more) along the unit vector `flat_axis` through `a`.
+/// Neither ball holds the other unless both are the same.
+struct RoundCone {
+  glm::dvec3 a{0}, b{0};
+  double radius_a = 1, radius_b = 1;
+  glm::dvec3 flat_axis{1, 0, 0};
+  double flatten = 1;
+};
+
+enum class Blend { add, carve };
+
+/// One step of a sculpture: cones that make one body (a chain of them bends like a limb), added to what is there so
+/// far or carved out of it, with a fillet about `width` wide (> 0) where they meet it.
+struct Volume {
+  std::vector<RoundCone> cones;  // one or more
+  double width = 0.01;
+  Blend blend = Blend::add;
+  double joint_width = 0.016;    // of the fillets between the cones themselves, > 0
+};
+
+/// Signed distance (negative inside) and its gradient, whose length is about 1 near the surface. Both are exact on
+/// round volumes; on flattened ones they are exact at the surface and a first-order estimate away from it.
+struct DistanceSample {
+  double distance = 0;
+  glm::dvec3 gradient{0};
+};
+
+/// The sculpture that the volumes make, in their order.
+class ImplicitSurface {
+ public:
+  /// The first volume must be added, not carved.
+  explicit ImplicitSurface(const std::vector<Volume>& volumes);
+
+  DistanceSample sample(glm::dvec3 position) const;
+
+  /// The surface's point near `position`, by at most three steps along the gradient, each at most `reach` long.
+  glm::dvec3 project(glm::dvec3 position, double reach) const;
+
+  /// Box around everything added.
+  glm::dvec3 lower() const { return lower_; }
+  glm::dvec3 upper() const { return upper_; }
+
+ private:
+  struct Ball {
+    glm::dvec3 centre{0};
+    double radius = 0;
+  };
+  struct Piece {
+    RoundCone cone;
+    glm::dvec3 axis{0, 1, 0};     // from a to b, unit, after flattening
+    double length = 0;            // |b - a| after flattening
+    double sine = 0, cosine = 1;  // of the cone's slope
+    Ball hull;
+  };
+  struct Part {
+    std::vector<Piece> pieces;
+    double width, joint_width;
+    Blend blend;
+    double most_flat = 1;
+    Ball hull;
+  };
+
+  static Piece make_piece(const RoundCone& cone);
+  static Part make_part(const Volume& volume);
+  static DistanceSample sample_piece(const Piece& piece, glm::dvec3 position);
+  static DistanceSample sample_part(const Part& part, glm::dvec3 position);
+  void extend_box(const Volume& volume);
+
+  std::vector<Part> parts_;
+  glm::dvec3 lower_{0}, upper_{0};
+};
+
+}  // namespace pelage

@@ -1,0 +1,151 @@
+#include "server/surface/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "protocol/base/limits.h"
+#include "server/surface/frames.h"
+#include "server/surface/look_corners.h"
+#include "server/surface/orient.h"
+#include "server/surface/triangulate.h"
+#include "server/surface/weld.h"
+
+namespace pelage {
+
+namespace {
+
+Status refusal(std::string message, std::string limit = {}) {
+  return failure(Code::invalid, std::move(message), "", std::move(limit));
+}
+
+glm::dvec3 direction_of(Axis axis) {
+  glm::dvec3 direction(0);
+  const int index = static_cast<int>(axis);
+  direction[index / 2] = index % 2 == 0 ? 1 : -1;
+  return direction;
+}
+
+/// Turns `up` to +Y and `front` to +Z.
+glm::dmat3 turn_to_house_axes(glm::dvec3 up, glm::dvec3 front) {
+  return glm::transpose(glm::dmat3(glm::cross(up, front), up, front));
+}
+
+Status check_triangle_count(const RawModel& raw) {
+  std::size_t triangles = 0;
+  for (std::uint32_t corners : raw.face_sizes) triangles += corners > 2 ? corners - 2 : 0;
+  if (triangles <= limits::model_triangles) return {};
+  return refusal("The model has " + std::to_string(triangles) + " triangles.",
+                 "at most " + std::to_string(limits::model_triangles));
+}
+
+/// A 32-bit number near `largest` has neighbours this far away; it must be small beside the model.
+Status check_precision(const Placement& placement) {
+  const double largest = std::max({std::abs(placement.low.x), std::abs(placement.low.y), std::abs(placement.low.z),
+                                   std::abs(placement.high.x), std::abs(placement.high.y), std::abs(placement.high.z)});
+  if (largest * 0x1p-23 <= limits::model_precision * placement.size) return {};
+  return refusal("precision: the model lies so far from its origin that its 32-bit coordinates are coarser than 1e-4 "
+                 "of its size; move it to the origin, or send it in a text format.",
+                 "32-bit steps of at most 1e-4 of the size");
+}
+
+struct Count {
+  const char* code;
+  std::size_t count;
+};
+
+void add_repairs(ModelReport& report, std::initializer_list<Count> counts) {
+  for (const Count& entry : counts) {
+    if (entry.count > 0) report.repairs.push_back({entry.code, entry.count});
+  }
+}
+
+/// Triangles of all polygons; positions are internal.
+Soup split_polygons(const RawModel& raw, const Polygons& polygons, const Placement& placement, ModelReport& report) {
+  Soup soup;
+  soup.sources = polygons.sources;
+  for (const glm::dvec3& p : polygons.positions) soup.positions.push_back(placement.to_internal(p));
+  std::vector<std::uint32_t> vertices;
+  std::size_t split = 0, degenerate = 0;
+  for (const Polygons::Face& face : polygons.faces) {
+    vertices.clear();
+    for (std::uint32_t i = 0; i < face.size; ++i) vertices.push_back(polygons.vertex[raw.corners[face.begin + i]]);
+    const auto triangles = triangulate(vertices, soup.positions);
+    for (const auto& [a, b, c] : triangles) {
+      soup.add({vertices[a], vertices[b], vertices[c]}, {face.begin + a, face.begin + b, face.begin + c}, face.source);
+    }
+    if (triangles.empty()) ++degenerate;
+    else if (face.size > 3) ++split;
+  }
+  add_repairs(report, {{"degenerate_faces", degenerate}, {"split_polygons", split}});
+  return soup;
+}
+
+/// Centres and scales by the box of what is left.
+void settle(Mesh& mesh, const RawModel& raw, const Soup& soup, const glm::dmat3& turn) {
+  std::vector<glm::dvec3> positions;
+  for (std::uint32_t source : soup.sources) {
+    positions.push_back(turn * raw.positions[source]);
+    mesh.length_scale.push_back(raw.length_scale.empty() ? 1.0f : raw.length_scale[source]);
+  }
+  const Placement placement = place(positions);
+  for (const glm::dvec3& p : positions) mesh.positions.emplace_back(placement.to_internal(p));
+  mesh.centre = placement.centre;
+  mesh.size = mesh.report.size = placement.size;
+  mesh.report.min = placement.low;
+  mesh.report.max = placement.high;
+}
+
+Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, ModelReport report) {
+  Mesh mesh;
+  mesh.report = std::move(report);
+  settle(mesh, raw, soup, turn);
+  Frames frames = make_frames(soup);
+  mesh.normals = std::move(frames.normals);
+  mesh.tangents = std::move(frames.tangents);
+  mesh.triangles = soup.triangles;
+  mesh.corners = look_corners(raw, soup);
+  if (!mesh.corners.empty()) mesh.images = raw.images;
+  mesh.report.source_vertices = raw.positions.size();
+  mesh.report.source_faces = raw.face_sizes.size();
+  mesh.report.vertices = mesh.positions.size();
+  mesh.report.triangles = mesh.triangles.size();
+  mesh.report.parts = count_parts(soup);
+  return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> prepare(const RawModel& raw, Axis up, Axis front, bool source_is_32_bit) {
+  if (glm::dot(direction_of(up), direction_of(front)) != 0) {
+    return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
+  }
+  if (Status status = check_triangle_count(raw); !status.ok()) return status;
+  const glm::dmat3 turn = turn_to_house_axes(direction_of(up), direction_of(front));
+  const Result<Polygons> polygons = weld(raw, turn);
+  if (!polygons.ok()) return polygons.status();
+  if (polygons->faces.empty()) return refusal("The model has no face with three finite vertices.");
+  const Placement placement = place(polygons->positions);
+  if (!(placement.size > 0)) return refusal("All vertices of the model lie on one point.");
+  if (source_is_32_bit) {
+    if (Status status = check_precision(placement); !status.ok()) return status;
+  }
+
+  ModelReport report;
+  add_repairs(report, {{"invalid_faces", polygons->invalid_faces},
+                       {"unused_vertices", raw.positions.size() - polygons->used},
+                       {"welded_vertices", polygons->used - polygons->positions.size()}});
+  Soup soup = split_polygons(raw, *polygons, placement, report);
+  const std::size_t repeated = drop_repeated(soup);
+  if (soup.triangles.empty()) return refusal("No triangle of the model has an area.");
+  drop_unused(soup);
+  const Orientation orientation = orient(soup);
+  add_repairs(report, {{"repeated_faces", repeated},
+                       {"flipped_triangles", orientation.flipped_triangles},
+                       {"one_sided_edges", orientation.one_sided_edges},
+                       {"non_manifold_edges", orientation.non_manifold_edges},
+                       {"open_edges", orientation.open_edges}});
+  return finish(raw, soup, turn, std::move(report));
+}
+
+}  // namespace pelage

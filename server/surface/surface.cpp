@@ -1,0 +1,168 @@
+#include "server/surface/surface.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "server/surface/adjacency.h"
+#include "server/surface/point_tree.h"
+#include "server/surface/triangle_distance.h"
+
+namespace pelage {
+
+namespace {
+
+/// Owns one Embree object.
+template <class Handle, void (*release)(Handle)>
+struct Releaser {
+  void operator()(std::remove_pointer_t<Handle>* handle) const { release(handle); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Releaser<RTCDevice, rtcReleaseDevice>>;
+using Scene = std::unique_ptr<RTCSceneTy, Releaser<RTCScene, rtcReleaseScene>>;
+
+/// One instruction set on every CPU, because hits differ between them.
+constexpr const char* device_settings = "isa=sse4.2,threads=1,set_affinity=0,hugepages=0";
+
+/// Copies: Embree reads 16 octets from each vertex, and pads the buffers that it makes itself.
+void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
+  auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
+  auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
+  assert(positions && triangles);
+  std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
+  rtcCommitGeometry(geometry);
+}
+
+Scene make_scene(RTCDevice device, const Mesh& mesh) {
+  Scene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  fill_geometry(geometry, mesh);
+  rtcAttachGeometry(scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene.get());
+  assert(rtcGetDeviceError(device) == RTC_ERROR_NONE);
+  return scene;
+}
+
+bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
+  const glm::uvec3 t = mesh.triangles[triangle];
+  return {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])};
+}
+
+struct Nearest {
+  const Mesh* mesh;
+  glm::dvec3 position;
+  double slack;  // what rounding the position to 32 bits may add to a distance
+  double distance = std::numeric_limits<double>::infinity();
+  SurfacePoint point;
+};
+
+/// Embree's callback for each triangle within reach. Of equally near triangles the one with the lower number stays.
+bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
+  Nearest& best = *static_cast<Nearest*>(arguments->userPtr);
+  const TrianglePoint candidate = nearest_on_triangle(corners_of(*best.mesh, arguments->primID), best.position);
+  const bool nearer = candidate.distance < best.distance ||
+                      (candidate.distance == best.distance && arguments->primID < best.point.triangle);
+  if (!nearer) return false;
+  best.distance = candidate.distance;
+  best.point = {arguments->primID, candidate.barycentric};
+  arguments->query->radius = static_cast<float>(best.distance * (1 + 1e-5) + best.slack);
+  return true;
+}
+
+/// The part of the ray near the model begins here: moved along the ray in double, because Embree's rays are 32-bit.
+glm::dvec3 start_near_model(glm::dvec3 origin, glm::dvec3 direction) {
+  // The model's box lies in the ball of radius 1/2 around the origin of the internal coordinates.
+  const double closest = -glm::dot(origin, direction);
+  return closest > 1 ? origin + direction * (closest - 1) : origin;
+}
+
+}  // namespace
+
+struct Surface::Impl {
+  explicit Impl(Mesh m)
+      : mesh(std::move(m)),
+        device(rtcNewDevice(device_settings)),
+        scene(make_scene(device.get(), mesh)),
+        points(mesh.positions),
+        neighbours(vertex_neighbours(mesh.triangles, mesh.positions.size())) {}
+
+  Mesh mesh;
+  Device device;
+  Scene scene;
+  PointTree points;
+  Adjacency neighbours;
+};
+
+Surface::Surface(Mesh mesh) : impl_(std::make_unique<Impl>(std::move(mesh))) {}
+Surface::~Surface() = default;
+Surface::Surface(Surface&&) noexcept = default;
+Surface& Surface::operator=(Surface&&) noexcept = default;
+
+const Mesh& Surface::mesh() const { return impl_->mesh; }
+
+std::optional<SurfacePoint> Surface::raycast(glm::dvec3 origin, glm::dvec3 direction) const {
+  const double length = glm::length(direction);
+  if (!is_finite(origin) || !std::isfinite(length) || length == 0) return std::nullopt;
+  const glm::dvec3 unit = direction / length;
+  const glm::vec3 start(start_near_model(origin, unit)), towards(unit);
+  RTCRayHit query{};
+  query.ray = {start.x, start.y, start.z, 0, towards.x, towards.y, towards.z, 0,
+               std::numeric_limits<float>::infinity(), ~0u, 0, 0};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(impl_->scene.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const double v = std::clamp<double>(query.hit.u, 0, 1), w = std::clamp<double>(query.hit.v, 0, 1 - v);
+  return SurfacePoint{query.hit.primID, {1 - v - w, v, w}};
+}
+
+SurfacePoint Surface::nearest(glm::dvec3 position) const {
+  constexpr double far_away = 1e6;  // beyond it only the direction matters, and 32-bit squares stay finite
+  assert(is_finite(position));
+  const double distance = glm::length(position);
+  if (distance > far_away) position *= far_away / distance;
+  Nearest best{&impl_->mesh, position, 1e-6 * (1 + glm::length(position)), std::numeric_limits<double>::infinity(), {}};
+  const glm::vec3 at(position);
+  RTCPointQuery query{at.x, at.y, at.z, 0, std::numeric_limits<float>::infinity()};
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(impl_->scene.get(), &query, &context, visit_triangle, &best);
+  return best.point;
+}
+
+void Surface::vertices_within(glm::dvec3 centre, double radius, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  impl_->points.find_within(impl_->mesh.positions, centre, radius, found);
+  std::sort(found.begin(), found.end());
+}
+
+std::span<const std::uint32_t> Surface::neighbours(std::uint32_t vertex) const {
+  return impl_->neighbours.of(vertex);
+}
+
+glm::dvec3 Surface::position(const SurfacePoint& point) const {
+  const auto corners = corners_of(impl_->mesh, point.triangle);
+  return point.barycentric.x * corners[0] + point.barycentric.y * corners[1] + point.barycentric.z * corners[2];
+}
+
+glm::dvec3 Surface::normal(const SurfacePoint& point) const {
+  const glm::uvec3 t = impl_->mesh.triangles[point.triangle];
+  const auto& normals = impl_->mesh.normals;
+  const glm::dvec3 sum = point.barycentric.x * glm::dvec3(normals[t.x]) +
+                         point.barycentric.y * glm::dvec3(normals[t.y]) +
+                         point.barycentric.z * glm::dvec3(normals[t.z]);
+  const double length = glm::length(sum);
+  return length > 1e-12 ? sum / length : glm::normalize(glm::dvec3(normals[t.x]));
+}
+
+}  // namespace pelage

@@ -1,0 +1,23 @@
+// Polygons to triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+/// Triangles of a polygon as indices of its corners, wound as the polygon. Corners that follow each other on the same
+/// vertex count once. Convex polygons become a fan, quads split at the shorter diagonal that lies inside, others lose
+/// ears; non-convex polygons of more than 128 corners become a fan too, so that no file costs cubic time. Triangles
+/// without area are left out. `positions` are about the size of 1.
+std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const std::uint32_t> vertices,
+                                                      const std::vector<glm::dvec3>& positions);
+
+/// Whether the height of the triangle is below rounding.
+bool has_no_area(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
+
+}  // namespace pelage

@@ -1,0 +1,20 @@
+// What the server and pelage-import agree on: `pelage-import FORMAT SECONDS BYTES`, octets in, encode_raw_model out.
+#pragma once
+
+#include <array>
+
+namespace pelage {
+
+/// By ModelFormat.
+inline constexpr std::array<const char*, 7> worker_format_names = {"obj", "ply", "stl", "off", "gltf", "glb", "3ds"};
+
+/// How the worker ends. The reason for bad_input is the last line on its standard error.
+namespace worker_exit {
+inline constexpr int done = 0;
+inline constexpr int usage = 2;
+inline constexpr int bad_input = 3;
+inline constexpr int not_confined = 4;  // the kernel refused a limit or the filter
+inline constexpr int out_of_memory = 33;
+}  // namespace worker_exit
+
+}  // namespace pelage

@@ -1,0 +1,92 @@
+"""Checks the directions of includes against docs/architecture.md: every folder lists what it may see.
+
+usage: include_directions.py ROOT | --self-test
+"""
+import pathlib
+import re
+import sys
+
+# folder -> folders that it may include, besides itself. Longest match wins.
+ALLOWED = {
+    "protocol/base": [],
+    "protocol/commands": ["protocol/base"],
+    "protocol/json": ["protocol/base", "protocol/commands"],
+    "protocol/openapi": [],
+    "server/surface": ["protocol/base", "protocol/commands"],
+    "server/import_worker": ["protocol/base", "protocol/commands", "server/surface", "renderer/image"],
+    "server/fields": ["protocol/base", "protocol/commands", "server/surface"],
+    "server/groom": ["protocol/base", "protocol/commands", "server/surface", "server/fields"],
+    "server/history": ["protocol/base", "protocol/commands", "protocol/json", "server/surface", "server/fields"],
+    "server/scene": ["protocol/base", "protocol/commands", "protocol/json", "server/surface", "server/fields",
+                     "server/groom", "server/history", "renderer"],
+    "server/http": ["protocol", "server/scene", "server/surface", "server/history"],
+    "server": ["protocol", "server", "renderer/gl/context"],
+    "renderer": ["protocol/base", "protocol/commands", "renderer"],
+    "renderer/input": ["protocol/base", "protocol/commands"],
+    "renderer/coat": ["protocol/base", "protocol/commands"],
+    "renderer/image": ["protocol/base"],
+    "renderer/gl": ["protocol/base", "renderer/gl"],
+    "clients": ["protocol/base", "clients"],
+}
+# outside library -> folders that may include it
+ONLY_IN = {
+    r"httplib\.h": ["server/http", "clients/cli/http"],
+    r"nlohmann/.*": ["protocol/json", "clients/cli"],
+    r"OpenImageIO/.*": ["renderer/image"],
+    r"(EGL|GL)/.*": ["renderer/gl"],
+    r"embree3/.*": ["server/surface"],
+    r"sqlite3\.h": ["server/history"],
+    r"assimp/.*|tiny_obj_loader\.h|seccomp\.h": ["server/import_worker"],
+}
+
+
+def inside(folder, parent):
+    return folder == parent or folder.startswith(parent + "/")
+
+
+def rule_for(folder):
+    return max((f for f in ALLOWED if inside(folder, f)), key=len, default=None)
+
+
+def problems(path, text):
+    folder = str(pathlib.PurePosixPath(path).parent)
+    rule = rule_for(folder)
+    if rule is None:
+        return [f"{path}: no rule for this folder"]
+    found = []
+    for included in re.findall(r'^\s*#include\s+"([^"]+)"', text, re.M):
+        target = str(pathlib.PurePosixPath(included).parent)
+        if not any(inside(target, allowed) for allowed in [rule, *ALLOWED[rule]]):
+            found.append(f"{path} may not include {included}")
+    for included in re.findall(r"^\s*#include\s+<([^>]+)>", text, re.M):
+        for pattern, homes in ONLY_IN.items():
+            if re.fullmatch(pattern, included) and not any(inside(folder, home) for home in homes):
+                found.append(f"{path} may not include <{included}>")
+    return found
+
+
+def self_test():
+    assert problems("renderer/coat/a.cpp", '#include "server/scene/scene.h"')
+    assert problems("server/groom/a.cpp", '#include "server/scene/scene.h"')
+    assert problems("server/groom/a.cpp", "#include <GL/gl.h>")
+    assert problems("server/scene/a.cpp", "#include <nlohmann/json.hpp>")
+    assert not problems("server/groom/a.cpp", '#include "server/fields/field_set.h"\n#include <vector>')
+    print("the checker finds what it should")
+
+
+def main():
+    if sys.argv[1] == "--self-test":
+        return self_test()
+    root = pathlib.Path(sys.argv[1])
+    found, count = [], 0
+    for top in ("protocol", "server", "renderer", "clients"):
+        for path in sorted((root / top).rglob("*")):
+            if path.suffix in (".h", ".cpp") and "node_modules" not in path.parts:
+                found += problems(path.relative_to(root).as_posix(), path.read_text(encoding="utf-8"))
+                count += 1
+    print(f"{count} files")
+    if found or not count:
+        sys.exit("\n".join(found) or "no files found")
+
+
+main()

@@ -1,0 +1,92 @@
+// Frames against the naive version in the same run: minima of alternating repetitions, wall and CPU milliseconds.
+// usage: bench_frames [--repetitions N] [--size PIXELS] [--model builtin|file.obj|file.ply ...]
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+#include "renderer/gl/context/context.h"
+#include "server/scene/fur_view.h"
+#include "tests/bench/naive_renderer.h"
+
+namespace pelage::bench {
+namespace {
+
+struct Cost {
+  double wall = 1e300, cpu = 1e300;  // milliseconds
+  void least(const Cost& other) { wall = std::min(wall, other.wall), cpu = std::min(cpu, other.cpu); }
+};
+
+double cpu_milliseconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto ms = [](const timeval& t) { return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_usec) / 1e3; };
+  return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+Cost measure(const std::function<void()>& work) {
+  const double cpu = cpu_milliseconds();
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(), cpu_milliseconds() - cpu};
+}
+
+struct Case {
+  const char* name;
+  BuiltinModel model;
+};
+
+void run(const Gl& gl, Renderer& renderer, const Case& c, int size, int repetitions) {
+  const testing::FurredModel model = testing::furred(c.model);
+  FrameRequest request = testing::small_frame(AutoView::three_quarter, size);
+  request.background = Background::colour;
+  request.tone_map = ToneMap::filmic;
+  request.knobs.shells = 16;
+  const Image picture = testing::draw(renderer, model, request);
+  const FurFrame frame = make_frame(model.view(), request);
+  FurFrame single = frame, draft = frame;
+  single.knobs.samples = 1;
+  draft.knobs = knobs_of(Tier::draft);
+  NaiveRenderer naive(gl, model, single);
+  const double difference = testing::mean_difference(picture, naive.draw());
+  Cost ours, ours_single, ours_draft, theirs;
+  for (int i = 0; i < repetitions; ++i) {
+    theirs.least(measure([&] { naive.draw(); }));
+    ours.least(measure([&] { (void)renderer.draw(frame).ok(); }));
+    ours_single.least(measure([&] { (void)renderer.draw(single).ok(); }));
+    ours_draft.least(measure([&] { (void)renderer.draw(draft).ok(); }));
+  }
+  std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", c.name,
+              model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours_single.wall, ours_single.cpu,
+              theirs.cpu / ours_single.cpu, ours.wall, ours.cpu, theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu,
+              theirs.cpu / ours_draft.cpu, difference);
+}
+
+int main(int count, char** arguments) {
+  int repetitions = 7, size = 512;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string name = arguments[i];
+    if (name == "--repetitions") repetitions = std::atoi(arguments[i + 1]);
+    else if (name == "--size") size = std::atoi(arguments[i + 1]);
+    else return std::fprintf(stderr, "unknown argument %s\n", name.c_str()), 2;
+  }
+  const Result<std::unique_ptr<Context>> context = select_context(GlChoice::automatic, 0);
+  if (!context) return std::fprintf(stderr, "%s\n", context.status().message.c_str()), 4;
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+  if (!renderer) return std::fprintf(stderr, "%s\n", renderer.status().message.c_str()), 4;
+  std::printf("%s, 16 shells\n", (*context)->description().c_str());
+  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | %17s %5s | mean difference /255\n", "model", "tri", "px", "naive: wall cpu ms",
+              "1 sample: wall cpu", "ratio", "4 samples: wall cpu", "ratio", "draft: wall cpu", "ratio");
+  const Case cases[] = {{"torus", {Builtin::torus, 5000}}, {"creature", {Builtin::creature, 5000}}, {"creature", {Builtin::creature, 100000}}};
+  for (const Case& c : cases) run((*context)->gl(), **renderer, c, size, repetitions);
+  return 0;
+}
+
+}  // namespace
+}  // namespace pelage::bench
+
+int main(int count, char** arguments) { return pelage::bench::main(count, arguments); }

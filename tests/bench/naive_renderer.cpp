@@ -1,0 +1,90 @@
+#include "tests/bench/naive_renderer.h"
+
+#include <array>
+#include <cassert>
+
+#include "server/scene/fur_view.h"
+
+namespace pelage {
+namespace shaders {
+extern const char* const naive_vert;
+extern const char* const naive_frag;
+extern const char* const skin_vert;
+extern const char* const skin_frag;
+}  // namespace shaders
+
+namespace bench {
+
+namespace {
+
+ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
+  UploadCount count;
+  const std::vector<std::array<FurCorner, 3>> corners = make_corners(model.model);
+  const Mesh& mesh = model.model.surface.mesh();
+  return ModelBuffers(gl, {model.model.id, mesh.positions, mesh.normals, mesh.tangents, mesh.triangles, corners, {},
+                           !mesh.corners.empty()},
+                      {model.fields.direction(), model.fields.length(), {}}, count);
+}
+
+CoatTextures trilinear(const Gl& gl, const Coat& coat) {
+  UploadCount count;
+  CoatTextures textures(gl, coat, count);
+  for (const GLuint texture : {textures.shapes(), textures.colours()}) {
+    gl.TextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  }
+  return textures;
+}
+
+}  // namespace
+
+NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame)
+    : gl_(gl), frame_(frame), coat_(trilinear(gl, frame.coat)), model_(send(gl, model)),
+      skin_(gl, shaders::skin_vert, shaders::skin_frag), shell_(gl, shaders::naive_vert, shaders::naive_frag),
+      resolve_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, 1, true),
+      picture_(gl, GL_RGBA8, frame.width, frame.height, 1, false) {
+  assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());
+  gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
+}
+
+Image NaiveRenderer::draw() {
+  const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
+  const auto lists = model_.sort_for(gl_, glm::vec3(block.eye));
+  const std::array<float, 4> nothing{};
+  const float far_away = 0;
+  gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());
+  gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_DEPTH, 0, &far_away);
+  gl_.NamedBufferSubData(block_.id(), 0, sizeof(FrameBlock), &block);
+  gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, block_.id());
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer());
+  gl_.Viewport(0, 0, frame_.width, frame_.height);
+  gl_.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_GEQUAL);
+  gl_.BindVertexArray(model_.vertex_array());
+  gl_.BindTextureUnit(0, coat_.shapes());
+  gl_.BindTextureUnit(1, coat_.colours());
+  gl_.BindTextureUnit(2, model_.base_images());
+  gl_.DepthMask(GL_TRUE);
+  gl_.Disable(GL_BLEND);
+  skin_.use();
+  gl_.DrawElements(GL_TRIANGLES, lists.all, GL_UNSIGNED_INT, nullptr);
+  gl_.DepthMask(GL_FALSE);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  shell_.use();
+  for (int shell = 0; shell < frame_.knobs.shells; ++shell) {
+    shell_.set("shell", shell);
+    gl_.DrawElements(GL_TRIANGLES, lists.all, GL_UNSIGNED_INT, nullptr);
+  }
+  gl_.Disable(GL_BLEND);
+  resolve_.draw(gl_, frame_, drawn_, picture_);
+  Image image{frame_.width, frame_.height, {}};
+  image.rgba.resize(4 * static_cast<std::size_t>(frame_.width) * static_cast<std::size_t>(frame_.height));
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  gl_.ReadPixels(0, 0, frame_.width, frame_.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  gl_.DepthMask(GL_TRUE);
+  return image;
+}
+
+}  // namespace bench
+}  // namespace pelage

@@ -1,0 +1,27 @@
+// The naive version that frames are measured against: uniform shells from the inside out over all triangles, two
+// trilinear array textures, light on every fragment, one sample, half floats.
+#pragma once
+
+#include "renderer/frame/renderer.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::bench {
+
+class NaiveRenderer {
+ public:
+  NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame);
+
+  Image draw();
+
+ private:
+  const Gl& gl_;
+  FurFrame frame_;
+  CoatTextures coat_;
+  ModelBuffers model_;
+  Program skin_, shell_;
+  ResolvePass resolve_;
+  Buffer block_;
+  RenderTarget drawn_, picture_;
+};
+
+}  // namespace pelage::bench

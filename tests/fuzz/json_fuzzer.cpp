@@ -1,0 +1,62 @@
+// Any octets give a command or a refusal; what is decoded is encoded and decoded to the same thing.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "protocol/json/decode.h"
+#include "protocol/json/decode_answers.h"
+#include "protocol/json/encode.h"
+
+namespace {
+
+void require(bool held) {
+  if (!held) std::abort();
+}
+
+void check_commands(std::string_view text) {
+  const auto commands = pelage::decode_commands(text);
+  if (!commands) return require(!commands.status().message.empty());
+  const std::string encoded = pelage::encode(*commands);
+  const auto again = pelage::decode_commands(encoded);
+  require(again.ok() && pelage::encode(*again) == encoded);
+}
+
+void check_frame(std::string_view text) {
+  const auto request = pelage::decode_frame_request(text);
+  if (!request) return require(!request.status().message.empty());
+  const std::string encoded = pelage::encode(*request);
+  const auto again = pelage::decode_frame_request(encoded);
+  require(again.ok() && pelage::encode(*again) == encoded);
+}
+
+/// "name=value&name=value", as far as it goes.
+void check_query(std::string_view text) {
+  pelage::Query query;
+  while (!text.empty()) {
+    const std::string_view part = text.substr(0, text.find('&'));
+    const std::size_t equals = std::min(part.find('='), part.size());
+    query.emplace_back(part.substr(0, equals), part.substr(std::min(equals + 1, part.size())));
+    text.remove_prefix(std::min(part.size() + 1, text.size()));
+  }
+  const auto frame = pelage::decode_frame_query(query);
+  const auto import = pelage::decode_import_query(query);
+  require(frame.ok() || !frame.status().message.empty());
+  require(import.ok() || !import.status().message.empty());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  check_commands(text);
+  check_frame(text);
+  check_query(text);
+  (void)pelage::decode_new_scene(text);
+  (void)pelage::decode_pick(text);
+  (void)pelage::decode_steps(text);
+  (void)pelage::decode_revision(text);
+  (void)pelage::decode_scene_list(text);
+  (void)pelage::decode_problem(text);
+  (void)pelage::split_steps(text);
+  return 0;
+}

@@ -1,0 +1,56 @@
+#include "renderer/gl/handles.h"
+
+#include "renderer/gl/program.h"
+#include "renderer/gl/render_target.h"
+#include "tests/gl/backends.h"
+
+namespace pelage::testing {
+namespace {
+
+class Handles : public OnBackend {};
+
+template <class Object, class... Arguments>
+void lives_moves_and_dies(const Gl& gl, Arguments... arguments) {
+  Object first(gl, arguments...);
+  const GLuint id = first.id();
+  EXPECT_NE(id, 0u);
+  Object second(std::move(first));
+  EXPECT_EQ(second.id(), id);
+  EXPECT_EQ(first.id(), 0u);  // NOLINT: what is left after a move is part of the contract
+  Object third;
+  EXPECT_FALSE(third);
+  third = std::move(second);
+  EXPECT_EQ(third.id(), id);
+  EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_P(Handles, LiveMoveAndDie) {
+  lives_moves_and_dies<Buffer>(gl());
+  lives_moves_and_dies<VertexArray>(gl());
+  lives_moves_and_dies<Framebuffer>(gl());
+  lives_moves_and_dies<Renderbuffer>(gl());
+  lives_moves_and_dies<Texture>(gl(), GLenum{GL_TEXTURE_2D});
+}
+
+TEST_P(Handles, TargetsOfEveryKindAreComplete) {
+  for (const GLenum colour : {GL_RGBA8, GL_RGBA16F, GL_RGBA32F}) {
+    for (const int samples : {1, 4}) {
+      const RenderTarget target(gl(), colour, 17, 5, samples, true);
+      EXPECT_TRUE(target.complete()) << std::hex << colour << " samples " << samples;
+      EXPECT_TRUE(target.matches(colour, 17, 5, samples));
+      EXPECT_FALSE(target.matches(colour, 17, 6, samples));
+    }
+  }
+}
+
+TEST_P(Handles, BrokenShaderSaysWhy) {
+  const Program program(gl(), "#version 450 core\nvoid main() { gl_Position = nonsense; }\n",
+                        "#version 450 core\nvoid main() {}\n");
+  EXPECT_EQ(program.id(), 0u);
+  EXPECT_NE(program.log().find("nonsense"), std::string::npos) << program.log();
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Handles, all_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing

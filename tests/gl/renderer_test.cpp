@@ -1,0 +1,193 @@
+// Physics and invariants of whole frames.
+#include "renderer/frame/renderer.h"
+
+#include <cmath>
+
+#include "server/scene/fur_view.h"
+#include "tests/gl/backends.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+namespace {
+
+class Frames : public OnBackend {
+ protected:
+  void SetUp() override {
+    OnBackend::SetUp();
+    if (!context) return;
+    Result<std::unique_ptr<Renderer>> made = Renderer::create(gl());
+    ASSERT_TRUE(made.ok()) << made.status().message;
+    renderer = std::move(made).value();
+  }
+  void TearDown() override {
+    renderer.reset();
+    OnBackend::TearDown();
+  }
+
+  std::unique_ptr<Renderer> renderer;
+};
+
+TEST_P(Frames, FurReachesBeyondTheSkin) {
+  const FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0}), furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0});
+  const double skin = covered(draw(*renderer, bare, small_frame())), fur = covered(draw(*renderer, furry, small_frame()));
+  // The box's diagonal is 1, so the radius is .289 and upright fur of .08 makes it .369: 1.63 times the area at most.
+  EXPECT_GT(fur, skin * 1.2);
+  EXPECT_LT(fur, skin * 1.63);
+}
+
+TEST_P(Frames, SameFrameSameBits) {
+  const FurredModel model = furred({Builtin::torus, 1000});
+  const Image first = draw(*renderer, model, small_frame());
+  EXPECT_EQ(first.rgba, draw(*renderer, model, small_frame()).rgba);
+}
+
+TEST_P(Frames, LayerCountKeepsTheOpacity) {
+  // With a fixed alpha for each layer these coverages would be far apart (science.md 1).
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.1, .inclination = 0.2});
+  FrameRequest request = small_frame();
+  std::vector<double> means;
+  for (const int shells : {16, 32, 64, 128}) {
+    request.knobs.shells = shells;
+    const Image image = draw(*renderer, model, request);
+    double alpha = 0;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) alpha += image.rgba[i];
+    means.push_back(alpha / static_cast<double>(image.rgba.size() / 4));
+  }
+  for (const double mean : means) EXPECT_NEAR(mean, means.back(), 0.03 * means.back());
+}
+
+TEST_P(Frames, MoreLayersComeCloser) {
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
+  FrameRequest request = small_frame();
+  const auto with = [&](int shells) {
+    request.knobs.shells = shells;
+    return draw(*renderer, model, request);
+  };
+  const Image truth = with(256);
+  const double coarse = mean_difference(with(4), truth), middle = mean_difference(with(16), truth), fine = mean_difference(with(64), truth);
+  EXPECT_LT(middle, coarse * 0.7);
+  EXPECT_LT(fine, middle * 0.7);
+}
+
+TEST_P(Frames, DenseFurHidesWhatLiesBehind) {
+  const FurredModel model = furred({Builtin::sphere, 1000});
+  FrameRequest request = small_frame();
+  const Image mask = draw(*renderer, model, request);
+  request.background = Background::colour;
+  request.background_colour = {1, 0, 0};
+  const Image red = draw(*renderer, model, request);
+  request.background_colour = {0, 1, 0};
+  const Image green = draw(*renderer, model, request);
+  for (std::size_t i = 0; i < mask.rgba.size(); i += 4) {
+    if (mask.rgba[i + 3] < 255) continue;
+    for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(red.rgba[i + k], green.rgba[i + k], 1);
+  }
+  EXPECT_GT(covered(mask), 0.2);
+}
+
+TEST_P(Frames, LightIsAdditive) {
+  FurredModel model = furred({Builtin::sphere, 1000});
+  model.settings.look.ambient = 0;
+  model.settings.look.self_shadow = 0;
+  const Light left{.direction = {1, -0.3, -0.3}, .intensity = 0.25}, right{.direction = {-1, -0.3, -0.3}, .intensity = 0.2};
+  FrameRequest request = small_frame();
+  const auto linear_mean = [&](std::vector<Light> lights) {
+    model.settings.lights = std::move(lights);
+    const Image image = draw(*renderer, model, request);
+    double sum = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      sum += image.rgba[i + 3] == 255 ? std::pow((image.rgba[i] / 255.0 + 0.055) / 1.055, 2.4) : 0;
+    }
+    return sum;
+  };
+  const double a = linear_mean({left}), b = linear_mean({right}), both = linear_mean({left, right}), dark = linear_mean({});
+  EXPECT_GT(a, 10);
+  EXPECT_NEAR(both - dark, a + b - 2 * dark, 0.03 * both);  // 8-bit steps and the toe of the curve
+}
+
+TEST_P(Frames, DirtyRangesSendOnlyThemselves) {
+  FurredModel model = furred({Builtin::sphere, 1000});
+  draw(*renderer, model, small_frame());
+  const UploadCount none = sync_scene(*renderer, model.view(), {});
+  EXPECT_EQ(none.bytes, 0u);
+  Groom groom = model.fields.at(10);
+  groom.length *= 3;
+  model.fields.set(10, groom);
+  const UploadCount some = sync_scene(*renderer, model.view(), {{10, 11}});
+  EXPECT_GT(some.bytes, 0u);
+  EXPECT_LT(some.bytes, 200u);
+}
+
+TEST_P(Frames, PartUploadEqualsAWholeOne) {
+  FurredModel model = furred({Builtin::torus, 1000});
+  draw(*renderer, model, small_frame());
+  for (std::uint32_t v = 100; v < 160; ++v) model.fields.set(v, {{0.6f, -0.6f}, 0.09f, 0});
+  sync_scene(*renderer, model.view(), {{100, 160}});
+  const Image part = *renderer->draw(make_frame(model.view(), small_frame()));
+  renderer->forget(model.model.id);
+  EXPECT_EQ(part.rgba, draw(*renderer, model, small_frame()).rgba);
+}
+
+TEST_P(Frames, ExtremesGiveFinitePictures) {
+  for (const double length : {0.0, 1e-6, 10.0}) {
+    for (const double inclination : {0.0, 1.0}) {
+      for (const int shells : {1, 2, 256}) {
+        FurredModel model = furred({Builtin::sphere, 300}, {.length = length, .inclination = inclination});
+        model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};
+        model.settings.look.specular_exponent = 1e6;
+        model.settings.look.diffuse_exponent = 0;
+        FrameRequest request = small_frame(AutoView::front, 24);
+        request.knobs.shells = shells;
+        request.background = Background::colour;
+        const Image image = draw(*renderer, model, request);
+        for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);  // a NaN would leave 0
+      }
+    }
+  }
+}
+
+TEST_P(Frames, SizesFromOnePixelOn) {
+  const FurredModel model = furred({Builtin::sphere, 300});
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 300}, {300, 7}}) {
+    FrameRequest request = small_frame();
+    request.width = width, request.height = height;
+    const Image image = draw(*renderer, model, request);
+    EXPECT_EQ(image.rgba.size(), static_cast<std::size_t>(4 * width * height));
+  }
+}
+
+TEST_P(Frames, TheUprightPoleIsUp) {  // rows come from the top: a light from above brightens the upper half
+  // Lying fur: upright fur on the pole would point at the light, and shows it no side (Kajiya).
+  FurredModel model = furred({Builtin::sphere, 1000}, {.inclination = 0.95});
+  model.settings.lights = {{.direction = {0, -1, 0}}};
+  const Image image = draw(*renderer, model, small_frame());
+  double upper = 0, lower = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t i = 4 * static_cast<std::size_t>(y * image.width + x);
+      (y < image.height / 2 ? upper : lower) += image.rgba[i + 3] == 255 ? image.rgba[i] : 0;
+    }
+  }
+  EXPECT_GT(upper, lower * 1.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Frames, all_backends(), name_of);
+
+TEST(Backends, GiveTheSameBytesOnOneMesa) {
+  const FurredModel model = furred({Builtin::creature, 2000});
+  std::vector<std::vector<std::uint8_t>> pictures;
+  for (const Backend backend : {Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa}) {
+    const Result<std::unique_ptr<Context>> context = open(backend);
+    if (!context && !in_ci()) GTEST_SKIP() << context.status().message;
+    ASSERT_TRUE(context.ok()) << context.status().message;
+    if (!(*context)->is_software()) GTEST_SKIP() << "a hardware driver draws other bits: " << (*context)->description();
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+    ASSERT_TRUE(renderer.ok());
+    pictures.push_back(draw(**renderer, model, small_frame(AutoView::three_quarter, 200)).rgba);
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+  EXPECT_EQ(pictures[0], pictures[2]);
+}
+
+}  // namespace
+}  // namespace pelage::testing

@@ -1,0 +1,72 @@
+// A few whole pictures against ones that were looked at. After a wanted change run with PELAGE_UPDATE_GOLDEN=1, look at
+// the new pictures and commit them on their own with the reason.
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "renderer/image/image.h"
+#include "tests/gl/backends.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+namespace {
+
+struct Golden {
+  const char* name;
+  BuiltinModel model;
+  FirstGroom fur;
+  void (*change)(FurredModel&, FrameRequest&);
+  /// Thresholds in 1/255. Mean: other versions of llvmpipe round filtering differently, seen as under .1. Largest: a
+  /// strand that crosses the edge of a pixel's sample may flip it, at most a step of one soft layer.
+  double mean;
+  int largest;
+};
+
+const Golden goldens[] = {
+    {"creature_plush", {Builtin::creature, 4000}, {}, [](FurredModel&, FrameRequest&) {}, 0.5, 60},
+    {"torus_sleek", {Builtin::torus, 3000}, {.length = 0.02, .inclination = 0.9},
+     [](FurredModel& model, FrameRequest&) {
+       model.settings.coat.root_share = 0.7;
+       model.settings.coat.clump = 0.25;
+       model.settings.coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
+     }, 0.5, 60},
+    {"knot_curly_white", {Builtin::knot, 6000}, {.length = 0.05, .inclination = 0.3},
+     [](FurredModel& model, FrameRequest& request) {
+       model.settings.coat.curl = 0.12;
+       model.settings.coat.lean_curve = LeanCurve::root;
+       model.settings.coat.ramp = {{0, {0.75f, 0.72f, 0.68f}}, {1, {0.92f, 0.91f, 0.90f}}};
+       request.background = Background::transparent;
+     }, 0.5, 60},
+};
+
+class Pictures : public OnBackend {};
+
+TEST_P(Pictures, MatchWhatWasLookedAt) {
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(gl());
+  ASSERT_TRUE(renderer.ok()) << renderer.status().message;
+  for (const Golden& golden : goldens) {
+    FurredModel model = furred(golden.model, golden.fur);
+    FrameRequest request = small_frame(AutoView::three_quarter, 320);
+    request.tone_map = ToneMap::filmic;
+    request.background = Background::colour;
+    golden.change(model, request);
+    const Image image = draw(**renderer, model, request);
+    const std::string path = std::string(PELAGE_GOLDEN_FOLDER "/") + golden.name + ".png";
+    if (std::getenv("PELAGE_UPDATE_GOLDEN")) {
+      const std::string png = encode_png(image, true);
+      std::ofstream(path, std::ios::binary).write(png.data(), static_cast<std::streamsize>(png.size()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    const std::string octets{std::istreambuf_iterator<char>(file), {}};
+    const Result<Image> expected = decode_image(std::as_bytes(std::span(octets)), 1 << 20);
+    ASSERT_TRUE(expected.ok()) << path << ": " << expected.status().message;
+    ASSERT_EQ(expected->rgba.size(), image.rgba.size());
+    EXPECT_LE(mean_difference(image, *expected), golden.mean) << golden.name;
+    EXPECT_LE(largest_difference(image, *expected), golden.largest) << golden.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Pictures, all_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing

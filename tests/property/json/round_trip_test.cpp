@@ -1,0 +1,216 @@
+// What is encoded decodes to the same thing, bit for bit. Equality is compared on the encoded text, which shows every
+// field with all its digits, and a second test shows that the text does tell different commands apart.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "protocol/json/colour.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+
+namespace pelage {
+namespace {
+
+/// Draws numbers of every size within a range, its ends included.
+double number(double low, double high) {
+  const auto bits = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 53);
+  const int kind = *rc::gen::inRange(0, 4);
+  if (kind == 0) return low;
+  if (kind == 1) return high;
+  const double share = static_cast<double>(bits) * 0x1p-53;
+  if (kind == 2) return low + (high - low) * share;
+  return std::clamp(std::ldexp(share, -*rc::gen::inRange(0, 1000)), low, high);
+}
+
+template <class E>
+E one_of(E last) {
+  return static_cast<E>(*rc::gen::inRange(0, static_cast<int>(last) + 1));
+}
+
+glm::dvec3 place() { return {number(-1e27, 1e27), number(-1e27, 1e27), number(-1e27, 1e27)}; }
+glm::dvec3 direction() { return {number(-1e5, 1e5), number(1e-3, 1e5), number(-1e5, 1e5)}; }
+
+glm::vec3 colour() {
+  if (*rc::gen::arbitrary<bool>()) {
+    const auto level = [] { return static_cast<unsigned>(*rc::gen::inRange(0, 256)); };
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", level(), level(), level());
+    return *colour_of_text(text);
+  }
+  return {static_cast<float>(number(0, 1)), static_cast<float>(number(0, 1)), static_cast<float>(number(0, 1))};
+}
+
+Camera camera() {
+  Camera result;
+  result.automatic = one_of(AutoView::three_quarter);
+  if (result.automatic != AutoView::none) return result;
+  result.eye = {number(-10, 10), number(-10, 10), number(1, 10)};
+  result.target = {number(-10, 10), number(-1, 1), number(-10, 0)};
+  result.up = {0, number(0.1, 9), 0};
+  result.fov_degrees = number(1, 150);
+  return result;
+}
+
+View view() { return {camera(), *rc::gen::inRange(1, 8193), *rc::gen::inRange(1, 8193)}; }
+
+StrokeSample sample() {
+  StrokeSample result;
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0: result.place = PositionPlace{place()}; break;
+    case 1: result.place = ScreenPlace{{number(-1e6, 1e6), number(-1e6, 1e6)}}; break;
+    default: {
+      const double a = number(0, 1), b = number(0, 1 - a);
+      result.place = SurfacePlace{*rc::gen::arbitrary<std::uint32_t>(), {a, b, std::max(0.0, 1 - a - b)}};
+    }
+  }
+  result.pressure = number(0, 1);
+  return result;
+}
+
+std::optional<Stroke> stroke(bool wanted) {
+  if (!wanted) return {};
+  Stroke result;
+  result.id = *rc::gen::container<std::string>(*rc::gen::inRange(0, 20), rc::gen::inRange<char>(' ', '~'));
+  result.part = *rc::gen::arbitrary<std::uint32_t>();
+  result.last = *rc::gen::arbitrary<bool>();
+  result.view = view();
+  const int count = *rc::gen::inRange(1, 6);
+  for (int i = 0; i < count; ++i) {
+    result.samples.push_back(sample());
+    result.samples.back().time = i + number(0, 0.5);
+  }
+  return result;
+}
+
+Brush brush() {
+  return {.radius = number(0, 1e27), .units = one_of(Units::world), .falloff_shape = FalloffShape::volume,
+          .falloff = one_of(Falloff::sphere), .strength = number(0, 1), .spacing = number(0.01, 10),
+          .front_faces_only = *rc::gen::arbitrary<bool>(), .invert = *rc::gen::arbitrary<bool>()};
+}
+
+Command comb() {
+  const bool flood = *rc::gen::arbitrary<bool>();
+  Comb result{.stroke = stroke(!flood), .flood = flood, .brush = brush(), .lean = number(0, 1), .direction = {}};
+  if (flood) result.direction = direction();
+  return result;
+}
+
+Command blow() {
+  return Blow{.stroke = stroke(*rc::gen::arbitrary<bool>()), .brush = brush(), .source = place(), .direction = direction(),
+              .cone_degrees = number(0, 180), .softness = number(0, 1), .strength = number(0, 1), .lean = number(0, 1)};
+}
+
+Command attract() {
+  return Attract{.stroke = stroke(*rc::gen::arbitrary<bool>()), .brush = brush(), .point = place(), .radius = number(0, 1e27),
+                 .units = one_of(Units::world), .strength = number(0, 1), .duration = number(0, 1e4),
+                 .threshold = number(0, 1e3), .max_stretch = number(1, 100)};
+}
+
+Command set_coat() {
+  Coat coat{.count = *rc::gen::inRange(1, 100001), .tile = number(0.01, 1), .width_root = number(0, 0.05),
+            .width_tip = number(0, 0.05), .bend = number(0, 2), .curl = number(0, 0.5), .curl_turns = number(0, 20),
+            .clump = number(0, 1), .clump_size = number(0.001, 0.5), .length_spread = number(0, 1),
+            .colour_spread = number(0, 1), .root_share = number(0, 1), .lean_curve = one_of(LeanCurve::root), .ramp = {},
+            .seed = *rc::gen::arbitrary<std::uint32_t>()};
+  const int stops = *rc::gen::inRange(1, 5);
+  for (int i = 0; i < stops; ++i) coat.ramp.push_back({0.25 * i + number(0.01, 0.2), colour()});
+  return SetCoat{coat};
+}
+
+Look look() {
+  return {.colour_source = one_of(ColourSource::coat), .ambient = number(0, 4), .diffuse = number(0, 4),
+          .specular = number(0, 4), .diffuse_exponent = number(0, 1e6), .specular_exponent = number(0, 1e6),
+          .back_attenuation = number(1e-3, 1), .ambient_floor = number(0, 1), .self_shadow = number(0, 4),
+          .skin = colour()};
+}
+
+Command set_lights() {
+  SetLights result;
+  const int count = *rc::gen::inRange(0, 9);
+  for (int i = 0; i < count; ++i) {
+    result.lights.push_back({.kind = one_of(LightKind::point), .direction = direction(), .position = place(),
+                             .colour = colour(), .intensity = number(0, 1e8)});
+  }
+  return result;
+}
+
+Command command() {
+  switch (*rc::gen::inRange(0, 6)) {
+    case 0: return comb();
+    case 1: return blow();
+    case 2: return attract();
+    case 3: return set_coat();
+    case 4: return SetLook{look()};
+    default: return set_lights();
+  }
+}
+
+RC_GTEST_PROP(Json, CommandsComeBack, ()) {
+  const Command before = command();
+  const std::string text = encode(before);
+  const auto after = decode_commands(text);
+  if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer + " " + text);
+  RC_ASSERT(after->size() == 1u);
+  RC_ASSERT(after->front().index() == before.index());
+  RC_ASSERT(encode(*after) == text);
+}
+
+RC_GTEST_PROP(Json, BatchesComeBack, ()) {
+  std::vector<Command> before;
+  const int count = *rc::gen::inRange(1, 4);
+  for (int i = 0; i < count; ++i) before.push_back(command());
+  const auto after = decode_commands(encode(before));
+  RC_ASSERT(after.ok());
+  RC_ASSERT(encode(*after) == encode(before));
+}
+
+RC_GTEST_PROP(Json, NumbersKeepEveryBit, ()) {
+  const Comb before{.stroke = {}, .flood = true, .brush = {.radius = number(0, 1e27), .strength = number(0, 1)}, .lean = number(0, 1), .direction = direction()};
+  const Comb after = std::get<Comb>(decode_commands(encode(Command(before)))->front());
+  RC_ASSERT(after.brush.radius == before.brush.radius);
+  RC_ASSERT(after.brush.strength == before.brush.strength);
+  RC_ASSERT(after.lean == before.lean);
+  RC_ASSERT(*after.direction == *before.direction);
+}
+
+RC_GTEST_PROP(Json, ColoursKeepEveryBit, ()) {
+  const glm::vec3 before = colour();
+  Look look;
+  look.skin = before;
+  const glm::vec3 after = std::get<SetLook>(decode_commands(encode(Command(SetLook{look})))->front()).look.skin;
+  RC_ASSERT(after == before);
+}
+
+RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
+  FrameRequest before;
+  before.width = *rc::gen::inRange(1, 8193);
+  before.camera = camera();
+  before.knobs = {.shells = *rc::gen::inRange(1, 1025), .samples = *rc::gen::element(1, 4), .steps = *rc::gen::inRange(1, 17),
+                  .scale = number(0.25, 2), .self_shadow = *rc::gen::arbitrary<bool>(), .accumulation = one_of(Accumulation::full)};
+  before.background = one_of(Background::transparent);
+  before.background_colour = colour();
+  before.exposure = number(-20, 20);
+  before.tone_map = one_of(ToneMap::filmic);
+  if (*rc::gen::arbitrary<bool>()) before.look = look();
+  const auto after = decode_frame_request(encode(before));
+  if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
+  RC_ASSERT(after->knobs == before.knobs);
+  RC_ASSERT(encode(*after) == encode(before));
+}
+
+RC_GTEST_PROP(Json, AnyOctetsGiveACommandOrARefusal, (const std::string& octets)) {
+  const auto decoded = decode_commands(octets);
+  RC_ASSERT(decoded.ok() || !decoded.status().message.empty());
+}
+
+RC_GTEST_PROP(Json, BrokenCommandsGiveACommandOrARefusal, ()) {
+  std::string text = encode(command());
+  const auto where = *rc::gen::inRange<std::size_t>(0, text.size());
+  text[where] = *rc::gen::arbitrary<char>();
+  const auto decoded = decode_commands(text);
+  RC_ASSERT(decoded.ok() || !decoded.status().message.empty());
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,268 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "protocol/base/random.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+#include "tests/unit/scene/store_fixture.h"
+
+namespace pelage {
+namespace {
+
+/// Drives a scene with a random mix of everything that changes it, as an artist's client would.
+class Script {
+ public:
+  Script(Scene& scene, std::uint64_t seed) : scene_(scene), random_(seed) {
+    scene.read([&](const SceneView& view) {
+      const Mesh& mesh = view.model.surface.mesh();
+      for (const glm::vec3 p : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(p)));
+      triangles_ = mesh.triangles.size();
+    });
+  }
+
+  /// One accepted request (or more, for a stroke in parts).
+  void act() {
+    const double kind = random_.uniform();
+    if (kind < 0.40) send({tool()});
+    else if (kind < 0.50) send({tool(), tool(), setting()});
+    else if (kind < 0.58) send({setting()});
+    else if (kind < 0.72) send_in_parts();
+    else if (kind < 0.84) move(Undo{std::min<int>(1 + below(3), static_cast<int>(scene_.summary().undo_steps))});
+    else if (kind < 0.94) move(Redo{std::min<int>(1 + below(3), static_cast<int>(scene_.summary().redo_steps))});
+    else move(Revert{static_cast<Revision>(below(static_cast<int>(scene_.revision()) + 1))});
+  }
+
+ private:
+  int below(int limit) { return static_cast<int>(random_.uniform(0, limit)); }
+  bool chance(double share) { return random_.uniform() < share; }
+
+  void send(const std::vector<Command>& commands) {
+    const auto answer = scene_.execute(commands);
+    ASSERT_TRUE(answer.ok()) << answer.status().message << answer.status().pointer;
+  }
+  void move(const HistoryMove& move) {
+    if (const auto* undo = std::get_if<Undo>(&move); undo && undo->steps == 0) return;
+    if (const auto* redo = std::get_if<Redo>(&move); redo && redo->steps == 0) return;
+    const auto answer = scene_.move(move);
+    ASSERT_TRUE(answer.ok()) << answer.status().message;
+  }
+
+  Stroke stroke() {
+    Stroke stroke;
+    if (chance(0.3)) stroke.view = View{.camera = {.automatic = AutoView::three_quarter}, .width = 320, .height = 200};
+    const glm::dvec3 start = places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
+    const glm::dvec2 pixel(random_.uniform(60, 260), random_.uniform(40, 160));
+    for (int i = 0, n = 2 + below(12); i < n; ++i) {
+      StrokeSample sample;
+      if (stroke.view) {
+        sample.place = ScreenPlace{pixel + glm::dvec2(4.0 * i, 3.0 * i)};
+      } else if (chance(0.2)) {
+        sample.place = SurfacePlace{static_cast<std::uint32_t>(below(static_cast<int>(triangles_))), {0.2, 0.3, 0.5}};
+      } else {
+        sample.place = PositionPlace{start + 0.02 * i * glm::dvec3(1, 0.4, -0.3)};
+      }
+      sample.pressure = random_.uniform(0.3, 1);
+      stroke.samples.push_back(sample);
+    }
+    return stroke;
+  }
+  Brush brush() {
+    return {.radius = random_.uniform(0.02, 0.15), .falloff = static_cast<Falloff>(below(5)),
+            .strength = random_.uniform(), .front_faces_only = chance(0.5), .invert = chance(0.2)};
+  }
+  Command tool() {
+    const int kind = below(4);
+    if (kind == 0) {
+      Blow blow;
+      blow.source = 3.0 * places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
+      blow.direction = -blow.source;
+      blow.cone_degrees = random_.uniform(2, 12);
+      if (chance(0.5)) blow.stroke = stroke();
+      return blow;
+    }
+    if (kind == 1) {
+      Attract attract;
+      attract.point = 1.2 * places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
+      attract.radius = random_.uniform(0.05, 0.3);
+      attract.strength = random_.uniform();
+      if (chance(0.3)) attract.stroke = stroke();
+      return attract;
+    }
+    Comb comb;
+    comb.brush = brush();
+    comb.flood = chance(0.1);
+    if (comb.flood) comb.direction = glm::dvec3(random_.uniform(-1, 1), 0.5, random_.uniform(-1, 1));
+    else comb.stroke = stroke();
+    return comb;
+  }
+  Command setting() {
+    const int kind = below(3);
+    if (kind == 0) {
+      SetCoat coat;
+      coat.coat.curl = random_.uniform(0, 0.5);
+      coat.coat.ramp[0].colour = {static_cast<float>(random_.uniform()), 0.25f, 0.125f};
+      return coat;
+    }
+    if (kind == 1) {
+      SetLook look;
+      look.look.ambient = random_.uniform();
+      return look;
+    }
+    SetLights lights;
+    lights.lights = default_lights();
+    lights.lights[0].intensity = random_.uniform(0, 10);
+    return lights;
+  }
+  void send_in_parts() {
+    Comb whole;
+    whole.brush = brush();
+    whole.stroke = stroke();
+    const std::size_t parts = std::min<std::size_t>(whole.stroke->samples.size(), 4);
+    const bool finished = chance(0.8);
+    const std::string id = "k" + std::to_string(below(3)) + "_" + std::to_string(strokes_++);
+    for (std::size_t part = 0, at = 0; part < parts; ++part) {
+      const std::size_t end = whole.stroke->samples.size() * (part + 1) / parts;
+      Comb piece = whole;
+      piece.stroke->id = id;
+      piece.stroke->part = static_cast<std::uint32_t>(part);
+      piece.stroke->last = finished && part + 1 == parts;
+      piece.stroke->samples.assign(whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(at),
+                                   whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(end));
+      at = end;
+      send({piece});
+    }
+  }
+
+  Scene& scene_;
+  Random random_;
+  std::vector<glm::dvec3> places_;
+  std::size_t triangles_ = 0;
+  int strokes_ = 0;
+};
+
+std::string settings_text(const Scene& scene) {
+  std::string text;
+  scene.read([&](const SceneView& view) {
+    text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
+                                       SetLights{view.settings.lights}});
+  });
+  return text;
+}
+
+class ReplayTest : public StoreTest, public ::testing::WithParamInterface<std::uint64_t> {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) / ("pelage_replay_" + std::to_string(GetParam()));
+    std::filesystem::remove_all(folder_);
+    open();
+  }
+};
+
+// The effective log goes through text, as a client would send it.
+void replay(const std::vector<std::vector<Command>>& log, Scene& scene) {
+  for (const std::vector<Command>& step : log) {
+    const auto commands = decode_commands(encode(step));
+    ASSERT_TRUE(commands.ok()) << commands.status().message << commands.status().pointer;
+    const auto answer = scene.execute(*commands);
+    ASSERT_TRUE(answer.ok()) << answer.status().message << answer.status().pointer;
+  }
+}
+
+TEST_P(ReplayTest, AnyScriptReplaysUndoesAndSurvivesARestart) {
+  const auto scene = make(Builtin::torus, 600);
+  const FieldsHash first = hash(*scene);
+  const std::string first_settings = settings_text(*scene);
+  Script script(*scene, GetParam());
+  while (scene->revision() < 260 && !HasFatalFailure()) script.act();
+
+  const auto anew = make(Builtin::torus, 600);
+  replay(scene->effective_log(), *anew);
+  EXPECT_EQ(hash(*anew), hash(*scene));
+  EXPECT_EQ(settings_text(*anew), settings_text(*scene));
+
+  const SceneSummary before = scene->summary();
+  const std::string log = encode(scene->log()), settings = settings_text(*scene);
+  open();
+  const auto restarted = *store_->find(before.id);
+  const SceneSummary after = restarted->summary();
+  EXPECT_EQ(after.revision, before.revision);
+  EXPECT_EQ(after.fields_hash, before.fields_hash);
+  EXPECT_EQ(after.undo_steps, before.undo_steps);
+  EXPECT_EQ(after.redo_steps, before.redo_steps);
+  EXPECT_EQ(encode(restarted->log()), log);
+  EXPECT_EQ(settings_text(*restarted), settings);
+
+  const int steps = static_cast<int>(after.undo_steps);
+  ASSERT_GT(steps, 0);
+  EXPECT_EQ(move(*restarted, Undo{steps}).fields_hash, first);
+  EXPECT_EQ(settings_text(*restarted), first_settings);
+  EXPECT_TRUE(restarted->effective_log().empty());
+  EXPECT_EQ(move(*restarted, Redo{steps}).fields_hash, before.fields_hash);
+  EXPECT_EQ(settings_text(*restarted), settings);
+}
+
+TEST_P(ReplayTest, AnyRevisionCanBeGoneBackTo) {
+  const auto scene = make(Builtin::torus, 600);
+  Script script(*scene, GetParam() + 1000);
+  std::vector<std::pair<Revision, FieldsHash>> seen;
+  while (scene->revision() < 60 && !HasFatalFailure()) {
+    seen.emplace_back(scene->revision(), hash(*scene));
+    script.act();
+  }
+  for (const auto& [revision, expected] : seen) {
+    ASSERT_EQ(move(*scene, Revert{revision}).fields_hash, expected) << revision;
+    if (revision % 7 != 0) continue;
+    const auto anew = make(Builtin::torus, 600);
+    replay(scene->effective_log(), *anew);
+    ASSERT_EQ(hash(*anew), expected) << revision;
+    ASSERT_TRUE(store_->remove(anew->id()).ok());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ReplayTest, ::testing::Range<std::uint64_t>(1, 5));
+
+using PartsTest = StoreTest;
+
+/// Sends one stroke whole to one scene and in random parts to another.
+void send_whole_and_in_parts(Random random, Scene& sent_whole, Scene& live, Comb whole) {
+  const glm::dvec3 start = std::get<PositionPlace>(whole.stroke->samples[0].place).position;
+  whole.stroke->samples.clear();
+  for (int i = 0; i < 20; ++i) {
+    StrokeSample sample;
+    const double away = random.uniform() < 0.2 ? 5 : 0;  // now and then the pointer leaves the model
+    sample.place = PositionPlace{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
+    whole.stroke->samples.push_back(sample);
+  }
+  RC_ASSERT(sent_whole.execute({whole}).ok());
+  std::size_t at = 0;
+  for (std::uint32_t part = 0; at < whole.stroke->samples.size(); ++part) {
+    const std::size_t end = std::min(at + 1 + static_cast<std::size_t>(random.uniform(0, 6)), std::size_t{20});
+    Comb piece = whole;
+    piece.stroke->id = "pen";
+    piece.stroke->part = part;
+    piece.stroke->last = end == 20;
+    piece.stroke->samples.assign(whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(at),
+                                 whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(end));
+    RC_ASSERT(live.execute({piece}).ok());
+    at = end;
+  }
+}
+
+TEST_F(PartsTest, AnyPartsOfAStrokeGiveTheWhole) {
+  const bool held = rc::check([this](std::uint64_t seed) {
+    Random random(seed);
+    const auto live = make(Builtin::torus, 400), sent_whole = make(Builtin::torus, 400);
+    const auto anew = make(Builtin::torus, 400);
+    const Comb whole = comb_at(*live, static_cast<std::size_t>(random.uniform(0, 200)));
+    send_whole_and_in_parts(random, *sent_whole, *live, whole);
+    RC_ASSERT(hash(*live) == hash(*sent_whole));
+    RC_ASSERT(live->summary().undo_steps == sent_whole->summary().undo_steps);
+    for (const auto& step : live->effective_log()) RC_ASSERT(anew->execute(step).ok());
+    RC_ASSERT(hash(*anew) == hash(*live));
+    for (const auto& scene : {live, sent_whole, anew}) RC_ASSERT(store_->remove(scene->id()).ok());
+  });
+  EXPECT_TRUE(held);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,222 @@
+// Random triangles in, promises out.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "server/surface/charts.h"
+#include "server/surface/prepare.h"
+#include "server/surface/surface.h"
+#include "server/surface/triangle_distance.h"
+
+namespace pelage {
+namespace {
+
+/// A whole number in [low, high), from all of it from the first case on.
+int whole(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
+
+double between(double low, double high) { return low + (high - low) * whole(0, 1'000'000) * 1e-6; }
+
+/// Coordinates on a coarse grid, so that vertices meet, edges are shared and triangles have no area, or anywhere.
+glm::dvec3 place(bool on_grid) {
+  if (!on_grid) return {between(-1, 1), between(-1, 1), between(-1, 1)};
+  const auto step = [] { return static_cast<double>(whole(-2, 3)) * 0.5; };
+  const double x = step(), y = step(), z = step();
+  return {x, y, z};
+}
+
+double odd_number() {
+  return *rc::gen::element(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308,
+                           -0.0, 1e-308);
+}
+
+RawModel soup(bool nasty) {
+  RawModel raw;
+  const bool on_grid = *rc::gen::arbitrary<bool>();
+  const double scale = std::pow(10.0, whole(-15, 20));
+  const int vertices = whole(3, 40), faces = whole(1, 60);
+  for (int v = 0; v < vertices; ++v) {
+    raw.positions.push_back(scale * place(on_grid));
+    if (nasty && whole(0, 20) == 0) raw.positions.back()[v % 3] = odd_number();
+  }
+  for (int f = 0; f < faces; ++f) {
+    const auto corners = static_cast<std::uint32_t>(nasty ? whole(1, 9) : 3);
+    raw.face_sizes.push_back(corners);
+    for (std::uint32_t k = 0; k < corners; ++k) {
+      const bool missing = nasty && whole(0, 50) == 0;
+      raw.corners.push_back(missing ? no_position : static_cast<std::uint32_t>(whole(0, vertices)));
+    }
+  }
+  return raw;
+}
+
+bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void check_frames(const Mesh& mesh) {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    RC_ASSERT(is_finite(mesh.positions[v]) && is_finite(mesh.normals[v]) && is_finite(mesh.tangents[v]));
+    RC_ASSERT(std::abs(glm::length(mesh.normals[v]) - 1) < 1e-5f);
+    RC_ASSERT(std::abs(glm::length(mesh.tangents[v]) - 1) < 1e-5f);
+    RC_ASSERT(std::abs(glm::dot(mesh.normals[v], mesh.tangents[v])) < 1e-5f);
+  }
+}
+
+/// Edges of two triangles that are wound against each other.
+std::size_t disagreeing_edges(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<bool>> sides;
+  for (const glm::uvec3& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      sides[std::minmax(a, b)].push_back(a < b);
+    }
+  }
+  return static_cast<std::size_t>(std::count_if(sides.begin(), sides.end(), [](const auto& edge) {
+    return edge.second.size() == 2 && edge.second[0] == edge.second[1];
+  }));
+}
+
+std::size_t count_of(const Mesh& mesh, const std::string& code) {
+  for (const Repair& repair : mesh.report.repairs) {
+    if (repair.code == code) return repair.count;
+  }
+  return 0;
+}
+
+RC_GTEST_PROP(Prepare, AnySoupIsGroomableOrRefused, ()) {
+  const RawModel raw = soup(true);
+  const Result<Mesh> mesh = prepare(raw, Axis::plus_z, Axis::minus_x, *rc::gen::arbitrary<bool>());
+  if (!mesh.ok()) {
+    RC_ASSERT(mesh.status().code == Code::invalid);
+    RC_ASSERT(mesh.status().message.size() > 10u);
+    return;
+  }
+  check_frames(*mesh);
+  RC_ASSERT(mesh->size > 0 && std::isfinite(mesh->size));
+  for (const glm::uvec3& t : mesh->triangles) {
+    RC_ASSERT(t.x != t.y && t.y != t.z && t.z != t.x);
+    RC_ASSERT(std::max({t.x, t.y, t.z}) < mesh->positions.size());
+  }
+  const TileMap map = lay_charts(*mesh);
+  for (const auto& triangle : map.corner_uv) {
+    for (const glm::vec2& uv : triangle) RC_ASSERT(std::isfinite(uv.x) && std::isfinite(uv.y));
+  }
+  for (const glm::vec3& axis : map.axis) RC_ASSERT(std::abs(glm::length(axis) - 1) < 1e-4f);
+}
+
+RC_GTEST_PROP(Prepare, WindingAgreesWhereItCan, ()) {
+  const Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  if (!mesh.ok()) return;
+  RC_ASSERT((disagreeing_edges(*mesh) > 0) == (count_of(*mesh, "one_sided_edges") > 0));
+}
+
+RC_GTEST_PROP(Prepare, SameInputSameBits, ()) {
+  const RawModel raw = soup(true);
+  const Result<Mesh> a = prepare(raw, Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> b = prepare(raw, Axis::plus_y, Axis::plus_z, false);
+  RC_ASSERT(a.ok() == b.ok());
+  if (!a.ok()) return;
+  RC_ASSERT(a->positions == b->positions && a->normals == b->normals && a->tangents == b->tangents);
+  RC_ASSERT(a->triangles == b->triangles);
+}
+
+RC_GTEST_PROP(Prepare, ScaleChangesNothingInside, ()) {
+  const RawModel raw = soup(false);
+  RawModel larger = raw;
+  for (glm::dvec3& p : larger.positions) p *= 4.0;  // exact
+  const Result<Mesh> a = prepare(raw, Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> b = prepare(larger, Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(a.ok() && b.ok());
+  RC_ASSERT(a->positions == b->positions && a->normals == b->normals && a->triangles == b->triangles);
+  RC_ASSERT(b->size == 4 * a->size);
+}
+
+std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, const glm::uvec3& t) {
+  return {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])};
+}
+
+RC_GTEST_PROP(Surface, NearestAgreesWithEveryTriangleTried, ()) {
+  Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(mesh.ok());
+  const Surface surface(std::move(mesh).value());
+  const glm::dvec3 from = std::pow(10.0, whole(-3, 5)) * place(false);
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::uvec3& t : surface.mesh().triangles) {
+    least = std::min(least, nearest_on_triangle(corners_of(surface.mesh(), t), from).distance);
+  }
+  const SurfacePoint point = surface.nearest(from);
+  RC_ASSERT(std::abs(glm::length(surface.position(point) - from) - least) <= 1e-9 * (1 + least));
+  for (int k = 0; k < 3; ++k) RC_ASSERT(point.barycentric[k] >= 0 && point.barycentric[k] <= 1);
+}
+
+/// No point of a triangle, on a fine grid, is nearer than the one that is found.
+RC_GTEST_PROP(Surface, NearestOnTriangleIsNearest, ()) {
+  const std::array<glm::dvec3, 3> corners = {place(false), place(false), place(false)};
+  const glm::dvec3 from = place(false) * 2.0;
+  const TrianglePoint found = nearest_on_triangle(corners, from);
+  constexpr int steps = 40;
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; i + j <= steps; ++j) {
+      const double v = static_cast<double>(i) / steps, w = static_cast<double>(j) / steps;
+      const glm::dvec3 p = (1 - v - w) * corners[0] + v * corners[1] + w * corners[2];
+      RC_ASSERT(found.distance <= glm::length(p - from) + 1e-12);
+    }
+  }
+}
+
+/// Distance along the unit ray to the triangle, with how far inside it the ray passes (negative: outside).
+struct Crossing {
+  double distance = -1, inside = -1;
+};
+
+Crossing cross_triangle(const std::array<glm::dvec3, 3>& c, glm::dvec3 origin, glm::dvec3 direction) {
+  const glm::dvec3 e1 = c[1] - c[0], e2 = c[2] - c[0], p = glm::cross(direction, e2);
+  const double determinant = glm::dot(e1, p);
+  if (std::abs(determinant) < 1e-9) return {};
+  const glm::dvec3 s = origin - c[0], q = glm::cross(s, e1);
+  const double v = glm::dot(s, p) / determinant, w = glm::dot(direction, q) / determinant;
+  return {glm::dot(e2, q) / determinant, std::min({v, w, 1 - v - w})};
+}
+
+RC_GTEST_PROP(Surface, RaysAgreeWithEveryTriangleTried, ()) {
+  Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(mesh.ok());
+  const Surface surface(std::move(mesh).value());
+  const glm::dvec3 origin = place(false) * 2.0, direction = glm::normalize(place(false) * 0.3 - origin);
+  RC_PRE(std::isfinite(direction.x));
+  constexpr double clear = 1e-3;  // closer to an edge or to the origin than this, rounding may decide
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const glm::uvec3& t : surface.mesh().triangles) {
+    const Crossing crossing = cross_triangle(corners_of(surface.mesh(), t), origin, direction);
+    if (crossing.distance > clear && crossing.inside > clear) nearest = std::min(nearest, crossing.distance);
+  }
+  const auto hit = surface.raycast(origin, direction);
+  if (std::isfinite(nearest)) RC_ASSERT(hit.has_value());
+  if (!hit) return;
+  const glm::dvec3 at = surface.position(*hit);
+  RC_ASSERT(glm::length(glm::cross(at - origin, direction)) < 1e-4);
+  RC_ASSERT(glm::dot(at - origin, direction) < nearest + 1e-4);
+}
+
+RC_GTEST_PROP(Surface, VerticesWithinAgreeWithEveryVertexTried, ()) {
+  Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(mesh.ok());
+  const Surface surface(std::move(mesh).value());
+  const auto& positions = surface.mesh().positions;
+  const bool at_vertex = *rc::gen::arbitrary<bool>();
+  const auto some = [&] { return static_cast<std::size_t>(whole(0, static_cast<int>(positions.size()))); };
+  const glm::dvec3 centre = at_vertex ? glm::dvec3(positions[some()]) : place(false);
+  // Often exactly the distance of a vertex, so that "at most" is tested.
+  const double radius = *rc::gen::element(0.0, between(0, 2), glm::length(centre - glm::dvec3(positions[some()])));
+  std::vector<std::uint32_t> expected, found;
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    if (glm::length(centre - glm::dvec3(positions[v])) <= radius) expected.push_back(v);
+  }
+  surface.vertices_within(centre, radius, found);
+  RC_ASSERT(found == expected);
+}
+
+}  // namespace
+}  // namespace pelage

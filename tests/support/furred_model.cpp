@@ -1,0 +1,71 @@
+#include "tests/support/furred_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+#include "server/scene/fur_view.h"
+#include "server/surface/builtin.h"
+#include "server/surface/prepare.h"
+
+namespace pelage::testing {
+
+FurredModel furred(BuiltinModel model, FirstGroom fur) {
+  static std::uint64_t last_id = 0;  // ids are unique in a process
+  Result<Mesh> mesh = prepare(make_builtin(model), Axis::plus_y, Axis::plus_z, false);
+  if (!mesh) throw std::runtime_error(mesh.status().message);
+  TileMap tile_map = lay_charts(*mesh);
+  FieldSet fields = first_groom(*mesh, fur);
+  return {{Surface(std::move(mesh).value()), std::move(tile_map), ++last_id, "test"}, std::move(fields), {}};
+}
+
+FrameRequest small_frame(AutoView view, int size) {
+  FrameRequest request;
+  request.width = request.height = size;
+  request.camera.automatic = view;
+  request.background = Background::transparent;
+  request.tone_map = ToneMap::none;
+  return request;
+}
+
+Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request) {
+  const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
+  sync_scene(renderer, model.view(), {all});
+  Result<Image> image = renderer.draw(make_frame(model.view(), request));
+  if (!image) throw std::runtime_error(image.status().message);
+  return std::move(image).value();
+}
+
+double covered(const Image& image) {
+  std::size_t count = 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) count += image.rgba[i] > 127;
+  return 4.0 * static_cast<double>(count) / static_cast<double>(image.rgba.size());
+}
+
+double mean_difference(const Image& a, const Image& b) {
+  assert(a.rgba.size() == b.rgba.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(int(a.rgba[i]) - int(b.rgba[i]));
+  return sum / static_cast<double>(a.rgba.size());
+}
+
+int largest_difference(const Image& a, const Image& b) {
+  assert(a.rgba.size() == b.rgba.size());
+  int largest = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) largest = std::max(largest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
+  return largest;
+}
+
+glm::dvec3 mean_colour(const Image& image, int least) {
+  glm::dvec3 sum(0);
+  int count = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] < least) continue;
+    sum += glm::dvec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]);
+    ++count;
+  }
+  return count ? sum / double(count) : sum;
+}
+
+}  // namespace pelage::testing

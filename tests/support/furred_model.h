@@ -1,0 +1,37 @@
+// A model with a first groom, ready to be drawn without a server.
+#pragma once
+
+#include <memory>
+
+#include "protocol/commands/frame.h"
+#include "renderer/frame/renderer.h"
+#include "server/scene/scene.h"
+
+namespace pelage::testing {
+
+struct FurredModel {
+  SceneModel model;
+  FieldSet fields;
+  SceneSettings settings;
+
+  SceneView view() const { return {model, fields, settings, 0}; }
+};
+
+/// A built-in, prepared as the server does it.
+FurredModel furred(BuiltinModel model, FirstGroom fur = {});
+
+/// Small frames, no tone map, so that values can be compared.
+FrameRequest small_frame(AutoView view = AutoView::front, int size = 128);
+
+/// Sends the model if the renderer lacks it, and draws.
+Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request);
+
+/// Share of pixels whose alpha is over half.
+double covered(const Image& image);
+/// Mean absolute difference of all channels, in 1/255.
+double mean_difference(const Image& a, const Image& b);
+int largest_difference(const Image& a, const Image& b);
+/// Mean of red, green and blue over the pixels with alpha over `least`, in 1/255.
+glm::dvec3 mean_colour(const Image& image, int least = 200);
+
+}  // namespace pelage::testing

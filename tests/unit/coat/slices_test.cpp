@@ -1,0 +1,134 @@
+#include "renderer/coat/slices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "renderer/coat/strand_tile.h"
+
+namespace pelage {
+namespace {
+
+Coat thin_coat() {
+  Coat coat;
+  coat.count = 1500;
+  return coat;
+}
+
+double depth_at(const SliceLevel& level, int x, int y, int slice) {
+  const auto wrapped = [&](int i) { return ((i % level.texels) + level.texels) % level.texels; };
+  const std::size_t texel = (static_cast<std::size_t>(slice) * level.texels + wrapped(y)) * level.texels + wrapped(x);
+  return level.shape[4 * texel + 3] / 255.0 * stored_depth;
+}
+
+/// What the whole stack lets through on average, along the normal or at 60 degrees, read from the stored octets.
+double transmittance(const Coat& coat, const SliceLevel& level, bool slanted) {
+  const double shift = slanted ? std::sqrt(3.0) * nominal_length / slice_count / coat.tile * level.texels : 0;
+  double sum = 0;
+  int count = 0;
+  for (int y = 0; y < level.texels; y += std::max(1, level.texels / 128)) {
+    for (int x = 0; x < level.texels; x += std::max(1, level.texels / 128)) {
+      double depth = 0;
+      for (int i = 0; i < slice_count; ++i) depth += depth_at(level, x + static_cast<int>(std::lround(shift * i)), y, i);
+      sum += std::exp(-depth * level.depth_scale[slanted] * (slanted ? 2 : 1)), ++count;
+    }
+  }
+  return sum / count;
+}
+
+TEST(Strands, DependOnTheSeedAlone) {
+  Coat coat = thin_coat();
+  const auto first = make_strands(coat), again = make_strands(coat);
+  ASSERT_EQ(first.size(), 1500u);
+  for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(first[i].root, again[i].root);
+  coat.seed = 2;
+  EXPECT_NE(make_strands(coat)[0].root, first[0].root);
+}
+
+TEST(Strands, CoverTheTileEvenly) {
+  const auto strands = make_strands(thin_coat());
+  std::array<int, 16> cells{};
+  for (const Strand& strand : strands) {
+    ASSERT_GE(strand.root.x, 0);
+    ASSERT_LT(strand.root.x, thin_coat().tile);
+    const glm::ivec2 cell(strand.root / thin_coat().tile * 4.0);
+    ++cells[static_cast<std::size_t>(cell.y * 4 + cell.x)];
+  }
+  for (const int count : cells) EXPECT_NEAR(count, 1500 / 16, 20);
+}
+
+TEST(Strands, RootsNeverMove) {
+  Coat coat = thin_coat();
+  coat.bend = 1, coat.curl = 0.3;
+  for (const Strand& strand : make_strands(coat)) EXPECT_LT(glm::length(strand_offset(coat, strand, 0)), 1e-12);
+}
+
+TEST(Ramp, GoesThroughItsStops) {
+  Coat coat;
+  coat.ramp = {{0.2, glm::vec3(0.1f)}, {0.6, glm::vec3(0.5f)}};
+  EXPECT_FLOAT_EQ(ramp_colour(coat, 0).r, 0.1f);
+  EXPECT_FLOAT_EQ(ramp_colour(coat, 0.4).r, 0.3f);
+  EXPECT_FLOAT_EQ(ramp_colour(coat, 1).r, 0.5f);
+}
+
+TEST(Slices, EveryLevelLetsThroughWhatTheFinestDoes) {
+  const Coat coat = thin_coat();
+  const Slices slices = bake_slices(coat);
+  ASSERT_EQ(slices.levels.size(), static_cast<std::size_t>(slice_levels));
+  const double along = transmittance(coat, slices.levels[0], false);
+  const double slanted = transmittance(coat, slices.levels[0], true);
+  EXPECT_GT(along, 0.05);  // the coat is thin enough that this test can fail
+  EXPECT_LT(along, 0.95);
+  for (int i = 1; i < 6; ++i) {  // coarser ones are limited by 8 bits
+    const SliceLevel& level = slices.levels[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(transmittance(coat, level, false), along, 0.03) << "level " << i;
+    EXPECT_NEAR(transmittance(coat, level, true), slanted, 0.03) << "level " << i;
+  }
+}
+
+TEST(Slices, ThinTowardsTheTips) {
+  const Slices slices = bake_slices(thin_coat());
+  const SliceLevel& level = slices.levels[0];
+  const auto covered = [&](int slice) {
+    double sum = 0;
+    for (int y = 0; y < level.texels; ++y) {
+      for (int x = 0; x < level.texels; ++x) sum += depth_at(level, x, y, slice);
+    }
+    return sum;
+  };
+  EXPECT_GT(covered(2), covered(16));
+  EXPECT_GT(covered(16), covered(30));
+  EXPECT_GT(covered(30), 0);
+}
+
+TEST(Slices, LightFallsTowardsTheRoots) {
+  const Slices slices = bake_slices(Coat());
+  EXPECT_GT(slices.depth_above[0], slices.depth_above[16]);
+  EXPECT_GT(slices.depth_above[16], slices.depth_above[31]);
+  EXPECT_NEAR(slices.depth_above[31], 0, 0.02);
+}
+
+TEST(Slices, SameBitsAgain) {
+  const Slices first = bake_slices(thin_coat()), again = bake_slices(thin_coat());
+  for (std::size_t i = 0; i < first.levels.size(); ++i) {
+    ASSERT_EQ(first.levels[i].shape, again.levels[i].shape);
+    ASSERT_EQ(first.levels[i].colour, again.levels[i].colour);
+  }
+}
+
+TEST(Slices, ExtremesAreFinite) {
+  for (const auto& [count, width, bend] : {std::tuple{1, 0.0, 0.0}, {1, 0.05, 2.0}, {20000, 0.002, 2.0}}) {
+    Coat coat;
+    coat.count = count, coat.width_root = coat.width_tip = width, coat.bend = bend, coat.curl = 0.5;
+    const Slices slices = bake_slices(coat);
+    for (const SliceLevel& level : slices.levels) {
+      EXPECT_TRUE(std::isfinite(level.depth_scale[0]) && std::isfinite(level.depth_scale[1]));
+    }
+    for (const float depth : slices.depth_above) EXPECT_TRUE(std::isfinite(depth));
+  }
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "server/fields/field_set.h"
+#include "server/surface/builtin.h"
+#include "server/surface/prepare.h"
+
+namespace pelage {
+namespace {
+
+TEST(FirstGroom, LeansFromNoseToTailWithTheAskedInclinationAndLength) {
+  const Result<Mesh> mesh = prepare(make_builtin({Builtin::creature, 3000}), Axis::plus_y, Axis::plus_z, false);
+  ASSERT_TRUE(mesh.ok());
+  const FieldSet fields = first_groom(*mesh, {.length = 0.04, .inclination = 0.6});
+  std::size_t tailwards = 0, judged = 0;
+  for (std::uint32_t v = 0; v < fields.size(); ++v) {
+    const glm::vec3 bitangent = glm::cross(mesh->normals[v], mesh->tangents[v]);
+    const glm::vec3 lean = fields.direction()[v].x * mesh->tangents[v] + fields.direction()[v].y * bitangent;
+    EXPECT_NEAR(glm::length(lean), 0.6, 1e-5);
+    const float scale = mesh->length_scale.empty() ? 1.0f : mesh->length_scale[v];
+    EXPECT_NEAR(fields.length()[v], 0.04f * scale, 1e-6);
+    EXPECT_EQ(fields.stretch()[v], 0);
+    if (std::abs(mesh->normals[v].z) > 0.5f) continue;
+    ++judged;
+    tailwards += lean.z < -0.2f;
+  }
+  EXPECT_GT(judged, 500u);
+  EXPECT_GT(tailwards, judged * 95 / 100);
+}
+
+}  // namespace
+}  // namespace pelage

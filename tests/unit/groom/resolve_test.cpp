@@ -1,0 +1,139 @@
+#include <cmath>
+
+#include "server/groom/evaluate.h"
+#include "tests/unit/groom/shapes.h"
+
+namespace pelage {
+namespace {
+
+using testing_shapes::make_surface;
+using testing_shapes::stroke_through;
+
+class ResolveTest : public ::testing::Test {
+ protected:
+  static StrokeSample pixel(double x, double y) {
+    StrokeSample sample;
+    sample.place = ScreenPlace{{x, y}};
+    return sample;
+  }
+  Status refusal(const Command& command) const {
+    const Result<Command> resolved = resolve(command, sphere_);
+    return resolved.ok() ? Status{} : resolved.status();
+  }
+  Surface sphere_ = make_surface(Builtin::sphere, 2000);
+};
+
+TEST_F(ResolveTest, PixelsBecomePlacesAndMissesAreDropped) {
+  Comb comb;
+  comb.stroke = Stroke{};
+  comb.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 200, .height = 100};
+  comb.stroke->samples = {pixel(1, 1), pixel(100, 50), pixel(105, 50)};
+  const Result<Command> resolved = resolve(comb, sphere_);
+  ASSERT_TRUE(resolved.ok());
+  const Stroke& stroke = *stroke_of(*resolved);
+  ASSERT_EQ(stroke.samples.size(), 2u);
+  ASSERT_TRUE(stroke.view.has_value());
+  const auto& place = std::get<SurfacePlace>(stroke.samples[0].place);
+  const glm::dvec3 hit = sphere_.position({place.triangle, place.barycentric});
+  EXPECT_NEAR(hit.x, 0, 1e-3);
+  EXPECT_NEAR(hit.y, 0, 1e-3);
+  EXPECT_GT(hit.z, 0.2);
+}
+
+TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
+  Comb comb;
+  comb.stroke = Stroke{};
+  comb.stroke->view = View{.camera = {.automatic = AutoView::left}};
+  comb.stroke->samples = {pixel(256, 256), pixel(300, 200)};
+  const Result<Command> once = resolve(comb, sphere_);
+  ASSERT_TRUE(once.ok());
+  const Result<Command> twice = resolve(*once, sphere_);
+  ASSERT_TRUE(twice.ok());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& a = std::get<SurfacePlace>(stroke_of(*once)->samples[i].place);
+    const auto& b = std::get<SurfacePlace>(stroke_of(*twice)->samples[i].place);
+    EXPECT_EQ(a.triangle, b.triangle);
+    EXPECT_EQ(a.barycentric, b.barycentric);
+  }
+}
+
+TEST_F(ResolveTest, RefusesWhatTheSurfaceDoesNotHave) {
+  Comb comb;
+  comb.stroke = stroke_through(sphere_, {{0, 0, 0.3}, {0, 0.1, 0.3}});
+  comb.stroke->samples[1].place = SurfacePlace{1u << 30, {1, 0, 0}};
+  EXPECT_EQ(refusal(comb).code, Code::invalid);
+  EXPECT_EQ(refusal(comb).pointer, "/stroke/samples/1/triangle");
+  EXPECT_EQ(refusal(comb).limit, "below " + std::to_string(sphere_.mesh().triangles.size()));
+}
+
+TEST_F(ResolveTest, RefusesCoordinatesBeyondAMillionSizes) {
+  Comb comb;
+  comb.stroke = stroke_through(sphere_, {{0, 0, 0.3}, {0, 2e6, 0.3}});
+  EXPECT_EQ(refusal(comb).pointer, "/stroke/samples/1/position");
+  comb.stroke = stroke_through(sphere_, {{0, 0, 0.3}, {std::nan(""), 0, 0.3}});
+  EXPECT_EQ(refusal(comb).pointer, "/stroke/samples/1/position");
+  Blow blow;
+  blow.source = {1e300, 0, 0};
+  EXPECT_EQ(refusal(blow).pointer, "/source");
+  Attract attract;
+  attract.point = {0, -1e9, 0};
+  EXPECT_EQ(refusal(attract).pointer, "/point");
+  attract.point = {0, 0, 0};
+  attract.radius = 1e7;
+  EXPECT_EQ(refusal(attract).pointer, "/radius");
+}
+
+TEST_F(ResolveTest, RefusesAStrokeOfTooManyDabs) {
+  Comb comb;
+  comb.stroke = stroke_through(sphere_, {{0, 0, 0.3}, {0, 0.5, 0.3}});
+  comb.brush.radius = 1e-5;
+  EXPECT_EQ(refusal(comb).pointer, "/brush/spacing");
+  comb.brush.radius = 1e-4;
+  EXPECT_TRUE(refusal(comb).ok());
+  comb.brush.radius = 1e-320;
+  EXPECT_EQ(refusal(comb).pointer, "/brush/spacing");
+}
+
+TEST_F(ResolveTest, PixelsNeedAView) {
+  Comb comb;
+  comb.stroke = Stroke{};
+  comb.stroke->samples = {pixel(1, 1)};
+  EXPECT_EQ(refusal(comb).pointer, "/stroke/view");
+}
+
+TEST_F(ResolveTest, AutomaticCamerasFrameTheBoxAndNearlyFillThePicture) {
+  const Mesh& mesh = sphere_.mesh();
+  for (const AutoView view : {AutoView::front, AutoView::back, AutoView::left, AutoView::right, AutoView::top,
+                              AutoView::three_quarter}) {
+    for (const double aspect : {0.3, 1.0, 2.5}) {
+      const PlacedCamera camera = place_camera({.automatic = view}, aspect, mesh);
+      double reach = 0;
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 low = mesh.to_internal(mesh.report.min), high = mesh.to_internal(mesh.report.max);
+        const glm::dvec3 c(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
+        const glm::dvec3 seen = c - camera.eye;
+        const double depth = glm::dot(seen, camera.forward) * camera.tan_half_fov;
+        ASSERT_GT(depth, 0);
+        reach = std::max({reach, std::abs(glm::dot(seen, camera.right)) / (depth * aspect),
+                          std::abs(glm::dot(seen, camera.up)) / depth});
+      }
+      EXPECT_NEAR(reach, 0.92, 1e-9);
+    }
+  }
+}
+
+TEST_F(ResolveTest, CamerasAreRightHandedAndPixelsRunDown) {
+  const PlacedCamera front = place_camera({.automatic = AutoView::front}, 1, sphere_.mesh());
+  EXPECT_NEAR(glm::distance(front.right, glm::dvec3(1, 0, 0)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(front.forward, glm::dvec3(0, 0, -1)), 0, 1e-12);
+  EXPECT_LT(pixel_ray(front, {256, 400}, 512, 512).y, 0);
+  EXPECT_GT(pixel_ray(front, {400, 256}, 512, 512).x, 0);
+  EXPECT_NEAR(glm::distance(pixel_ray(front, {256, 256}, 512, 512), front.forward), 0, 1e-12);
+  const Camera along_up{.automatic = AutoView::none, .eye = {0, 5, 0}, .target = {0, 0, 0}, .up = {0, 1, 0}};
+  const PlacedCamera top = place_camera(along_up, 1, sphere_.mesh());
+  EXPECT_NEAR(glm::length(top.right), 1, 1e-12);
+  EXPECT_NEAR(glm::dot(top.right, top.forward), 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace pelage

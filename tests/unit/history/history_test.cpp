@@ -1,0 +1,249 @@
+#include "server/history/history.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/json/encode.h"
+#include "server/history/delta_codec.h"
+#include "server/history/live_stroke.h"
+
+namespace pelage {
+namespace {
+
+Comb comb_at(double x, std::string id = {}, std::uint32_t part = 0, bool last = true) {
+  Comb comb;
+  comb.stroke = Stroke{std::move(id), part, last, {}, std::nullopt};
+  for (const double y : {0.0, 0.1}) {
+    StrokeSample sample;
+    sample.place = PositionPlace{{x, y, 0}};
+    comb.stroke->samples.push_back(sample);
+  }
+  return comb;
+}
+
+double first_x(const Command& command) {
+  return std::get<PositionPlace>(stroke_of(command)->samples.front().place).position.x;
+}
+
+/// A history over one vertex whose length counts the changes.
+class HistoryTest : public ::testing::Test {
+ protected:
+  FieldDelta to(float length) const { return {{0}, {{{}, length_, 0}}, {{{}, length, 0}}}; }
+  void take(EntryKind kind, std::uint64_t argument, std::string commands, FieldDelta delta,
+            std::shared_ptr<const SceneSettings> settings = nullptr) {
+    if (!delta.empty()) length_ = delta.after[0].length;
+    const Entry entry{history_.revision() + 1, kind, argument, std::move(commands), std::move(delta), {}, settings};
+    ASSERT_TRUE(history_.accepts(entry));
+    history_.record(entry);
+  }
+  void step(float length) { take(EntryKind::command, 0, encode(Command(comb_at(length))), to(length)); }
+  void undo(std::uint64_t steps) { take(EntryKind::undo, steps, "", *history_.undo(steps)); }
+  void redo(std::uint64_t steps) { take(EntryKind::redo, steps, "", *history_.redo(steps)); }
+  std::vector<double> effective() const {
+    std::vector<double> found;
+    for (const auto& commands : history_.effective_log()) found.push_back(first_x(commands.front()));
+    return found;
+  }
+
+  History history_{5};
+  float length_ = 0;
+};
+
+TEST_F(HistoryTest, EveryChangeTakesTheNextRevision) {
+  EXPECT_EQ(history_.revision(), 5u);
+  step(1);
+  step(2);
+  undo(2);
+  redo(1);
+  EXPECT_EQ(history_.revision(), 9u);
+  EXPECT_EQ(length_, 1);
+  EXPECT_EQ(history_.undo_steps(), 1u);
+  EXPECT_EQ(history_.redo_steps(), 1u);
+  EXPECT_EQ(effective(), (std::vector<double>{1}));
+}
+
+TEST_F(HistoryTest, MoreStepsThanThereAreAreRefused) {
+  step(1);
+  EXPECT_EQ(history_.undo(2).status().pointer, "/steps");
+  EXPECT_EQ(history_.undo(2).status().limit, "at most 1");
+  EXPECT_EQ(history_.redo(1).status().code, Code::invalid);
+}
+
+TEST_F(HistoryTest, ANewStepDropsWhatCouldBeRedoneFromTheListButNotFromTheLog) {
+  step(1);
+  step(2);
+  undo(1);
+  step(3);
+  EXPECT_EQ(history_.redo_steps(), 0u);
+  EXPECT_EQ(effective(), (std::vector<double>{1, 3}));
+  const std::vector<LogEntry> log = history_.log();
+  ASSERT_EQ(log.size(), 4u);
+  EXPECT_EQ(log[2].kind, "undo");
+  EXPECT_EQ(log[3].kind, "do");
+  EXPECT_EQ(log[1].revision, 7u);
+  EXPECT_EQ(log[1].touched, 1u);
+}
+
+TEST_F(HistoryTest, ARevertIsAStepThatCanBeUndone) {
+  step(1);
+  step(2);
+  step(3);
+  take(EntryKind::revert, 6, "", to(1));
+  EXPECT_EQ(effective(), (std::vector<double>{1}));
+  step(4);
+  EXPECT_EQ(effective(), (std::vector<double>{1, 4}));
+  undo(2);
+  EXPECT_EQ(length_, 3);
+  EXPECT_EQ(effective(), (std::vector<double>{1, 2, 3}));
+  redo(1);
+  EXPECT_EQ(effective(), (std::vector<double>{1}));
+}
+
+TEST_F(HistoryTest, SettingsGoWithTheSteps) {
+  SceneSettings grey;
+  grey.look.ambient = 2;
+  take(EntryKind::command, 0, encode(Command(SetLook{grey.look})), {}, std::make_shared<const SceneSettings>(grey));
+  step(1);
+  EXPECT_EQ(history_.settings().look.ambient, 2);
+  undo(2);
+  EXPECT_EQ(history_.settings().look.ambient, Look{}.ambient);
+  redo(2);
+  EXPECT_EQ(history_.settings().look.ambient, 2);
+}
+
+TEST_F(HistoryTest, JoinedPartsAreOneStepAndOneWholeStroke) {
+  step(1);
+  take(EntryKind::command, 0, encode(Command(comb_at(2, "k", 0, false))), to(2));
+  take(EntryKind::join, 0, encode(Command(comb_at(3, "k", 1, false))), to(3));
+  take(EntryKind::join, 0, encode(Command(comb_at(4, "k", 2, true))), to(4));
+  EXPECT_EQ(history_.undo_steps(), 2u);
+  const auto steps = history_.effective_log();
+  ASSERT_EQ(steps.size(), 2u);
+  const Stroke& whole = *stroke_of(steps[1].front());
+  EXPECT_EQ(whole.id, "");
+  EXPECT_EQ(whole.part, 0u);
+  EXPECT_TRUE(whole.last);
+  ASSERT_EQ(whole.samples.size(), 6u);
+  EXPECT_EQ(std::get<PositionPlace>(whole.samples[4].place).position.x, 4);
+  EXPECT_EQ(history_.last_step().before[0].length, 1);
+  undo(1);
+  EXPECT_EQ(length_, 1);
+  EXPECT_EQ(effective(), (std::vector<double>{1}));
+}
+
+TEST_F(HistoryTest, RefusesEntriesThatCannotFollow) {
+  EXPECT_FALSE(history_.accepts({7, EntryKind::command, 0, "", {}, {}, {}}));
+  EXPECT_FALSE(history_.accepts({6, EntryKind::undo, 1, "", {}, {}, {}}));
+  EXPECT_FALSE(history_.accepts({6, EntryKind::join, 0, "", {}, {}, {}}));
+  EXPECT_FALSE(history_.accepts({6, EntryKind::revert, 4, "", {}, {}, {}}));
+  EXPECT_TRUE(history_.accepts({6, EntryKind::command, 0, "", {}, {}, {}}));
+}
+
+class LiveStrokeTest : public ::testing::Test {
+ protected:
+  LiveStroke::Plan send(const Command& command, bool changed = true) {
+    const Result<LiveStroke::Plan> plan = live_.plan(command);
+    EXPECT_TRUE(plan.ok());
+    if (!plan.ok()) return {};
+    live_.accept(*plan, command, changed);
+    return *plan;
+  }
+  Status refusal(const Command& command) const {
+    const auto plan = live_.plan(command);
+    return plan.ok() ? Status{} : plan.status();
+  }
+  LiveStroke live_;
+};
+
+TEST_F(LiveStrokeTest, PartsJoin) {
+  EXPECT_FALSE(send(comb_at(1, "k", 0, false)).joins);
+  const LiveStroke::Plan second = send(comb_at(2, "k", 1, false));
+  EXPECT_TRUE(second.joins);
+  EXPECT_EQ(stroke_of(second.whole)->samples.size(), 4u);
+  EXPECT_EQ(stroke_of(second.unlogged)->samples.size(), 2u);
+  EXPECT_EQ(stroke_of(send(comb_at(3, "k", 2, true)).whole)->samples.size(), 6u);
+}
+
+TEST_F(LiveStrokeTest, PartsThatMissAreLoggedWithTheNextOne) {
+  EXPECT_FALSE(send(comb_at(1, "k", 0, false), false).joins);
+  const LiveStroke::Plan second = send(comb_at(2, "k", 1, false));
+  EXPECT_FALSE(second.joins);
+  EXPECT_EQ(stroke_of(second.unlogged)->samples.size(), 4u);
+  EXPECT_EQ(stroke_of(second.unlogged)->part, 0u);
+  send(comb_at(3, "k", 2, false), false);
+  const LiveStroke::Plan fourth = send(comb_at(4, "k", 3, true));
+  EXPECT_TRUE(fourth.joins);
+  EXPECT_EQ(stroke_of(fourth.unlogged)->samples.size(), 4u);
+  EXPECT_EQ(stroke_of(fourth.unlogged)->part, 1u);
+  EXPECT_EQ(stroke_of(fourth.whole)->samples.size(), 8u);
+}
+
+TEST_F(LiveStrokeTest, PartsComeInOrder) {
+  EXPECT_EQ(refusal(comb_at(1, "k", 2, false)).limit, "the next part is 0");
+  send(comb_at(1, "k", 0, false));
+  const Status skipped = refusal(comb_at(1, "k", 2, false));
+  EXPECT_EQ(skipped.code, Code::invalid);
+  EXPECT_EQ(skipped.pointer, "/stroke/part");
+  EXPECT_EQ(skipped.limit, "the next part is 1");
+  EXPECT_EQ(refusal(comb_at(1, "k", 0, false)).limit, "the next part is 1");
+}
+
+TEST_F(LiveStrokeTest, NothingFollowsTheLastPart) {
+  send(comb_at(1, "k", 0, false));
+  send(comb_at(1, "k", 1, true));
+  EXPECT_EQ(refusal(comb_at(1, "k", 2, false)).code, Code::conflict);
+}
+
+TEST_F(LiveStrokeTest, PartsRepeatToolAndBrush) {
+  send(comb_at(1, "k", 0, false));
+  Comb wider = comb_at(2, "k", 1, false);
+  wider.brush.radius *= 2;
+  EXPECT_EQ(refusal(wider).code, Code::invalid);
+  Blow blow;
+  blow.stroke = comb_at(2, "k", 1, false).stroke;
+  EXPECT_EQ(refusal(blow).code, Code::invalid);
+}
+
+TEST_F(LiveStrokeTest, TimeRunsOnAndSamplesAreCounted) {
+  Comb late = comb_at(1, "k", 0, false);
+  for (StrokeSample& sample : late.stroke->samples) sample.time = 3;
+  send(late);
+  EXPECT_EQ(refusal(comb_at(1, "k", 1, false)).pointer, "/stroke/samples/0/time");
+  late.stroke->part = 1;
+  late.stroke->samples.resize(9'999, late.stroke->samples.front());
+  EXPECT_EQ(refusal(late).pointer, "/stroke/samples");
+}
+
+TEST_F(LiveStrokeTest, AnotherChangeEndsTheStrokeAndAMissDoesNot) {
+  send(comb_at(1, "k", 0, false));
+  send(comb_at(5), false);
+  EXPECT_TRUE(refusal(comb_at(2, "k", 1, false)).ok());
+  send(comb_at(5), true);
+  EXPECT_EQ(refusal(comb_at(2, "k", 1, false)).limit, "the next part is 0");
+}
+
+TEST(DeltaCodec, RoundTripsAndRefusesDamage) {
+  FieldDelta delta;
+  for (const std::uint32_t v : {0u, 1u, 130u, 70'000u, 4'000'000'000u}) {
+    delta.vertices.push_back(v);
+    delta.before.push_back({{0.1f, -0.2f}, 1e-30f, 3});
+    delta.after.push_back({{0, 1}, static_cast<float>(v), 0});
+  }
+  const std::string octets = encode_delta(delta);
+  const auto decoded = decode_delta(std::as_bytes(std::span(octets)));
+  ASSERT_TRUE(decoded.ok());
+  EXPECT_EQ(decoded->vertices, delta.vertices);
+  EXPECT_EQ(decoded->before, delta.before);
+  EXPECT_EQ(decoded->after, delta.after);
+  for (std::size_t size = 0; size < octets.size(); ++size) {
+    EXPECT_FALSE(decode_delta(std::as_bytes(std::span(octets.data(), size))).ok()) << size;
+  }
+  const std::string longer = octets + "x";
+  EXPECT_FALSE(decode_delta(std::as_bytes(std::span(longer))).ok());
+  const std::string huge = "\xff\xff\xff\xff\xff\xff\xff\xff\x7f";
+  EXPECT_FALSE(decode_delta(std::as_bytes(std::span(huge))).ok());
+  const std::string none = encode_delta({});
+  EXPECT_TRUE(decode_delta(std::as_bytes(std::span(none)))->empty());
+}
+
+}  // namespace
+}  // namespace pelage

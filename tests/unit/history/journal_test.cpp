@@ -1,0 +1,154 @@
+#include "server/history/journal.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "protocol/json/encode.h"
+#include "server/history/sqlite.h"
+
+namespace pelage {
+namespace {
+
+class JournalTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("pelage_journal_") + test->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    path_ = (folder_ / "pelage.sqlite").string();
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::unique_ptr<Journal> open() const {
+    auto journal = Journal::open(path_);
+    EXPECT_TRUE(journal.ok()) << journal.status().message;
+    return journal.ok() ? std::move(*journal) : nullptr;
+  }
+  Status refusal() const {
+    const auto journal = Journal::open(path_);
+    return journal.ok() ? Status{} : journal.status();
+  }
+  void execute(const char* sql) const {
+    auto database = Database::open(path_);
+    ASSERT_TRUE(database.ok());
+    ASSERT_TRUE(database->execute(sql).ok());
+  }
+
+  static StoredScene scene(std::string id) {
+    return {std::move(id), "fox \"1\"", {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3)}, 3,
+            {{2}, {{}}, {{{0.5f, 0}, 1, 0}}}};
+  }
+  static Entry entry(Revision revision) {
+    return {revision, EntryKind::command, 0, "{}", {{7}, {{}}, {{{0, 0.25f}, 2, 3}}}, {~0ull, 5}, nullptr};
+  }
+
+  std::filesystem::path folder_;
+  std::string path_;
+};
+
+TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
+  SceneSettings settings;
+  settings.coat.ramp[1].colour = {0.123456f, 1e-3f, 0.7f};
+  settings.lights.resize(1);
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    ASSERT_TRUE(journal->add_scene(scene("b")).ok());
+    Entry with_settings = entry(4);
+    with_settings.settings = std::make_shared<const SceneSettings>(settings);
+    ASSERT_TRUE(journal->append("a", with_settings).ok());
+    ASSERT_TRUE(journal->append("a", {5, EntryKind::undo, 1, "", {}, {1, 2}, nullptr}).ok());
+  }
+  const auto journal = open();
+  EXPECT_EQ(*journal->scene_ids(), (std::vector<std::string>{"a", "b"}));
+  const auto found = journal->scene("a");
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->name, "fox \"1\"");
+  EXPECT_EQ(found->model.name, "obj");
+  EXPECT_EQ(found->model.up, Axis::plus_z);
+  EXPECT_EQ(found->model.front, Axis::minus_x);
+  EXPECT_TRUE(found->model.source_is_32_bit);
+  EXPECT_EQ(found->model.raw, std::string("a\0b", 3));
+  EXPECT_EQ(found->first_revision, 3u);
+  EXPECT_EQ(found->first_groom.after, scene("a").first_groom.after);
+  const auto entries = journal->entries("a", 0);
+  ASSERT_TRUE(entries.ok());
+  ASSERT_EQ(entries->size(), 2u);
+  EXPECT_EQ((*entries)[0].commands, "{}");
+  EXPECT_EQ((*entries)[0].delta.after, entry(4).delta.after);
+  EXPECT_EQ((*entries)[0].fields_hash, entry(4).fields_hash);
+  ASSERT_TRUE((*entries)[0].settings);
+  EXPECT_EQ((*entries)[0].settings->coat.ramp[1].colour, settings.coat.ramp[1].colour);
+  EXPECT_EQ((*entries)[0].settings->lights.size(), 1u);
+  EXPECT_EQ((*entries)[1].kind, EntryKind::undo);
+  EXPECT_EQ((*entries)[1].argument, 1u);
+  EXPECT_FALSE((*entries)[1].settings);
+  EXPECT_EQ(journal->entries("a", 4)->size(), 1u);
+}
+
+TEST_F(JournalTest, ANewModelEmptiesTheLogAndKeepsThePlace) {
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  ASSERT_TRUE(journal->add_scene(scene("b")).ok());
+  ASSERT_TRUE(journal->append("a", entry(4)).ok());
+  StoredScene other = scene("a");
+  other.model.name = "stl";
+  other.first_revision = 5;
+  ASSERT_TRUE(journal->replace_model(other).ok());
+  EXPECT_TRUE(journal->entries("a", 0)->empty());
+  EXPECT_EQ(journal->scene("a")->model.name, "stl");
+  EXPECT_EQ(journal->scene("a")->first_revision, 5u);
+  EXPECT_EQ(*journal->scene_ids(), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST_F(JournalTest, RemovedScenesAreGoneWithTheirEntries) {
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  ASSERT_TRUE(journal->append("a", entry(4)).ok());
+  ASSERT_TRUE(journal->remove_scene("a").ok());
+  EXPECT_TRUE(journal->scene_ids()->empty());
+  EXPECT_TRUE(journal->entries("a", 0)->empty());
+  EXPECT_FALSE(journal->append("a", entry(5)).ok());
+}
+
+TEST_F(JournalTest, NoRevisionIsWrittenTwice) {
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  ASSERT_TRUE(journal->append("a", entry(4)).ok());
+  EXPECT_FALSE(journal->append("a", entry(4)).ok());
+}
+
+TEST_F(JournalTest, RefusesWhatItCannotRead) {
+  open().reset();
+  execute("PRAGMA user_version = 99");
+  EXPECT_NE(refusal().message.find("newer"), std::string::npos);
+  std::filesystem::remove(path_);
+  execute("CREATE TABLE shopping(item TEXT)");
+  EXPECT_NE(refusal().message.find("another database"), std::string::npos);
+  std::filesystem::remove(path_);
+  std::ofstream(path_) << std::string(5000, 'x');
+  EXPECT_EQ(refusal().code, Code::internal);
+  path_ = (folder_ / "missing" / "pelage.sqlite").string();
+  EXPECT_EQ(refusal().code, Code::internal);
+}
+
+TEST_F(JournalTest, IsHeldByOneServerAtATime) {
+  const auto journal = open();
+  EXPECT_EQ(refusal().code, Code::unavailable);
+}
+
+TEST_F(JournalTest, DamagedEntriesAreReported) {
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    ASSERT_TRUE(journal->append("a", entry(4)).ok());
+  }
+  execute("UPDATE entries SET delta = x'05'");
+  EXPECT_EQ(open()->entries("a", 0).status().code, Code::internal);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,301 @@
+#include "protocol/json/decode.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "protocol/base/limits.h"
+
+namespace pelage {
+namespace {
+
+const std::string comb_text = R"({"op": "comb", "stroke": {"samples": [{"position": [0, 0.2, 0.5]}]}})";
+
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += (i ? "," : "") + text;
+  return all;
+}
+
+Status refusal(std::string_view text) {
+  const auto decoded = decode_commands(text);
+  return decoded.ok() ? Status{} : decoded.status();
+}
+
+void expect_refusal(std::string_view text, Code code, std::string_view pointer) {
+  const Status status = refusal(text);
+  EXPECT_EQ(status.code, code) << text << "\n" << status.message;
+  EXPECT_EQ(status.pointer, pointer) << text << "\n" << status.message;
+}
+
+TEST(Decode, CombWithDefaults) {
+  const auto commands = decode_commands(comb_text);
+  ASSERT_TRUE(commands.ok());
+  ASSERT_EQ(commands->size(), 1u);
+  const Comb& comb = std::get<Comb>(commands->front());
+  EXPECT_DOUBLE_EQ(comb.brush.radius, 0.05);
+  EXPECT_DOUBLE_EQ(comb.lean, 0.7);
+  ASSERT_EQ(comb.stroke->samples.size(), 1u);
+  EXPECT_EQ(std::get<PositionPlace>(comb.stroke->samples[0].place).position, glm::dvec3(0, 0.2, 0.5));
+  EXPECT_DOUBLE_EQ(comb.stroke->samples[0].pressure, 1);
+}
+
+TEST(Decode, BatchKeepsItsOrder) {
+  const auto commands = decode_commands(R"({"commands": [{"op": "blow", "source": [0, 1, 0]},)"
+                                        R"({"op": "attract", "point": [1, 2, 3], "radius": 0.3, "units": "world"}]})");
+  ASSERT_TRUE(commands.ok()) << commands.status().message;
+  EXPECT_STREQ(op_of(commands->at(0)), "blow");
+  const Attract& attract = std::get<Attract>(commands->at(1));
+  EXPECT_EQ(attract.units, Units::world);
+  EXPECT_DOUBLE_EQ(attract.radius, 0.3);
+  EXPECT_DOUBLE_EQ(attract.brush.radius, 0.05);
+}
+
+TEST(Decode, EveryKindOfSample) {
+  const auto commands = decode_commands(
+      R"({"op": "comb", "stroke": {"id": "k7", "part": 3, "last": false,
+          "view": {"camera": {"auto": "front"}, "width": 640, "height": 480},
+          "samples": [{"screen": [10.5, 20.5]}, {"triangle": 7, "barycentric": [0.2, 0.3, 0.5], "time": 1}]}})");
+  ASSERT_TRUE(commands.ok()) << commands.status().message;
+  const Stroke& stroke = *std::get<Comb>(commands->front()).stroke;
+  EXPECT_EQ(stroke.id, "k7");
+  EXPECT_EQ(stroke.part, 3u);
+  EXPECT_FALSE(stroke.last);
+  EXPECT_EQ(stroke.view->width, 640);
+  EXPECT_EQ(std::get<ScreenPlace>(stroke.samples[0].place).screen, glm::dvec2(10.5, 20.5));
+  EXPECT_EQ(std::get<SurfacePlace>(stroke.samples[1].place).triangle, 7u);
+}
+
+TEST(Decode, RefusesWhatIsNotJson) {
+  expect_refusal("", Code::malformed, "");
+  expect_refusal("comb", Code::malformed, "");
+  expect_refusal("{\"op\": \"comb\"", Code::malformed, "");
+  expect_refusal("{\"op\": \"comb\"} x", Code::malformed, "");
+  expect_refusal("{\"op\": NaN}", Code::malformed, "");
+  expect_refusal("{\"op\": \"\xff\xfe\"}", Code::malformed, "");
+}
+
+TEST(Decode, RefusesDuplicateNamesWithTheirPlace) {
+  expect_refusal(R"({"op": "comb", "op": "comb"})", Code::malformed, "/op");
+  expect_refusal(R"({"commands": [{"op": "comb"}, {"brush": {"radius": 1, "radius": 2}}]})", Code::malformed,
+                 "/commands/1/brush/radius");
+}
+
+TEST(Decode, RefusesNumbersThatOverflow) {
+  expect_refusal(R"({"op": "blow", "source": [1e400, 0, 0]})", Code::malformed, "/source");
+  expect_refusal(R"({"op": "blow", "source": [-1e400, 0, 0]})", Code::malformed, "/source");
+}
+
+TEST(Decode, RefusesDeepNesting) {
+  const std::size_t most = static_cast<std::size_t>(limits::json_depth);
+  EXPECT_EQ(refusal(std::string(most, '[') + std::string(most, ']')).code, Code::invalid);
+  EXPECT_EQ(refusal(std::string(most + 1, '[') + std::string(most + 1, ']')).code, Code::malformed);
+  EXPECT_EQ(refusal(std::string(500000, '[')).code, Code::malformed);
+}
+
+TEST(Decode, NamesTheNearestKnownName) {
+  const Status member = refusal(R"({"op": "comb", "brush": {"raduis": 1}, "flood": true, "direction": [0, 1, 0]})");
+  EXPECT_EQ(member.code, Code::invalid);
+  EXPECT_EQ(member.pointer, "/brush/raduis");
+  EXPECT_EQ(member.nearest, "radius");
+  EXPECT_EQ(refusal(R"({"op": "cmob"})").nearest, "comb");
+  EXPECT_EQ(refusal(R"({"op": "set_cote"})").nearest, "set_coat");
+  const Status shape = refusal(R"({"op": "comb", "brush": {"falloff_shape": "surface"}})");
+  EXPECT_EQ(shape.pointer, "/brush/falloff_shape");
+  EXPECT_EQ(shape.limit, "volume");
+}
+
+TEST(Decode, EscapesPointers) {
+  expect_refusal(R"({"op": "comb", "a/b~c": 1, "flood": true, "direction": [0, 1, 0]})", Code::invalid, "/a~1b~0c");
+}
+
+TEST(Decode, RangesHoldAtTheirEndsOnly) {
+  const auto comb_with = [](const std::string& brush) {
+    return R"({"op": "comb", "flood": true, "direction": [0, 1, 0], "brush": {)" + brush + "}}";
+  };
+  EXPECT_TRUE(refusal(comb_with(R"("strength": 0)")).ok());
+  EXPECT_TRUE(refusal(comb_with(R"("strength": 1)")).ok());
+  const Status status = refusal(comb_with(R"("strength": 1.0000001)"));
+  EXPECT_EQ(status.code, Code::invalid);
+  EXPECT_EQ(status.pointer, "/brush/strength");
+  EXPECT_EQ(status.limit, "[0, 1]");
+  expect_refusal(comb_with(R"("strength": "1")"), Code::invalid, "/brush/strength");
+  expect_refusal(comb_with(R"("strength": null)"), Code::invalid, "/brush/strength");
+  expect_refusal(comb_with(R"("radius": -0.1)"), Code::invalid, "/brush/radius");
+  expect_refusal(comb_with(R"("invert": 1)"), Code::invalid, "/brush/invert");
+}
+
+TEST(Decode, CombNeedsAStrokeOrAFlood) {
+  expect_refusal(R"({"op": "comb"})", Code::invalid, "/stroke");
+  expect_refusal(R"({"op": "comb", "flood": true})", Code::invalid, "/direction");
+  expect_refusal(R"({"op": "comb", "flood": true, "direction": [0, 0, 0]})", Code::invalid, "/direction");
+  expect_refusal(R"({"op": "comb", "flood": true, "direction": [0, 1, 0], "stroke": {"samples": [{"position": [0, 0, 0]}]}})",
+                 Code::invalid, "/stroke");
+  expect_refusal(R"({"op": "comb", "direction": [0, 1, 0], "stroke": {"samples": [{"position": [0, 0, 0]}]}})",
+                 Code::invalid, "/direction");
+}
+
+TEST(Decode, StrokesAreWhole) {
+  const auto stroke = [](const std::string& body) { return R"({"op": "comb", "stroke": {)" + body + "}}"; };
+  expect_refusal(stroke(R"("id": "a")"), Code::invalid, "/stroke/samples");
+  expect_refusal(stroke(R"("samples": [])"), Code::invalid, "/stroke/samples");
+  expect_refusal(stroke(R"("samples": [{"screen": [1, 1]}])"), Code::invalid, "/stroke/view");
+  expect_refusal(stroke(R"("samples": [{}])"), Code::invalid, "/stroke/samples/0");
+  expect_refusal(stroke(R"("samples": [{"position": [0, 0, 0], "screen": [1, 1]}])"), Code::invalid,
+                 "/stroke/samples/0");
+  expect_refusal(stroke(R"("samples": [{"position": [0, 0]}])"), Code::invalid, "/stroke/samples/0/position");
+  expect_refusal(stroke(R"("samples": [{"triangle": 1}])"), Code::invalid, "/stroke/samples/0/barycentric");
+  expect_refusal(stroke(R"("samples": [{"triangle": 1.5, "barycentric": [0, 0, 1]}])"), Code::invalid,
+                 "/stroke/samples/0/triangle");
+  expect_refusal(stroke(R"("samples": [{"triangle": 1, "barycentric": [0.5, 0.5, 0.5]}])"), Code::invalid,
+                 "/stroke/samples/0/barycentric");
+  expect_refusal(stroke(R"("samples": [{"position": [0, 0, 0], "time": 2}, {"position": [0, 0, 0], "time": 1}])"),
+                 Code::invalid, "/stroke/samples/1/time");
+  expect_refusal(stroke(R"("id": "a\u0000b", "samples": [{"position": [0, 0, 0]}])"), Code::invalid, "/stroke/id");
+}
+
+TEST(Decode, CountsAreLimited) {
+  const std::string sample = R"({"position":[0,0,0]})";
+  const auto stroke_of_size = [&](std::size_t n) {
+    return R"({"op":"comb","stroke":{"samples":[)" + repeated(sample, n) + "]}}";
+  };
+  EXPECT_TRUE(refusal(stroke_of_size(limits::samples_per_stroke)).ok());
+  expect_refusal(stroke_of_size(limits::samples_per_stroke + 1), Code::invalid, "/stroke/samples");
+  const auto batch = [&](std::size_t n) { return R"({"commands": [)" + repeated(comb_text, n) + "]}"; };
+  EXPECT_TRUE(refusal(batch(limits::commands_per_batch)).ok());
+  expect_refusal(batch(limits::commands_per_batch + 1), Code::invalid, "/commands");
+  expect_refusal(R"({"commands": []})", Code::invalid, "/commands");
+  expect_refusal(R"({"op": "set_lights", "lights": [)" + repeated("{}", limits::lights + 1) + "]}", Code::invalid,
+                 "/lights");
+}
+
+TEST(Decode, BatchesNameTheCommand) {
+  expect_refusal(R"({"commands": [)" + comb_text + R"(, {"op": "comb", "brush": {"radius": -1}}]})", Code::invalid,
+                 "/commands/1/brush/radius");
+  expect_refusal(R"({"commands": [)" + comb_text + R"(], "op": "comb"})", Code::invalid, "/op");
+  expect_refusal(R"({"commands": [7]})", Code::invalid, "/commands/0");
+}
+
+TEST(Decode, RampsRise) {
+  expect_refusal(R"({"op": "set_coat", "coat": {"ramp": [{"at": 0, "colour": "#000000"}, {"at": 0, "colour": "#ffffff"}]}})",
+                 Code::invalid, "/coat/ramp/1/at");
+  expect_refusal(R"({"op": "set_coat", "coat": {"ramp": [{"at": 0, "colour": "red"}]}})", Code::invalid,
+                 "/coat/ramp/0/colour");
+}
+
+TEST(DecodeColour, IsSrgb) {
+  const auto commands = decode_commands(R"({"op": "set_look", "look": {"skin": "#ff0080"}})");
+  ASSERT_TRUE(commands.ok());
+  const glm::vec3 skin = std::get<SetLook>(commands->front()).look.skin;
+  EXPECT_FLOAT_EQ(skin.r, 1);
+  EXPECT_FLOAT_EQ(skin.g, 0);
+  EXPECT_NEAR(skin.b, 0.2158605, 1e-6);  // IEC 61966-2-1 of 128 / 255
+}
+
+TEST(DecodeFrame, DefaultsAndCameras) {
+  const auto plain = decode_frame_request("{}");
+  ASSERT_TRUE(plain.ok());
+  EXPECT_EQ(plain->width, 512);
+  EXPECT_EQ(plain->camera.automatic, AutoView::three_quarter);
+  const auto free = decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 0]}, "background": "transparent"})");
+  ASSERT_TRUE(free.ok());
+  EXPECT_EQ(free->camera.automatic, AutoView::none);
+  EXPECT_EQ(free->background, Background::transparent);
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer, "/camera");
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer, "/camera/up");
+}
+
+TEST(DecodeFrame, QualityIsATierOrKnobs) {
+  EXPECT_EQ(decode_frame_request(R"({"quality": "draft"})")->knobs, knobs_of(Tier::draft));
+  Knobs expected = knobs_of(Tier::interactive);
+  expected.shells = 7;
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 7}})")->knobs, expected);
+  EXPECT_EQ(decode_frame_request(R"({"quality": "reference"})").status().pointer, "/quality");
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 1025}})").status().pointer, "/quality/shells");
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"samples": 2}})").status().limit, "1 | 4");
+}
+
+TEST(DecodeFrame, SizesAndWhatIsNotBuilt) {
+  for (const char* size : {"0", "-1", "8193", "1e9", "1.5", "\"512\""}) {
+    EXPECT_EQ(decode_frame_request(std::string(R"({"width": )") + size + "}").status().pointer, "/width") << size;
+  }
+  EXPECT_EQ(decode_frame_request(R"({"format": "exr"})").status().limit, "png");
+  EXPECT_EQ(decode_frame_request(R"({"budget_ms": 40})").status().pointer, "/budget_ms");
+}
+
+TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
+  const auto request = decode_frame_query({{"width", "64"}, {"height", "32"}, {"camera", "front"}, {"shells", "9"},
+                                           {"self_shadow", "false"}, {"background", "#ff0000"}, {"exposure", "-1.5"}});
+  ASSERT_TRUE(request.ok()) << request.status().message;
+  EXPECT_EQ(request->width, 64);
+  EXPECT_EQ(request->camera.automatic, AutoView::front);
+  EXPECT_EQ(request->knobs.shells, 9);
+  EXPECT_FALSE(request->knobs.self_shadow);
+  EXPECT_FLOAT_EQ(request->background_colour.r, 1);
+  EXPECT_DOUBLE_EQ(request->exposure, -1.5);
+  const auto free = decode_frame_query({{"eye", "0,0.5,2"}, {"target", "0, 0, 0"}, {"fov_degrees", "50"}});
+  ASSERT_TRUE(free.ok()) << free.status().message;
+  EXPECT_EQ(free->camera.eye, glm::dvec3(0, 0.5, 2));
+}
+
+TEST(DecodeFrameQuery, Refusals) {
+  const auto pointer_of = [](const Query& query) { return decode_frame_query(query).status().pointer; };
+  EXPECT_EQ(pointer_of({{"width", "0"}}), "/width");
+  EXPECT_EQ(pointer_of({{"width", "64,\"x\":1"}}), "/width");
+  EXPECT_EQ(pointer_of({{"width", "1e400"}}), "/width");
+  EXPECT_EQ(pointer_of({{"width", "nan"}}), "/width");
+  EXPECT_EQ(pointer_of({{"eye", std::string(8000, '[')}, {"target", "0,0,0"}}), "/camera/eye");
+  EXPECT_EQ(pointer_of({{"eye", "0,0"}, {"target", "0,0,0"}}), "/camera/eye");
+  EXPECT_EQ(pointer_of({{"quality", "draft"}, {"shells", "9"}}), "/quality");
+  EXPECT_EQ(pointer_of({{"shells", "9"}, {"quality", "draft"}}), "/quality");
+  EXPECT_EQ(pointer_of({{"width", "9"}, {"width", "9"}}), "/width");
+  EXPECT_EQ(decode_frame_query({{"widht", "9"}}).status().nearest, "width");
+  EXPECT_EQ(decode_frame_query({{"\xff", "9"}}).status().code, Code::invalid);
+  EXPECT_EQ(pointer_of({{"view", "\xff"}}), "/view");
+}
+
+TEST(DecodeImportQuery, AxesAndFormats) {
+  const auto options = decode_import_query({{"format", "3ds"}, {"up", "-z"}, {"front", "y"}, {"length", "0.1"}});
+  ASSERT_TRUE(options.ok());
+  EXPECT_EQ(options->format, ModelFormat::tds);
+  EXPECT_EQ(options->up, Axis::minus_z);
+  EXPECT_DOUBLE_EQ(options->fur.length, 0.1);
+  EXPECT_EQ(decode_import_query({}).status().pointer, "/format");
+  EXPECT_EQ(decode_import_query({{"format", "fbx"}}).status().pointer, "/format");
+  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"up", "z"}, {"front", "-z"}}).status().pointer, "/front");
+}
+
+TEST(DecodeScene, Names) {
+  EXPECT_EQ(decode_new_scene("{}")->model.shape, Builtin::creature);
+  EXPECT_TRUE(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes, 'x') + "\"}").ok());
+  EXPECT_EQ(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes + 1, 'x') + "\"}").status().pointer, "/name");
+  EXPECT_EQ(decode_new_scene(R"({"name": ""})").status().pointer, "/name");
+  EXPECT_EQ(decode_new_scene(R"({"model": {"builtin": "torsu"}})").status().nearest, "torus");
+  EXPECT_EQ(decode_new_scene(R"({"model": {"triangles": 1000001}})").status().pointer, "/model/triangles");
+}
+
+TEST(DecodeMoves, StepsAndRevisions) {
+  EXPECT_EQ(*decode_steps(""), 1);
+  EXPECT_EQ(*decode_steps(R"({"steps": 3})"), 3);
+  EXPECT_EQ(decode_steps(R"({"steps": 0})").status().pointer, "/steps");
+  EXPECT_EQ(*decode_revision(R"({"revision": 18446744073709551615})"), 18446744073709551615ULL);
+  EXPECT_EQ(decode_revision(R"({"revision": -1})").status().pointer, "/revision");
+  EXPECT_EQ(decode_revision("{}").status().pointer, "/revision");
+}
+
+TEST(DecodePick, PixelsLieInTheView) {
+  EXPECT_TRUE(decode_pick(R"({"view": {"width": 10, "height": 20}, "pixel": [10, 20]})").ok());
+  EXPECT_EQ(decode_pick(R"({"view": {"width": 10, "height": 20}, "pixel": [10.5, 0]})").status().pointer, "/pixel/0");
+  EXPECT_EQ(decode_pick("{}").status().pointer, "/pixel");
+}
+
+TEST(SplitSteps, LinesArraysAndDocuments) {
+  EXPECT_EQ(split_steps("{\"op\": \"a\"}\n\n{\"op\": \"b\"}\r\n")->size(), 2u);
+  EXPECT_EQ(split_steps("[{\"op\": \"a\"},\n {\"op\": \"b\"}, {}]")->size(), 3u);
+  EXPECT_EQ(split_steps("{\n\"op\":\n\"a\"}")->size(), 1u);
+  EXPECT_FALSE(split_steps("").ok());
+  EXPECT_NE(split_steps("{}\n{]\n").status().message.find("Line 2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,135 @@
+#include "server/scene/scene_store.h"
+
+#include "protocol/base/limits.h"
+#include "protocol/json/encode.h"
+#include "server/history/journal.h"
+#include "server/history/sqlite.h"
+#include "server/scene/model.h"
+#include "server/surface/builtin.h"
+#include "server/surface/import.h"
+#include "tests/unit/scene/store_fixture.h"
+
+namespace pelage {
+namespace {
+
+using SceneStoreTest = StoreTest;
+
+TEST_F(SceneStoreTest, MakesFindsListsAndRemoves) {
+  const auto a = make(), b = make(Builtin::plane, 100);
+  EXPECT_EQ(a->id().size(), 12u);
+  EXPECT_EQ(a->id().find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_NE(a->id(), b->id());
+  EXPECT_EQ(*store_->find(a->id()), a);
+  ASSERT_EQ(store_->list().size(), 2u);
+  EXPECT_EQ(store_->list()[0].id, a->id());
+  EXPECT_EQ(store_->list()[1].model, "plane");
+  EXPECT_TRUE(store_->remove(a->id()).ok());
+  EXPECT_EQ(store_->find(a->id()).status().code, Code::not_found);
+  EXPECT_EQ(store_->remove(a->id()).code, Code::not_found);
+  open();
+  ASSERT_EQ(store_->list().size(), 1u);
+}
+
+TEST_F(SceneStoreTest, IsFullAtTheLimit) {
+  for (std::size_t i = 0; i < limits::scenes; ++i) make(Builtin::plane, 2);
+  EXPECT_EQ(store_->create({}).status().code, Code::busy);
+}
+
+TEST_F(SceneStoreTest, ARestartHasEverything) {
+  const auto scene = make();
+  const std::string id = scene->id();
+  SetCoat coat;
+  coat.coat.root_share = 0.6;
+  execute(*scene, {comb_at(*scene, 5)});
+  execute(*scene, {coat});
+  execute(*scene, {comb_at(*scene, 50)});
+  execute(*scene, {comb_at(*scene, 51)});
+  move(*scene, Undo{1});
+  move(*scene, Revert{1});
+  move(*scene, Undo{1});
+  const SceneSummary before = scene->summary();
+  const std::string log = encode(scene->log());
+  const std::size_t effective = scene->effective_log().size();
+
+  open();
+  const auto again = *store_->find(id);
+  const SceneSummary after = again->summary();
+  EXPECT_EQ(after.name, "test");
+  EXPECT_EQ(after.model, "torus");
+  EXPECT_EQ(after.revision, 7u);
+  EXPECT_EQ(after.revision, before.revision);
+  EXPECT_EQ(after.fields_hash, before.fields_hash);
+  EXPECT_EQ(after.undo_steps, before.undo_steps);
+  EXPECT_EQ(after.redo_steps, before.redo_steps);
+  EXPECT_EQ(encode(again->log()), log);
+  EXPECT_EQ(again->effective_log().size(), effective);
+  again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, 0.6); });
+  EXPECT_EQ(move(*again, Undo{3}).revision, 8u);
+  EXPECT_EQ(hash(*again), hash(*make()));
+  again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, Coat{}.root_share); });
+}
+
+TEST_F(SceneStoreTest, ARestartInTheMiddleOfALiveStrokeKeepsWhatCame) {
+  const auto scene = make();
+  Comb part = comb_at(*scene, 5);
+  part.stroke->id = "k";
+  part.stroke->last = false;
+  execute(*scene, {part});
+  const FieldsHash combed = hash(*scene);
+  const std::string id = scene->id();
+  open();
+  const auto again = *store_->find(id);
+  EXPECT_EQ(hash(*again), combed);
+  part.stroke->part = 1;
+  EXPECT_EQ(again->execute({part}).status().limit, "the next part is 0");
+  EXPECT_EQ(again->effective_log().size(), 1u);
+}
+
+TEST_F(SceneStoreTest, ARestartHasTheNewModel) {
+  const auto scene = make();
+  execute(*scene, {comb_at(*scene, 5)});
+  const RawModel raw = make_builtin({Builtin::plane, 200});
+  StoredModel stored{.name = "obj", .raw = encode_raw_model(raw)};
+  const auto model = build_model(raw, stored, 77);
+  ASSERT_TRUE(model.ok());
+  ASSERT_TRUE(scene->replace_model(*model, {.length = 0.1}, stored).ok());
+  execute(*scene, {comb_at(*scene, 5)});
+  const SceneSummary before = scene->summary();
+  open();
+  const SceneSummary after = store_->list().at(0);
+  EXPECT_EQ(after.revision, 3u);
+  EXPECT_EQ(after.model, "obj");
+  EXPECT_EQ(after.report.triangles, before.report.triangles);
+  EXPECT_EQ(after.fields_hash, before.fields_hash);
+}
+
+TEST_F(SceneStoreTest, ADamagedJournalIsReported) {
+  {
+    const auto scene = make();
+    execute(*scene, {comb_at(*scene, 5)});
+  }
+  store_.reset();
+  {
+    auto database = Database::open((folder_ / "pelage.sqlite").string());
+    ASSERT_TRUE(database->execute("UPDATE entries SET hash_low = hash_low + 1").ok());
+  }
+  const auto refused = SceneStore::open(folder_.string(), "pelage-import");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().code, Code::internal);
+  EXPECT_NE(refused.status().message.find("damaged"), std::string::npos);
+  std::filesystem::remove_all(folder_);
+  open();
+}
+
+TEST_F(SceneStoreTest, AModelThatCannotBeReadLeavesTheSceneAsItWas) {
+  const auto scene = make();
+  const FieldsHash first = hash(*scene);
+  const std::string octets = "no model";
+  const auto refused = store_->load_model(*scene, {}, std::as_bytes(std::span(octets)));
+  EXPECT_FALSE(refused.ok());
+  EXPECT_EQ(scene->revision(), 0u);
+  EXPECT_EQ(hash(*scene), first);
+}
+
+}  // namespace
+}  // namespace pelage

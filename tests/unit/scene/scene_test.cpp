@@ -1,0 +1,248 @@
+#include "server/scene/scene.h"
+
+#include <chrono>
+#include <thread>
+
+#include "server/history/journal.h"
+#include "server/scene/model.h"
+#include "server/surface/builtin.h"
+#include "tests/unit/scene/store_fixture.h"
+
+namespace pelage {
+namespace {
+
+using SceneTest = StoreTest;
+
+TEST_F(SceneTest, ACommandTakesTheNextRevisionAndIsMeasured) {
+  const auto scene = make();
+  const FieldsHash first = hash(*scene);
+  const CommandAnswer answer = execute(*scene, {comb_at(*scene, 5)});
+  EXPECT_EQ(answer.revision, 1u);
+  EXPECT_NE(answer.fields_hash, first);
+  EXPECT_EQ(answer.fields_hash, hash(*scene));
+  ASSERT_EQ(answer.results.size(), 1u);
+  EXPECT_EQ(answer.results[0].op, "comb");
+  EXPECT_GT(answer.results[0].touched, 5u);
+  EXPECT_GT(answer.results[0].mean_change, 0);
+  EXPECT_GE(answer.results[0].max_change, answer.results[0].mean_change);
+  ASSERT_EQ(answer.results[0].fields.size(), 1u);
+  EXPECT_EQ(answer.results[0].fields[0].field, "direction");
+  EXPECT_EQ(answer.results[0].fields[0].changed, answer.results[0].touched);
+}
+
+TEST_F(SceneTest, AStrokeThatMissesMakesNoStep) {
+  const auto scene = make();
+  const CommandAnswer answer = execute(*scene, {comb_nothing(*scene)});
+  EXPECT_EQ(answer.revision, 0u);
+  EXPECT_EQ(answer.results[0].touched, 0u);
+  EXPECT_EQ(scene->summary().undo_steps, 0u);
+  EXPECT_TRUE(scene->log().empty());
+  execute(*scene, {SetCoat{}});
+  EXPECT_EQ(scene->revision(), 0u) << "the coat that it has already";
+}
+
+TEST_F(SceneTest, UndoRedoAndRevertTakeRevisionsOfTheirOwn) {
+  const auto scene = make();
+  std::vector<FieldsHash> hashes{hash(*scene)};
+  for (const std::size_t v : {5u, 90u, 200u}) hashes.push_back(execute(*scene, {comb_at(*scene, v)}).fields_hash);
+  const CommandAnswer undone = move(*scene, Undo{2});
+  EXPECT_EQ(undone.revision, 4u);
+  EXPECT_EQ(undone.fields_hash, hashes[1]);
+  EXPECT_EQ(undone.results[0].op, "undo");
+  EXPECT_EQ(move(*scene, Redo{1}).fields_hash, hashes[2]);
+  const CommandAnswer reverted = move(*scene, Revert{3});
+  EXPECT_EQ(reverted.revision, 6u);
+  EXPECT_EQ(reverted.fields_hash, hashes[3]);
+  EXPECT_EQ(scene->summary().redo_steps, 0u);
+  EXPECT_EQ(move(*scene, Undo{1}).fields_hash, hashes[2]);
+  EXPECT_EQ(move(*scene, Revert{0}).fields_hash, hashes[0]);
+  EXPECT_TRUE(scene->effective_log().empty());
+  EXPECT_EQ(scene->log().back().kind, "revert");
+}
+
+TEST_F(SceneTest, MovesThatCannotBeAreRefused) {
+  const auto scene = make();
+  execute(*scene, {comb_at(*scene, 5)});
+  EXPECT_EQ(scene->move(Undo{2}).status().pointer, "/steps");
+  EXPECT_EQ(scene->move(Redo{1}).status().code, Code::invalid);
+  EXPECT_EQ(scene->move(Revert{2}).status().pointer, "/revision");
+  EXPECT_EQ(move(*scene, Revert{1}).revision, 1u) << "where it is already";
+}
+
+TEST_F(SceneTest, ABatchIsAllOrNothingAndOneStep) {
+  const auto scene = make();
+  const FieldsHash first = hash(*scene);
+  Comb bad = comb_at(*scene, 9);
+  bad.stroke->samples[1].place = SurfacePlace{1u << 30, {}};
+  const auto refused = scene->execute({comb_at(*scene, 5), bad});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().pointer, "/commands/1/stroke/samples/1/triangle");
+  EXPECT_EQ(hash(*scene), first);
+  EXPECT_EQ(scene->revision(), 0u);
+
+  SetLook look;
+  look.look.ambient = 1;
+  const CommandAnswer answer =
+      execute(*scene, {comb_at(*scene, 5), comb_nothing(*scene), look, comb_at(*scene, 6)});
+  EXPECT_EQ(answer.revision, 1u);
+  EXPECT_EQ(answer.results.size(), 4u);
+  EXPECT_EQ(scene->summary().undo_steps, 1u);
+  ASSERT_EQ(scene->effective_log().size(), 1u);
+  EXPECT_EQ(scene->effective_log()[0].size(), 3u) << "without the one that missed";
+  EXPECT_EQ(move(*scene, Undo{1}).fields_hash, first);
+  scene->read([](const SceneView& view) { EXPECT_EQ(view.settings.look.ambient, Look{}.ambient); });
+}
+
+TEST_F(SceneTest, ABatchGivesWhatItsCommandsGiveOneByOne) {
+  const auto whole = make(), single = make();
+  execute(*whole, {comb_at(*whole, 5), comb_at(*whole, 6), comb_at(*whole, 5)});
+  for (const std::size_t v : {5u, 6u, 5u}) execute(*single, {comb_at(*single, v)});
+  EXPECT_EQ(hash(*whole), hash(*single));
+}
+
+TEST_F(SceneTest, DryRunChangesNothing) {
+  const auto scene = make();
+  const FieldsHash first = hash(*scene);
+  const CommandAnswer answer = execute(*scene, {comb_at(*scene, 5), comb_at(*scene, 6)}, {.dry_run = true});
+  EXPECT_GT(answer.results[1].touched, 0u);
+  EXPECT_EQ(answer.revision, 0u);
+  EXPECT_EQ(hash(*scene), first);
+  execute(*scene, {comb_at(*scene, 5)});
+  const FieldsHash combed = hash(*scene);
+  ASSERT_TRUE(scene->move(Undo{1}, {.dry_run = true}).ok());
+  EXPECT_EQ(hash(*scene), combed);
+  EXPECT_EQ(scene->revision(), 1u);
+}
+
+TEST_F(SceneTest, IfMatchNamesTheRevision) {
+  const auto scene = make();
+  EXPECT_EQ(scene->execute({comb_at(*scene, 5)}, {.if_match = 3}).status().code, Code::precondition);
+  EXPECT_EQ(execute(*scene, {comb_at(*scene, 5)}, {.if_match = 0}).revision, 1u);
+  EXPECT_EQ(scene->move(Undo{1}, {.if_match = 0}).status().code, Code::precondition);
+}
+
+TEST_F(SceneTest, PartsOfAStrokeAreOneStepAndTheWholeStroke) {
+  const auto live = make(), sent_whole = make();
+  Comb whole = comb_at(*live, 5);
+  whole.stroke = stroke_at(*live, 5, 12);
+  execute(*sent_whole, {whole});
+  for (std::uint32_t part = 0; part < 4; ++part) {
+    Comb piece = whole;
+    const auto begin = whole.stroke->samples.begin() + 3 * part;
+    piece.stroke->samples.assign(begin, begin + 3);
+    piece.stroke->id = "k7";
+    piece.stroke->part = part;
+    piece.stroke->last = part == 3;
+    EXPECT_EQ(execute(*live, {piece}).revision, part + 1);
+  }
+  EXPECT_EQ(hash(*live), hash(*sent_whole));
+  EXPECT_EQ(live->summary().undo_steps, 1u);
+  EXPECT_EQ(live->log()[2].kind, "join");
+  ASSERT_EQ(live->effective_log().size(), 1u);
+  EXPECT_EQ(stroke_of(live->effective_log()[0][0])->samples.size(), 12u);
+  Comb late = whole;
+  late.stroke->id = "k7";
+  late.stroke->part = 4;
+  EXPECT_EQ(live->execute({late}).status().code, Code::conflict);
+  const FieldsHash first = hash(*make());
+  EXPECT_EQ(move(*live, Undo{1}).fields_hash, first);
+}
+
+TEST_F(SceneTest, BatchesTakeWholeStrokes) {
+  const auto scene = make();
+  Comb part = comb_at(*scene, 5);
+  part.stroke->id = "k";
+  part.stroke->last = false;
+  EXPECT_EQ(scene->execute({comb_at(*scene, 6), part}).status().pointer, "/commands/1/stroke/part");
+}
+
+TEST_F(SceneTest, DrawingGetsTheRangesThatChanged) {
+  const auto scene = make();
+  const auto dirty = [&] {
+    std::vector<VertexRange> found;
+    scene->read_for_drawing([&](const SceneView&, const std::vector<VertexRange>& ranges) { found = ranges; });
+    return found;
+  };
+  const std::vector<VertexRange> all = dirty();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].end, scene->summary().report.vertices);
+  EXPECT_TRUE(dirty().empty());
+  const std::vector<float> before = [&] {
+    std::vector<float> x;
+    scene->read([&](const SceneView& view) { for (const auto d : view.fields.direction()) x.push_back(d.x); });
+    return x;
+  }();
+  execute(*scene, {comb_at(*scene, 5)});
+  execute(*scene, {comb_at(*scene, 300)});
+  const std::vector<VertexRange> touched = dirty();
+  ASSERT_FALSE(touched.empty());
+  scene->read([&](const SceneView& view) {
+    for (std::uint32_t v = 0; v < before.size(); ++v) {
+      const bool in_a_range = std::any_of(touched.begin(), touched.end(),
+                                          [v](VertexRange r) { return r.begin <= v && v < r.end; });
+      EXPECT_TRUE(in_a_range || view.fields.direction()[v].x == before[v]) << v;
+    }
+  });
+}
+
+TEST_F(SceneTest, PickTellsWhatLiesUnderAPixel) {
+  const auto scene = make(Builtin::sphere, 2000);
+  const View view{.camera = {.automatic = AutoView::front}, .width = 300, .height = 300};
+  const Result<PickAnswer> hit = scene->pick(view, {150, 150});
+  ASSERT_TRUE(hit.ok());
+  EXPECT_TRUE(hit->hit);
+  EXPECT_NEAR(hit->normal.z, 1, 1e-2);
+  EXPECT_NEAR(hit->length, 0.03, 1e-3);
+  EXPECT_NEAR(hit->inclination, 0.45, 0.3);
+  EXPECT_NEAR(glm::dot(hit->direction, hit->normal), 0, 1e-9);
+  EXPECT_FALSE(scene->pick(view, {1, 1})->hit);
+}
+
+TEST_F(SceneTest, ANewModelStartsAnEmptyLogAtTheNextRevision) {
+  const auto scene = make();
+  execute(*scene, {comb_at(*scene, 5)});
+  const RawModel raw = make_builtin({Builtin::plane, 200});
+  const StoredModel stored{.name = "obj", .raw = {}};
+  const auto model = build_model(raw, stored, 77);
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(scene->replace_model(*model, {}, stored, {.if_match = 0}).status().code, Code::precondition);
+  const auto replaced = scene->replace_model(*model, {.length = 0.1}, stored);
+  ASSERT_TRUE(replaced.ok());
+  EXPECT_EQ(replaced->revision, 2u);
+  EXPECT_EQ(replaced->model, "obj");
+  EXPECT_EQ(replaced->undo_steps, 0u);
+  EXPECT_TRUE(scene->log().empty());
+  EXPECT_EQ(scene->move(Revert{0}).status().code, Code::invalid);
+  EXPECT_EQ(execute(*scene, {comb_at(*scene, 5)}).revision, 3u);
+}
+
+TEST_F(SceneTest, WaitingEndsWithNewsOrWithTheTime) {
+  const auto scene = make();
+  EXPECT_EQ(scene->wait_newer(0, 0.01), 0u);
+  std::thread artist([&] { execute(*scene, {comb_at(*scene, 5)}); });
+  EXPECT_EQ(scene->wait_newer(0, 60), 1u);
+  artist.join();
+  std::thread remover([&] { EXPECT_TRUE(store_->remove(scene->id()).ok()); });
+  EXPECT_EQ(scene->wait_newer(1, 60), 1u);
+  remover.join();
+  EXPECT_EQ(scene->execute({comb_at(*scene, 5)}).status().code, Code::not_found);
+}
+
+TEST_F(SceneTest, ManyArtistsAtOnceLoseNothing) {
+  const auto scene = make();
+  std::vector<std::thread> artists;
+  for (std::size_t a = 0; a < 4; ++a) {
+    artists.emplace_back([&, a] {
+      for (std::size_t i = 0; i < 10; ++i) execute(*scene, {comb_at(*scene, 37 * a + i)});
+    });
+  }
+  for (std::thread& artist : artists) artist.join();
+  EXPECT_EQ(scene->revision(), 40u);
+  const FieldsHash combed = hash(*scene);
+  const auto again = make();
+  for (const auto& step : scene->effective_log()) execute(*again, step);
+  EXPECT_EQ(hash(*again), combed);
+}
+
+}  // namespace
+}  // namespace pelage

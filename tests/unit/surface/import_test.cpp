@@ -1,0 +1,233 @@
+// The worker and its limits: whatever it does, the caller gets a Status and lives on.
+#include "server/surface/import.h"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "protocol/base/random.h"
+
+namespace pelage {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+#else
+constexpr bool is_sanitized = false;
+#endif
+
+const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::span<const std::byte> octets_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+/// A folder for the files of one test.
+class Import : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = testing::TempDir() + "/pelage_import_XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// A shell script in place of the worker.
+  std::string script(const std::string& text) const {
+    const std::string path = folder_ + "/worker";
+    std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path;
+  }
+
+  Status run(const std::string& worker, const std::string& octets, ImportLimits limits = {}) const {
+    const Result<RawModel> model = import_model(worker, ModelFormat::obj, octets_of(octets), limits);
+    return model.ok() ? Status() : model.status();
+  }
+
+  std::string folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(Import, ReadsOneTriangle) {
+  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::obj, octets_of(one_triangle));
+  ASSERT_TRUE(model.ok()) << model.status().message;
+  EXPECT_EQ(model->positions.size(), 3u);
+  EXPECT_EQ(model->corners, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_FALSE(model->is_32_bit);
+}
+
+TEST_F(Import, DeadlineEndsTheWorker) {
+  ImportLimits limits;
+  limits.seconds = 0.2;
+  const Status status = run(script("exec sleep 60"), one_triangle, limits);
+  EXPECT_EQ(status.code, Code::invalid);
+  EXPECT_TRUE(contains(status.message, "longer than 0.2 s")) << status.message;
+}
+
+TEST_F(Import, DeadlineEndsTheRealWorker) {
+  std::string large;
+  while (large.size() < 20'000'000) large += "v 0.123456 0.234567 0.345678\nf 1 2 3 4 5 6\n";
+  ImportLimits limits;
+  limits.seconds = 0.01;
+  const Status status = run(PELAGE_IMPORT, large, limits);
+  EXPECT_EQ(status.code, Code::invalid);
+  EXPECT_TRUE(contains(status.message, "longer than")) << status.message;
+}
+
+TEST_F(Import, MemoryLimitIsARefusal) {
+  if (is_sanitized) GTEST_SKIP() << "the address space is not limited under sanitizers";
+  std::string large;
+  while (large.size() < 60'000'000) large += "v 0.123456 0.234567 0.345678\nf 1 2 3 4 5 6\n";
+  ImportLimits limits;
+  limits.memory_bytes = std::size_t{640} << 20;  // its libraries alone map 450 MiB
+  const Status status = run(PELAGE_IMPORT, large, limits);
+  EXPECT_EQ(status.code, Code::invalid);
+  EXPECT_TRUE(contains(status.message, "memory")) << status.message;
+}
+
+TEST_F(Import, CrashesAreRefusalsThatSaySo) {
+  const Status crashed = run(script("kill -SEGV $$"), one_triangle);
+  EXPECT_EQ(crashed.code, Code::invalid);
+  EXPECT_TRUE(contains(crashed.message, "crashed")) << crashed.message;
+  EXPECT_TRUE(contains(run(script("kill -XCPU $$"), one_triangle).message, "processor time"));
+  EXPECT_TRUE(contains(run(script("kill -SYS $$"), one_triangle).message, "must not"));
+}
+
+TEST_F(Import, ReasonIsTheLastLineOfTheComplaint) {
+  const Status status = run(script("echo noise >&2; echo face 7 is bad >&2; exit 3"), one_triangle);
+  EXPECT_EQ(status.message, "The model cannot be read: face 7 is bad");
+}
+
+TEST_F(Import, NonsenseAndTooLongAnswersAreRefused) {
+  EXPECT_EQ(run(script("echo hello"), one_triangle).code, Code::invalid);
+  EXPECT_EQ(run(script("exit 0"), one_triangle).code, Code::invalid);
+  ImportLimits limits;
+  limits.answer_bytes = 1000;
+  const Status status = run(script("exec yes"), one_triangle, limits);
+  EXPECT_EQ(status.code, Code::invalid);
+  EXPECT_TRUE(contains(status.message, "larger than 1000")) << status.message;
+}
+
+TEST_F(Import, WorkerThatDoesNotListenRaisesNoSignalHere) {
+  const std::string large(5'000'000, 'v');
+  EXPECT_EQ(run(script("echo no >&2; exit 3"), large).code, Code::invalid);
+}
+
+TEST_F(Import, MissingWorkerIsInternal) {
+  EXPECT_EQ(run(folder_ + "/nothing", one_triangle).code, Code::internal);
+}
+
+TEST_F(Import, WorkerInheritsNoDescriptorAndNoEnvironment) {
+  const int leaked = fcntl(STDERR_FILENO, F_DUPFD, 77);  // without close-on-exec
+  ASSERT_GE(leaked, 77);
+  setenv("PELAGE_TEST_SECRET", "secret", 1);
+  const Status status = run(script("echo [$(ls /proc/self/fd)] [$PELAGE_TEST_SECRET] >&2; exit 3"), one_triangle);
+  close(leaked);
+  EXPECT_TRUE(contains(status.message, "[0 1 2")) << status.message;
+  EXPECT_FALSE(contains(status.message, std::to_string(leaked))) << status.message;
+  EXPECT_FALSE(contains(status.message, "secret")) << status.message;
+}
+
+/// A reader of a FIFO without a writer waits in open() for ever, so whoever opens it misses the deadline.
+TEST_F(Import, FilesNamedInsideAModelAreNotOpened) {
+  const std::string fifo = folder_ + "/materials.mtl";
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  ImportLimits limits;
+  limits.seconds = 20;
+  EXPECT_TRUE(run(PELAGE_IMPORT, "mtllib " + fifo + "\nusemtl a\n" + one_triangle, limits).ok());
+  const std::string gltf = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": ")" + fifo + R"(", "byteLength": 4}]})";
+  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::gltf, octets_of(gltf), limits);
+  ASSERT_FALSE(model.ok());
+  EXPECT_TRUE(contains(model.status().message, fifo)) << model.status().message;
+}
+
+TEST_F(Import, OtherFormatsAreNotGuessed) {
+  for (const ModelFormat format : {ModelFormat::ply, ModelFormat::stl, ModelFormat::off, ModelFormat::gltf,
+                                   ModelFormat::glb, ModelFormat::tds}) {
+    const Result<RawModel> model = import_model(PELAGE_IMPORT, format, octets_of(one_triangle));
+    EXPECT_FALSE(model.ok()) << static_cast<int>(format);
+  }
+}
+
+RawModel everything() {
+  RawModel model;
+  model.is_32_bit = true;
+  model.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  model.face_sizes = {3, 4};
+  model.corners = {0, 1, 2, 0, 2, 3, no_position};
+  model.corner_uv.assign(7, {0.25, 0.5});
+  model.corner_colour.assign(7, {1, 0.5f, 0.25f, 1});
+  model.face_material = {0, 1};
+  model.materials = {{{1, 1, 1}, 0}, {{0.5f, 0.5f, 0.5f}, -1}};
+  model.images = {{2, 1, {1, 2, 3, 4, 5, 6, 7, 8}}};
+  model.length_scale = {1, 0.5f, 2, 4};
+  return model;
+}
+
+TEST(RawCodec, RoundTrip) {
+  const std::string octets = encode_raw_model(everything());
+  const Result<RawModel> back = decode_raw_model(octets_of(octets));
+  ASSERT_TRUE(back.ok()) << back.status().message;
+  EXPECT_EQ(encode_raw_model(*back), octets);
+  EXPECT_EQ(back->corners, everything().corners);
+  EXPECT_EQ(back->images[0].rgba, everything().images[0].rgba);
+  EXPECT_TRUE(back->is_32_bit);
+}
+
+TEST(RawCodec, EveryTruncationAndAnyTrailingOctetIsRefused) {
+  const std::string octets = encode_raw_model(everything());
+  for (std::size_t length = 0; length < octets.size(); ++length) {
+    EXPECT_FALSE(decode_raw_model(octets_of(octets.substr(0, length))).ok()) << length;
+  }
+  EXPECT_FALSE(decode_raw_model(octets_of(octets + "x")).ok());
+}
+
+TEST(RawCodec, BrokenContentIsRefused) {
+  const auto refused = [](auto breaks) {
+    RawModel model = everything();
+    breaks(model);
+    return !decode_raw_model(octets_of(encode_raw_model(model))).ok();
+  };
+  EXPECT_FALSE(refused([](RawModel&) {}));
+  EXPECT_TRUE(refused([](RawModel& m) { m.corners[1] = 4; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.face_sizes = {3, 3}; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.face_sizes = {7, 0}; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.corner_uv.pop_back(); }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.face_material[0] = 2; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.materials[0].image = 1; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.images[0].width = 3; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.images[0].width = m.images[0].height = 0; }));
+  EXPECT_TRUE(refused([](RawModel& m) { m.length_scale[2] = 0; }));
+}
+
+/// Counts that lie are found before memory is asked for; whatever is accepted keeps its promises.
+TEST(RawCodec, RandomDamageIsRefusedOrHarmless) {
+  const std::string octets = encode_raw_model(everything());
+  Random random(7);
+  for (int i = 0; i < 5000; ++i) {
+    std::string damaged = octets;
+    for (int k = 0; k < 3; ++k) {
+      damaged[static_cast<std::size_t>(random.uniform() * static_cast<double>(damaged.size()))] =
+          static_cast<char>(random.uniform() * 256);
+    }
+    const Result<RawModel> model = decode_raw_model(octets_of(damaged));
+    if (!model.ok()) continue;
+    for (std::uint32_t corner : model->corners) ASSERT_TRUE(corner < model->positions.size() || corner == no_position);
+  }
+}
+
+TEST(ProgramFolder, HoldsThisProgram) { EXPECT_TRUE(std::filesystem::exists(program_folder() + "/unit_surface")); }
+
+}  // namespace
+}  // namespace pelage

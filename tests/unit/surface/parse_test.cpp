@@ -1,0 +1,168 @@
+// The readers, format by format.
+#include "server/import_worker/parse.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace pelage {
+namespace {
+
+RawModel parsed(ModelFormat format, const std::string& octets) {
+  Result<RawModel> model = parse_model(format, octets);
+  EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.status().message);
+  return model.ok() ? *model : RawModel();
+}
+
+std::string refusal(ModelFormat format, const std::string& octets) {
+  const Result<RawModel> model = parse_model(format, octets);
+  EXPECT_FALSE(model.ok());
+  return model.ok() ? "" : model.status().message;
+}
+
+template <class T>
+std::string bytes(T value, bool big_endian = false) {
+  std::string text(reinterpret_cast<const char*>(&value), sizeof value);
+  return big_endian ? std::string(text.rbegin(), text.rend()) : text;
+}
+
+TEST(ParseObj, PolygonsRelativeIndicesAndTextureCoordinates) {
+  const RawModel model = parsed(ModelFormat::obj,
+                                "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0.5\nf -3/1 -2/2 3\nv 0 1 0\nf 1 2 3 -1\n");
+  EXPECT_EQ(model.face_sizes, (std::vector<std::uint32_t>{3, 4}));
+  EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 3}));
+  EXPECT_EQ(model.corner_uv[1], glm::dvec2(1, 0.5));
+  EXPECT_TRUE(std::isnan(model.corner_uv[2].x));
+}
+
+TEST(ParseObj, NumbersAreRoundedCorrectlyAndOtherWordsAreNaN) {
+  const RawModel model = parsed(ModelFormat::obj, "v 0.1 +2.5e-3 -1e20\nv nan 1.#IND 3.1+e2\nv 1e-400 1e400 0\nf 1 2 3");
+  EXPECT_EQ(model.positions[0], glm::dvec3(0.1, 2.5e-3, -1e20));
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(model.positions[1][i]));
+  EXPECT_EQ(model.positions[2].x, 0);
+  EXPECT_FALSE(std::isfinite(model.positions[2].y));
+}
+
+TEST(ParseObj, MissingVerticesAreMarked) {
+  const RawModel model = parsed(ModelFormat::obj, "v 0 0 0\nf 1 2 -5\nf 0 1 1\n");
+  EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, no_position, no_position, no_position, 0, 0}));
+}
+
+TEST(ParseObj, VertexColoursBecomeLinear) {
+  const RawModel model = parsed(ModelFormat::obj, "v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n");
+  ASSERT_EQ(model.corner_colour.size(), 3u);
+  EXPECT_NEAR(model.corner_colour[0].y, 0.21404, 1e-4);
+  EXPECT_EQ(model.corner_colour[1], glm::vec4(1));
+}
+
+TEST(ParseObj, LineEndsAndContinuations) {
+  EXPECT_EQ(parsed(ModelFormat::obj, "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n").positions.size(), 3u);
+  EXPECT_EQ(parsed(ModelFormat::obj, "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3").positions.size(), 3u);
+  EXPECT_EQ(parsed(ModelFormat::obj, "\xef\xbb\xbfv 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1 \\\r\n2 3").corners.size(), 3u);
+}
+
+TEST(ParseStl, BinaryThatBeginsWithSolid) {
+  std::string stl = "solid but binary";
+  stl.resize(80, ' ');
+  stl += bytes<std::uint32_t>(1);
+  for (int i = 0; i < 12; ++i) stl += bytes(static_cast<float>(i * i));
+  stl += std::string(2, '\0');
+  const RawModel model = parsed(ModelFormat::stl, stl);
+  EXPECT_EQ(model.positions.size(), 3u);
+  EXPECT_EQ(model.positions[0], glm::dvec3(9, 16, 25));
+  EXPECT_TRUE(model.is_32_bit);
+  EXPECT_NE(refusal(ModelFormat::stl, stl.substr(0, 133)).find("room for 0"), std::string::npos);
+}
+
+TEST(ParseStl, CutOffTextIsRefused) {
+  const std::string text = "solid a vertex\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+  EXPECT_EQ(parsed(ModelFormat::stl, text + "endloop\nendfacet\nendsolid\n").face_sizes.size(), 1u);
+  EXPECT_NE(refusal(ModelFormat::stl, text).find("cut off"), std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::stl, "solid a\nfacet\nouter loop\nvertex 0 zero 0\n").find("number"), std::string::npos);
+}
+
+TEST(ParseOff, CommentsColoursAndBadIndices) {
+  const RawModel model = parsed(ModelFormat::off,
+                                "COFF # colours\n3 2\n0 0 0 255 0 0 255\n# between\n1 0 0 0 255 0 255\n"
+                                "0 1 0 0 0 255 255\n3 0 1 2\n3 0 1 9 0.5 0.5 0.5\n");
+  EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, no_position}));
+  EXPECT_EQ(model.corner_colour[1], glm::vec4(0, 1, 0, 1));
+  EXPECT_FALSE(model.is_32_bit);
+}
+
+TEST(ParseOff, LyingCountsAreRefused) {
+  EXPECT_NE(refusal(ModelFormat::off, "OFF\n4000000000 1 0\n0 0 0\n").find("counts"), std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::off, "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n").find("face 0"), std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::off, "4OFF\n1 1 1\n").find("4OFF"), std::string::npos);
+}
+
+const std::string ply_body =
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+    "property uchar blue\nelement extra 1\nproperty list uchar short things\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n";
+
+TEST(ParsePly, BigEndianWithColoursAndUnknownElements) {
+  std::string ply = "ply\nformat binary_big_endian 1.0\n" + ply_body;
+  for (float x : {0.0f, 1.0f, 0.5f}) {
+    ply += bytes(x, true) + bytes(x * x, true) + bytes(2.0f, true) + std::string("\xff\x80\0", 3);
+  }
+  ply += std::string("\2\0\1\0\2", 5);
+  ply += "\3" + bytes(0, true) + bytes(1, true) + bytes(7, true);
+  const RawModel model = parsed(ModelFormat::ply, ply);
+  EXPECT_EQ(model.positions[2], glm::dvec3(0.5, 0.25, 2));
+  EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, no_position}));
+  EXPECT_NEAR(model.corner_colour[0].y, 0.21586, 1e-4);
+  EXPECT_TRUE(model.is_32_bit);
+  for (std::size_t length = ply.size() - 1; length > 0; length -= 3) {
+    EXPECT_FALSE(parse_model(ModelFormat::ply, ply.substr(0, length)).ok());
+    if (length < 3) break;
+  }
+}
+
+TEST(ParsePly, TextIsReadInDouble) {
+  const RawModel model = parsed(ModelFormat::ply, "ply\nformat ascii 1.0\ncomment a\n" + ply_body +
+                                                      "10000000.123 0 0 255 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n"
+                                                      "2 4 5\n3 0 1 2\n");
+  EXPECT_EQ(model.positions[0].x, 10000000.123);
+  EXPECT_FALSE(model.is_32_bit);
+}
+
+TEST(ParsePly, ListsLongerThanTheFileAreRefused) {
+  const std::string header = "ply\nformat ascii 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+  EXPECT_FALSE(refusal(ModelFormat::ply, header + "4000000000 1 2 3").empty());
+  EXPECT_FALSE(refusal(ModelFormat::ply, header + "-1 1 2 3").empty());
+  EXPECT_FALSE(refusal(ModelFormat::ply, header + "2.5 1 2 3").empty());
+}
+
+/// Two parts, one turned by its node and one mirrored, from one buffer inside the text.
+TEST(ParseGltf, NodeTransformsAndFactors) {
+  const std::string gltf = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
+    "nodes": [{"children": [1], "translation": [10, 0, 0]}, {"mesh": 0, "rotation": [0, 0, 0.70710678, 0.70710678]},
+              {"mesh": 0, "scale": [-1, 1, 1]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.125, 1]}}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri":
+      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  const RawModel model = parsed(ModelFormat::gltf, gltf);
+  ASSERT_EQ(model.face_sizes, (std::vector<std::uint32_t>{3, 3}));
+  EXPECT_NEAR(glm::length(model.positions[1] - glm::dvec3(10, 1, 0)), 0, 1e-6);
+  EXPECT_NEAR(glm::length(model.positions[2] - glm::dvec3(9, 0, 0)), 0, 1e-6);
+  EXPECT_EQ(model.positions[4], glm::dvec3(-1, 0, 0));
+  EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, 2, 5, 4, 3})) << "the mirrored part is wound backwards";
+  EXPECT_EQ(model.materials[model.face_material[0]].base_colour, glm::vec3(0.5f, 0.25f, 0.125f));
+}
+
+TEST(ParseGltf, OutsidePicturesAndOtherVersionsAreRefused) {
+  EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "images": [{"uri": "fur.png"}]})").find("fur.png"),
+            std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "1.0"}})").find("1.0"), std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {},
+                                          {"children": [1]}]})").find("two parents"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelage

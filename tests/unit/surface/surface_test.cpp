@@ -1,0 +1,150 @@
+#include "server/surface/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+#include "server/surface/charts.h"
+#include "tests/unit/surface/shapes.h"
+
+namespace pelage {
+namespace {
+
+Surface surface_of(const RawModel& raw) {
+  Result<Mesh> mesh = shapes::prepared(raw);
+  EXPECT_TRUE(mesh.ok());
+  return Surface(std::move(mesh).value());
+}
+
+const double half = 0.5 / std::sqrt(3.0);  // of the cube's side, when its diagonal is 1
+
+TEST(Surface, RaysHitFromEitherSideAndFromFarAway) {
+  const Surface cube = surface_of(shapes::cube());
+  for (const double distance : {0.0, 1.0, 1e3, 1e6, 1e12}) {
+    const auto hit = cube.raycast({0.1, distance, 0.05}, {0, -3, 0});
+    ASSERT_TRUE(hit) << distance;
+    const double expected = distance == 0 ? -half : half;  // from within, the far side
+    EXPECT_NEAR(glm::length(cube.position(*hit) - glm::dvec3(0.1, expected, 0.05)), 0, 1e-5) << distance;
+    EXPECT_NEAR(hit->barycentric.x + hit->barycentric.y + hit->barycentric.z, 1, 1e-12);
+  }
+}
+
+TEST(Surface, RaysThatMissOrAreNone) {
+  const Surface cube = surface_of(shapes::cube());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(cube.raycast({0, 1, 0}, {0, 1, 0}));
+  EXPECT_FALSE(cube.raycast({5, 1, 0}, {0, -1, 0}));
+  EXPECT_FALSE(cube.raycast({0, 1, 0}, {0, 0, 0}));
+  EXPECT_FALSE(cube.raycast({0, nan, 0}, {0, -1, 0}));
+  EXPECT_FALSE(cube.raycast({0, 1, 0}, {0, nan, 0}));
+}
+
+TEST(Surface, RaysThroughEdgesAndVerticesDoNotSlipThrough) {
+  const Surface ball = surface_of(shapes::ball(12));
+  for (const glm::vec3& p : ball.mesh().positions) {
+    const auto hit = ball.raycast(glm::dvec3(p) * 3.0, -glm::dvec3(p));
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(glm::length(ball.position(*hit) - glm::dvec3(p)), 0, 1e-5);
+  }
+}
+
+TEST(Surface, NearestPoints) {
+  const Surface cube = surface_of(shapes::cube());
+  const auto at = [&](glm::dvec3 place) { return cube.position(cube.nearest(place)); };
+  EXPECT_NEAR(glm::length(at({0.1, 0.9, 0.05}) - glm::dvec3(0.1, half, 0.05)), 0, 1e-6);
+  EXPECT_NEAR(glm::length(at({9, 9, 9}) - glm::dvec3(half)), 0, 1e-6);
+  EXPECT_NEAR(glm::length(at({0.2, 0, 0.01}) - glm::dvec3(half, 0, 0.01)), 0, 1e-6);
+  EXPECT_NEAR(glm::length(at({1e30, 1e30, 1e30}) - glm::dvec3(half)), 0, 1e-6);
+}
+
+TEST(Surface, NormalsAreInterpolatedAndUnit) {
+  const Surface ball = surface_of(shapes::ball(24));
+  for (std::uint32_t t = 0; t < ball.mesh().triangles.size(); t += 7) {
+    const SurfacePoint point{t, {0.2, 0.3, 0.5}};
+    EXPECT_NEAR(glm::length(ball.normal(point)), 1, 1e-12);
+    EXPECT_GT(glm::dot(ball.normal(point), glm::normalize(ball.position(point))), 0.99);
+  }
+}
+
+TEST(Surface, VerticesWithin) {
+  const Surface ball = surface_of(shapes::ball(20));
+  const glm::dvec3 vertex(ball.mesh().positions[17]);
+  std::vector<std::uint32_t> found = {1, 2, 3};
+  ball.vertices_within(vertex, 0, found);
+  EXPECT_EQ(found, std::vector<std::uint32_t>{17});
+  ball.vertices_within({0, 0, 0}, 0.01, found);
+  EXPECT_TRUE(found.empty());
+  for (const double all : {1.0, 1e6, std::numeric_limits<double>::infinity()}) {
+    ball.vertices_within({0, 0, 0}, all, found);
+    std::vector<std::uint32_t> expected(ball.mesh().positions.size());
+    std::iota(expected.begin(), expected.end(), 0u);
+    EXPECT_EQ(found, expected);
+  }
+  ball.vertices_within(vertex, -1, found);
+  EXPECT_TRUE(found.empty());
+  ball.vertices_within(vertex, std::numeric_limits<double>::quiet_NaN(), found);
+  EXPECT_TRUE(found.empty());
+}
+
+TEST(Surface, NeighboursShareAnEdge) {
+  const Surface cube = surface_of(shapes::cube());
+  std::size_t sum = 0;
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    const auto neighbours = cube.neighbours(v);
+    EXPECT_TRUE(std::is_sorted(neighbours.begin(), neighbours.end()));
+    for (std::uint32_t other : neighbours) {
+      const auto back = cube.neighbours(other);
+      EXPECT_TRUE(std::find(back.begin(), back.end(), v) != back.end());
+    }
+    sum += neighbours.size();
+  }
+  EXPECT_EQ(sum, 2u * 18u) << "a cube of triangles has 18 edges";
+}
+
+TEST(Surface, MovesAndStillAnswers) {
+  Surface first = surface_of(shapes::cube());
+  Surface second = surface_of(shapes::ball(8));
+  second = std::move(first);
+  EXPECT_EQ(second.mesh().positions.size(), 8u);
+  EXPECT_TRUE(second.raycast({0, 1, 0.01}, {0, -1, 0}));
+}
+
+TEST(Charts, ACubeHasOneForEachSide) {
+  const Result<Mesh> mesh = shapes::prepared(shapes::cube());
+  const TileMap map = lay_charts(*mesh);
+  EXPECT_EQ(map.axis.size(), 6u);
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    const glm::uvec3 v = mesh->triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3 a = mesh->positions[v[k]], b = mesh->positions[v[(k + 1) % 3]];
+      const glm::vec2 ua = map.corner_uv[t][static_cast<std::size_t>(k)];
+      const glm::vec2 ub = map.corner_uv[t][static_cast<std::size_t>((k + 1) % 3)];
+      EXPECT_NEAR(glm::length(ub - ua), glm::length(b - a), 1e-6) << "flat charts keep lengths";
+      EXPECT_NEAR(ub.x - ua.x, glm::dot(b - a, map.axis[map.chart[t]]), 1e-6) << "u runs along the axis";
+    }
+  }
+}
+
+TEST(Charts, CoverTheModelAndPointTailwards) {
+  const Result<Mesh> mesh = shapes::prepared(shapes::ball(20));
+  const TileMap map = lay_charts(*mesh);
+  ASSERT_EQ(map.chart.size(), mesh->triangles.size());
+  EXPECT_LT(map.axis.size(), 60u);
+  for (std::size_t t = 0; t < map.chart.size(); ++t) {
+    ASSERT_LT(map.chart[t], map.axis.size());
+    const glm::vec3 axis = map.axis[map.chart[t]];
+    EXPECT_NEAR(glm::length(axis), 1, 1e-5);
+    const glm::uvec3 v = mesh->triangles[t];
+    const glm::vec3 a = mesh->positions[v.x], b = mesh->positions[v.y], c = mesh->positions[v.z];
+    const auto& uv = map.corner_uv[t];
+    const glm::vec2 e1 = uv[1] - uv[0], e2 = uv[2] - uv[0];
+    const float flat = e1.x * e2.y - e1.y * e2.x, full = glm::length(glm::cross(b - a, c - a));
+    EXPECT_GT(flat / full, 0.17f) << "within 80 degrees of the chart's normal, and not mirrored";
+    const glm::vec3 n = glm::normalize(a + b + c);
+    EXPECT_TRUE(std::abs(n.z) > 0.2f || axis.z < -0.5f);
+  }
+}
+
+}  // namespace
+}  // namespace pelage
