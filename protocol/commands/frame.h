@@ -20,7 +20,7 @@ enum class Background { colour, transparent };
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
   int shells = 16;                                // [1, 1024]
-  int samples = 4;                                // on outlines: 1 or 4
+  int samples = 1;                                // on outlines: 1 or 4
   int steps = 4;                                  // texture steps inside each shell's slab, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)

@@ -50,26 +50,38 @@ Json json_of(const SceneSummary& summary) {
           {"redo_steps", summary.redo_steps}};
 }
 
+/// RFC 9457's `type` and `title`. Refusals of HTTP itself have no type of their own but the status.
 struct Problem {
-  const char* name;
+  const char* type;
   const char* title;
 };
 
 Problem problem_of(Code code) {
   switch (code) {
-    case Code::malformed: return {"malformed", "The request cannot be read"};
-    case Code::not_found: return {"not-found", "There is nothing of that name"};
-    case Code::conflict: return {"conflict", "The request is at odds with another"};
-    case Code::precondition: return {"precondition", "The scene is at another revision"};
-    case Code::too_large: return {"too-large", "The body is too large"};
-    case Code::unsupported: return {"unsupported", "The body has a form that is not read here"};
-    case Code::invalid: return {"invalid", "The request breaks the contract"};
-    case Code::busy: return {"busy", "Too much is going on"};
-    case Code::unavailable: return {"unavailable", "Not possible now"};
+    case Code::malformed: return {"urn:pelage:problem:malformed", "The request cannot be read"};
+    case Code::not_found: return {"urn:pelage:problem:not-found", "There is nothing of that name"};
+    case Code::conflict: return {"urn:pelage:problem:conflict", "The request is at odds with another"};
+    case Code::precondition: return {"urn:pelage:problem:precondition", "The scene is at another revision"};
+    case Code::too_large: return {"urn:pelage:problem:too-large", "The body is too large"};
+    case Code::unsupported: return {"urn:pelage:problem:unsupported", "The body has a form that is not read here"};
+    case Code::invalid: return {"urn:pelage:problem:invalid", "The request breaks the contract"};
+    case Code::busy: return {"urn:pelage:problem:busy", "Too much is going on"};
+    case Code::unavailable: return {"urn:pelage:problem:unavailable", "Not possible now"};
     case Code::ok:
     case Code::internal: break;
   }
-  return {"internal", "The server failed"};
+  return {"urn:pelage:problem:internal", "The server failed"};
+}
+
+Problem problem_of(const Status& status, int http_status) {
+  switch (http_status) {
+    case 401: return {"about:blank", "Unauthorized"};
+    case 403: return {"about:blank", "Forbidden"};
+    case 405: return {"about:blank", "Method Not Allowed"};
+    case 411: return {"about:blank", "Length Required"};
+    case 416: return {"about:blank", "Range Not Satisfiable"};
+    default: return problem_of(status.code);
+  }
 }
 
 }  // namespace
@@ -112,12 +124,12 @@ std::string encode(const std::vector<LogEntry>& log) {
 }
 
 std::string encode_problem(const Status& status, int http_status) {
-  const Problem problem = problem_of(status.code);
-  Json json = {{"type", std::string("urn:pelage:problem:") + problem.name},
+  const Problem problem = problem_of(status, http_status);
+  Json json = {{"type", problem.type},
                {"title", problem.title},
                {"status", http_status},
                {"detail", status.message}};
-  if (!status.pointer.empty() || status.code == Code::invalid) json["pointer"] = status.pointer;
+  if (!status.pointer.empty() || http_status == 422) json["pointer"] = status.pointer;
   if (!status.limit.empty()) json["limit"] = status.limit;
   if (!status.nearest.empty()) json["nearest"] = status.nearest;
   return line(json);

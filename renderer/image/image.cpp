@@ -48,11 +48,23 @@ std::string name_by_signature(std::string_view octets) {
   return {};
 }
 
-/// libjpeg fills what a truncated file lacks with grey and goes on, so the end marker is looked for here.
-bool is_cut_off(std::string_view octets, const std::string& name) {
-  if (name != "memory.jpg") return false;
-  const std::size_t scan = octets.rfind("\xff\xda");
-  const std::size_t end = octets.rfind("\xff\xd9");
+/// Whether the chunks of a PNG end before IEND.
+bool is_png_cut_off(std::string_view octets) {
+  constexpr std::size_t signature = 8, frame = 12;  // of a chunk: its length, its name, its checksum
+  octets.remove_prefix(signature);
+  while (octets.size() >= frame) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(octets[i]);
+    if (length > octets.size() - frame) return true;
+    if (octets.substr(4, 4) == "IEND") return false;
+    octets.remove_prefix(frame + length);
+  }
+  return true;
+}
+
+/// Whether a JPEG has no end marker after its last scan: libjpeg fills what is missing with grey and goes on.
+bool is_jpeg_cut_off(std::string_view octets) {
+  const std::size_t scan = octets.rfind("\xff\xda"), end = octets.rfind("\xff\xd9");
   return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
 }
 
@@ -107,7 +119,8 @@ Result<Image> decode_image(std::span<const std::byte> octets, std::size_t max_pi
   const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
   const std::string name = name_by_signature(text);
   if (name.empty()) return refusal("it is neither PNG nor JPEG.");
-  if (is_cut_off(text, name)) return refusal("it is cut off.");
+  const bool is_png = name == "memory.png";
+  if (is_png ? is_png_cut_off(text) : is_jpeg_cut_off(text)) return refusal("it is cut off.");
 
   OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(octets.data()), octets.size());
   OIIO::ImageSpec wishes;

@@ -60,7 +60,7 @@ class BrushStroke {
   /// Somewhere between two nodes.
   Dab between(const Node& a, const Node& b, double t) const;
 
-  const Brush& brush_;
+  Brush brush_;
   const Surface& surface_;
   double radius_;                  // sizes
   std::vector<Node> path_;

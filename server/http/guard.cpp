@@ -130,14 +130,14 @@ std::optional<Refusal> Guard::refused_sender(const Request& request) const {
   }
   // A page of another site can reach a loopback server under a name of its own (DNS rebinding).
   if (!is_our_name(host_name(host))) {
-    return refuse(403, Code::invalid, "This server is not known under the name of the Host header.");
+    return refuse(403, Code::malformed, "This server is not known under the name of the Host header.");
   }
   const std::string origin = request.get_header_value("Origin");
   if (!origin.empty() && origin != "http://" + host && origin != "https://" + host) {
-    return refuse(403, Code::invalid, "Pages of other sites have no business here.");
+    return refuse(403, Code::malformed, "Pages of other sites have no business here.");
   }
   if (!token_.empty() && !is_public(request.path) && !has_token(request)) {
-    return refuse(401, Code::invalid, "A token is needed.", "Authorization: Bearer TOKEN");
+    return refuse(401, Code::malformed, "A token is needed.", "Authorization: Bearer TOKEN");
   }
   return {};
 }

@@ -12,21 +12,11 @@
 #include <memory>
 #include <vector>
 
+#include "server/import_worker/sanitized.h"
+
 namespace pelage {
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool is_sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
-#else
-constexpr bool is_sanitized = false;
-#endif
 
 bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   const rlimit wanted{soft, hard};
@@ -35,7 +25,7 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 
 bool limit_resources(double seconds, std::size_t memory_bytes) {
   const auto cpu = static_cast<rlim_t>(std::ceil(std::clamp(seconds, 1.0, 1e6)));
-  constexpr rlim_t open_files = 3;  // the standard streams
+  constexpr rlim_t open_files = is_sanitized ? 16 : 3;  // the standard streams
   return limit(RLIMIT_CPU, cpu, cpu + 1) && limit(RLIMIT_FSIZE, 0, 0) && limit(RLIMIT_CORE, 0, 0) &&
          limit(RLIMIT_NOFILE, open_files, open_files) &&
          (is_sanitized || limit(RLIMIT_AS, memory_bytes, memory_bytes));
@@ -62,9 +52,15 @@ bool allow_streams(const Filter& filter) {
          allow(filter, SCMP_SYS(write), {on(STDERR_FILENO)});
 }
 
+/// The sanitizers find out whether memory can be read by writing it to a pipe.
+bool allow_checks_of_sanitizers(const Filter& filter) {
+  return !is_sanitized || (allow(filter, SCMP_SYS(pipe)) && allow(filter, SCMP_SYS(pipe2)) &&
+                           allow(filter, SCMP_SYS(write)) && allow(filter, SCMP_SYS(close)));
+}
+
 bool filter_calls() {
   const Filter filter(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
-  if (!filter || !allow_streams(filter) || !allow_memory(filter)) return false;
+  if (!filter || !allow_streams(filter) || !allow_memory(filter) || !allow_checks_of_sanitizers(filter)) return false;
   for (int call : {SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(brk), SCMP_SYS(madvise), SCMP_SYS(futex),
                    SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask),
                    SCMP_SYS(rt_sigaction), SCMP_SYS(sigaltstack), SCMP_SYS(getpid), SCMP_SYS(gettid),

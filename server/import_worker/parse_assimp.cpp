@@ -1,11 +1,12 @@
 // glTF, GLB and 3DS by assimp, which sees the upload and no other file.
+#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <string_view>
 
 #include "protocol/base/limits.h"
@@ -32,10 +33,12 @@ glm::dmat4 root_matrix(ModelFormat format) {
   return glm::dmat4(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
 }
 
-/// Leaves only the reader that is asked for, so that assimp guesses nothing.
+/// Leaves only the reader that is asked for, so that assimp guesses nothing. The others become ours to delete.
 void keep_only(Assimp::Importer& importer, std::string_view name) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-    if (importer.GetImporterInfo(i)->mName != name) importer.UnregisterLoader(importer.GetImporter(i));
+    if (importer.GetImporterInfo(i)->mName == name) continue;
+    const std::unique_ptr<Assimp::BaseImporter> reader(importer.GetImporter(i));
+    importer.UnregisterLoader(reader.get());
   }
 }
 

@@ -1,9 +1,8 @@
 // What the built-in models share.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "server/surface/raw_model.h"
 

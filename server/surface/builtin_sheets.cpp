@@ -42,8 +42,10 @@ RawModel tessellate(const SheetGrid& grid, const Sheet& sheet) {
     for (int i = 0; i < grid.columns; ++i) {
       const std::uint32_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
       // Alternating diagonals, so that the sheet bends the same way in both.
-      if ((i + j) % 2 == 0) triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
-      else triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
+      if ((i + j) % 2 == 0)
+        triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
+      else
+        triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
     }
   return triangle_model(std::move(positions), triangles);
 }

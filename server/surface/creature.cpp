@@ -79,7 +79,7 @@ class Sculpture {
 void add_trunk(Sculpture& s) {
   s.add(chain({{{0, .475, .19}, .165}, {{0, .50, .04}, .156}, {{0, .522, -.10}, .143}, {{0, .495, -.25}, .142}}), .05);
   s.add(cone({{0, .575, .24}, .132}, {{0, .47, .272}, .118}), .08);  // ruff
-  s.add(cone({{0, .56, .19}, .13}, {{0, .72, .29}, .112}), .09);    // neck
+  s.add(cone({{0, .56, .19}, .13}, {{0, .72, .29}, .112}), .09);     // neck
 }
 
 /// Four toes in front of a paw.
@@ -92,27 +92,32 @@ void add_toes(Sculpture& s, dvec3 paw) {
 
 void add_forelegs(Sculpture& s) {
   s.add_pair(cone({{.09, .47, .18}, .10}, {{.108, .36, .17}, .078}, kX, 1.2), .06);  // shoulder
-  s.add_pair(chain({{{.108, .38, .165}, .072}, {{.112, .26, .162}, .061}, {{.112, .15, .168}, .052},
-                    {{.112, .07, .182}, .050}}), .05);
+  s.add_pair(
+      chain(
+          {{{.108, .38, .165}, .072}, {{.112, .26, .162}, .061}, {{.112, .15, .168}, .052}, {{.112, .07, .182}, .050}}),
+      .05);
   s.add_pair(cone({creature::kForepaw - dvec3(0, -.004, .035), .053}, {creature::kForepaw, .055}, kY, 1.2), .03);
   add_toes(s, creature::kForepaw);
 }
 
 void add_hind_legs(Sculpture& s) {
   s.add_pair(cone({{.082, .445, -.215}, .125}, {{.108, .33, -.165}, .092}, kX, 1.3), .06);  // haunch
-  s.add_pair(chain({{{.112, .335, -.165}, .082}, {{.116, .24, -.205}, .064}, {{.118, .155, -.262}, .047},
-                    {{.118, .07, -.238}, .047}}), .05);
+  s.add_pair(chain({{{.112, .335, -.165}, .082},
+                    {{.116, .24, -.205}, .064},
+                    {{.118, .155, -.262}, .047},
+                    {{.118, .07, -.238}, .047}}),
+             .05);
   s.add_pair(cone({creature::kHindPaw - dvec3(0, -.004, .04), .053}, {creature::kHindPaw, .055}, kY, 1.2), .03);
   add_toes(s, creature::kHindPaw);
 }
 
 void add_head(Sculpture& s) {
   s.add(ball(creature::kHead, .188, kY, 1.1), .055);
-  s.add_pair(cone({{.09, .80, .42}, .095}, {{.155, .785, .385}, .058}), .07);            // cheeks
-  s.add(cone({{0, .81, .48}, .095}, {{0, .787, .60}, .056}), .06);                       // muzzle
-  s.add(cone({{0, .745, .46}, .066}, {{0, .742, .575}, .033}), .018);                    // jaw
-  s.add_pair(ball({.028, .772, .603}, .038), .025);                                      // lips
-  s.add_pair(cone({{.045, .915, .49}, .045}, {{.10, .925, .465}, .04}), .06);            // brows
+  s.add_pair(cone({{.09, .80, .42}, .095}, {{.155, .785, .385}, .058}), .07);  // cheeks
+  s.add(cone({{0, .81, .48}, .095}, {{0, .787, .60}, .056}), .06);             // muzzle
+  s.add(cone({{0, .745, .46}, .066}, {{0, .742, .575}, .033}), .018);          // jaw
+  s.add_pair(ball({.028, .772, .603}, .038), .025);                            // lips
+  s.add_pair(cone({{.045, .915, .49}, .045}, {{.10, .925, .465}, .04}), .06);  // brows
   s.carve_pair(ball(creature::kEye + dvec3(.014, .004, .024), .046), .03);
   s.add(cone({creature::kNose - dvec3(.012, 0, 0), .026}, {creature::kNose + dvec3(.012, 0, 0), .026}, kY, 1.15), .012);
 }
@@ -122,12 +127,18 @@ void add_ears(Sculpture& s) {
   const dvec3 front = glm::normalize(creature::kEarFront);
   s.add_pair(cone({creature::kEarBase, .105}, {creature::kEarTip, .026}, front, 1.55), .04);
   s.carve_pair(cone({creature::kEarHollowBase, creature::kEarHollowBaseRadius},
-                    {creature::kEarHollowTip, creature::kEarHollowTipRadius}), .014);
+                    {creature::kEarHollowTip, creature::kEarHollowTipRadius}),
+               .014);
 }
 
 void add_tail(Sculpture& s) {
-  s.add(chain({{creature::kTailRoot, .056}, {{0, .470, -.45}, .062}, {{0, .515, -.575}, .074}, {{0, .64, -.655}, .083},
-               {{0, .79, -.66}, .066}, {creature::kTailTip, .022}}), .05);
+  s.add(chain({{creature::kTailRoot, .056},
+               {{0, .470, -.45}, .062},
+               {{0, .515, -.575}, .074},
+               {{0, .64, -.655}, .083},
+               {{0, .79, -.66}, .066},
+               {creature::kTailTip, .022}}),
+        .05);
 }
 
 }  // namespace

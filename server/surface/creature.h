@@ -2,9 +2,8 @@
 // paws on Y = 0, about 1.4 long and 1.2 high.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "server/surface/implicit.h"
 
@@ -31,8 +30,8 @@ std::vector<Volume> creature_volumes();
 
 /// How the creature looks at a place on or near its surface.
 struct CreatureLook {
-  glm::dvec3 colour{1};      // linear
-  double length_scale = 1;   // of the first groom, (0, 4]
+  glm::dvec3 colour{1};     // linear
+  double length_scale = 1;  // of the first groom, (0, 4]
 };
 CreatureLook creature_look(glm::dvec3 position);
 

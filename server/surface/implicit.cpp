@@ -22,8 +22,7 @@ DistanceSample smooth_min(const DistanceSample& p, const DistanceSample& q, doub
   const DistanceSample& less = p_is_less ? p : q;
   const DistanceSample& more = p_is_less ? q : p;
   const double overlap = std::max(0.0, 1 - (more.distance - less.distance) / width);
-  return {less.distance - 0.25 * width * overlap * overlap,
-          glm::mix(less.gradient, more.gradient, 0.5 * overlap)};
+  return {less.distance - 0.25 * width * overlap * overlap, glm::mix(less.gradient, more.gradient, 0.5 * overlap)};
 }
 
 DistanceSample negated(const DistanceSample& s) { return {-s.distance, -s.gradient}; }
@@ -42,8 +41,7 @@ ImplicitSurface::Piece ImplicitSurface::make_piece(const RoundCone& cone) {
     assert(std::abs(piece.sine) < 1);
     piece.cosine = std::sqrt(1 - piece.sine * piece.sine);
   }
-  piece.hull = {0.5 * (cone.a + cone.b),
-                0.5 * glm::distance(cone.a, cone.b) + std::max(cone.radius_a, cone.radius_b)};
+  piece.hull = {0.5 * (cone.a + cone.b), 0.5 * glm::distance(cone.a, cone.b) + std::max(cone.radius_a, cone.radius_b)};
   return piece;
 }
 

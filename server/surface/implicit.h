@@ -1,9 +1,8 @@
 // Closed surfaces as the zero set of blended volumes.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace pelage {
 
@@ -24,7 +23,7 @@ struct Volume {
   std::vector<RoundCone> cones;  // one or more
   double width = 0.01;
   Blend blend = Blend::add;
-  double joint_width = 0.016;    // of the fillets between the cones themselves, > 0
+  double joint_width = 0.016;  // of the fillets between the cones themselves, > 0
 };
 
 /// Signed distance (negative inside) and its gradient, whose length is about 1 near the surface. Both are exact on

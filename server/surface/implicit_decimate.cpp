@@ -91,8 +91,8 @@ class Decimator {
   }
 
   HalfEdgeMesh mesh_;
-  std::vector<Quadric> quadrics_;   // of each vertex
-  std::vector<unsigned> changes_;   // of each vertex: how often it has moved
+  std::vector<Quadric> quadrics_;  // of each vertex
+  std::vector<unsigned> changes_;  // of each vertex: how often it has moved
   std::priority_queue<Candidate> queue_;
 };
 

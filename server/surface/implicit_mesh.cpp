@@ -18,10 +18,22 @@ constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
 
 // For each set of inside corners an even permutation that lists the smaller of the two sides first
 // (the inside ones where both have two).
-constexpr std::array<std::array<int, 4>, 16> kOrder = {{{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 2, 3},
-                                                        {2, 3, 0, 1}, {0, 2, 3, 1}, {1, 2, 0, 3}, {3, 2, 1, 0},
-                                                        {3, 2, 1, 0}, {0, 3, 1, 2}, {1, 3, 2, 0}, {2, 3, 0, 1},
-                                                        {2, 3, 0, 1}, {1, 0, 3, 2}, {0, 1, 2, 3}, {0, 1, 2, 3}}};
+constexpr std::array<std::array<int, 4>, 16> kOrder = {{{0, 1, 2, 3},
+                                                        {0, 1, 2, 3},
+                                                        {1, 0, 3, 2},
+                                                        {0, 1, 2, 3},
+                                                        {2, 3, 0, 1},
+                                                        {0, 2, 3, 1},
+                                                        {1, 2, 0, 3},
+                                                        {3, 2, 1, 0},
+                                                        {3, 2, 1, 0},
+                                                        {0, 3, 1, 2},
+                                                        {1, 3, 2, 0},
+                                                        {2, 3, 0, 1},
+                                                        {2, 3, 0, 1},
+                                                        {1, 0, 3, 2},
+                                                        {0, 1, 2, 3},
+                                                        {0, 1, 2, 3}}};
 
 class Polygoniser {
  public:
@@ -59,7 +71,8 @@ class Polygoniser {
   glm::dvec3 point(glm::ivec3 at) const { return origin_ + cell_ * glm::dvec3(at); }
   std::size_t index(glm::ivec3 at) const {
     return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(count_.y) + static_cast<std::size_t>(at.y)) *
-               static_cast<std::size_t>(count_.x) + static_cast<std::size_t>(at.x);
+               static_cast<std::size_t>(count_.x) +
+           static_cast<std::size_t>(at.x);
   }
 
   void cut(glm::ivec3 cube, const std::array<int, 4>& corners) {

@@ -1,9 +1,8 @@
 // Polygons of an implicit surface: closed, even, with about as many triangles as wished for.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "server/surface/implicit.h"
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <limits>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "server/surface/implicit_mesh.h"
 

@@ -58,7 +58,7 @@ class Orienter {
       const std::uint32_t t = members[i];
       for (const Neighbour& next : neighbours_[t]) {
         if (next.triangle == no_triangle) continue;
-        const bool wanted = next.agrees ? flip_[t] : !flip_[t];
+        const bool wanted = flip_[t];
         if (part_[next.triangle] == no_triangle) {
           part_[next.triangle] = seed;
           flip_[next.triangle] = wanted;

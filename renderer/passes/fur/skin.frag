@@ -26,7 +26,8 @@ void main() {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
     float facing = dot(normal, to_light);
-    sum += radiance * colour * (frame.weights.y * max(facing, 0.0)) * transmittance(depth / max(facing, 0.3), colour);
+    float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, furred);
+    sum += radiance * colour * lit * transmittance(depth / max(facing, 0.3), colour);
   }
   result = vec4(sum, 1.0);
 }

@@ -4,5 +4,5 @@
 
 // Depth alone, where the fur is dense; smoothed, so that single strands leave no holes in what lies behind.
 void main() {
-  if (march(4, 2.0).opacity < 0.75) discard;
+  if (march(4, 1.0).opacity < 0.93) discard;
 }

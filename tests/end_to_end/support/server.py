@@ -54,21 +54,24 @@ class Server:
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="pelage-test-"))
         self.data = pathlib.Path(data) if data else self.folder / "data"
         self.process = None
-        self.start()
+        try:
+            self.start()
+        except AssertionError:
+            self.close()
+            raise
 
     def start(self):
         port_file = self.folder / "port"
         port_file.unlink(missing_ok=True)
-        self.output = open(self.folder / "output", "ab")
         command = [BIN / "pelaged", "--listen", "127.0.0.1:0", "--port-file", port_file, "--data", self.data,
                    "--gl", self.gl, "--threads", str(self.threads), *self.arguments]
         if self.token:
             command += ["--token", self.token]
-        self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT)
+        with open(self.folder / "output", "ab") as output:
+            self.process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
         deadline = time.monotonic() + START_SECONDS
         while not port_file.exists():
             if self.process.poll() is not None or time.monotonic() > deadline:
-                self.process.kill()
                 raise AssertionError(f"pelaged did not start: {self.printed()}")
             time.sleep(0.02)
         self.port = int(port_file.read_text())
@@ -80,7 +83,7 @@ class Server:
     def terminate(self):
         """SIGTERM; gives the exit code."""
         self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(timeout=60)
+        return self.process.wait(timeout=300)
 
     def kill(self):
         self.process.kill()
@@ -89,7 +92,6 @@ class Server:
     def close(self):
         if self.process.poll() is None:
             self.terminate()
-        self.output.close()
         shutil.rmtree(self.folder, ignore_errors=True)
 
     # HTTP

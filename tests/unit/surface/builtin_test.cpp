@@ -1,5 +1,7 @@
 #include "server/surface/builtin.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,10 +10,9 @@
 #include <string>
 #include <utility>
 
-#include <gtest/gtest.h>
-
 #include "server/surface/creature.h"
 #include "server/surface/implicit_mesh.h"
+#include "server/surface/implicit_topology.h"
 
 namespace pelage {
 namespace {
@@ -293,6 +294,51 @@ TEST(Implicit, PolygonisedBallIsClosedAndOutwards) {
   EXPECT_NEAR(six_volumes / 6, 4.18879, 0.03);
   EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), 2000, 100);
   for (const dvec3& p : mesh.positions) ASSERT_NEAR(glm::length(p), 1, 1e-6);
+}
+
+TriangleMesh triangles_of(const RawModel& model) {
+  TriangleMesh mesh{model.positions, {}};
+  for (std::size_t k = 0; k < model.corners.size(); k += 3)
+    mesh.triangles.emplace_back(model.corners[k], model.corners[k + 1], model.corners[k + 2]);
+  return mesh;
+}
+
+TEST(HalfEdgeMesh, RefusesToPinchATube) {
+  // 10 rings of 3 vertices; the vertices of one ring differ by multiples of 10.
+  const HalfEdgeMesh mesh(triangles_of(make_builtin({Builtin::torus, 60})));
+  ASSERT_EQ(mesh.vertex_count(), 30u);
+  int allowed = 0;
+  for (std::uint32_t h = 0; h < mesh.half_edge_count(); ++h) {
+    const bool in_a_ring = mesh.origin(h) % 10 == mesh.target(h) % 10;
+    EXPECT_FALSE(in_a_ring && mesh.can_collapse(h)) << "half-edge " << h;
+    allowed += mesh.can_collapse(h) ? 1 : 0;
+  }
+  EXPECT_GT(allowed, 0);
+}
+
+TEST(HalfEdgeMesh, SplitFlipAndCollapseKeepTwinsAndFans) {
+  HalfEdgeMesh mesh(triangles_of(make_builtin({Builtin::sphere, 80})));
+  mesh.split(7, dvec3(0, 0, 1));
+  ASSERT_TRUE(mesh.can_flip(31));
+  mesh.flip(31);
+  ASSERT_TRUE(mesh.can_collapse(100));
+  mesh.collapse(100, dvec3(0, 1, 0));
+  EXPECT_EQ(mesh.live_triangles(), 80u);
+  for (std::uint32_t h = 0; h < mesh.half_edge_count(); ++h) {
+    if (!mesh.live(h)) continue;
+    EXPECT_EQ(mesh.twin(mesh.twin(h)), h);
+    EXPECT_EQ(mesh.target(mesh.twin(h)), mesh.origin(h));
+    EXPECT_EQ(mesh.origin(mesh.twin(h)), mesh.target(h));
+    bool seen = false;
+    mesh.around(mesh.origin(h), [&](std::uint32_t spoke) { seen = seen || spoke == h; });
+    EXPECT_TRUE(seen);
+  }
+}
+
+TEST(Decimate, KeepsTheGenus) {
+  const TriangleMesh mesh = decimate(triangles_of(make_builtin({Builtin::torus, 5000})), 200);
+  EXPECT_EQ(mesh.triangles.size(), 200u);
+  EXPECT_EQ(mesh.positions.size(), 100u);  // a torus has half as many vertices as triangles
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 
 #include <cerrno>
 
+#include "server/import_worker/sanitized.h"
+
 namespace pelage {
 namespace {
 
@@ -56,11 +58,15 @@ TEST(Confine, SocketsAndProcessesAreDenied) {
   EXPECT_EQ(confined([] { return is_denied(fork()); }), 0);
 }
 
-TEST(Confine, OtherDescriptorsAndExecutableMemoryAreDenied) {
+TEST(Confine, OtherDescriptorsAreDenied) {
+  if (is_sanitized) GTEST_SKIP() << "sanitizers write to pipes";
   const int other = open("/dev/null", O_RDWR);
   ASSERT_GT(other, STDERR_FILENO);
   EXPECT_EQ(confined([&] { return is_denied(write(other, "x", 1)); }), 0);
   close(other);
+}
+
+TEST(Confine, ExecutableMemoryIsDenied) {
   EXPECT_EQ(confined([] {
               return mmap(nullptr, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED;
             }),

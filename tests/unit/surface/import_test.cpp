@@ -11,21 +11,10 @@
 #include <fstream>
 
 #include "protocol/base/random.h"
+#include "server/import_worker/sanitized.h"
 
 namespace pelage {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool is_sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
-#else
-constexpr bool is_sanitized = false;
-#endif
 
 const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
@@ -219,7 +208,7 @@ TEST(RawCodec, RandomDamageIsRefusedOrHarmless) {
     std::string damaged = octets;
     for (int k = 0; k < 3; ++k) {
       damaged[static_cast<std::size_t>(random.uniform() * static_cast<double>(damaged.size()))] =
-          static_cast<char>(random.uniform() * 256);
+          static_cast<char>(static_cast<int>(random.uniform() * 256) - 128);
     }
     const Result<RawModel> model = decode_raw_model(octets_of(damaged));
     if (!model.ok()) continue;

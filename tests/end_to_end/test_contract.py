@@ -1,0 +1,226 @@
+"""openapi.yaml, the server and limits.h say the same."""
+
+import json
+import re
+import unittest
+
+import jsonschema
+import yaml
+
+from support.server import REPOSITORY, ServedTest, comb, flood
+
+CONTRACT = yaml.safe_load((REPOSITORY / "protocol" / "openapi" / "openapi.yaml").read_text())
+SCHEMAS = CONTRACT["components"]["schemas"]
+
+
+def validator(schema):
+    return jsonschema.Draft202012Validator({**schema, "components": CONTRACT["components"]})
+
+
+def named(name):
+    return validator({"$ref": f"#/components/schemas/{name}"})
+
+
+def operations():
+    for path, item in CONTRACT["paths"].items():
+        for method in ("get", "post", "put", "delete"):
+            if method in item:
+                yield path, method, item[method]
+
+
+class Document(unittest.TestCase):
+    def test_schemas_are_schemas(self):
+        for name, schema in SCHEMAS.items():
+            with self.subTest(name):
+                jsonschema.Draft202012Validator.check_schema(schema)
+
+    def test_references_lead_somewhere(self):
+        for reference in re.findall(r'"\$ref": "#/([^"]+)"', json.dumps(CONTRACT)):
+            here = CONTRACT
+            for step in reference.split("/"):
+                self.assertIn(step, here, reference)
+                here = here[step]
+
+    def test_parameters_of_paths_are_declared(self):
+        for path, _, operation in operations():
+            if "{id}" in path:
+                self.assertIn({"$ref": "#/components/parameters/SceneId"}, CONTRACT["paths"][path]["parameters"])
+            self.assertTrue(operation["operationId"])
+            self.assertTrue(operation["responses"])
+
+    def test_objects_are_closed_and_numbers_have_limits(self):
+        requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
+                    "SetLook", "SetLights", "Coat", "Look", "Light", "Steps", "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
+        for name in requests:
+            self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
+            for key, schema in SCHEMAS[name]["properties"].items():
+                if schema.get("type") in ("number", "integer"):
+                    self.assertIn("minimum", schema, f"{name}.{key}")
+                    self.assertIn("maximum", schema, f"{name}.{key}")
+
+    def test_limits_are_those_of_the_header(self):
+        text = (REPOSITORY / "protocol" / "base" / "limits.h").read_text()
+        limits = {}
+        for name, value in re.findall(r"constexpr \S+ (\w+) = ([^;]+);", text):
+            value = re.sub(r"std::size_t\{(\d+)\}", r"\1", value).replace("'", "")
+            limits[name] = eval(value, {"__builtins__": {}})  # noqa: S307: numbers and shifts of our own header
+        whole = json.dumps(CONTRACT)
+        self.assertEqual(SCHEMAS["Batch"]["properties"]["commands"]["maxItems"], limits["commands_per_batch"])
+        self.assertEqual(SCHEMAS["Stroke"]["properties"]["samples"]["maxItems"], limits["samples_per_stroke"])
+        self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
+        self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
+        self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
+        self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
+        self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
+        self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
+        self.assertEqual(SCHEMAS["NewScene"]["properties"]["model"]["properties"]["triangles"]["maximum"], limits["builtin_triangles"])
+        self.assertEqual(CONTRACT["components"]["parameters"]["Wait"]["schema"]["maximum"], limits["wait_seconds"])
+        for name in ("command_body_bytes", "model_bytes", "model_triangles"):
+            self.assertIn(str(limits[name]), whole, name)
+        self.assertIn(f"{limits['json_depth']} levels", whole)
+        self.assertIn(f"{int(limits['command_coordinate_sizes'])} sizes", whole)
+
+
+class Requests(ServedTest):
+    """The schemas and the decoder take and refuse the same requests."""
+
+    def agree(self, schema, body, send):
+        valid = named(schema).is_valid(body)
+        answer = send(body)
+        self.assertEqual(answer.status < 400, valid, (body, answer))
+
+    def variations(self, body):
+        """The body itself, and with each member missing, of another type, too small or too large, and unknown ones."""
+        yield body
+        yield {**body, "unknown": 1}
+        for key, value in body.items():
+            yield {k: v for k, v in body.items() if k != key}
+            for other in (None, "text", [], {}, True, -1, 1e30, 0.5):
+                if other != value:
+                    yield {**body, key: other}
+            if isinstance(value, dict):
+                for inner in self.variations(value):
+                    yield {**body, key: inner}
+
+    def test_commands(self):
+        scene = self.server.new_scene("plane", 50)
+        view = {"camera": {"auto": "front"}, "width": 64, "height": 64}
+        full_brush = {"radius": 0.05, "units": "world", "falloff_shape": "volume", "falloff": "smooth", "strength": 0.8,
+                      "spacing": 0.5, "front_faces_only": True, "invert": False}
+        bodies = [
+            {**comb([0, 0, 0], [1, 0, 0], samples=2), "brush": full_brush, "lean": 0.5},
+            flood([0, 1, 0]),
+            {"op": "comb", "stroke": {"id": "", "part": 0, "last": True, "view": view,
+                                      "samples": [{"screen": [3, 4], "pressure": 0.5, "time": 1}]}},
+            {"op": "blow", "source": [0, 1, 0], "direction": [0, -1, 0], "cone_degrees": 40, "softness": 0.25, "strength": 0.5},
+            {"op": "attract", "point": [0, 0.4, 0.6], "radius": 0.2, "units": "world", "duration": 1.0, "threshold": 0.3,
+             "max_stretch": 3},
+            {"op": "set_look", "look": {"colour_source": "coat", "ambient": 0.3, "skin": "#102030", "back_attenuation": 0.5}},
+            {"op": "set_coat", "coat": {"count": 100, "tile": 0.2, "curl": 0.1, "lean_curve": "root", "seed": 3,
+                                        "ramp": [{"at": 0, "colour": [0, 0, 0]}]}},
+            {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2}]},
+        ]
+        for body in bodies:
+            for variation in self.variations(body):
+                self.agree("Command", variation, lambda b: scene.post("commands?dry_run=1", b))
+
+    def test_frames_and_the_rest(self):
+        scene = self.server.new_scene("plane", 50)
+        frame = {"width": 8, "height": 8, "camera": {"eye": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
+                 "quality": {"shells": 4, "samples": 1, "steps": 2, "scale": 1.0, "self_shadow": True, "accumulation": "half"},
+                 "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
+        for variation in self.variations(frame):
+            self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
+        pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
+        for variation in self.variations(pick):
+            self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
+
+    def test_new_scenes(self):
+        body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}}
+
+        def create(request):
+            answer = self.server.post("/v1/scenes", request)
+            if answer.status == 201:
+                self.server.call("DELETE", answer.headers["location"])
+            return answer
+
+        for variation in self.variations(body):
+            self.agree("NewScene", variation, create)
+
+
+class Answers(ServedTest):
+    def check(self, path, method, answer):
+        operation = CONTRACT["paths"][path][method]
+        response = operation["responses"].get(str(answer.status), operation["responses"].get("default"))
+        self.assertIsNotNone(response, (path, method, answer))
+        while "$ref" in response:
+            response = CONTRACT["components"]["responses"][response["$ref"].rsplit("/", 1)[1]]
+        kind = answer.headers.get("content-type", "").split(";")[0]
+        if "content" not in response:
+            return self.assertEqual(answer.body, b"")
+        self.assertIn(kind, response["content"], (path, method, answer))
+        if kind.endswith("json"):
+            validator(response["content"][kind]["schema"]).validate(answer.json)
+        for header in response.get("headers", {}):
+            self.assertIn(header.lower(), answer.headers)
+
+    def test_the_served_contract_is_the_written_one(self):
+        self.assertEqual(self.server.get("/openapi.json").json, CONTRACT)
+
+    def test_every_operation_answers_what_it_says(self):
+        scene = self.server.new_scene("creature", 1000)
+        body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
+        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        seen = 0
+        for path, method, _ in operations():
+            name = path.rsplit("/", 1)[1]
+            if method == "delete":
+                continue
+            address = path.replace("{id}", scene.id) + {"model": "?format=obj", "frame.png": "?width=16&height=16"}.get(name, "")
+            body["revert"] = {"revision": scene.info()["revision"]}
+            sent = None if method == "get" else model if method == "put" else body.get(path, body.get(name))
+            with self.subTest(f"{method} {path}"):
+                answer = self.server.call(method.upper(), address, sent)
+                self.assertLess(answer.status, 400, answer)
+                self.check(path, method, answer)
+                if method == "post":
+                    self.check(path, method, self.server.call("POST", address, "{"))
+                self.check(path, method, self.server.call(method.upper(), address, sent, headers={"Host": "evil.example"}))
+                seen += 1
+        self.assertGreaterEqual(seen, 16)
+        self.check("/v1/scenes/{id}/log", "get", self.server.get(f"{scene.path}/log?format=jsonl"))
+        self.check("/v1/scenes/{id}/pick", "post", scene.post("pick", {"pixel": [0, 0]}))
+        self.check("/v1/scenes/{id}", "delete", self.server.call("DELETE", scene.path))
+        self.check("/v1/scenes/{id}", "delete", self.server.call("DELETE", scene.path))
+
+
+class Status(ServedTest):
+    def test_metrics(self):
+        scene = self.server.new_scene("plane", 2)
+        scene.frame(width=8, height=8)
+        self.server.get("/nowhere")
+        text = self.server.get("/metrics").body.decode()
+        for line in ('pelage_requests_total{route="/v1/scenes",status="201"} 1', "pelage_scenes 1", "pelage_ready 1",
+                     'pelage_requests_total{route="/v1/scenes/{id}/frames",status="200"} 1', "pelage_frames_total 1",
+                     "pelage_frame_seconds_count 1", 'pelage_requests_total{route="other",status="404"} 1'):
+            self.assertIn(line + "\n", text)
+        self.assertNotIn(scene.id, text)
+        self.assertGreater(int(re.search(r"process_resident_memory_bytes (\d+)", text)[1]), 1 << 20)
+        for line in text.splitlines():
+            self.assertRegex(line, r"^(# (HELP|TYPE) \S+ .+|[a-z_]+(\{[^}]*(\{id\}[^}]*)*\})? [0-9.e+-]+|[a-z_]+\{le=\"[^\"]+\"\} \d+)$")
+
+    def test_health(self):
+        self.assertEqual(self.server.get("/livez").body, b"alive\n")
+        self.assertEqual(self.server.get("/readyz").body, b"ready\n")
+
+    def test_the_page_escapes_names(self):
+        self.server.new_scene("plane", 2, name='<script>alert("x")</script>')
+        page = self.server.get("/")
+        self.assertIn("text/html", page.headers["content-type"])
+        self.assertNotIn(b"<script>", page.body)
+        self.assertIn(b"&lt;script&gt;", page.body)
+        self.assertIn("default-src 'none'", page.headers["content-security-policy"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,93 @@
+"""Every shared model loads with its counts; every nasty one gets what the table says, and the server lives on."""
+
+import re
+import unittest
+
+from support.server import ServedTest, shared_folder
+
+EQUAL = [("spot.obj", "spot.ply", "spot.glb"), ("cat.obj", "cat_ascii.ply"), ("koala_low.obj", "koala_low.off"),
+         ("goathead.obj", "goathead.stl"), ("spot_low.gltf", "spot_low_ascii.stl")]
+# Quads are two triangles and pentagons three; counts of the table are in faces and unwelded vertices.
+COUNTS = {"spot_control_mesh.obj": (188, 4 + 160 * 2 + 16 * 3), "spot.glb": (2930, 5856), "Fox.glb": (None, 576)}
+
+
+def rows(title):
+    """The cells of each row of the README's table under a heading."""
+    text = (shared_folder() / "meshes" / "README.md").read_text()
+    section = text.split(f"## {title}")[1].split("\n## ")[0]
+    for line in section.splitlines():
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if len(cells) >= 6 and cells[0] != "file" and not set(cells[0]) <= set("-"):
+            yield cells
+
+
+class Uploads(ServedTest):
+    def upload(self, path, query=""):
+        scene = self.server.new_scene("plane", 2)
+        try:
+            answer = self.server.call("PUT", f"{scene.path}/model?format={path.suffix[1:]}{query}", path.read_bytes())
+            if answer.status != 200:
+                self.assertEqual(scene.info()["model"], "plane", "a refused model changed the scene")
+                self.assertEqual(scene.info()["revision"], 0)
+            return answer
+        finally:
+            self.server.call("DELETE", scene.path)
+
+    def test_models_load_with_their_counts(self):
+        seen = 0
+        for name, *_, counts, _ in rows("Models"):
+            if name.endswith(".png"):
+                continue
+            with self.subTest(name):
+                answer = self.upload(shared_folder() / "meshes" / name)
+                self.assertEqual(answer.status, 200, answer)
+                vertices, faces = COUNTS.get(name, tuple(map(int, re.findall(r"\d+", counts))))
+                self.assertEqual(answer.json["triangles"], faces)
+                if vertices is not None:
+                    self.assertEqual(answer.json["vertices"], vertices)
+                seen += 1
+        self.assertGreaterEqual(seen, 15)
+
+    def test_equal_models_come_out_equal(self):
+        for names in EQUAL:
+            reports = [self.upload(shared_folder() / "meshes" / name).json for name in names]
+            for report in reports[1:]:
+                with self.subTest(names):
+                    for key in ("vertices", "triangles", "parts"):
+                        self.assertEqual(report[key], reports[0][key], key)
+                    self.assertAlmostEqual(report["size"], reports[0]["size"], delta=1e-6 * reports[0]["size"])
+
+    def test_nasty_files_get_what_the_table_says(self):
+        seen = 0
+        for cells in rows("nasty"):
+            name, expected = cells[0], cells[-1]
+            with self.subTest(name, expected=expected):
+                answer = self.upload(shared_folder() / "meshes" / "nasty" / name)
+                either = "no crash" in expected or " or " in expected or "(or " in expected
+                allowed = (200, 422) if either else (422,) if expected.startswith("reject") else (200,)
+                self.assertIn(answer.status, allowed, answer)
+                if answer.status == 422:
+                    self.assert_problem(answer, 422)
+                else:
+                    self.assertGreater(answer.json["triangles"], 0)
+                self.assertEqual(self.server.get("/livez").status, 200)
+                seen += 1
+        self.assertGreaterEqual(seen, 65)
+
+    def test_axes(self):
+        for query, status in (("&up=z&front=y", 200), ("&up=y&front=-x", 200), ("&up=y&front=-y", 422), ("&up=w", 422)):
+            answer = self.upload(shared_folder() / "meshes" / "spot_control_mesh.obj", query)
+            self.assertEqual(answer.status, status, (query, answer))
+
+    def test_a_groomed_upload_is_drawn(self):
+        scene = self.server.new_scene("plane", 2)
+        model = (shared_folder() / "meshes" / "spot.glb").read_bytes()
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=glb&front=-z", model).json["revision"], 1)
+        before = scene.frame(camera={"auto": "left"}).image
+        answer = scene.run({"op": "comb", "flood": True, "direction": [0, 1, 0], "lean": 1.0})
+        self.assertEqual(answer.json["revision"], 2)
+        self.assertGreater((before != scene.frame(camera={"auto": "left"}).image).any(axis=-1).mean(), 0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()
