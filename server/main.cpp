@@ -98,13 +98,18 @@ int serve(const Options& options, const HttpOptions& http) {
     return fail(failed, failure(Code::internal, "Cannot write " + options.port_file + "."));
   }
   std::thread stopper([&] {
-    int signal = 0;
-    sigwait(&signals, &signal);
+    siginfo_t signal{};
+    sigwaitinfo(&signals, &signal);
+    if (signal.si_pid != getpid()) {
+      fmt::print("pelaged: stopping, process {} sent signal {}\n", signal.si_pid, signal.si_signo);
+      std::fflush(stdout);
+    }
     (*server)->stop();
   });
-  (*server)->run();
-  pthread_kill(stopper.native_handle(), SIGTERM);  // in case that it ended on its own
+  const Status served = (*server)->run();
+  pthread_kill(stopper.native_handle(), SIGTERM);  // ends it where no signal came
   stopper.join();
+  if (!served.ok()) return fail(failed, served);
   fmt::print("pelaged: stopped\n");
   return 0;
 }

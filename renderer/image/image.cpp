@@ -75,8 +75,8 @@ std::vector<std::uint8_t> to_rgba(const std::vector<std::uint8_t>& pixels, std::
   const bool grey = channels < 3, alpha = channels % 2 == 0;
   for (std::size_t i = 0; i < pixels.size(); i += channels) {
     const std::uint8_t* p = &pixels[i];
-    rgba.insert(rgba.end(), {p[0], grey ? p[0] : p[1], grey ? p[0] : p[2],
-                             alpha ? p[channels - 1] : std::uint8_t{255}});
+    rgba.insert(rgba.end(),
+                {p[0], grey ? p[0] : p[1], grey ? p[0] : p[2], alpha ? p[channels - 1] : std::uint8_t{255}});
   }
   return rgba;
 }
@@ -100,8 +100,8 @@ Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
 
 std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts) {
   assert(image.width > 0 && image.height > 0);
-  assert(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                  static_cast<std::size_t>(image.height));
+  assert(image.rgba.size() ==
+         std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   const bool rgb = !keep_alpha && is_opaque(image);
   std::vector<unsigned char> octets;
   OIIO::Filesystem::IOVecOutput sink(octets);

@@ -125,10 +125,10 @@ FieldDelta compose(const FieldDelta& first, const FieldDelta& second) {
   };
   std::size_t i = 0, k = 0;
   while (i < first.vertices.size() || k < second.vertices.size()) {
-    const bool in_first = i < first.vertices.size() &&
-                          (k == second.vertices.size() || first.vertices[i] <= second.vertices[k]);
-    const bool in_second = k < second.vertices.size() &&
-                           (i == first.vertices.size() || second.vertices[k] <= first.vertices[i]);
+    const bool in_first =
+        i < first.vertices.size() && (k == second.vertices.size() || first.vertices[i] <= second.vertices[k]);
+    const bool in_second =
+        k < second.vertices.size() && (i == first.vertices.size() || second.vertices[k] <= first.vertices[i]);
     assert(!in_first || !in_second || first.after[i] == second.before[k]);
     add(in_first ? first.vertices[i] : second.vertices[k], in_first ? first.before[i] : second.before[k],
         in_second ? second.after[k] : first.after[i]);

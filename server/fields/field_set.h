@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "protocol/commands/answers.h"
 #include "protocol/commands/scene.h"
@@ -83,8 +82,8 @@ class FieldSet {
 /// The change that leads from one set of fields to another on the same vertices.
 FieldDelta difference(const FieldSet& from, const FieldSet& to);
 
-/// By field ("direction", "length", "stretch"), those that changed only: the vertices that changed a bit, and by how much.
-/// A direction's change is the length of the difference, in inclinations.
+/// By field ("direction", "length", "stretch"), those that changed only: the vertices that changed a bit, and by how
+/// much. A direction's change is the length of the difference, in inclinations.
 std::vector<FieldChange> measure(const FieldDelta& delta);
 
 /// The first groom: from nose to tail (-Z) and a little down, with the mesh's length scale; -0 is stored as 0.

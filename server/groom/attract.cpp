@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-
 #include <glm/gtc/constants.hpp>
 
 #include "server/groom/brush.h"
@@ -18,8 +17,7 @@ glm::dvec3 tip_tangent(glm::dvec2 direction, const VertexFrame& frame) {
   if (inclination == 0) return frame.normal;
   const double angle = inclination * glm::half_pi<double>();
   const glm::dvec2 heading = direction / inclination;
-  return std::cos(angle) * frame.normal +
-         std::sin(angle) * (heading.x * frame.tangent + heading.y * frame.bitangent);
+  return std::cos(angle) * frame.normal + std::sin(angle) * (heading.x * frame.tangent + heading.y * frame.bitangent);
 }
 
 /// The turning part: as comb does, towards the inclination at which the tip points along the pull.
@@ -65,8 +63,8 @@ Evaluation attract(const Attract& command, const Surface& surface, const FieldSe
   if (!(radius > 0)) return {};
   for (const auto [vertex, restriction] : reach(command, surface, point, radius)) {
     const glm::dvec3 to_point = point - glm::dvec3(mesh.positions[vertex]);
-    const double weight = command.strength * restriction *
-                          falloff_weight(command.brush.falloff, glm::length(to_point) / radius);
+    const double weight =
+        command.strength * restriction * falloff_weight(command.brush.falloff, glm::length(to_point) / radius);
     if (weight == 0) continue;
     const VertexFrame frame = frame_at(mesh, vertex);
     const glm::dvec3 pull = sign * safe_unit(to_point);

@@ -1,5 +1,4 @@
 #include <cmath>
-
 #include <glm/gtc/constants.hpp>
 
 #include "server/groom/brush.h"

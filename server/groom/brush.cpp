@@ -46,8 +46,8 @@ double internal_length(double value, Units units, const Mesh& mesh) {
 BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface)
     : brush_(brush), surface_(surface), radius_(internal_length(brush.radius, brush.units, surface.mesh())) {
   for (const StrokeSample& sample : stroke.samples) {
-    path_.push_back({internal_position(sample, surface), sample.pressure,
-                     std::holds_alternative<SurfacePlace>(sample.place)});
+    path_.push_back(
+        {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfacePlace>(sample.place)});
   }
   if (!stroke.view) return;
   const double aspect = static_cast<double>(stroke.view->width) / stroke.view->height;

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "protocol/commands/command.h"
 #include "server/surface/surface.h"
@@ -62,7 +61,7 @@ class BrushStroke {
 
   Brush brush_;
   const Surface& surface_;
-  double radius_;                  // sizes
+  double radius_;  // sizes
   std::vector<Node> path_;
   std::optional<glm::dvec3> eye_;  // what front faces are judged against, where the stroke has a view
 };

@@ -44,10 +44,11 @@ void frame_box(PlacedCamera& camera, double aspect, glm::dvec3 low, glm::dvec3 h
   const double tan_v = camera.tan_half_fov * (1 - frame_margin), tan_h = tan_v * aspect;
   double distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 c = glm::dvec3(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
-                                    corner & 4 ? high.z : low.z) - target;
+    const glm::dvec3 c =
+        glm::dvec3(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z) - target;
     const double nearer = -glm::dot(c, camera.forward);
-    const double needed = std::max(std::abs(glm::dot(c, camera.right)) / tan_h, std::abs(glm::dot(c, camera.up)) / tan_v);
+    const double needed =
+        std::max(std::abs(glm::dot(c, camera.right)) / tan_h, std::abs(glm::dot(c, camera.up)) / tan_v);
     distance = std::max(distance, nearer + std::max(needed, least_gap));
   }
   camera.eye = target - distance * camera.forward;

@@ -38,8 +38,10 @@ void comb_stroke(const Comb& command, const Surface& surface, WorkingSet& work) 
 
 Evaluation comb(const Comb& command, const Surface& surface, const FieldSet& fields) {
   WorkingSet work(fields);
-  if (command.flood) comb_flood(command, surface.mesh(), work);
-  else if (command.stroke) comb_stroke(command, surface, work);
+  if (command.flood)
+    comb_flood(command, surface.mesh(), work);
+  else if (command.stroke)
+    comb_stroke(command, surface, work);
   return {work.delta(), 0};
 }
 

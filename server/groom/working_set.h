@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
-
 #include <glm/glm.hpp>
+#include <unordered_map>
 
 #include "server/fields/field_set.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <utility>
 
 #include "protocol/json/decode.h"
 
@@ -40,10 +41,14 @@ void prepend_samples(Command& later, const Command& earlier) {
 }  // namespace
 
 std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command) {
-  if (const auto* coat = std::get_if<SetCoat>(&command)) settings.coat = coat->coat;
-  else if (const auto* look = std::get_if<SetLook>(&command)) settings.look = look->look;
-  else if (const auto* lights = std::get_if<SetLights>(&command)) settings.lights = lights->lights;
-  else return std::nullopt;
+  if (const auto* coat = std::get_if<SetCoat>(&command))
+    settings.coat = coat->coat;
+  else if (const auto* look = std::get_if<SetLook>(&command))
+    settings.look = look->look;
+  else if (const auto* lights = std::get_if<SetLights>(&command))
+    settings.lights = lights->lights;
+  else
+    return std::nullopt;
   return settings;
 }
 
@@ -155,11 +160,12 @@ std::vector<std::vector<Command>> History::effective_log() const {
     std::vector<Command> commands = whole_commands(records_[at].line.commands);
     if (later) {
       prepend_samples(*later, commands.front());
-      commands.front() = *std::move(later);
-      later.reset();
+      commands.front() = std::exchange(later, std::nullopt).value();
     }
-    if (records_[at].line.kind == name_of(EntryKind::join)) later = std::move(commands.front());
-    else steps.push_back(std::move(commands));
+    if (records_[at].line.kind == name_of(EntryKind::join))
+      later = std::move(commands.front());
+    else
+      steps.push_back(std::move(commands));
   }
   std::reverse(steps.begin(), steps.end());
   return steps;

@@ -32,10 +32,10 @@ const char* name_of(EntryKind kind);
 struct Entry {
   Revision revision = 0;
   EntryKind kind = EntryKind::command;
-  std::uint64_t argument = 0;  // steps of undo and redo, the revision that a revert goes back to
-  std::string commands;        // JSON text of the resolved commands; "" for undo, redo and revert
-  FieldDelta delta;            // from the revision before
-  FieldsHash fields_hash;      // after it
+  std::uint64_t argument = 0;                     // steps of undo and redo, the revision that a revert goes back to
+  std::string commands;                           // JSON text of the resolved commands; "" for undo, redo and revert
+  FieldDelta delta;                               // from the revision before
+  FieldsHash fields_hash;                         // after it
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
 };
 

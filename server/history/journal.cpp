@@ -112,8 +112,9 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
 Status Journal::add_scene(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
   const std::lock_guard lock(mutex_);
-  Statement insert = database_->prepare("INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
-                                        " first_groom, raw, id) VALUES(?,?,?,?,?,?,?,?,?)");
+  Statement insert = database_->prepare(
+      "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
+      " first_groom, raw, id) VALUES(?,?,?,?,?,?,?,?,?)");
   insert.text(scene.name);
   return run_with_model(std::move(insert), scene, first_groom);
 }
@@ -141,8 +142,10 @@ Status Journal::append(const std::string& scene, const Entry& entry) {
   Statement insert = database_->prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
   insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
   insert.text(entry.commands);
-  if (entry.settings) insert.text(settings_text(*entry.settings));
-  else insert.null();
+  if (entry.settings)
+    insert.text(settings_text(*entry.settings));
+  else
+    insert.null();
   return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
 }
 
@@ -158,8 +161,9 @@ Result<std::vector<std::string>> Journal::scene_ids() const {
 
 Result<StoredScene> Journal::scene(const std::string& id) const {
   const std::lock_guard lock(mutex_);
-  Statement row = database_->prepare("SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw"
-                                     " FROM scenes WHERE id = ?");
+  Statement row = database_->prepare(
+      "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw"
+      " FROM scenes WHERE id = ?");
   const Result<bool> found = row.text(id).step();
   if (!found) return found.status();
   if (!*found) return failure(Code::not_found, "the journal has no such scene");
@@ -176,8 +180,9 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
 Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision after) const {
   const std::lock_guard lock(mutex_);
   std::vector<Entry> entries;
-  Statement rows = database_->prepare("SELECT revision, kind, argument, commands, settings, hash_low, hash_high, delta"
-                                      " FROM entries WHERE scene = ? AND revision > ? ORDER BY revision");
+  Statement rows = database_->prepare(
+      "SELECT revision, kind, argument, commands, settings, hash_low, hash_high, delta"
+      " FROM entries WHERE scene = ? AND revision > ? ORDER BY revision");
   rows.text(scene).number(after);
   Result<bool> row = rows.step();
   for (; row && *row; row = rows.step()) {

@@ -20,7 +20,7 @@ struct StoredModel {
   std::string name;  // "creature", "obj", ...
   Axis up = Axis::plus_y, front = Axis::plus_z;
   bool source_is_32_bit = false;
-  std::string raw;   // encode_raw_model
+  std::string raw;  // encode_raw_model
 };
 
 struct StoredScene {

@@ -73,8 +73,10 @@ void LiveStroke::accept(const Plan& plan, const Command& command, bool changed) 
   finished_ = part->last;
   whole_ = plan.whole;
   unlogged_.clear();
-  if (changed) ++logged_parts_;
-  else unlogged_ = stroke_of(plan.unlogged)->samples;
+  if (changed)
+    ++logged_parts_;
+  else
+    unlogged_ = stroke_of(plan.unlogged)->samples;
 }
 
 void LiveStroke::end() { *this = {}; }

@@ -81,9 +81,7 @@ std::span<const std::byte> Statement::blob_at(int column) const {
   return {static_cast<const std::byte*>(octets), octets != nullptr ? size : 0};
 }
 
-bool Statement::null_at(int column) const {
-  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
-}
+bool Statement::null_at(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
 
 Result<Database> Database::open(const std::string& path) {
   sqlite3* raw = nullptr;

@@ -162,9 +162,10 @@ Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& option
 
 int HttpServer::port() const { return impl_->port; }
 
-void HttpServer::run() {
+Status HttpServer::run() {
   impl_->server.listen_after_bind();
   impl_->finished = true;
+  return impl_->service.draining ? Status{} : failure(Code::internal, "The listening socket failed.");
 }
 
 void HttpServer::stop() {

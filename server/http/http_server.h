@@ -26,8 +26,9 @@ class HttpServer {
   ~HttpServer();
 
   int port() const;
-  /// Serves on this thread until stop() is called and what runs is finished.
-  void run();
+  /// Serves on this thread until stop() is called and what runs is finished. Fails (internal) when the listening
+  /// socket gives up before that.
+  Status run();
   /// Thread-safe: no longer ready, ends waits, takes no new connections.
   void stop();
 

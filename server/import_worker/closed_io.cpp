@@ -1,8 +1,7 @@
 #include "server/import_worker/closed_io.h"
 
-#include <assimp/IOStream.hpp>
-
 #include <algorithm>
+#include <assimp/IOStream.hpp>
 #include <cstring>
 #include <string_view>
 

@@ -1,9 +1,8 @@
 // The only files that assimp sees: the octets of the upload.
 #pragma once
 
-#include <string>
-
 #include <assimp/IOSystem.hpp>
+#include <string>
 
 namespace pelage {
 

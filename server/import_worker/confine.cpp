@@ -27,8 +27,7 @@ bool limit_resources(double seconds, std::size_t memory_bytes) {
   const auto cpu = static_cast<rlim_t>(std::ceil(std::clamp(seconds, 1.0, 1e6)));
   constexpr rlim_t open_files = is_sanitized ? 16 : 3;  // the standard streams
   return limit(RLIMIT_CPU, cpu, cpu + 1) && limit(RLIMIT_FSIZE, 0, 0) && limit(RLIMIT_CORE, 0, 0) &&
-         limit(RLIMIT_NOFILE, open_files, open_files) &&
-         (is_sanitized || limit(RLIMIT_AS, memory_bytes, memory_bytes));
+         limit(RLIMIT_NOFILE, open_files, open_files) && (is_sanitized || limit(RLIMIT_AS, memory_bytes, memory_bytes));
 }
 
 using Filter = std::unique_ptr<void, void (*)(scmp_filter_ctx)>;
@@ -61,11 +60,11 @@ bool allow_checks_of_sanitizers(const Filter& filter) {
 bool filter_calls() {
   const Filter filter(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
   if (!filter || !allow_streams(filter) || !allow_memory(filter) || !allow_checks_of_sanitizers(filter)) return false;
-  for (int call : {SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(brk), SCMP_SYS(madvise), SCMP_SYS(futex),
-                   SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask),
-                   SCMP_SYS(rt_sigaction), SCMP_SYS(sigaltstack), SCMP_SYS(getpid), SCMP_SYS(gettid),
-                   SCMP_SYS(tgkill), SCMP_SYS(sched_yield), SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),
-                   SCMP_SYS(getrandom), SCMP_SYS(restart_syscall)}) {
+  for (int call :
+       {SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(brk), SCMP_SYS(madvise), SCMP_SYS(futex), SCMP_SYS(exit),
+        SCMP_SYS(exit_group), SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigaction),
+        SCMP_SYS(sigaltstack), SCMP_SYS(getpid), SCMP_SYS(gettid), SCMP_SYS(tgkill), SCMP_SYS(sched_yield),
+        SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(getrandom), SCMP_SYS(restart_syscall)}) {
     if (!allow(filter, call)) return false;
   }
   return seccomp_load(filter.get()) == 0;

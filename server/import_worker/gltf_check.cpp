@@ -43,7 +43,8 @@ std::int64_t index(const json& object, const char* name) {
 
 std::string printable(std::string word) {
   word.resize(std::min<std::size_t>(word.size(), 200));
-  std::replace_if(word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  std::replace_if(
+      word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
   return word;
 }
 
@@ -70,7 +71,8 @@ Status check_uris(const json& root) {
     for (const json& entry : list(root, kind)) {
       const std::string uri = text(entry, "uri");
       if (is_outside(uri)) {
-        return broken("it needs the other file \"" + printable(uri) + "\", and none but the upload is opened; pack "
+        return broken("it needs the other file \"" + printable(uri) +
+                      "\", and none but the upload is opened; pack "
                       "all into one GLB.");
       }
     }
@@ -97,7 +99,8 @@ Status check_nodes(const json& root) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (const json& child : list(nodes[i], "children")) {
       const std::int64_t c = child.is_number_unsigned() ? child.get<std::int64_t>() : -1;
-      if (c < 0 || c >= static_cast<std::int64_t>(nodes.size())) return broken("a node names a child that is not there.");
+      const bool exists = c >= 0 && c < static_cast<std::int64_t>(nodes.size());
+      if (!exists) return broken("a node names a child that is not there.");
       if (parent[static_cast<std::size_t>(c)] >= 0) return broken("node " + std::to_string(c) + " has two parents.");
       parent[static_cast<std::size_t>(c)] = static_cast<std::int64_t>(i);
     }

@@ -1,9 +1,9 @@
 // glTF, GLB and 3DS by assimp, which sees the upload and no other file.
 #include <assimp/BaseImporter.h>
-#include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
+#include <assimp/Importer.hpp>
 #include <cstring>
 #include <limits>
 #include <memory>

@@ -69,8 +69,8 @@ class Numbers {
 /// A list's length, or nothing when it is no count or there is no room for it.
 std::optional<std::size_t> take_count(Numbers& numbers, PlyType type) {
   const double count = numbers.next(type);
-  const bool good = numbers.ok() && count >= 0 && count <= static_cast<double>(numbers.octets_left()) &&
-                    count == std::floor(count);
+  const bool good =
+      numbers.ok() && count >= 0 && count <= static_cast<double>(numbers.octets_left()) && count == std::floor(count);
   return good ? std::optional(static_cast<std::size_t>(count)) : std::nullopt;
 }
 
@@ -91,11 +91,11 @@ double* place_of(Vertex& vertex, std::string_view name) {
     std::string_view name;
     double* place;
   };
-  const Name names[] = {{"x", &vertex.position.x},   {"y", &vertex.position.y},     {"z", &vertex.position.z},
-                        {"red", &vertex.colour.x},   {"green", &vertex.colour.y},   {"blue", &vertex.colour.z},
-                        {"r", &vertex.colour.x},     {"g", &vertex.colour.y},       {"b", &vertex.colour.z},
-                        {"s", &vertex.uv.x},         {"t", &vertex.uv.y},           {"u", &vertex.uv.x},
-                        {"v", &vertex.uv.y},         {"texture_u", &vertex.uv.x},   {"texture_v", &vertex.uv.y}};
+  const Name names[] = {{"x", &vertex.position.x}, {"y", &vertex.position.y},   {"z", &vertex.position.z},
+                        {"red", &vertex.colour.x}, {"green", &vertex.colour.y}, {"blue", &vertex.colour.z},
+                        {"r", &vertex.colour.x},   {"g", &vertex.colour.y},     {"b", &vertex.colour.z},
+                        {"s", &vertex.uv.x},       {"t", &vertex.uv.y},         {"u", &vertex.uv.x},
+                        {"v", &vertex.uv.y},       {"texture_u", &vertex.uv.x}, {"texture_v", &vertex.uv.y}};
   for (const Name& entry : names) {
     if (entry.name == name) return entry.place;
   }

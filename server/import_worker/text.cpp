@@ -30,8 +30,10 @@ std::string_view take_word(std::string_view& text) {
 std::string_view take_line(std::string_view& text) {
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   text.remove_prefix(line.size());
-  if (text.starts_with("\r\n")) text.remove_prefix(2);
-  else if (!text.empty()) text.remove_prefix(1);
+  if (text.starts_with("\r\n"))
+    text.remove_prefix(2);
+  else if (!text.empty())
+    text.remove_prefix(1);
   return line;
 }
 

@@ -37,6 +37,7 @@ Status in_batch(Status status, std::size_t command, std::size_t commands) {
 
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers) {
   std::vector<Command> some;
+  some.reserve(numbers.size());
   for (const std::size_t k : numbers) some.push_back(commands[k]);
   return some;
 }
@@ -88,8 +89,8 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
     const std::string text = encode(chosen(planned->logged, outcome.effective));
-    Status written = commit({history_.revision() + 1, kind, 0, text, std::move(outcome.delta), outcome.fields_hash,
-                             outcome.settings});
+    Status written = commit(
+        {history_.revision() + 1, kind, 0, text, std::move(outcome.delta), outcome.fields_hash, outcome.settings});
     if (!written.ok()) return written;
   }
 
@@ -124,28 +125,24 @@ Status Scene::admit(const ExecuteOptions& options) const {
 }
 
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
-  Plan all;
+  std::vector<Command> resolved;
   for (std::size_t k = 0; k < commands.size(); ++k) {
-    const auto refused = [&](Status status) { return in_batch(std::move(status), k, commands.size()); };
-    Result<Command> resolved = resolve(commands[k], model_->surface);
-    if (!resolved) return refused(resolved.status());
-    const Stroke* stroke = stroke_of(*resolved);
+    Result<Command> command = resolve(commands[k], model_->surface);
+    if (!command) return in_batch(command.status(), k, commands.size());
+    const Stroke* stroke = stroke_of(*command);
     if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
-      return refused(failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last"));
+      Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
+      return in_batch(std::move(parts), k, commands.size());
     }
-    if (commands.size() > 1) {
-      all.whole.push_back(*resolved);
-      all.logged.push_back(std::move(*resolved));
-      continue;
-    }
-    Result<LiveStroke::Plan> live = live_.plan(*resolved);
-    if (!live) return live.status();
-    if (live->joins) {  // the whole stroke has limits that no part breaks alone
-      if (Result<Command> checked = resolve(live->whole, model_->surface); !checked) return checked.status();
-    }
-    all = {{std::move(live->whole)}, {std::move(live->unlogged)}, live->joins};
+    resolved.push_back(std::move(*command));
   }
-  return all;
+  if (resolved.size() != 1) return Plan{resolved, resolved, false};
+  Result<LiveStroke::Plan> live = live_.plan(resolved.front());
+  if (!live) return live.status();
+  if (live->joins) {  // the whole stroke has limits that no part breaks alone
+    if (Result<Command> checked = resolve(live->whole, model_->surface); !checked) return checked.status();
+  }
+  return Plan{{std::move(live->whole)}, {std::move(live->unlogged)}, live->joins};
 }
 
 Status Scene::commit(const Entry& entry) {
@@ -199,8 +196,14 @@ CommandAnswer Scene::answer(std::vector<CommandResult> results) const {
 }
 
 SceneSummary Scene::describe() const {
-  return {id_, name_, history_.revision(), model_->name, model_->surface.mesh().report, fields_.hash(),
-          history_.undo_steps(), history_.redo_steps()};
+  return {id_,
+          name_,
+          history_.revision(),
+          model_->name,
+          model_->surface.mesh().report,
+          fields_.hash(),
+          history_.undo_steps(),
+          history_.redo_steps()};
 }
 
 SceneSummary Scene::summary() const {

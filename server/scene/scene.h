@@ -40,12 +40,18 @@ struct SceneView {
 
 struct ExecuteOptions {
   std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
-  bool dry_run = false;              // answer what it would do; nothing changes
+  bool dry_run = false;                   // answer what it would do; nothing changes
 };
 
-struct Undo { int steps = 1; };      // [1, 1e6]; more than there are: invalid, nothing changes
-struct Redo { int steps = 1; };
-struct Revert { Revision revision = 0; };  // any earlier revision of this model
+struct Undo {
+  int steps = 1;
+};  // [1, 1e6]; more than there are: invalid, nothing changes
+struct Redo {
+  int steps = 1;
+};
+struct Revert {
+  Revision revision = 0;
+};  // any earlier revision of this model
 using HistoryMove = std::variant<Undo, Redo, Revert>;
 
 class Journal;

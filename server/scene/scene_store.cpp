@@ -155,6 +155,7 @@ std::vector<SceneSummary> SceneStore::list() const {
     scenes = impl_->scenes;
   }
   std::vector<SceneSummary> summaries;
+  summaries.reserve(scenes.size());
   for (const auto& scene : scenes) summaries.push_back(scene->summary());
   return summaries;
 }

@@ -15,8 +15,9 @@ namespace pelage {
 /// Thread-safe.
 class SceneStore {
  public:
-  /// Opens or makes `data_folder`/pelage.sqlite and restores every scene in it, with its log and revision, by the stored
-  /// deltas. `worker` is the path of pelage-import. Fails (internal) with the reason when the journal cannot be used.
+  /// Opens or makes `data_folder`/pelage.sqlite and restores every scene in it, with its log and revision, by the
+  /// stored deltas. `worker` is the path of pelage-import. Fails (internal) with the reason when the journal cannot be
+  /// used.
   static Result<std::unique_ptr<SceneStore>> open(const std::string& data_folder, const std::string& worker);
   ~SceneStore();
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 namespace pelage {
 
@@ -26,8 +25,8 @@ Adjacency vertex_neighbours(const std::vector<glm::uvec3>& triangles, std::size_
 struct Side {
   std::uint32_t low, high;  // its vertices
   std::uint32_t triangle;
-  std::uint32_t side;       // 0, 1, 2
-  bool rising;              // whether the triangle runs from low to high
+  std::uint32_t side;  // 0, 1, 2
+  bool rising;         // whether the triangle runs from low to high
 };
 
 /// All sides, those of one edge beside each other, in rising order of (low, high, triangle, side).

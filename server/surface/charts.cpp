@@ -54,8 +54,8 @@ struct ChartFrame {
   glm::dvec3 u, v;
 };
 
-ChartFrame frame_of(const Mesh& mesh, std::span<const std::uint32_t> members,
-                    const std::vector<glm::dvec3>& areas, glm::dvec3 first_normal) {
+ChartFrame frame_of(const Mesh& mesh, std::span<const std::uint32_t> members, const std::vector<glm::dvec3>& areas,
+                    glm::dvec3 first_normal) {
   glm::dvec3 normal(0), tangent(0);
   for (std::uint32_t t : members) {
     normal += areas[t];
@@ -73,7 +73,9 @@ ChartFrame frame_of(const Mesh& mesh, std::span<const std::uint32_t> members,
 class ChartGrower {
  public:
   ChartGrower(const Mesh& mesh, double limit_degrees)
-      : mesh_(mesh), areas_(area_vectors(mesh)), across_(triangles_across(mesh)),
+      : mesh_(mesh),
+        areas_(area_vectors(mesh)),
+        across_(triangles_across(mesh)),
         smallest_cosine_(std::cos(glm::radians(limit_degrees))) {
     map_.chart.assign(mesh.triangles.size(), no_chart);
     map_.corner_uv.resize(mesh.triangles.size());

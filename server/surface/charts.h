@@ -1,10 +1,10 @@
-// Where the sample tile lies on the surface. Laid once when the model is prepared; lapped patches come next behind this.
+// Where the sample tile lies on the surface. Laid once when the model is prepared; lapped patches come next behind
+// this.
 #pragma once
 
 #include <array>
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "server/surface/mesh.h"
 

@@ -101,7 +101,10 @@ int milliseconds_until(Clock::time_point deadline) {
 class Conversation {
  public:
   Conversation(Descriptor stream, Descriptor error, std::span<const std::byte> input, const ChildLimits& limits)
-      : stream_(std::move(stream)), error_(std::move(error)), input_(input), limits_(limits),
+      : stream_(std::move(stream)),
+        error_(std::move(error)),
+        input_(input),
+        limits_(limits),
         deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::chrono::duration<double>(std::clamp(limits.seconds, 0.0, 1e6)))) {}
 

@@ -10,18 +10,18 @@
 namespace pelage {
 
 struct ChildLimits {
-  double seconds;           // of wall time, then it is killed
-  std::size_t answer_bytes; // on its standard output, then it is killed
+  double seconds;            // of wall time, then it is killed
+  std::size_t answer_bytes;  // on its standard output, then it is killed
 };
 
 /// How a child ended and what it said.
 struct ChildResult {
-  std::string answer;        // its standard output
-  std::string complaint;     // the first 4 KiB of its standard error
-  bool timed_out = false;    // killed at the deadline
-  bool too_long = false;     // killed because its answer grew over the limit
-  int exit_code = -1;        // -1 when a signal ended it
-  int signal = 0;            // 0 when it exited
+  std::string answer;      // its standard output
+  std::string complaint;   // the first 4 KiB of its standard error
+  bool timed_out = false;  // killed at the deadline
+  bool too_long = false;   // killed because its answer grew over the limit
+  int exit_code = -1;      // -1 when a signal ended it
+  int signal = 0;          // 0 when it exited
 };
 
 /// Runs arguments[0] with nothing of this process but the three standard streams: no other descriptor, an empty

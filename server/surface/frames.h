@@ -1,9 +1,8 @@
 // Normals and tangents of vertices.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "server/surface/soup.h"
 

@@ -11,16 +11,16 @@
 namespace pelage {
 
 struct ImportLimits {
-  double seconds = 60;                                   // of wall time and of CPU
-  std::size_t memory_bytes = std::size_t{6} << 30;       // address space of the worker
-  std::size_t answer_bytes = std::size_t{2} << 30;       // what the worker may send back
+  double seconds = 60;                              // of wall time and of CPU
+  std::size_t memory_bytes = std::size_t{6} << 30;  // address space of the worker
+  std::size_t answer_bytes = std::size_t{2} << 30;  // what the worker may send back
 };
 
 /// The folder that holds this program, where its workers lie too.
 std::string program_folder();
 
-/// Runs `worker` (path of pelage-import), sends it `octets`, reads and validates its answer. A worker that crashes, runs
-/// over a limit or answers nonsense gives a Status (invalid) that says so; the caller lives on.
+/// Runs `worker` (path of pelage-import), sends it `octets`, reads and validates its answer. A worker that crashes,
+/// runs over a limit or answers nonsense gives a Status (invalid) that says so; the caller lives on.
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> octets,
                               const ImportLimits& limits = {});
 

@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 bool is_colour(glm::vec3 c) {
-  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && glm::all(glm::greaterThanEqual(c, glm::vec3(0)));
+  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0 && c.y >= 0 && c.z >= 0;
 }
 
 bool is_place(glm::dvec2 uv) {

@@ -36,8 +36,11 @@ Neighbours find_neighbours(const std::vector<glm::uvec3>& triangles, Orientation
 class Orienter {
  public:
   Orienter(const Soup& soup, Orientation& report)
-      : soup_(soup), report_(report), neighbours_(find_neighbours(soup.triangles, report)),
-        flip_(soup.triangles.size(), false), part_(soup.triangles.size(), no_triangle) {}
+      : soup_(soup),
+        report_(report),
+        neighbours_(find_neighbours(soup.triangles, report)),
+        flip_(soup.triangles.size(), false),
+        part_(soup.triangles.size(), no_triangle) {}
 
   std::vector<bool> decide() {
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
@@ -58,7 +61,7 @@ class Orienter {
       const std::uint32_t t = members[i];
       for (const Neighbour& next : neighbours_[t]) {
         if (next.triangle == no_triangle) continue;
-        const bool wanted = flip_[t];
+        const bool wanted = next.agrees ? flip_[t] : !flip_[t];
         if (part_[next.triangle] == no_triangle) {
           part_[next.triangle] = seed;
           flip_[next.triangle] = wanted;

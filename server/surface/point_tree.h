@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 namespace pelage {
 
@@ -28,8 +27,8 @@ class PointTree {
   };
 
   void build(std::span<const glm::vec3> points, std::size_t node, std::size_t begin, std::size_t end);
-  void search(std::span<const glm::vec3> points, const Ball& ball, std::size_t node, std::size_t begin,
-              std::size_t end, std::vector<std::uint32_t>& found) const;
+  void search(std::span<const glm::vec3> points, const Ball& ball, std::size_t node, std::size_t begin, std::size_t end,
+              std::vector<std::uint32_t>& found) const;
 
   std::vector<std::uint32_t> order_;  // points; a node owns a range of it, its children the halves
   std::vector<Box> boxes_;            // of each node; the children of node n are 2n+1 and 2n+2

@@ -44,9 +44,10 @@ Status check_precision(const Placement& placement) {
   const double largest = std::max({std::abs(placement.low.x), std::abs(placement.low.y), std::abs(placement.low.z),
                                    std::abs(placement.high.x), std::abs(placement.high.y), std::abs(placement.high.z)});
   if (largest * 0x1p-23 <= limits::model_precision * placement.size) return {};
-  return refusal("precision: the model lies so far from its origin that its 32-bit coordinates are coarser than 1e-4 "
-                 "of its size; move it to the origin, or send it in a text format.",
-                 "32-bit steps of at most 1e-4 of the size");
+  return refusal(
+      "precision: the model lies so far from its origin that its 32-bit coordinates are coarser than 1e-4 "
+      "of its size; move it to the origin, or send it in a text format.",
+      "32-bit steps of at most 1e-4 of the size");
 }
 
 struct Count {
@@ -74,8 +75,10 @@ Soup split_polygons(const RawModel& raw, const Polygons& polygons, const Placeme
     for (const auto& [a, b, c] : triangles) {
       soup.add({vertices[a], vertices[b], vertices[c]}, {face.begin + a, face.begin + b, face.begin + c}, face.source);
     }
-    if (triangles.empty()) ++degenerate;
-    else if (face.size > 3) ++split;
+    if (triangles.empty())
+      ++degenerate;
+    else if (face.size > 3)
+      ++split;
   }
   add_repairs(report, {{"degenerate_faces", degenerate}, {"split_polygons", split}});
   return soup;

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace pelage {
 
@@ -33,7 +32,7 @@ struct RawModel {
   std::vector<std::uint16_t> face_material;  // empty, or one for each face
   std::vector<RawMaterial> materials;
   std::vector<RawImage> images;
-  std::vector<float> length_scale;           // empty, or one for each position: first groom's length (built-ins)
+  std::vector<float> length_scale;  // empty, or one for each position: first groom's length (built-ins)
 };
 
 }  // namespace pelage

@@ -115,8 +115,8 @@ std::optional<SurfacePoint> Surface::raycast(glm::dvec3 origin, glm::dvec3 direc
   const glm::dvec3 unit = direction / length;
   const glm::vec3 start(start_near_model(origin, unit)), towards(unit);
   RTCRayHit query{};
-  query.ray = {start.x, start.y, start.z, 0, towards.x, towards.y, towards.z, 0,
-               std::numeric_limits<float>::infinity(), ~0u, 0, 0};
+  query.ray = {start.x, start.y, start.z, 0, towards.x, towards.y, towards.z, 0, std::numeric_limits<float>::infinity(),
+               ~0u,     0,       0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -146,9 +146,7 @@ void Surface::vertices_within(glm::dvec3 centre, double radius, std::vector<std:
   std::sort(found.begin(), found.end());
 }
 
-std::span<const std::uint32_t> Surface::neighbours(std::uint32_t vertex) const {
-  return impl_->neighbours.of(vertex);
-}
+std::span<const std::uint32_t> Surface::neighbours(std::uint32_t vertex) const { return impl_->neighbours.of(vertex); }
 
 glm::dvec3 Surface::position(const SurfacePoint& point) const {
   const auto corners = corners_of(impl_->mesh, point.triangle);

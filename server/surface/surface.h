@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "server/surface/mesh.h"
 

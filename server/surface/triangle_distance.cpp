@@ -7,8 +7,7 @@ namespace pelage {
 namespace {
 
 TrianglePoint at(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place, glm::dvec3 barycentric) {
-  const glm::dvec3 point =
-      barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2];
+  const glm::dvec3 point = barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2];
   return {barycentric, glm::length(place - point)};
 }
 

@@ -18,7 +18,7 @@ struct Polygons {
   std::vector<std::uint32_t> sources;  // of each position: the first of the file
   std::vector<std::uint32_t> vertex;   // of each position of the file: its welded one, no_position when unused
   std::size_t invalid_faces = 0;
-  std::size_t used = 0;                // positions of the file that are used
+  std::size_t used = 0;  // positions of the file that are used
 };
 
 /// Welds vertices on equal positions (bit for bit; -0 equals 0) after `turn`. Refuses (invalid) coordinates over the

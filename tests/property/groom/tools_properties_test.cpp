@@ -70,8 +70,10 @@ class CommandMaker {
     comb.brush = brush();
     comb.lean = extreme({0, 1}, 0, 1);
     comb.flood = random_.uniform() < 0.2;
-    if (comb.flood) comb.direction = heading();
-    else comb.stroke = stroke();
+    if (comb.flood)
+      comb.direction = heading();
+    else
+      comb.stroke = stroke();
     return comb;
   }
   Blow blow() {

@@ -23,13 +23,20 @@ class Script {
   /// One accepted request (or more, for a stroke in parts).
   void act() {
     const double kind = random_.uniform();
-    if (kind < 0.40) send({tool()});
-    else if (kind < 0.50) send({tool(), tool(), setting()});
-    else if (kind < 0.58) send({setting()});
-    else if (kind < 0.72) send_in_parts();
-    else if (kind < 0.84) move(Undo{std::min<int>(1 + below(3), static_cast<int>(scene_.summary().undo_steps))});
-    else if (kind < 0.94) move(Redo{std::min<int>(1 + below(3), static_cast<int>(scene_.summary().redo_steps))});
-    else move(Revert{static_cast<Revision>(below(static_cast<int>(scene_.revision()) + 1))});
+    if (kind < 0.40)
+      send({tool()});
+    else if (kind < 0.50)
+      send({tool(), tool(), setting()});
+    else if (kind < 0.58)
+      send({setting()});
+    else if (kind < 0.72)
+      send_in_parts();
+    else if (kind < 0.84)
+      move(Undo{std::min<int>(1 + below(3), static_cast<int>(scene_.summary().undo_steps))});
+    else if (kind < 0.94)
+      move(Redo{std::min<int>(1 + below(3), static_cast<int>(scene_.summary().redo_steps))});
+    else
+      move(Revert{static_cast<Revision>(below(static_cast<int>(scene_.revision()) + 1))});
   }
 
  private:
@@ -67,8 +74,11 @@ class Script {
     return stroke;
   }
   Brush brush() {
-    return {.radius = random_.uniform(0.02, 0.15), .falloff = static_cast<Falloff>(below(5)),
-            .strength = random_.uniform(), .front_faces_only = chance(0.5), .invert = chance(0.2)};
+    return {.radius = random_.uniform(0.02, 0.15),
+            .falloff = static_cast<Falloff>(below(5)),
+            .strength = random_.uniform(),
+            .front_faces_only = chance(0.5),
+            .invert = chance(0.2)};
   }
   Command tool() {
     const int kind = below(4);
@@ -91,8 +101,10 @@ class Script {
     Comb comb;
     comb.brush = brush();
     comb.flood = chance(0.1);
-    if (comb.flood) comb.direction = glm::dvec3(random_.uniform(-1, 1), 0.5, random_.uniform(-1, 1));
-    else comb.stroke = stroke();
+    if (comb.flood)
+      comb.direction = glm::dvec3(random_.uniform(-1, 1), 0.5, random_.uniform(-1, 1));
+    else
+      comb.stroke = stroke();
     return comb;
   }
   Command setting() {

@@ -103,8 +103,8 @@ TEST_F(ResolveTest, PixelsNeedAView) {
 
 TEST_F(ResolveTest, AutomaticCamerasFrameTheBoxAndNearlyFillThePicture) {
   const Mesh& mesh = sphere_.mesh();
-  for (const AutoView view : {AutoView::front, AutoView::back, AutoView::left, AutoView::right, AutoView::top,
-                              AutoView::three_quarter}) {
+  for (const AutoView view :
+       {AutoView::front, AutoView::back, AutoView::left, AutoView::right, AutoView::top, AutoView::three_quarter}) {
     for (const double aspect : {0.3, 1.0, 2.5}) {
       const PlacedCamera camera = place_camera({.automatic = view}, aspect, mesh);
       double reach = 0;

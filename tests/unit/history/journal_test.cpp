@@ -38,7 +38,10 @@ class JournalTest : public ::testing::Test {
   }
 
   static StoredScene scene(std::string id) {
-    return {std::move(id), "fox \"1\"", {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3)}, 3,
+    return {std::move(id),
+            "fox \"1\"",
+            {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3)},
+            3,
             {{2}, {{}}, {{{0.5f, 0}, 1, 0}}}};
   }
   static Entry entry(Revision revision) {

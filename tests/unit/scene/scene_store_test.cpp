@@ -69,6 +69,24 @@ TEST_F(SceneStoreTest, ARestartHasEverything) {
   again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, Coat{}.root_share); });
 }
 
+TEST_F(SceneStoreTest, WhatWasAnsweredIsOnDiskWhenTheServerIsKilled) {
+  const auto scene = make();
+  for (std::size_t i = 0; i < 20; ++i) execute(*scene, {comb_at(*scene, 10 * i)});
+  // What is on disk now is all that a killed server leaves.
+  const std::filesystem::path left = folder_.string() + "_left";
+  std::filesystem::remove_all(left);
+  std::filesystem::copy(folder_, left);
+  {
+    const auto after = SceneStore::open(left.string(), "pelage-import");
+    ASSERT_TRUE(after.ok()) << after.status().message;
+    const auto again = (*after)->find(scene->id());
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ((*again)->revision(), 20u);
+    EXPECT_EQ(hash(**again), hash(*scene));
+  }
+  std::filesystem::remove_all(left);
+}
+
 TEST_F(SceneStoreTest, ARestartInTheMiddleOfALiveStrokeKeepsWhatCame) {
   const auto scene = make();
   Comb part = comb_at(*scene, 5);

@@ -82,8 +82,7 @@ TEST_F(SceneTest, ABatchIsAllOrNothingAndOneStep) {
 
   SetLook look;
   look.look.ambient = 1;
-  const CommandAnswer answer =
-      execute(*scene, {comb_at(*scene, 5), comb_nothing(*scene), look, comb_at(*scene, 6)});
+  const CommandAnswer answer = execute(*scene, {comb_at(*scene, 5), comb_nothing(*scene), look, comb_at(*scene, 6)});
   EXPECT_EQ(answer.revision, 1u);
   EXPECT_EQ(answer.results.size(), 4u);
   EXPECT_EQ(scene->summary().undo_steps, 1u);
@@ -169,7 +168,9 @@ TEST_F(SceneTest, DrawingGetsTheRangesThatChanged) {
   EXPECT_TRUE(dirty().empty());
   const std::vector<float> before = [&] {
     std::vector<float> x;
-    scene->read([&](const SceneView& view) { for (const auto d : view.fields.direction()) x.push_back(d.x); });
+    scene->read([&](const SceneView& view) {
+      for (const auto d : view.fields.direction()) x.push_back(d.x);
+    });
     return x;
   }();
   execute(*scene, {comb_at(*scene, 5)});
@@ -178,8 +179,8 @@ TEST_F(SceneTest, DrawingGetsTheRangesThatChanged) {
   ASSERT_FALSE(touched.empty());
   scene->read([&](const SceneView& view) {
     for (std::uint32_t v = 0; v < before.size(); ++v) {
-      const bool in_a_range = std::any_of(touched.begin(), touched.end(),
-                                          [v](VertexRange r) { return r.begin <= v && v < r.end; });
+      const bool in_a_range =
+          std::any_of(touched.begin(), touched.end(), [v](VertexRange r) { return r.begin <= v && v < r.end; });
       EXPECT_TRUE(in_a_range || view.fields.direction()[v].x == before[v]) << v;
     }
   });

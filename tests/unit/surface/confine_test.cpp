@@ -1,9 +1,8 @@
 // What the confined worker can no longer do. Each check runs in a child, which confinement stays in.
 #include "server/import_worker/confine.h"
 
-#include <gtest/gtest.h>
-
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>

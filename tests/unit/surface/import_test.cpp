@@ -1,9 +1,8 @@
 // The worker and its limits: whatever it does, the caller gets a Status and lives on.
 #include "server/surface/import.h"
 
-#include <gtest/gtest.h>
-
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -113,9 +112,7 @@ TEST_F(Import, WorkerThatDoesNotListenRaisesNoSignalHere) {
   EXPECT_EQ(run(script("echo no >&2; exit 3"), large).code, Code::invalid);
 }
 
-TEST_F(Import, MissingWorkerIsInternal) {
-  EXPECT_EQ(run(folder_ + "/nothing", one_triangle).code, Code::internal);
-}
+TEST_F(Import, MissingWorkerIsInternal) { EXPECT_EQ(run(folder_ + "/nothing", one_triangle).code, Code::internal); }
 
 TEST_F(Import, WorkerInheritsNoDescriptorAndNoEnvironment) {
   const int leaked = fcntl(STDERR_FILENO, F_DUPFD, 77);  // without close-on-exec
@@ -142,8 +139,8 @@ TEST_F(Import, FilesNamedInsideAModelAreNotOpened) {
 }
 
 TEST_F(Import, OtherFormatsAreNotGuessed) {
-  for (const ModelFormat format : {ModelFormat::ply, ModelFormat::stl, ModelFormat::off, ModelFormat::gltf,
-                                   ModelFormat::glb, ModelFormat::tds}) {
+  for (const ModelFormat format :
+       {ModelFormat::ply, ModelFormat::stl, ModelFormat::off, ModelFormat::gltf, ModelFormat::glb, ModelFormat::tds}) {
     const Result<RawModel> model = import_model(PELAGE_IMPORT, format, octets_of(one_triangle));
     EXPECT_FALSE(model.ok()) << static_cast<int>(format);
   }

@@ -28,8 +28,8 @@ std::string bytes(T value, bool big_endian = false) {
 }
 
 TEST(ParseObj, PolygonsRelativeIndicesAndTextureCoordinates) {
-  const RawModel model = parsed(ModelFormat::obj,
-                                "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0.5\nf -3/1 -2/2 3\nv 0 1 0\nf 1 2 3 -1\n");
+  const RawModel model =
+      parsed(ModelFormat::obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0.5\nf -3/1 -2/2 3\nv 0 1 0\nf 1 2 3 -1\n");
   EXPECT_EQ(model.face_sizes, (std::vector<std::uint32_t>{3, 4}));
   EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 3}));
   EXPECT_EQ(model.corner_uv[1], glm::dvec2(1, 0.5));
@@ -37,7 +37,8 @@ TEST(ParseObj, PolygonsRelativeIndicesAndTextureCoordinates) {
 }
 
 TEST(ParseObj, NumbersAreRoundedCorrectlyAndOtherWordsAreNaN) {
-  const RawModel model = parsed(ModelFormat::obj, "v 0.1 +2.5e-3 -1e20\nv nan 1.#IND 3.1+e2\nv 1e-400 1e400 0\nf 1 2 3");
+  const RawModel model =
+      parsed(ModelFormat::obj, "v 0.1 +2.5e-3 -1e20\nv nan 1.#IND 3.1+e2\nv 1e-400 1e400 0\nf 1 2 3");
   EXPECT_EQ(model.positions[0], glm::dvec3(0.1, 2.5e-3, -1e20));
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(model.positions[1][i]));
   EXPECT_EQ(model.positions[2].x, 0);
@@ -79,7 +80,8 @@ TEST(ParseStl, CutOffTextIsRefused) {
   const std::string text = "solid a vertex\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
   EXPECT_EQ(parsed(ModelFormat::stl, text + "endloop\nendfacet\nendsolid\n").face_sizes.size(), 1u);
   EXPECT_NE(refusal(ModelFormat::stl, text).find("cut off"), std::string::npos);
-  EXPECT_NE(refusal(ModelFormat::stl, "solid a\nfacet\nouter loop\nvertex 0 zero 0\n").find("number"), std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::stl, "solid a\nfacet\nouter loop\nvertex 0 zero 0\n").find("number"),
+            std::string::npos);
 }
 
 TEST(ParseOff, CommentsColoursAndBadIndices) {
@@ -129,7 +131,8 @@ TEST(ParsePly, TextIsReadInDouble) {
 }
 
 TEST(ParsePly, ListsLongerThanTheFileAreRefused) {
-  const std::string header = "ply\nformat ascii 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
   EXPECT_FALSE(refusal(ModelFormat::ply, header + "4000000000 1 2 3").empty());
   EXPECT_FALSE(refusal(ModelFormat::ply, header + "-1 1 2 3").empty());
   EXPECT_FALSE(refusal(ModelFormat::ply, header + "2.5 1 2 3").empty());
@@ -157,11 +160,14 @@ TEST(ParseGltf, NodeTransformsAndFactors) {
 }
 
 TEST(ParseGltf, OutsidePicturesAndOtherVersionsAreRefused) {
-  EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "images": [{"uri": "fur.png"}]})").find("fur.png"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "images": [{"uri": "fur.png"}]})").find("fur.png"),
+      std::string::npos);
   EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "1.0"}})").find("1.0"), std::string::npos);
   EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {},
-                                          {"children": [1]}]})").find("two parents"), std::string::npos);
+                                          {"children": [1]}]})")
+                .find("two parents"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ TEST(Prepare, CubeIsCentredScaledAndOutward) {
 
 TEST(Prepare, ExtremeScalesAndOffsetsGiveTheSameMesh) {
   const Result<Mesh> plain = prepared(cube());
-  for (const RawModel& raw : {cube(1e-15), cube(1e20), cube(1, glm::dvec3(1e7)), cube(1e-100), cube(1, glm::dvec3(-1e7))}) {
+  for (const RawModel& raw :
+       {cube(1e-15), cube(1e20), cube(1, glm::dvec3(1e7)), cube(1e-100), cube(1, glm::dvec3(-1e7))}) {
     const Result<Mesh> mesh = prepared(raw);
     ASSERT_TRUE(mesh.ok()) << mesh.status().message;
     expect_groomable(*mesh);
@@ -100,8 +101,8 @@ TEST(Prepare, TurnsUpAndFront) {
 }
 
 TEST(Prepare, WeldsEqualPositionsAlsoAcrossTheSignOfZero) {
-  const RawModel raw = model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 1, 0}, {1, -0.0, 0}, {1, 1, 0}},
-                                {{0, 1, 2}, {3, 4, 5}});
+  const RawModel raw = model_of({{-1, -3, -3}, {-1, -2, 0}, {-1, 0, -2}, {-1, -2, -0.0}, {-1, -0.0, -2}, {-1, 1, 1}},
+                                {{0, 1, 2}, {4, 3, 5}});
   const Result<Mesh> mesh = prepared(raw);
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(mesh->positions.size(), 4u);
@@ -111,9 +112,9 @@ TEST(Prepare, WeldsEqualPositionsAlsoAcrossTheSignOfZero) {
 
 TEST(Prepare, DropsWhatIsNoFace) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  RawModel raw = model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nan, 0, 0}, {0, inf, 0}, {2, 0, 0}, {1, 0, 0}},
-                          {{0, 1, 2}, {0, 1, 3}, {4, 1, 2}, {0, 1}, {0, 1, no_position}, {0, 1, 5}, {0, 1, 6}, {2, 0, 1},
-                           {1, 0, 2}});
+  RawModel raw = model_of(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nan, 0, 0}, {0, inf, 0}, {2, 0, 0}, {1, 0, 0}},
+      {{0, 1, 2}, {0, 1, 3}, {4, 1, 2}, {0, 1}, {0, 1, no_position}, {0, 1, 5}, {0, 1, 6}, {2, 0, 1}, {1, 0, 2}});
   const Result<Mesh> mesh = prepared(raw);
   ASSERT_TRUE(mesh.ok());
   expect_groomable(*mesh);
@@ -157,15 +158,16 @@ TEST(Prepare, APlaneKeepsTheWindingOfMostOfIt) {
 TEST(Prepare, ConcaveAndKeyholePolygonsKeepTheirArea) {
   // An L of area 3, once around each way, and a square with a square hole joined by a bridge: 16 - 4.
   const std::vector<glm::dvec3> l = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
-  for (const auto& order : {std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}, std::vector<std::uint32_t>{3, 2, 1, 0, 5, 4}}) {
+  for (const auto& order :
+       {std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}, std::vector<std::uint32_t>{3, 2, 1, 0, 5, 4}}) {
     const Result<Mesh> mesh = prepared(model_of(l, {order}));
     ASSERT_TRUE(mesh.ok());
     EXPECT_EQ(mesh->triangles.size(), 4u);
     EXPECT_NEAR(area(*mesh), 3, 1e-6);
   }
-  const Result<Mesh> hole = prepared(model_of(
-      {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}},
-      {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}}));
+  const Result<Mesh> hole =
+      prepared(model_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}},
+                        {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}}));
   ASSERT_TRUE(hole.ok());
   EXPECT_NEAR(area(*hole), 12, 1e-5);
 }
@@ -204,7 +206,8 @@ TEST(Prepare, TangentsPointTailwards) {
 
 TEST(Prepare, CancellingNormalsFallBackToATriangle) {
   // Two triangles back to back that differ in one far vertex: at the shared ones the areas cancel.
-  const Result<Mesh> mesh = prepared(model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1e-13}}, {{0, 1, 2}, {1, 0, 3}}));
+  const Result<Mesh> mesh =
+      prepared(model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1e-13}}, {{0, 1, 2}, {1, 0, 3}}));
   ASSERT_TRUE(mesh.ok());
   expect_groomable(*mesh);
 }

@@ -62,7 +62,8 @@ std::vector<std::pair<std::string, std::string>> equal_pairs() {
   std::vector<std::pair<std::string, std::string>> pairs;
   for (std::sregex_iterator c(text.begin(), text.end(), chain), end; c != end; ++c) {
     const std::string others = (*c)[2];
-    for (std::sregex_iterator l(others.begin(), others.end(), link); l != end; ++l) pairs.emplace_back((*c)[1], (*l)[1]);
+    for (std::sregex_iterator l(others.begin(), others.end(), link); l != end; ++l)
+      pairs.emplace_back((*c)[1], (*l)[1]);
   }
   return pairs;
 }

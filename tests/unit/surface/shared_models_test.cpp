@@ -1,4 +1,6 @@
 // Every file of the shared folder, against the tables of its README.
+#include "tests/unit/surface/shared_models.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <iostream>
 
 #include "tests/unit/surface/mesh_checks.h"
-#include "tests/unit/surface/shared_models.h"
 
 namespace pelage {
 namespace {
@@ -36,10 +37,9 @@ Counts counts_of(const std::string& cell) {
 }
 
 std::string describe(const ModelReport& report) {
-  std::string text = std::to_string(report.source_vertices) + " -> " + std::to_string(report.vertices) +
-                     " vertices, " + std::to_string(report.source_faces) + " faces -> " +
-                     std::to_string(report.triangles) + " triangles, " + std::to_string(report.parts) + " parts, size " +
-                     std::to_string(report.size);
+  std::string text = std::to_string(report.source_vertices) + " -> " + std::to_string(report.vertices) + " vertices, " +
+                     std::to_string(report.source_faces) + " faces -> " + std::to_string(report.triangles) +
+                     " triangles, " + std::to_string(report.parts) + " parts, size " + std::to_string(report.size);
   for (const Repair& repair : report.repairs) text += ", " + repair.code + " " + std::to_string(repair.count);
   return text;
 }
