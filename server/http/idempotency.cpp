@@ -39,7 +39,7 @@ void IdempotencyCache::answer(const httplib::Request& request, httplib::Response
 bool IdempotencyCache::begin(const std::string& key, const Entry& entry, httplib::Response& response) {
   const std::lock_guard lock(mutex_);
   const auto [found, fresh] = entries_.try_emplace(key, entry);
-  return true;
+  if (fresh) return true;
   const Entry& known = found->second;
   if (known.fingerprint[0] != entry.fingerprint[0] || known.fingerprint[1] != entry.fingerprint[1]) {
     reply_problem(response, failure(Code::invalid, "This Idempotency-Key came with another request before."));
