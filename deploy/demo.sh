@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-keep=no model=/usr/share/glmark2/models/horse.3ds up=-x front=-z
+keep=no model=/usr/share/glmark2/models/horse.3ds up=y front=x
 while [ $# -gt 0 ]; do
   case "$1" in
     --keep) keep=yes ;;

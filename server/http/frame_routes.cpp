@@ -6,6 +6,7 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
+#include "server/http/client_socket.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 
@@ -17,7 +18,7 @@ using httplib::Request;
 using httplib::Response;
 using Clock = std::chrono::steady_clock;
 
-constexpr double slice_seconds = 0.25;              // how soon a wait sees that the server stops
+constexpr double slice_seconds = 0.25;              // how soon a wait sees that the server stops or the client left
 constexpr std::int64_t large_pixels = 4096 * 4096;  // beyond it frames are drawn one at a time
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -60,14 +61,14 @@ Result<News> news_of(const Request& request) {
 
 /// Ok when the scene is newer than asked for; unavailable when too many wait; not_found when the scene went away;
 /// precondition when there is nothing newer.
-Status wait_for_news(Service& service, const Scene& scene, const News& news) {
+Status wait_for_news(Service& service, const Scene& scene, const News& news, const ClientSocket& client) {
   if (!news.after || scene.revision() > *news.after) return {};
   const Status nothing_new = failure(Code::precondition, "Nothing is newer.");
   if (news.wait_seconds == 0) return nothing_new;
   const auto pass = service.waiting.enter();
   if (!pass) return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", worker_threads / 4));
   const auto start = Clock::now();
-  while (!service.draining) {
+  while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - seconds_since(start);
     if (left <= 0) break;
     if (scene.wait_newer(*news.after, std::min(left, slice_seconds)) > *news.after) return {};
@@ -81,14 +82,15 @@ std::string server_timing(const FrameTimings& t) {
                      t.upload, t.draw, t.read, t.encode);
 }
 
-void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted, Response& response) {
+void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
+                 const ClientSocket& client, Response& response) {
   const bool large = std::int64_t{wanted.width} * wanted.height > large_pixels;
   const auto pass = large ? service.large_frames.enter() : Gate::Pass(nullptr);
   if (large && !pass) {
     return reply_problem(response, failure(Code::unavailable, "Another large frame is being drawn.", "", "one at a time"));
   }
   const auto start = Clock::now();
-  auto frame = service.frames.frame(scene, wanted, [&service] { return service.draining.load(); });
+  auto frame = service.frames.frame(scene, wanted, [&client] { return client.gone(); });
   if (!frame) return reply_problem(response, frame.status());
   service.metrics.count_frame(seconds_since(start));
   response.status = 200;
@@ -105,7 +107,8 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
   if (!wanted) return reply_problem(response, wanted.status());
   const auto news = news_of(request);
   if (!news) return reply_problem(response, news.status());
-  const Status status = wait_for_news(service, *scene, *news);
+  const ClientSocket client(request);
+  const Status status = wait_for_news(service, *scene, *news, client);
   const Revision revision = scene->revision();
   const bool known = request.method != "POST" && none_match_names(request, revision);
   if (known || status.code == Code::precondition) {
@@ -113,7 +116,7 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
     return set_etag(response, revision);
   }
   if (!status.ok()) return reply_problem(response, status);
-  reply_frame(service, scene, *wanted, response);
+  reply_frame(service, scene, *wanted, client, response);
 }
 
 Query frame_query_of(const Request& request) {

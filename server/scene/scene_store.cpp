@@ -46,9 +46,6 @@ Status full() {
                  "at most " + std::to_string(limits::scenes) + " scenes");
 }
 
-/// Only tinyobjloader reads doubles.
-bool read_as_32_bit(ModelFormat format) { return format != ModelFormat::obj; }
-
 FieldDelta groom_of(const Scene& scene) {
   FieldDelta groom;
   scene.read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
@@ -166,7 +163,7 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
   if (!slot.has()) return failure(Code::busy, "the server is reading other models", {}, "two models at a time");
   const Result<RawModel> raw = import_model(impl_->worker, options.format, octets);
   if (!raw) return raw.status();
-  StoredModel how{name_of(options.format), options.up, options.front, read_as_32_bit(options.format), {}};
+  StoredModel how{name_of(options.format), options.up, options.front, raw->is_32_bit, {}};
   auto model = build_model(*raw, how, ++impl_->last_model);
   if (!model) return model.status();
   how.raw = encode_raw_model(*raw);

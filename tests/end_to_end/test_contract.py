@@ -148,6 +148,61 @@ class Requests(ServedTest):
             self.agree("NewScene", variation, create)
 
 
+class Defaults(ServedTest):
+    """The log shows every member of a command, and so what was taken for those that were not given."""
+
+    def assert_defaults(self, schema, taken, *, given=()):
+        properties = SCHEMAS[schema]["properties"]
+        for key, value in taken.items():
+            declared = properties[key]
+            if "default" not in declared and "$ref" in declared:
+                declared = SCHEMAS[declared["$ref"].rsplit("/", 1)[1]]
+            if key in given or "default" not in declared:
+                continue
+            if isinstance(value, list):  # colours are 32-bit inside
+                for a, b in zip(value, declared["default"]):
+                    self.assertAlmostEqual(a, b, places=6, msg=f"{schema}.{key}")
+            elif declared["default"] == [1, 1, 1]:
+                self.assertEqual(value, "#ffffff")
+            else:
+                self.assertEqual(value, declared["default"], f"{schema}.{key}")
+
+    def test_commands(self):
+        scene = self.server.new_scene("sphere", 500)
+        answer = scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=1.0), {"op": "blow", "source": [0, 0, 1], "direction": [0, 0, -1]},
+                           {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
+                           {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]})
+        self.assertEqual(answer.status, 200, answer)
+        commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
+        combed, blown, attracted, coat, look, lights = commands
+        self.assert_defaults("Comb", combed)
+        self.assert_defaults("Stroke", combed["stroke"])
+        self.assert_defaults("Brush", combed["brush"], given=["radius"])
+        self.assert_defaults("Brush", blown["brush"])
+        self.assert_defaults("Blow", blown, given=["direction"])
+        self.assert_defaults("Attract", attracted)
+        self.assert_defaults("Coat", coat["coat"], given=["count"])
+        self.assert_defaults("Look", look["look"], given=["ambient"])
+        self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
+
+    def test_frames(self):
+        scene = self.server.new_scene("sphere", 500)
+        plain = scene.post("frames", {})
+        self.assert_defaults("Knobs", json.loads(plain.headers["pelage-quality"]))
+        self.assertEqual(plain.image.shape[:2], (512, 512))
+        said = {key: value["default"] for key, value in SCHEMAS["FrameRequest"]["properties"].items() if "default" in value}
+        self.assertEqual(scene.post("frames", said).body, plain.body)
+
+    def test_scenes(self):
+        plain = self.server.post("/v1/scenes", {}).json
+        said = {"name": SCHEMAS["NewScene"]["properties"]["name"]["default"],
+                "model": {k: v["default"] for k, v in SCHEMAS["NewScene"]["properties"]["model"]["properties"].items()},
+                "fur": {k: v["default"] for k, v in SCHEMAS["FirstGroom"]["properties"].items()}}
+        same = self.server.post("/v1/scenes", said).json
+        for key in ("name", "model", "triangles", "fields_hash"):
+            self.assertEqual(plain[key], same[key])
+
+
 class Answers(ServedTest):
     def check(self, path, method, answer):
         operation = CONTRACT["paths"][path][method]

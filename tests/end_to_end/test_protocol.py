@@ -1,6 +1,8 @@
 """Revisions, conditions, repeated requests, waiting and picking."""
 
 import concurrent.futures
+import re
+import socket
 import threading
 import time
 import unittest
@@ -131,6 +133,22 @@ class Views(ServedTest):
         self.assertTrue(set(answers) <= {200, 409}, answers)
         self.assertIn(200, answers)
         self.assertIn(409, answers)
+
+
+    def test_frames_that_nobody_waits_for_are_dropped(self):
+        def frames_drawn():
+            return int(re.search(r"pelage_frames_total (\d+)", self.server.get("/metrics").body.decode())[1])
+
+        scene = self.server.new_scene("creature", 5000)
+        before = frames_drawn()
+        body = b'{"width": 600, "height": 600, "quality": "detailed"}'
+        head = f"POST {scene.path}/frames HTTP/1.1\r\nHost: localhost\r\nContent-Length: {len(body)}\r\n\r\n".encode()
+        for _ in range(8):
+            with socket.create_connection(("127.0.0.1", self.server.port)) as connection:
+                connection.sendall(head + body)
+                time.sleep(0.05)
+        scene.frame()
+        self.assertLess(frames_drawn() - before, 6)
 
 
 class Picking(ServedTest):

@@ -1,0 +1,59 @@
+"""Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile.
+
+usage: PELAGE_BIN=build/release/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY]
+"""
+import http.client
+import json
+import pathlib
+import re
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end"))
+from support.server import Server  # noqa: E402
+
+
+def stroke(i):
+    view = {"camera": {"auto": "three_quarter"}, "width": 512, "height": 512}
+    x, y = 180 + (i * 37) % 160, 190 + (i * 53) % 130
+    samples = [{"screen": [x + 8 * k, y + 4 * k], "time": 0.02 * k} for k in range(6)]
+    return {"op": "comb", "brush": {"radius": 0.06}, "stroke": {"view": view, "samples": samples}}
+
+
+def milliseconds(values, share):
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))]
+
+
+def main():
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 200
+    model = sys.argv[2] if len(sys.argv) > 2 else "creature"
+    triangles = int(sys.argv[3]) if len(sys.argv) > 3 else 5000
+    quality = sys.argv[4] if len(sys.argv) > 4 else "interactive"
+    server = Server(gl="auto")
+    try:
+        scene = server.new_scene(model, triangles)
+        connection = http.client.HTTPConnection("127.0.0.1", server.port)
+        totals, stages, commands = [], {}, []
+        for i in range(count + 3):
+            start = time.perf_counter()
+            connection.request("POST", f"{scene.path}/commands", json.dumps(stroke(i)))
+            connection.getresponse().read()
+            grown = time.perf_counter()
+            connection.request("POST", f"{scene.path}/frames", json.dumps({"quality": quality}))
+            answer = connection.getresponse()
+            answer.read()
+            if i < 3:
+                continue  # the first frames make textures and programs
+            totals.append(1e3 * (time.perf_counter() - start))
+            commands.append(1e3 * (grown - start))
+            for name, value in re.findall(r"(\w+);dur=([\d.]+)", answer.headers["Server-Timing"]):
+                stages.setdefault(name, []).append(float(value))
+        print(f"{model} {triangles} {quality}, {count} strokes, 512 x 512: "
+              f"median {milliseconds(totals, .5):.1f} ms, 95th percentile {milliseconds(totals, .95):.1f} ms")
+        print(f"  command median {milliseconds(commands, .5):.2f} ms, " +
+              ", ".join(f"{name} {milliseconds(values, .5):.2f}" for name, values in stages.items()) + " (medians)")
+    finally:
+        server.close()
+
+
+main()

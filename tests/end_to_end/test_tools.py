@@ -1,0 +1,83 @@
+"""What each tool of the demo does can be seen in the picture and in the fields."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy
+
+from support.server import ServedTest, shared_folder
+
+DEMO = pathlib.Path(__file__).resolve().parents[2] / "deploy" / "demo_groom.py"
+FRAME = {"width": 192, "height": 192, "background": "transparent"}
+
+
+def demo_steps(info):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder)
+        (path / "info.json").write_text(json.dumps(info), encoding="utf-8")
+        subprocess.run([sys.executable, str(DEMO), str(path / "info.json"), folder], check=True)
+        return {p.stem: [json.loads(line) for line in p.read_text().splitlines()] for p in sorted(path.glob("*.jsonl"))}
+
+
+class Tools(ServedTest):
+    arguments = {"gl": "egl"}
+
+    def share_changed(self, before, after):
+        """Of the pixels that show fur before or after, the share that differs by more than 2 of 255."""
+        fur = (before[..., 3] > 0) | (after[..., 3] > 0)
+        differs = numpy.abs(before.astype(int) - after.astype(int)).max(axis=-1) > 2
+        return (differs & fur).sum() / fur.sum()
+
+    def picked(self, scene):
+        view = {"camera": {"auto": "three_quarter"}, "width": 512, "height": 512}
+        answers = [scene.post("pick", {"view": view, "pixel": [x, y]}).json
+                   for x in range(120, 420, 20) for y in range(120, 420, 20)]
+        return [a for a in answers if a["hit"]]
+
+    def check_steps(self, scene):
+        before = scene.frame(**FRAME).image
+        source = None
+        for name, commands in demo_steps(scene.info()).items():
+            fields = self.picked(scene)
+            for command in commands:
+                self.assertEqual(scene.run(command).status, 200)
+            after = scene.frame(**FRAME).image
+            self.assertGreater(self.share_changed(before, after), 0.05, name)
+            now = self.picked(scene)
+            if name == "1-comb":  # from tail to nose: what leant back now leans forward
+                self.assertGreater(numpy.mean([p["direction"][2] for p in now]),
+                                   numpy.mean([p["direction"][2] for p in fields]) + 0.3)
+            if name == "2-blow":  # away from the source
+                source = numpy.array(commands[0]["source"])
+                along = [numpy.dot(p["direction"], numpy.array(p["position"]) - source) /
+                         numpy.linalg.norm(numpy.array(p["position"]) - source) for p in now]
+                self.assertGreater(numpy.mean(along), 0.4)
+            if name == "3-attract":
+                self.assertGreater(max(b["length"] / a["length"] for a, b in zip(fields, now) if a["length"] > 0), 1.2)
+                self.assertGreater(max(p["stretch"] for p in now), 0.1)
+            before = after
+
+    def test_creature(self):
+        self.check_steps(self.server.new_scene("creature", 5000))
+
+    def test_spot(self):
+        scene = self.server.new_scene("torus")
+        octets = (shared_folder() / "meshes" / "spot.glb").read_bytes()
+        answer = self.server.call("PUT", f"{scene.path}/model?format=glb&front=-z", octets)
+        self.assertEqual(answer.status, 200, answer)
+        self.check_steps(scene)
+
+    def test_dense_fur_shows_no_background(self):
+        scene = self.server.new_scene("creature", 5000)
+        mask = scene.frame(**FRAME).image[..., 3] == 255
+        inside = mask.copy()  # away from the outline, where 255 may stand for .998
+        for axis in (0, 1):
+            for step in (-2, 2):
+                inside &= numpy.roll(mask, step, axis)
+        red = scene.frame(**{**FRAME, "background": "#ff0000"}).image.astype(int)
+        green = scene.frame(**{**FRAME, "background": "#00ff00"}).image.astype(int)
+        self.assertGreater(inside.mean(), 0.05)
+        self.assertLessEqual(numpy.abs(red - green)[inside].max(), 1)
