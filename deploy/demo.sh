@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-keep=no model=/usr/share/glmark2/models/horse.3ds up=y front=x
+keep=no model=/usr/share/glmark2/models/horse.3ds up=y front=z
 while [ $# -gt 0 ]; do
   case "$1" in
     --keep) keep=yes ;;
@@ -55,11 +55,15 @@ say "4/4 grooming"
 $bin/pelage new --name creature >/dev/null
 groom creature
 $bin/pelage new --name model >/dev/null
-$bin/pelage load model "$model" --up="$up" --front="$front" >/dev/null
+$bin/pelage load model "$model" --up="$up" --front="$front" --length 0.014 --inclination 0.75 >/dev/null
+cat >$out/coat.jsonl <<'EOF'
+{"op": "set_coat", "coat": {"root_share": 0.55, "clump": 0.25, "clump_size": 0.008, "ramp": [{"at": 0, "colour": "#5a3822"}, {"at": 0.6, "colour": "#a8703f"}, {"at": 1, "colour": "#c08a58"}]}}
+EOF
+$bin/pelage run model $out/coat.jsonl >/dev/null
 groom model
 
 oiiotool $out/{creature,model}-{0-before,1-comb,2-blow,3-attract,4-detailed}.png --mosaic:pad=8 5x2 -o $out/contact-sheet.png
-rm -f $out/1-comb.jsonl $out/2-blow.jsonl $out/3-attract.jsonl
+rm -f $out/coat.jsonl $out/1-comb.jsonl $out/2-blow.jsonl $out/3-attract.jsonl
 say "done. Look at out/contact-sheet.png; each picture is beside it, and out/creature.jsonl is the groom as a log."
 if [ $keep = yes ]; then
   echo "The server runs on at $PELAGE_SERVER (process $server). Go on with:"

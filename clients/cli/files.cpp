@@ -1,12 +1,11 @@
 #include "clients/cli/files.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-
-#include <fmt/format.h>
 
 namespace pelage {
 

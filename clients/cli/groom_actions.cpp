@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
-
-#include <fmt/format.h>
 
 #include "clients/cli/actions.h"
 #include "clients/cli/files.h"
@@ -102,8 +101,10 @@ ExitCode print_answer(const Session& session, const Result<HttpAnswer>& answer) 
   if (!answer) return report(answer.status());
   const auto result = decode_command_answer(answer->body);
   if (!result) return report(result.status());
-  if (session.options().json) fmt::print("{}\n", answer->body);
-  else print(*result);
+  if (session.options().json)
+    fmt::print("{}\n", answer->body);
+  else
+    print(*result);
   return done;
 }
 
@@ -139,7 +140,8 @@ ExitCode show_log(Session& session) {
   const Options& options = session.options();
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  const auto answer = Session::accepted(session.connection().get(*path + (options.lines ? "/log?format=jsonl" : "/log")));
+  const auto answer =
+      Session::accepted(session.connection().get(*path + (options.lines ? "/log?format=jsonl" : "/log")));
   if (!answer) return report(answer.status());
   if (options.lines || options.json) {
     fmt::print("{}{}", answer->body, options.lines ? "" : "\n");

@@ -20,12 +20,15 @@ void add_scene(CLI::App* command, Options& options) {
 }
 
 void add_fur(CLI::App* command, Options& options) {
-  command->add_option("--length", options.length, "Length of the first fur in sizes of the model, 0 to 10")->capture_default_str();
-  command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")->capture_default_str();
+  command->add_option("--length", options.length, "Length of the first fur in sizes of the model, 0 to 10")
+      ->capture_default_str();
+  command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")
+      ->capture_default_str();
 }
 
 /// Options that are handed on under the name that frame.png knows them by.
-void add_frame_parameter(CLI::App* command, Options& options, const char* flag, const char* parameter, const char* help) {
+void add_frame_parameter(CLI::App* command, Options& options, const char* flag, const char* parameter,
+                         const char* help) {
   command->add_option_function<std::string>(
       flag, [&options, parameter](const std::string& value) { options.frame.emplace_back(parameter, value); }, help);
 }
@@ -53,13 +56,16 @@ void add_knob(CLI::App* command, Options& options) {
 }
 
 void declare_scene_actions(CLI::App& app, Options& options) {
-  CLI::App* create = add_action(app, options, Action::create, "new", "Make a scene with a built-in model; prints its id");
+  CLI::App* create =
+      add_action(app, options, Action::create, "new", "Make a scene with a built-in model; prints its id");
   create->add_option("--name", options.name, "Name, 1 to 200 bytes")->capture_default_str();
-  create->add_option("--builtin", options.builtin, "torus, knot, sphere, plane, cloth or creature")->capture_default_str();
+  create->add_option("--builtin", options.builtin, "torus, knot, sphere, plane, cloth or creature")
+      ->capture_default_str();
   create->add_option("--triangles", options.triangles, "Wished-for triangles")->capture_default_str();
   add_fur(create, options);
 
-  CLI::App* load = add_action(app, options, Action::load, "load", "Give a scene a model from a file; its log starts empty");
+  CLI::App* load =
+      add_action(app, options, Action::load, "load", "Give a scene a model from a file; its log starts empty");
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
   load->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb or 3ds [the file's ending]");
@@ -75,7 +81,8 @@ void declare_scene_actions(CLI::App& app, Options& options) {
 void declare_groom_actions(CLI::App& app, Options& options) {
   CLI::App* run = add_action(app, options, Action::run, "run", "Run commands; each line or element is one undo step");
   add_scene(run, options);
-  run->add_option("file", options.file, "JSON lines (as of `pelage log --lines`), an array or one command; - for standard input")
+  run->add_option("file", options.file,
+                  "JSON lines (as of `pelage log --lines`), an array or one command; - for standard input")
       ->required();
   run->add_flag("--dry-run", options.dry_run, "Say what the commands would do; change nothing");
   run->add_option("--if-match", options.if_match, "Run only when the scene is at this revision");
@@ -105,7 +112,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--background", "background", "transparent or #rrggbb");
   add_frame_parameter(frame, options, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   add_frame_parameter(frame, options, "--tone-map", "tone_map", "none or filmic [filmic]");
-  add_frame_parameter(frame, options, "--colour-source", "colour_source", "automatic, model or coat; default look otherwise");
+  add_frame_parameter(frame, options, "--colour-source", "colour_source",
+                      "automatic, model or coat; default look otherwise");
 
   CLI::App* pick = add_action(app, options, Action::pick, "pick", "Say what lies under a pixel");
   add_scene(pick, options);

@@ -17,15 +17,15 @@ struct Options {
   Action action = Action::list;
   std::string server;
   std::string token;
-  bool json = false;   // print the server's answer as it is
-  std::string scene;   // id or name
+  bool json = false;  // print the server's answer as it is
+  std::string scene;  // id or name
 
   // create
   std::string name = "scene";
   std::string builtin = "creature";
   int triangles = 5000;
   // create and load
-  double length = 0.03;      // sizes
+  double length = 0.03;  // sizes
   double inclination = 0.45;
   // load and run; "-" is standard input
   std::string file;
@@ -36,7 +36,7 @@ struct Options {
   std::optional<std::uint64_t> if_match;
   // frame and pick
   std::string output = "frame.png";
-  Parameters frame;  // as in the address of frame.png
+  Parameters frame;     // as in the address of frame.png
   double x = 0, y = 0;  // pixels
   // undo, redo, revert
   std::uint64_t count = 1;  // steps, or the revision

@@ -30,8 +30,8 @@ ExitCode draw_frame(Session& session) {
   if (options.output == "-") return done;
   const std::string revision = header(*answer, "pelage-revision"), quality = header(*answer, "pelage-quality");
   if (options.json) {
-    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}}}\n", json_text(options.output), revision,
-               quality, json_text(header(*answer, "server-timing")));
+    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}}}\n", json_text(options.output),
+               revision, quality, json_text(header(*answer, "server-timing")));
   } else {
     fmt::print("{}: revision {}, {}\n", options.output, revision, header(*answer, "server-timing"));
   }
@@ -51,8 +51,10 @@ ExitCode pick_pixel(Session& session) {
   if (!answer) return report(answer.status());
   const auto pick = decode_pick_answer(answer->body);
   if (!pick) return report(pick.status());
-  if (options.json) fmt::print("{}\n", answer->body);
-  else print(*pick);
+  if (options.json)
+    fmt::print("{}\n", answer->body);
+  else
+    print(*pick);
   return done;
 }
 

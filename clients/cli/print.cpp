@@ -14,12 +14,13 @@ std::string shortened(const std::string& text) { return text.size() <= 60 ? text
 
 void print(const SceneSummary& summary) {
   const ModelReport& report = summary.report;
-  fmt::print("id          {}\nname        {}\nrevision    {}\nmodel       {}\n", summary.id, summary.name, summary.revision,
-             summary.model);
+  fmt::print("id          {}\nname        {}\nrevision    {}\nmodel       {}\n", summary.id, summary.name,
+             summary.revision, summary.model);
   fmt::print("vertices    {} (of {} in the source)\n", report.vertices, report.source_vertices);
   fmt::print("triangles   {} (of {} faces in the source)\nparts       {}\n", report.triangles, report.source_faces,
              report.parts);
-  fmt::print("size        {:.6g}\nfrom        {}\nto          {}\n", report.size, text_of(report.min), text_of(report.max));
+  fmt::print("size        {:.6g}\nfrom        {}\nto          {}\n", report.size, text_of(report.min),
+             text_of(report.max));
   for (const Repair& repair : report.repairs) fmt::print("repaired    {}: {}\n", repair.code, repair.count);
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,
              to_hex(summary.fields_hash));
@@ -37,7 +38,8 @@ void print(const CommandAnswer& answer) {
     fmt::print("{}: touched {}", result.op, result.touched);
     if (result.clamped > 0) fmt::print(", {} held at a limit", result.clamped);
     for (const FieldChange& change : result.fields) {
-      fmt::print("; {} {}: mean {:.4g}, largest {:.4g}", change.changed, change.field, change.mean_change, change.max_change);
+      fmt::print("; {} {}: mean {:.4g}, largest {:.4g}", change.changed, change.field, change.mean_change,
+                 change.max_change);
     }
     fmt::print(" ({:.2f} ms)\n", result.milliseconds);
   }
@@ -49,15 +51,16 @@ void print(const PickAnswer& answer) {
     fmt::print("nothing there\n");
     return;
   }
-  fmt::print("triangle    {}\nbarycentric {}\nposition    {}\nnormal      {}\n", answer.triangle, text_of(answer.barycentric),
-             text_of(answer.position), text_of(answer.normal));
+  fmt::print("triangle    {}\nbarycentric {}\nposition    {}\nnormal      {}\n", answer.triangle,
+             text_of(answer.barycentric), text_of(answer.position), text_of(answer.normal));
   fmt::print("direction   {}\ninclination {:.6g}\nlength      {:.6g}\nstretch     {:.6g}\n", text_of(answer.direction),
              answer.inclination, answer.length, answer.stretch);
 }
 
 void print(const std::vector<LogEntry>& log) {
   for (const LogEntry& entry : log) {
-    fmt::print("{:>6}  {:<6}  {:>8} touched  {}\n", entry.revision, entry.kind, entry.touched, shortened(entry.commands));
+    fmt::print("{:>6}  {:<6}  {:>8} touched  {}\n", entry.revision, entry.kind, entry.touched,
+               shortened(entry.commands));
   }
 }
 

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "clients/cli/actions.h"
 #include "clients/cli/files.h"
@@ -85,8 +85,10 @@ ExitCode list_scenes(Session& session) {
   if (!answer) return report(answer.status());
   const auto scenes = decode_scene_list(answer->body);
   if (!scenes) return report(scenes.status());
-  if (session.options().json) fmt::print("{}\n", answer->body);
-  else print(*scenes);
+  if (session.options().json)
+    fmt::print("{}\n", answer->body);
+  else
+    print(*scenes);
   return done;
 }
 

@@ -1,10 +1,10 @@
 #include "clients/cli/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-
-#include <fmt/format.h>
 
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/nearest.h"
@@ -23,7 +23,8 @@ const char* advice_for(Code code) {
     case Code::unsupported: return "send it in a form that the server reads";
     case Code::invalid: return "correct the value and try again; nothing was changed by it";
     case Code::busy:
-    case Code::unavailable: return "try again, or start a server with `pelaged` and name it with --server or PELAGE_SERVER";
+    case Code::unavailable:
+      return "try again, or start a server with `pelaged` and name it with --server or PELAGE_SERVER";
     case Code::ok:
     case Code::internal: break;
   }
@@ -80,7 +81,8 @@ Result<std::string> Session::scene_path() {
     if (scene.name == wanted) ids.push_back(scene.id);
   }
   if (ids.size() == 1) return "/v1/scenes/" + ids.front();
-  if (ids.size() > 1) return failure(Code::not_found, fmt::format("{} scenes are named \"{}\"; use an id.", ids.size(), wanted));
+  if (ids.size() > 1)
+    return failure(Code::not_found, fmt::format("{} scenes are named \"{}\"; use an id.", ids.size(), wanted));
   return failure(Code::not_found, "There is no scene \"" + wanted + "\".", "", "", nearest_name(wanted, names));
 }
 

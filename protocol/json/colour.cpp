@@ -50,8 +50,8 @@ std::optional<std::string> text_of_colour(glm::vec3 linear) {
   }
   const auto decoded = colour_of_text(text);
   // Compared as numbers, with the sign of zero: -0 has no #rrggbb.
-  const bool exact = decoded && *decoded == linear && !std::signbit(linear.x) && !std::signbit(linear.y) &&
-                     !std::signbit(linear.z);
+  const bool exact =
+      decoded && *decoded == linear && !std::signbit(linear.x) && !std::signbit(linear.y) && !std::signbit(linear.z);
   return exact ? std::optional(text) : std::nullopt;
 }
 

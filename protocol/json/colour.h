@@ -1,11 +1,10 @@
 // Colours on the wire: "#rrggbb" in sRGB, linear inside.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include <glm/glm.hpp>
 
 namespace pelage {
 

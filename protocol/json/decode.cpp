@@ -94,11 +94,11 @@ Command set_lights(Object& object) {
 
 using CommandReader = Command (*)(Object&);
 constexpr std::array<json_names::Name<CommandReader>, 6> command_readers{{{"comb", comb},
-                                                                         {"blow", blow},
-                                                                         {"attract", attract},
-                                                                         {"set_coat", set_coat},
-                                                                         {"set_look", set_look},
-                                                                         {"set_lights", set_lights}}};
+                                                                          {"blow", blow},
+                                                                          {"attract", attract},
+                                                                          {"set_coat", set_coat},
+                                                                          {"set_look", set_look},
+                                                                          {"set_lights", set_lights}}};
 
 Command command(const Value& value) {
   Object object(value);

@@ -76,9 +76,11 @@ SceneSummary summary_of(const json& value) {
 
 Code code_of(const std::string& type) {
   static constexpr std::pair<std::string_view, Code> codes[] = {
-      {"malformed", Code::malformed}, {"not-found", Code::not_found},       {"conflict", Code::conflict},
-      {"too-large", Code::too_large}, {"precondition", Code::precondition}, {"unsupported", Code::unsupported},
-      {"invalid", Code::invalid},     {"busy", Code::busy},                 {"unavailable", Code::unavailable}};
+      {"malformed", Code::malformed},       {"not-found", Code::not_found},
+      {"conflict", Code::conflict},         {"too-large", Code::too_large},
+      {"precondition", Code::precondition}, {"unsupported", Code::unsupported},
+      {"invalid", Code::invalid},           {"busy", Code::busy},
+      {"unavailable", Code::unavailable}};
   for (const auto& [name, code] : codes) {
     if (type == "urn:pelage:problem:" + std::string(name)) return code;
   }
@@ -89,7 +91,8 @@ Code code_of(const std::string& type) {
 
 Result<CommandAnswer> decode_command_answer(std::string_view text) {
   return decode_document<CommandAnswer>(text, [](const json& value) {
-    CommandAnswer answer{.revision = value.at("revision"), .fields_hash = hash_of(value.at("fields_hash")), .results = {}};
+    CommandAnswer answer{
+        .revision = value.at("revision"), .fields_hash = hash_of(value.at("fields_hash")), .results = {}};
     for (const json& result : value.at("results")) answer.results.push_back(result_of(result));
     return answer;
   });

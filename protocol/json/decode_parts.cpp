@@ -12,8 +12,14 @@ StrokeSample sample(const Value& value) {
   Object object(value);
   StrokeSample result;
   int places = 0;
-  object.optional("position", [&](const Value& v) { result.place = PositionPlace{v.triple(coordinate)}; ++places; });
-  object.optional("screen", [&](const Value& v) { result.place = ScreenPlace{v.pair(screen_coordinate)}; ++places; });
+  object.optional("position", [&](const Value& v) {
+    result.place = PositionPlace{v.triple(coordinate)};
+    ++places;
+  });
+  object.optional("screen", [&](const Value& v) {
+    result.place = ScreenPlace{v.pair(screen_coordinate)};
+    ++places;
+  });
   const bool on_triangle = object.has("triangle");
   const bool has_barycentric = object.has("barycentric");
   if (on_triangle || has_barycentric) {

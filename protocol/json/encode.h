@@ -14,7 +14,7 @@
 
 namespace pelage {
 
-std::string encode(const Command& command);  // decodes to the same command, bit for bit
+std::string encode(const Command& command);                // decodes to the same command, bit for bit
 std::string encode(const std::vector<Command>& commands);  // one: the command itself; more: {"commands": [...]}
 std::string encode(const NewScene& request);               // decodes to the same request
 std::string encode(const FrameRequest& request);           // decodes to the same request

@@ -125,10 +125,7 @@ std::string encode(const std::vector<LogEntry>& log) {
 
 std::string encode_problem(const Status& status, int http_status) {
   const Problem problem = problem_of(status, http_status);
-  Json json = {{"type", problem.type},
-               {"title", problem.title},
-               {"status", http_status},
-               {"detail", status.message}};
+  Json json = {{"type", problem.type}, {"title", problem.title}, {"status", http_status}, {"detail", status.message}};
   if (!status.pointer.empty() || http_status == 422) json["pointer"] = status.pointer;
   if (!status.limit.empty()) json["limit"] = status.limit;
   if (!status.nearest.empty()) json["nearest"] = status.nearest;

@@ -31,9 +31,8 @@ inline constexpr std::array<Name<AutoView>, 6> auto_views{{{"front", AutoView::f
                                                            {"top", AutoView::top},
                                                            {"three_quarter", AutoView::three_quarter}}};
 inline constexpr std::array<Name<LeanCurve>, 2> lean_curves{{{"arc", LeanCurve::arc}, {"root", LeanCurve::root}}};
-inline constexpr std::array<Name<ColourSource>, 3> colour_sources{{{"automatic", ColourSource::automatic},
-                                                                   {"model", ColourSource::model},
-                                                                   {"coat", ColourSource::coat}}};
+inline constexpr std::array<Name<ColourSource>, 3> colour_sources{
+    {{"automatic", ColourSource::automatic}, {"model", ColourSource::model}, {"coat", ColourSource::coat}}};
 inline constexpr std::array<Name<LightKind>, 2> light_kinds{
     {{"directional", LightKind::directional}, {"point", LightKind::point}}};
 inline constexpr std::array<Name<Tier>, 3> tiers{

@@ -1,9 +1,8 @@
 // JSON text to a tree, with the refusals that the parser itself does not make.
 #pragma once
 
-#include <string_view>
-
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "protocol/base/status.h"
 

@@ -22,7 +22,8 @@ std::string shown(std::string_view word) {
 }
 
 bool has_control_character(std::string_view text) {
-  return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
 }
 
 }  // namespace
@@ -44,9 +45,7 @@ void Value::refuse_below(const std::string& path, std::string message, std::stri
   Value(*json_, pointer_ + "/" + path, *failure_).refuse(std::move(message), std::move(limit));
 }
 
-Value Value::member(std::string_view name) const {
-  return {json_->at(name), pointer_ + pointer_step(name), *failure_};
-}
+Value Value::member(std::string_view name) const { return {json_->at(name), pointer_ + pointer_step(name), *failure_}; }
 
 double Value::number(Range range) const {
   if (!json_->is_number()) {
@@ -78,8 +77,8 @@ bool Value::boolean() const {
 }
 
 std::string Value::text(std::size_t least_bytes, std::size_t most_bytes) const {
-  const std::string limit = std::to_string(least_bytes) + " to " + std::to_string(most_bytes) +
-                            " bytes of UTF-8 without control characters";
+  const std::string limit =
+      std::to_string(least_bytes) + " to " + std::to_string(most_bytes) + " bytes of UTF-8 without control characters";
   if (!json_->is_string()) {
     refuse("A text is expected.", limit);
     return {};

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <glm/glm.hpp>
-#include <nlohmann/json.hpp>
 
 #include "protocol/base/status.h"
 #include "protocol/json/names.h"
@@ -73,8 +72,10 @@ class Object {
   /// As optional, but refuses when it is missing.
   template <class Read>
   void required(std::string_view name, Read read) {
-    if (has(name)) read(value_.member(name));
-    else value_.refuse_below(std::string(name), "The member \"" + std::string(name) + "\" is missing.", "required");
+    if (has(name))
+      read(value_.member(name));
+    else
+      value_.refuse_below(std::string(name), "The member \"" + std::string(name) + "\" is missing.", "required");
   }
 
   void number(std::string_view name, double& out, Range range);

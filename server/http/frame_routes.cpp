@@ -1,8 +1,8 @@
+#include <fmt/format.h>
+
 #include <charconv>
 #include <chrono>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
@@ -66,7 +66,8 @@ Status wait_for_news(Service& service, const Scene& scene, const News& news, con
   const Status nothing_new = failure(Code::precondition, "Nothing is newer.");
   if (news.wait_seconds == 0) return nothing_new;
   const auto pass = service.waiting.enter();
-  if (!pass) return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", worker_threads / 4));
+  if (!pass)
+    return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", worker_threads / 4));
   const auto start = Clock::now();
   while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - seconds_since(start);
@@ -78,8 +79,8 @@ Status wait_for_news(Service& service, const Scene& scene, const News& news, con
 }
 
 std::string server_timing(const FrameTimings& t) {
-  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}", t.queue,
-                     t.upload, t.draw, t.read, t.encode);
+  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}",
+                     t.queue, t.upload, t.draw, t.read, t.encode);
 }
 
 void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
@@ -87,7 +88,8 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   const bool large = std::int64_t{wanted.width} * wanted.height > large_pixels;
   const auto pass = large ? service.large_frames.enter() : Gate::Pass(nullptr);
   if (large && !pass) {
-    return reply_problem(response, failure(Code::unavailable, "Another large frame is being drawn.", "", "one at a time"));
+    return reply_problem(response,
+                         failure(Code::unavailable, "Another large frame is being drawn.", "", "one at a time"));
   }
   const auto start = Clock::now();
   auto frame = service.frames.frame(scene, wanted, [&client] { return client.gone(); });

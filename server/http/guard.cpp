@@ -1,10 +1,10 @@
 #include "server/http/guard.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstring>
-
-#include <fmt/format.h>
 
 #include "protocol/base/limits.h"
 
@@ -77,7 +77,8 @@ std::optional<Refusal> refused_body(const Request& request) {
                     fmt::format("at most {} octets", limits::model_bytes));
     }
     if (type.starts_with("multipart/") || type.starts_with("application/x-www-form-urlencoded")) {
-      return refuse(415, Code::unsupported, "A model comes as plain octets, not as a form.", "application/octet-stream");
+      return refuse(415, Code::unsupported, "A model comes as plain octets, not as a form.",
+                    "application/octet-stream");
     }
     return {};
   }

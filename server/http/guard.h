@@ -1,11 +1,11 @@
 // What a request has to be before anything else looks at it.
 #pragma once
 
+#include <httplib.h>
+
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <httplib.h>
 
 #include "protocol/base/status.h"
 

@@ -1,12 +1,11 @@
 #include "server/http/http_server.h"
 
+#include <fmt/format.h>
+#include <httplib.h>
 #include <sys/socket.h>
 
 #include <chrono>
 #include <thread>
-
-#include <fmt/format.h>
-#include <httplib.h>
 
 #include "protocol/base/limits.h"
 #include "server/http/guard.h"
@@ -146,12 +145,15 @@ HttpServer::~HttpServer() = default;
 Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& options, SceneStore& scenes,
                                                        FrameService& frames) {
   if (!is_loopback_name(options.host) && options.token.empty()) {
-    return failure(Code::invalid, "An address that others can reach needs a token: --token.", "", "loopback, or a token");
+    return failure(Code::invalid, "An address that others can reach needs a token: --token.", "",
+                   "loopback, or a token");
   }
   auto impl = std::make_unique<Impl>(options, scenes, frames);
   const bool any_port = options.port == 0;
-  if (any_port) impl->port = impl->server.bind_to_any_port(options.host);
-  else if (impl->server.bind_to_port(options.host, options.port)) impl->port = options.port;
+  if (any_port)
+    impl->port = impl->server.bind_to_any_port(options.host);
+  else if (impl->server.bind_to_port(options.host, options.port))
+    impl->port = options.port;
   if (impl->port <= 0) {
     return failure(Code::invalid, fmt::format("Cannot listen on {}:{}.", options.host, options.port));
   }

@@ -22,7 +22,8 @@ class HttpServer {
  public:
   /// Binds. Refused (invalid) when the address is not a loopback one and there is no token, or cannot be bound.
   /// The store and the frame service outlive the server.
-  static Result<std::unique_ptr<HttpServer>> listen(const HttpOptions& options, SceneStore& scenes, FrameService& frames);
+  static Result<std::unique_ptr<HttpServer>> listen(const HttpOptions& options, SceneStore& scenes,
+                                                    FrameService& frames);
   ~HttpServer();
 
   int port() const;

@@ -23,7 +23,8 @@ void IdempotencyCache::answer(const httplib::Request& request, httplib::Response
   const std::string key = request.get_header_value("Idempotency-Key");
   if (key.empty()) return run();
   if (key.size() > limits::name_bytes) {
-    return reply_problem(response, failure(Code::malformed, "The Idempotency-Key is too long.", "", "at most 200 bytes"));
+    return reply_problem(response,
+                         failure(Code::malformed, "The Idempotency-Key is too long.", "", "at most 200 bytes"));
   }
   const std::string name = request.path + "\n" + key;
   Entry entry;

@@ -1,14 +1,14 @@
 // Requests that a client may send twice and that are run once.
 #pragma once
 
+#include <httplib.h>
+
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <string>
-
-#include <httplib.h>
 
 namespace pelage {
 

@@ -1,10 +1,9 @@
 #include "server/http/metrics.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <fstream>
-
-#include <fmt/format.h>
 
 namespace pelage {
 
@@ -53,7 +52,8 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += fmt::format("pelage_frame_seconds_bucket{{le=\"+Inf\"}} {}\n", frames_);
   text += fmt::format("pelage_frame_seconds_sum {}\npelage_frame_seconds_count {}\n", frame_seconds_, frames_);
   text += single("pelage_frames_total", "counter", "Frames that the render thread drew.", gauges.frames_drawn);
-  text += single("pelage_drawing_seconds_total", "counter", "Time that the render thread drew.", gauges.seconds_drawing);
+  text +=
+      single("pelage_drawing_seconds_total", "counter", "Time that the render thread drew.", gauges.seconds_drawing);
   text += single("pelage_scenes", "gauge", "Scenes on the server.", gauges.scenes);
   text += single("pelage_ready", "gauge", "1 when the server takes work.", gauges.ready ? 1 : 0);
   text += single("process_resident_memory_bytes", "gauge", "Resident memory.", resident_bytes());

@@ -1,9 +1,9 @@
 #include "server/http/reply.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <memory>
-
-#include <fmt/format.h>
 
 #include "protocol/json/encode.h"
 

@@ -1,10 +1,10 @@
 // Answers and what requests say about revisions, in HTTP's words.
 #pragma once
 
+#include <httplib.h>
+
 #include <optional>
 #include <string>
-
-#include <httplib.h>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
@@ -30,7 +30,8 @@ void close_after(httplib::Response& response);
 std::string etag_of(Revision revision);
 void set_etag(httplib::Response& response, Revision revision);
 
-/// The revision of If-Match; none without the header and for *. Malformed when it is no single strong entity tag of ours.
+/// The revision of If-Match; none without the header and for *. Malformed when it is no single strong entity tag of
+/// ours.
 Result<std::optional<Revision>> if_match_of(const httplib::Request& request);
 /// Whether If-None-Match names the revision.
 bool none_match_names(const httplib::Request& request, Revision revision);

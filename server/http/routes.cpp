@@ -1,9 +1,9 @@
 #include "server/http/routes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 
 #include "protocol/base/limits.h"
 #include "protocol/json/nearest.h"
@@ -63,7 +63,8 @@ RouteInfo route_of(const std::string& path) {
     const std::size_t end = std::min(path.find('/', scenes.size()), path.size());
     if (end > scenes.size()) shape = std::string(scenes) + "{id}" + path.substr(end);
   }
-  const auto found = std::find_if(known.begin(), known.end(), [&](const RouteInfo& info) { return info.path == shape; });
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](const RouteInfo& info) { return info.path == shape; });
   return found == known.end() ? RouteInfo{"other", ""} : *found;
 }
 

@@ -1,12 +1,12 @@
 // Which handler answers which address. Each group of routes has a file of its own.
 #pragma once
 
+#include <httplib.h>
+
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
-
-#include <httplib.h>
 
 #include "protocol/json/decode.h"
 #include "server/http/gate.h"

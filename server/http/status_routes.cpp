@@ -14,11 +14,16 @@ using httplib::Response;
 std::string escaped(const std::string& text) {
   std::string html;
   for (const char c : text) {
-    if (c == '<') html += "&lt;";
-    else if (c == '>') html += "&gt;";
-    else if (c == '&') html += "&amp;";
-    else if (c == '"') html += "&quot;";
-    else html += c;
+    if (c == '<')
+      html += "&lt;";
+    else if (c == '>')
+      html += "&gt;";
+    else if (c == '&')
+      html += "&amp;";
+    else if (c == '"')
+      html += "&quot;";
+    else
+      html += c;
   }
   return html;
 }
@@ -26,8 +31,9 @@ std::string escaped(const std::string& text) {
 std::string page_of(const std::vector<SceneSummary>& scenes, const std::string& gl) {
   std::string rows;
   for (const SceneSummary& scene : scenes) {
-    rows += fmt::format("<tr><td><a href=\"/v1/scenes/{0}/frame.png\">{1}</a></td><td>{2}</td><td>{3}</td><td>{4}</td></tr>\n",
-                        scene.id, escaped(scene.name), escaped(scene.model), scene.report.triangles, scene.revision);
+    rows += fmt::format(
+        "<tr><td><a href=\"/v1/scenes/{0}/frame.png\">{1}</a></td><td>{2}</td><td>{3}</td><td>{4}</td></tr>\n",
+        scene.id, escaped(scene.name), escaped(scene.model), scene.report.triangles, scene.revision);
   }
   if (rows.empty()) rows = "<tr><td colspan=\"4\">none yet: <code>pelage new</code> makes one</td></tr>\n";
   return fmt::format(R"(<!doctype html>
@@ -48,7 +54,8 @@ std::string page_of(const std::vector<SceneSummary>& scenes, const std::string& 
 
 void ready(const Service& service, Response& response) {
   if (service.ready()) return response.set_content("ready\n", "text/plain");
-  reply_problem(response, failure(Code::unavailable, service.draining ? "The server is stopping." : "Drawing does not work."));
+  reply_problem(response,
+                failure(Code::unavailable, service.draining ? "The server is stopping." : "Drawing does not work."));
 }
 
 }  // namespace
@@ -63,9 +70,8 @@ void add_status_routes(httplib::Server& server, Service& service) {
                         .seconds_drawing = service.frames.seconds_drawing()};
     response.set_content(service.metrics.text(gauges), "text/plain; version=0.0.4");
   });
-  server.Get("/openapi.json", [](const Request&, Response& response) {
-    reply_json(response, 200, std::string(openapi_json()));
-  });
+  server.Get("/openapi.json",
+             [](const Request&, Response& response) { reply_json(response, 200, std::string(openapi_json())); });
   server.Get("/", [&](const Request&, Response& response) {
     response.set_header("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'");
     response.set_content(page_of(service.scenes.list(), service.frames.description()), "text/html; charset=utf-8");

@@ -29,7 +29,8 @@ def groom(count, seed=7):
         elif kind == 2:
             steps.append({"op": "attract", "point": point(), "radius": 0.3, "duration": draw.random()})
         elif kind == 3:
-            samples = [{"screen": [60 + 8 * i, 100 + draw.uniform(-20, 20)], "time": i, "pressure": draw.random()} for i in range(8)]
+            samples = [{"screen": [60 + 8 * i, 100 + draw.uniform(-20, 20)], "time": i, "pressure": draw.random()}
+                       for i in range(8)]
             steps.append({"op": "comb", "stroke": {"view": view, "samples": samples}})
         elif kind == 4:
             steps.append({"commands": [comb(point(), point()), {"op": "set_coat", "coat": {"count": 500 + k, "seed": k}}]})
@@ -89,8 +90,8 @@ class LiveStrokes(ServedTest):
         parts = self.server.new_scene("creature", 3000)
         samples = whole["stroke"]["samples"]
         for number in range(4):
-            part = {**whole, "stroke": {"id": "k7", "part": number, "last": number == 3, "samples": samples[3 * number:3 * number + 3]}}
-            answer = parts.run(part)
+            stroke = {"id": "k7", "part": number, "last": number == 3, "samples": samples[3 * number:3 * number + 3]}
+            answer = parts.run({**whole, "stroke": stroke})
             self.assertEqual(answer.status, 200, answer)
         self.assertEqual(one.info()["fields_hash"], parts.info()["fields_hash"])
         self.assertEqual(parts.info()["undo_steps"], 1)

@@ -1,10 +1,10 @@
 #include "clients/cli/http/connection.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/format.h>
 #include <httplib.h>
+
+#include <algorithm>
+#include <cctype>
 
 namespace pelage {
 
@@ -37,7 +37,8 @@ struct Connection::Impl {
 
   Result<HttpAnswer> result_of(const httplib::Result& result) const {
     if (result) return answer_of(*result);
-    return failure(Code::unavailable, fmt::format("No answer from {} ({}).", server, httplib::to_string(result.error())));
+    return failure(Code::unavailable,
+                   fmt::format("No answer from {} ({}).", server, httplib::to_string(result.error())));
   }
 
   std::string server;

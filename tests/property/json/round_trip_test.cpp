@@ -84,9 +84,14 @@ std::optional<Stroke> stroke(bool wanted) {
 }
 
 Brush brush() {
-  return {.radius = number(0, 1e27), .units = one_of(Units::world), .falloff_shape = FalloffShape::volume,
-          .falloff = one_of(Falloff::sphere), .strength = number(0, 1), .spacing = number(0.01, 10),
-          .front_faces_only = *rc::gen::arbitrary<bool>(), .invert = *rc::gen::arbitrary<bool>()};
+  return {.radius = number(0, 1e27),
+          .units = one_of(Units::world),
+          .falloff_shape = FalloffShape::volume,
+          .falloff = one_of(Falloff::sphere),
+          .strength = number(0, 1),
+          .spacing = number(0.01, 10),
+          .front_faces_only = *rc::gen::arbitrary<bool>(),
+          .invert = *rc::gen::arbitrary<bool>()};
 }
 
 Command comb() {
@@ -97,21 +102,43 @@ Command comb() {
 }
 
 Command blow() {
-  return Blow{.stroke = stroke(*rc::gen::arbitrary<bool>()), .brush = brush(), .source = place(), .direction = direction(),
-              .cone_degrees = number(0, 180), .softness = number(0, 1), .strength = number(0, 1), .lean = number(0, 1)};
+  return Blow{.stroke = stroke(*rc::gen::arbitrary<bool>()),
+              .brush = brush(),
+              .source = place(),
+              .direction = direction(),
+              .cone_degrees = number(0, 180),
+              .softness = number(0, 1),
+              .strength = number(0, 1),
+              .lean = number(0, 1)};
 }
 
 Command attract() {
-  return Attract{.stroke = stroke(*rc::gen::arbitrary<bool>()), .brush = brush(), .point = place(), .radius = number(0, 1e27),
-                 .units = one_of(Units::world), .strength = number(0, 1), .duration = number(0, 1e4),
-                 .threshold = number(0, 1e3), .max_stretch = number(1, 100)};
+  return Attract{.stroke = stroke(*rc::gen::arbitrary<bool>()),
+                 .brush = brush(),
+                 .point = place(),
+                 .radius = number(0, 1e27),
+                 .units = one_of(Units::world),
+                 .strength = number(0, 1),
+                 .duration = number(0, 1e4),
+                 .threshold = number(0, 1e3),
+                 .max_stretch = number(1, 100)};
 }
 
 Command set_coat() {
-  Coat coat{.count = *rc::gen::inRange(1, 100001), .tile = number(0.01, 1), .width_root = number(0, 0.05),
-            .width_tip = number(0, 0.05), .bend = number(0, 2), .curl = number(0, 0.5), .curl_turns = number(0, 20),
-            .clump = number(0, 1), .clump_size = number(0.001, 0.5), .length_spread = number(0, 1),
-            .colour_spread = number(0, 1), .root_share = number(0, 1), .lean_curve = one_of(LeanCurve::root), .ramp = {},
+  Coat coat{.count = *rc::gen::inRange(1, 100001),
+            .tile = number(0.01, 1),
+            .width_root = number(0, 0.05),
+            .width_tip = number(0, 0.05),
+            .bend = number(0, 2),
+            .curl = number(0, 0.5),
+            .curl_turns = number(0, 20),
+            .clump = number(0, 1),
+            .clump_size = number(0.001, 0.5),
+            .length_spread = number(0, 1),
+            .colour_spread = number(0, 1),
+            .root_share = number(0, 1),
+            .lean_curve = one_of(LeanCurve::root),
+            .ramp = {},
             .seed = *rc::gen::arbitrary<std::uint32_t>()};
   const int stops = *rc::gen::inRange(1, 5);
   for (int i = 0; i < stops; ++i) coat.ramp.push_back({0.25 * i + number(0.01, 0.2), colour()});
@@ -119,9 +146,15 @@ Command set_coat() {
 }
 
 Look look() {
-  return {.colour_source = one_of(ColourSource::coat), .ambient = number(0, 4), .diffuse = number(0, 4),
-          .specular = number(0, 4), .diffuse_exponent = number(0, 1e6), .specular_exponent = number(0, 1e6),
-          .back_attenuation = number(1e-3, 1), .ambient_floor = number(0, 1), .self_shadow = number(0, 4),
+  return {.colour_source = one_of(ColourSource::coat),
+          .ambient = number(0, 4),
+          .diffuse = number(0, 4),
+          .specular = number(0, 4),
+          .diffuse_exponent = number(0, 1e6),
+          .specular_exponent = number(0, 1e6),
+          .back_attenuation = number(1e-3, 1),
+          .ambient_floor = number(0, 1),
+          .self_shadow = number(0, 4),
           .skin = colour()};
 }
 
@@ -129,8 +162,11 @@ Command set_lights() {
   SetLights result;
   const int count = *rc::gen::inRange(0, 9);
   for (int i = 0; i < count; ++i) {
-    result.lights.push_back({.kind = one_of(LightKind::point), .direction = direction(), .position = place(),
-                             .colour = colour(), .intensity = number(0, 1e8)});
+    result.lights.push_back({.kind = one_of(LightKind::point),
+                             .direction = direction(),
+                             .position = place(),
+                             .colour = colour(),
+                             .intensity = number(0, 1e8)});
   }
   return result;
 }
@@ -166,7 +202,11 @@ RC_GTEST_PROP(Json, BatchesComeBack, ()) {
 }
 
 RC_GTEST_PROP(Json, NumbersKeepEveryBit, ()) {
-  const Comb before{.stroke = {}, .flood = true, .brush = {.radius = number(0, 1e27), .strength = number(0, 1)}, .lean = number(0, 1), .direction = direction()};
+  const Comb before{.stroke = {},
+                    .flood = true,
+                    .brush = {.radius = number(0, 1e27), .strength = number(0, 1)},
+                    .lean = number(0, 1),
+                    .direction = direction()};
   const Comb after = std::get<Comb>(decode_commands(encode(Command(before)))->front());
   RC_ASSERT(after.brush.radius == before.brush.radius);
   RC_ASSERT(after.brush.strength == before.brush.strength);
@@ -186,8 +226,12 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   FrameRequest before;
   before.width = *rc::gen::inRange(1, 8193);
   before.camera = camera();
-  before.knobs = {.shells = *rc::gen::inRange(1, 1025), .samples = *rc::gen::element(1, 4), .steps = *rc::gen::inRange(1, 17),
-                  .scale = number(0.25, 2), .self_shadow = *rc::gen::arbitrary<bool>(), .accumulation = one_of(Accumulation::full)};
+  before.knobs = {.shells = *rc::gen::inRange(1, 1025),
+                  .samples = *rc::gen::element(1, 4),
+                  .steps = *rc::gen::inRange(1, 17),
+                  .scale = number(0.25, 2),
+                  .self_shadow = *rc::gen::arbitrary<bool>(),
+                  .accumulation = one_of(Accumulation::full)};
   before.background = one_of(Background::transparent);
   before.background_colour = colour();
   before.exposure = number(-20, 20);

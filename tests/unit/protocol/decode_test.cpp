@@ -129,8 +129,9 @@ TEST(Decode, CombNeedsAStrokeOrAFlood) {
   expect_refusal(R"({"op": "comb"})", Code::invalid, "/stroke");
   expect_refusal(R"({"op": "comb", "flood": true})", Code::invalid, "/direction");
   expect_refusal(R"({"op": "comb", "flood": true, "direction": [0, 0, 0]})", Code::invalid, "/direction");
-  expect_refusal(R"({"op": "comb", "flood": true, "direction": [0, 1, 0], "stroke": {"samples": [{"position": [0, 0, 0]}]}})",
-                 Code::invalid, "/stroke");
+  expect_refusal(
+      R"({"op": "comb", "flood": true, "direction": [0, 1, 0], "stroke": {"samples": [{"position": [0, 0, 0]}]}})",
+      Code::invalid, "/stroke");
   expect_refusal(R"({"op": "comb", "direction": [0, 1, 0], "stroke": {"samples": [{"position": [0, 0, 0]}]}})",
                  Code::invalid, "/direction");
 }
@@ -177,8 +178,9 @@ TEST(Decode, BatchesNameTheCommand) {
 }
 
 TEST(Decode, RampsRise) {
-  expect_refusal(R"({"op": "set_coat", "coat": {"ramp": [{"at": 0, "colour": "#000000"}, {"at": 0, "colour": "#ffffff"}]}})",
-                 Code::invalid, "/coat/ramp/1/at");
+  expect_refusal(
+      R"({"op": "set_coat", "coat": {"ramp": [{"at": 0, "colour": "#000000"}, {"at": 0, "colour": "#ffffff"}]}})",
+      Code::invalid, "/coat/ramp/1/at");
   expect_refusal(R"({"op": "set_coat", "coat": {"ramp": [{"at": 0, "colour": "red"}]}})", Code::invalid,
                  "/coat/ramp/0/colour");
 }
@@ -197,12 +199,14 @@ TEST(DecodeFrame, DefaultsAndCameras) {
   ASSERT_TRUE(plain.ok());
   EXPECT_EQ(plain->width, 512);
   EXPECT_EQ(plain->camera.automatic, AutoView::three_quarter);
-  const auto free = decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 0]}, "background": "transparent"})");
+  const auto free =
+      decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 0]}, "background": "transparent"})");
   ASSERT_TRUE(free.ok());
   EXPECT_EQ(free->camera.automatic, AutoView::none);
   EXPECT_EQ(free->background, Background::transparent);
   EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer, "/camera");
-  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer, "/camera/up");
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer,
+            "/camera/up");
 }
 
 TEST(DecodeFrame, QualityIsATierOrKnobs) {
@@ -224,8 +228,13 @@ TEST(DecodeFrame, SizesAndWhatIsNotBuilt) {
 }
 
 TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
-  const auto request = decode_frame_query({{"width", "64"}, {"height", "32"}, {"camera", "front"}, {"shells", "9"},
-                                           {"self_shadow", "false"}, {"background", "#ff0000"}, {"exposure", "-1.5"}});
+  const auto request = decode_frame_query({{"width", "64"},
+                                           {"height", "32"},
+                                           {"camera", "front"},
+                                           {"shells", "9"},
+                                           {"self_shadow", "false"},
+                                           {"background", "#ff0000"},
+                                           {"exposure", "-1.5"}});
   ASSERT_TRUE(request.ok()) << request.status().message;
   EXPECT_EQ(request->width, 64);
   EXPECT_EQ(request->camera.automatic, AutoView::front);
@@ -268,7 +277,8 @@ TEST(DecodeImportQuery, AxesAndFormats) {
 TEST(DecodeScene, Names) {
   EXPECT_EQ(decode_new_scene("{}")->model.shape, Builtin::creature);
   EXPECT_TRUE(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes, 'x') + "\"}").ok());
-  EXPECT_EQ(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes + 1, 'x') + "\"}").status().pointer, "/name");
+  EXPECT_EQ(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes + 1, 'x') + "\"}").status().pointer,
+            "/name");
   EXPECT_EQ(decode_new_scene(R"({"name": ""})").status().pointer, "/name");
   EXPECT_EQ(decode_new_scene(R"({"model": {"builtin": "torsu"}})").status().nearest, "torus");
   EXPECT_EQ(decode_new_scene(R"({"model": {"triangles": 1000001}})").status().pointer, "/model/triangles");

@@ -10,16 +10,36 @@ namespace pelage {
 namespace {
 
 SceneSummary some_summary() {
-  SceneSummary summary{.id = "a1", .name = "fox \"x\"", .revision = 12, .model = "obj", .report = {}, .fields_hash = {.low = 5, .high = 7}, .undo_steps = 3, .redo_steps = 1};
-  summary.report = {.source_vertices = 9, .source_faces = 8, .vertices = 7, .triangles = 6, .parts = 2, .size = 155.5,
-                    .min = {-1, -2, -3}, .max = {1, 2, 3}, .repairs = {{"welded_vertices", 2}}};
+  SceneSummary summary{.id = "a1",
+                       .name = "fox \"x\"",
+                       .revision = 12,
+                       .model = "obj",
+                       .report = {},
+                       .fields_hash = {.low = 5, .high = 7},
+                       .undo_steps = 3,
+                       .redo_steps = 1};
+  summary.report = {.source_vertices = 9,
+                    .source_faces = 8,
+                    .vertices = 7,
+                    .triangles = 6,
+                    .parts = 2,
+                    .size = 155.5,
+                    .min = {-1, -2, -3},
+                    .max = {1, 2, 3},
+                    .repairs = {{"welded_vertices", 2}}};
   return summary;
 }
 
 TEST(Encode, CommandAnswerComesBack) {
-  const CommandAnswer answer{.revision = 12, .fields_hash = {.low = 0xfedcba9876543210, .high = 1},
-                             .results = {{.op = "comb", .touched = 812, .mean_change = 0.11, .max_change = 0.64, .clamped = 3,
-                                          .milliseconds = 1.25, .fields = {{"direction", 812, 0.11, 0.64}}}}};
+  const CommandAnswer answer{.revision = 12,
+                             .fields_hash = {.low = 0xfedcba9876543210, .high = 1},
+                             .results = {{.op = "comb",
+                                          .touched = 812,
+                                          .mean_change = 0.11,
+                                          .max_change = 0.64,
+                                          .clamped = 3,
+                                          .milliseconds = 1.25,
+                                          .fields = {{"direction", 812, 0.11, 0.64}}}}};
   const auto back = decode_command_answer(encode(answer));
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(back->fields_hash, answer.fields_hash);
@@ -36,14 +56,25 @@ TEST(Encode, SummariesComeBack) {
 
 TEST(Encode, PicksComeBack) {
   EXPECT_EQ(encode(PickAnswer{}), R"({"hit":false})");
-  const PickAnswer answer{.hit = true, .triangle = 7, .barycentric = {0.2, 0.3, 0.5}, .position = {1, 2, 3}, .normal = {0, 1, 0}, .direction = {0, 0, -1}, .inclination = 0.5, .length = 0.03, .stretch = 0.1};
+  const PickAnswer answer{.hit = true,
+                          .triangle = 7,
+                          .barycentric = {0.2, 0.3, 0.5},
+                          .position = {1, 2, 3},
+                          .normal = {0, 1, 0},
+                          .direction = {0, 0, -1},
+                          .inclination = 0.5,
+                          .length = 0.03,
+                          .stretch = 0.1};
   EXPECT_EQ(encode(*decode_pick_answer(encode(answer))), encode(answer));
 }
 
 TEST(Encode, LogHoldsCommandsAsJson) {
-  const std::string text = encode(std::vector<LogEntry>{{.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5},
-                                                        {.revision = 2, .kind = "undo", .commands = "", .touched = 5}});
-  EXPECT_EQ(text, R"({"entries":[{"revision":1,"kind":"do","touched":5,"commands":{"op":"comb"}},{"revision":2,"kind":"undo","touched":5}]})");
+  const std::string text =
+      encode(std::vector<LogEntry>{{.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5},
+                                   {.revision = 2, .kind = "undo", .commands = "", .touched = 5}});
+  EXPECT_EQ(
+      text,
+      R"({"entries":[{"revision":1,"kind":"do","touched":5,"commands":{"op":"comb"}},{"revision":2,"kind":"undo","touched":5}]})");
   EXPECT_EQ(encode(*decode_log(text)), text);
 }
 
@@ -66,7 +97,8 @@ TEST(Encode, ProblemsSurviveTextThatIsNotUtf8) {
 TEST(Colour, AllLevelsComeBack) {
   for (int level = 0; level < 256; ++level) {
     char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(level), 255u - static_cast<unsigned>(level), 7u);
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(level), 255u - static_cast<unsigned>(level),
+                  7u);
     const auto colour = colour_of_text(text);
     ASSERT_TRUE(colour);
     EXPECT_EQ(text_of_colour(*colour), text);
