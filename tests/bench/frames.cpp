@@ -46,6 +46,7 @@ void run(const Gl& gl, Renderer& renderer, const Case& c, int size, int repetiti
   request.background = Background::colour;
   request.tone_map = ToneMap::filmic;
   request.knobs.shells = 16;
+  request.knobs.samples = 4;
   const Image picture = testing::draw(renderer, model, request);
   const FurFrame frame = make_frame(model.view(), request);
   FurFrame single = frame, draft = frame;
