@@ -245,7 +245,8 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
 
 RC_GTEST_PROP(Json, AnyOctetsGiveACommandOrARefusal, (const std::string& octets)) {
   const auto decoded = decode_commands(octets);
-  RC_ASSERT(decoded.ok() || !decoded.status().message.empty());
+  const bool sound = decoded.ok() || !decoded.status().message.empty();  // RC_ASSERT would evaluate both sides of ||
+  RC_ASSERT(sound);
 }
 
 RC_GTEST_PROP(Json, BrokenCommandsGiveACommandOrARefusal, ()) {
@@ -253,7 +254,8 @@ RC_GTEST_PROP(Json, BrokenCommandsGiveACommandOrARefusal, ()) {
   const auto where = *rc::gen::inRange<std::size_t>(0, text.size());
   text[where] = *rc::gen::arbitrary<char>();
   const auto decoded = decode_commands(text);
-  RC_ASSERT(decoded.ok() || !decoded.status().message.empty());
+  const bool sound = decoded.ok() || !decoded.status().message.empty();  // RC_ASSERT would evaluate both sides of ||
+  RC_ASSERT(sound);
 }
 
 }  // namespace
