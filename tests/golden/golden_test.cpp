@@ -16,8 +16,8 @@ struct Golden {
   BuiltinModel model;
   FirstGroom fur;
   void (*change)(FurredModel&, FrameRequest&);
-  /// Thresholds in 1/255. Mean: other versions of llvmpipe round filtering differently, seen as under .1. Largest: a
-  /// strand that crosses the edge of a pixel's sample may flip it, at most a step of one soft layer.
+  /// Thresholds in 1/255, chosen and not measured: one Mesa gives the same bytes, so today both could be 0. They leave
+  /// room for another Mesa's rounding: mean, half a step; largest, one strand that flips at the edge of a pixel.
   double mean;
   int largest;
 };
