@@ -1,6 +1,6 @@
 """Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile.
 
-usage: PELAGE_BIN=build/release/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY]
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY]
 """
 import http.client
 import json
