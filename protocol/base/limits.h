@@ -12,6 +12,7 @@ inline constexpr std::size_t model_triangles = 2'000'000;
 inline constexpr std::size_t builtin_triangles = 1'000'000;
 inline constexpr std::size_t commands_per_batch = 1'000;
 inline constexpr std::size_t samples_per_stroke = 10'000;
+inline constexpr std::size_t dabs_per_stroke = 100'000;  // length of the stroke over spacing x radius
 inline constexpr std::size_t scenes = 64;
 inline constexpr std::size_t name_bytes = 200;
 inline constexpr int json_depth = 32;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "protocol/base/limits.h"
 #include "server/groom/evaluate.h"
 
 namespace pelage {
@@ -70,7 +71,7 @@ Dab BrushStroke::between(const Node& a, const Node& b, double t) const {
 std::vector<Dab> BrushStroke::moving_dabs() const {
   std::vector<Dab> dabs;
   const double step = brush_.spacing * radius_;
-  assert(dab_count() <= dabs_per_stroke);
+  assert(dab_count() <= limits::dabs_per_stroke);
   if (path_.empty() || !(step > 0)) return dabs;
   glm::dvec3 last_centre = path_.front().position;
   const auto put = [&](Dab dab, double arc) {

@@ -11,9 +11,6 @@
 
 namespace pelage {
 
-/// The most dabs that one stroke may take; resolve refuses more.
-inline constexpr double dabs_per_stroke = 100'000;
-
 /// Weight of a falloff curve at `distance` radii from the middle, in [0, 1]; 0 beyond 1.
 double falloff_weight(Falloff curve, double distance);
 

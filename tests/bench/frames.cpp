@@ -1,5 +1,6 @@
 // Frames against the naive version in the same run: minima of alternating repetitions, wall and CPU milliseconds.
-// usage: bench_frames [--repetitions N] [--size PIXELS] [--model builtin|file.obj|file.ply ...]
+// usage: bench_frames [--repetitions N] [--size PIXELS] [--ply FILE] [--most-difference D]
+// With --most-difference it fails when a picture and its naive one differ by more than D/255 on average.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -35,13 +36,8 @@ Cost measure(const std::function<void()>& work) {
   return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(), cpu_milliseconds() - cpu};
 }
 
-struct Case {
-  const char* name;
-  BuiltinModel model;
-};
-
-void run(const Gl& gl, Renderer& renderer, const Case& c, int size, int repetitions) {
-  const testing::FurredModel model = testing::furred(c.model);
+/// Gives the mean difference of the picture and the naive one, in 1/255.
+double run(const Gl& gl, Renderer& renderer, const char* name, const testing::FurredModel& model, int size, int repetitions) {
   FrameRequest request = testing::small_frame(AutoView::three_quarter, size);
   request.background = Background::colour;
   request.tone_map = ToneMap::filmic;
@@ -61,18 +57,24 @@ void run(const Gl& gl, Renderer& renderer, const Case& c, int size, int repetiti
     ours_single.least(measure([&] { (void)renderer.draw(single).ok(); }));
     ours_draft.least(measure([&] { (void)renderer.draw(draft).ok(); }));
   }
-  std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", c.name,
+  std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
               model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours_single.wall, ours_single.cpu,
               theirs.cpu / ours_single.cpu, ours.wall, ours.cpu, theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu,
               theirs.cpu / ours_draft.cpu, difference);
+  std::fflush(stdout);
+  return difference;
 }
 
 int main(int count, char** arguments) {
   int repetitions = 7, size = 512;
+  double most_difference = 255;
+  std::string ply;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string name = arguments[i];
     if (name == "--repetitions") repetitions = std::atoi(arguments[i + 1]);
     else if (name == "--size") size = std::atoi(arguments[i + 1]);
+    else if (name == "--ply") ply = arguments[i + 1];
+    else if (name == "--most-difference") most_difference = std::atof(arguments[i + 1]);
     else return std::fprintf(stderr, "unknown argument %s\n", name.c_str()), 2;
   }
   const Result<std::unique_ptr<Context>> context = select_context(GlChoice::automatic, 0);
@@ -82,9 +84,15 @@ int main(int count, char** arguments) {
   std::printf("%s, 16 shells\n", (*context)->description().c_str());
   std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | %17s %5s | mean difference /255\n", "model", "tri", "px", "naive: wall cpu ms",
               "1 sample: wall cpu", "ratio", "4 samples: wall cpu", "ratio", "draft: wall cpu", "ratio");
-  const Case cases[] = {{"torus", {Builtin::torus, 5000}}, {"creature", {Builtin::creature, 5000}}, {"creature", {Builtin::creature, 100000}}};
-  for (const Case& c : cases) run((*context)->gl(), **renderer, c, size, repetitions);
-  return 0;
+  double difference = 0;
+  const auto add = [&](const char* name, const testing::FurredModel& model) {
+    difference = std::max(difference, run((*context)->gl(), **renderer, name, model, size, repetitions));
+  };
+  add("torus", testing::furred({Builtin::torus, 5000}));
+  add("creature", testing::furred({Builtin::creature, 5000}));
+  if (ply.empty()) add("creature", testing::furred({Builtin::creature, 100000}));
+  else add("file", testing::furred_ply(ply));
+  return difference <= most_difference ? 0 : 1;
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class Document(unittest.TestCase):
         whole = json.dumps(CONTRACT)
         self.assertEqual(SCHEMAS["Batch"]["properties"]["commands"]["maxItems"], limits["commands_per_batch"])
         self.assertEqual(SCHEMAS["Stroke"]["properties"]["samples"]["maxItems"], limits["samples_per_stroke"])
+        self.assertIn(f"at most {limits['dabs_per_stroke']} dabs", SCHEMAS["Brush"]["properties"]["spacing"]["description"])
         self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])

@@ -63,15 +63,31 @@ class Tools(ServedTest):
     def test_creature(self):
         self.check_steps(self.server.new_scene("creature", 5000))
 
-    def test_spot(self):
+    def check_file(self, path, query):
         scene = self.server.new_scene("torus")
-        octets = (shared_folder() / "meshes" / "spot.glb").read_bytes()
-        answer = self.server.call("PUT", f"{scene.path}/model?format=glb&front=-z", octets)
+        answer = self.server.call("PUT", f"{scene.path}/model?{query}", path.read_bytes())
         self.assertEqual(answer.status, 200, answer)
         self.check_steps(scene)
 
+    def test_spot(self):
+        self.check_file(shared_folder() / "meshes" / "spot.glb", "format=glb&front=-z")
+
+    def test_koala(self):
+        self.check_file(shared_folder() / "meshes" / "koala.ply", "format=ply")
+
+    def test_horse(self):
+        self.check_file(pathlib.Path("/usr/share/glmark2/models/horse.3ds"), "format=3ds&up=y&front=z")
+
+    def test_dense_fur_of_a_file_shows_no_background(self):
+        scene = self.server.new_scene("torus")
+        octets = (shared_folder() / "meshes" / "koala.ply").read_bytes()
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=ply", octets).status, 200)
+        self.check_background(scene)
+
     def test_dense_fur_shows_no_background(self):
-        scene = self.server.new_scene("creature", 5000)
+        self.check_background(self.server.new_scene("creature", 5000))
+
+    def check_background(self, scene):
         mask = scene.frame(**FRAME).image[..., 3] == 255
         inside = mask.copy()  # away from the outline, where 255 may stand for .998
         for axis in (0, 1):

@@ -3,21 +3,40 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include "server/scene/fur_view.h"
 #include "server/surface/builtin.h"
+#include "server/surface/import.h"
 #include "server/surface/prepare.h"
 
 namespace pelage::testing {
 
-FurredModel furred(BuiltinModel model, FirstGroom fur) {
+namespace {
+
+FurredModel furred(const RawModel& raw, FirstGroom fur) {
   static std::uint64_t last_id = 0;  // ids are unique in a process
-  Result<Mesh> mesh = prepare(make_builtin(model), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(raw, Axis::plus_y, Axis::plus_z, raw.is_32_bit);
   if (!mesh) throw std::runtime_error(mesh.status().message);
   TileMap tile_map = lay_charts(*mesh);
   FieldSet fields = first_groom(*mesh, fur);
   return {{Surface(std::move(mesh).value()), std::move(tile_map), ++last_id, "test"}, std::move(fields), {}};
+}
+
+}  // namespace
+
+FurredModel furred(BuiltinModel model, FirstGroom fur) { return furred(make_builtin(model), fur); }
+
+FurredModel furred_ply(const std::string& path, FirstGroom fur) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string octets{std::istreambuf_iterator<char>(file), {}};
+  const Result<RawModel> raw = import_model(program_folder() + "/pelage-import", ModelFormat::ply,
+                                            std::as_bytes(std::span(octets)));
+  if (!raw) throw std::runtime_error(raw.status().message);
+  return furred(*raw, fur);
 }
 
 FrameRequest small_frame(AutoView view, int size) {

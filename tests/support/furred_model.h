@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
@@ -19,6 +20,9 @@ struct FurredModel {
 
 /// A built-in, prepared as the server does it.
 FurredModel furred(BuiltinModel model, FirstGroom fur = {});
+
+/// A PLY file, read by the worker beside this program; front is +Z. Throws when it is refused.
+FurredModel furred_ply(const std::string& path, FirstGroom fur = {});
 
 /// Small frames, no tone map, so that values can be compared.
 FrameRequest small_frame(AutoView view = AutoView::front, int size = 128);
