@@ -1,5 +1,9 @@
 #include "protocol/json/decode.h"
 
+#include <algorithm>
+#include <string>
+
+#include "protocol/base/limits.h"
 #include "protocol/json/decode_parts.h"
 #include "protocol/json/parse.h"
 
@@ -129,6 +133,10 @@ FrameRequest frame_request(const Value& value) {
   object.optional("view", [&](const Value& v) { result.view = v.text(0, limits::name_bytes); });
   object.optional("format", [&](const Value& v) { v.name_of(formats); });
   object.finish();
+  if (std::max(result.width, result.height) * result.knobs.scale > limits::frame_pixels) {
+    value.refuse_below("quality", "The quality's scale renders the frame too large.",
+                       "scale x width and scale x height at most " + std::to_string(limits::frame_pixels));
+  }
   return result;
 }
 

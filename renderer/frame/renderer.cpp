@@ -10,6 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t kept_coats = 3;           // 90 MB each
+constexpr std::int64_t kept_pixels = 2048 * 2048;  // targets of a larger frame are given back after it
 constexpr std::uint64_t patience = 60'000'000'000;  // nanoseconds until a GL that does not answer is given up
 
 class Stopwatch {
@@ -100,6 +101,9 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const Stopwatch reading;
   Result<Image> image = read_back(frame);
   if (times) times->read = reading.milliseconds();
+  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) {
+    drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
+  }
   return image;
 }
 

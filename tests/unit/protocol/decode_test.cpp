@@ -227,6 +227,13 @@ TEST(DecodeFrame, SizesAndWhatIsNotBuilt) {
   EXPECT_EQ(decode_frame_request(R"({"budget_ms": 40})").status().pointer, "/budget_ms");
 }
 
+TEST(DecodeFrame, ScaleCountsForTheSize) {
+  EXPECT_TRUE(decode_frame_request(R"({"width": 4096, "quality": "detailed"})").ok());
+  EXPECT_EQ(decode_frame_request(R"({"width": 4097, "quality": "detailed"})").status().pointer, "/quality");
+  EXPECT_TRUE(decode_frame_request(R"({"height": 8192, "quality": {"scale": 1}})").ok());
+  EXPECT_EQ(decode_frame_request(R"({"height": 8192, "quality": {"scale": 1.5}})").status().pointer, "/quality");
+}
+
 TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   const auto request = decode_frame_query({{"width", "64"},
                                            {"height", "32"},
