@@ -14,14 +14,16 @@ namespace pelage {
 
 enum class Tier { draft, interactive, detailed };
 enum class Accumulation { half, full };
+enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
 enum class ToneMap { none, filmic };
 enum class Background { colour, transparent };
 
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
-  int shells = 16;                                // [1, 1024]
+  int shells = 16;                                // [1, 1024], where the view needs most
+  ShellPolicy shell_policy = ShellPolicy::adaptive;
   int samples = 1;                                // on outlines: 1 or 4
-  int steps = 4;                                  // texture steps inside each shell's slab, [1, 16]
+  int steps = 4;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)
   Accumulation accumulation = Accumulation::half;

@@ -198,6 +198,7 @@ Knobs quality(const Value& value) {
   Object object(value);
   Knobs result = knobs_of(Tier::interactive);
   object.integer("shells", result.shells, {1, limits::shells});
+  object.name("shell_policy", result.shell_policy, json_names::shell_policies);
   object.optional("samples", [&](const Value& v) {
     result.samples = static_cast<int>(v.integer({1, 4}));
     if (result.samples == 2 || result.samples == 3) v.refuse("Outlines take 1 or 4 samples.", "1 | 4");

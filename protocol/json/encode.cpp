@@ -166,6 +166,7 @@ Json json_of(const Knobs& knobs) {
           {"steps", knobs.steps},
           {"scale", knobs.scale},
           {"self_shadow", knobs.self_shadow},
+          {"shell_policy", text_of(json_names::shell_policies, knobs.shell_policy)},
           {"accumulation", text_of(json_names::accumulations, knobs.accumulation)}};
 }
 

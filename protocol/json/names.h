@@ -37,6 +37,8 @@ inline constexpr std::array<Name<LightKind>, 2> light_kinds{
     {{"directional", LightKind::directional}, {"point", LightKind::point}}};
 inline constexpr std::array<Name<Tier>, 3> tiers{
     {{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}};
+inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
+    {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
 inline constexpr std::array<Name<Accumulation>, 2> accumulations{
     {{"half", Accumulation::half}, {"full", Accumulation::full}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};

@@ -87,7 +87,7 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch drawing;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model->second.has_colours(), drawn_.height());
-  fur_.draw(gl_, block, model->second, coat, drawn_);
+  fur_.draw(gl_, block, frame.knobs, model->second, coat, drawn_);
   if (frame.knobs.samples > 1) {
     gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                              drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);

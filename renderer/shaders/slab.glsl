@@ -2,13 +2,14 @@
 layout(binding = 0) uniform sampler2DArray shapes;  // slope, light from above, optical depth
 
 uniform int shell_count;
-uniform int shell_step;  // 1: seen from outside, the slab's top comes first
+uniform int shell;
+uniform int shell_side;  // 1: seen from outside, the slab's top comes first; -1: from inside
 
 in vec2 tile;
 in vec2 tile_per_height;
 in float level;
 in float slant;
-flat in int shell;
+in float density_share;
 
 struct Slab {
   float opacity, height, light;  // the last two weighted by opacity
@@ -25,11 +26,11 @@ Slab march(int steps, float blur) {
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
   float slanted = clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
-  float scale = stored_depth * 1.442695 * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
+  float scale = stored_depth * 1.442695 * density_share * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
   for (int i = 0; i < steps; ++i) {
-    float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_step);
+    float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);
     float s = shell_height() + off;
     vec4 shape = textureLod(shapes, vec3(tile + tile_per_height * off, floor(s * float(slice_count))), sharp);
     float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));

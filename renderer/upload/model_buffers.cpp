@@ -45,7 +45,7 @@ std::vector<std::uint8_t> resized(const ImageView& image, int width, int height)
 }  // namespace
 
 ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count)
-    : vertex_array_(gl), fixed_(gl), groom_(gl), elements_(gl), has_colours_(model.has_colours) {
+    : vertex_array_(gl), fixed_(gl), groom_(gl), level_(gl), elements_(gl), has_colours_(model.has_colours) {
   std::vector<RenderVertex> vertices;
   split(model, vertices);
   const auto bytes = vertices.size() * sizeof(RenderVertex);
@@ -85,6 +85,8 @@ void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& verti
 
   vertices.reserve(chosen.size());
   for (const std::uint32_t c : chosen) vertices.push_back(make_vertex(model, vertex_of(c), corner_of(c)));
+  for (const RenderVertex& vertex : vertices) positions_.push_back(vertex.position), normals_.push_back(vertex.normal);
+  lengths_.resize(vertices.size()), levels_.resize(vertices.size());
   for (const glm::uvec3& t : model.triangles) {
     const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
     centroids_.push_back((a + b + c) / 3.0f);
@@ -96,6 +98,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   const GLuint id = vertex_array_.id();
   gl.VertexArrayVertexBuffer(id, 0, fixed_.id(), 0, sizeof(RenderVertex));
   gl.VertexArrayVertexBuffer(id, 1, groom_.id(), 0, sizeof(glm::vec3));
+  gl.VertexArrayVertexBuffer(id, 2, level_.id(), 0, sizeof(float));
   gl.VertexArrayElementBuffer(id, elements_.id());
   const auto add = [&](Attribute attribute, GLint size, std::size_t offset, GLuint buffer) {
     gl.EnableVertexArrayAttrib(id, place_of(attribute));
@@ -110,6 +113,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   add(Attribute::image_uv, 3, offsetof(RenderVertex, image_uv), 0);
   add(Attribute::colour, 3, offsetof(RenderVertex, colour), 0);
   add(Attribute::groom, 3, 0, 1);
+  add(Attribute::level, 1, 0, 2);
 }
 
 void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount& count) {
@@ -140,6 +144,7 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
     values.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
       values.emplace_back(fields.direction[welded_[i]], fields.length[welded_[i]]);
+      lengths_[i] = values.back().z;
     }
     const auto bytes = static_cast<GLsizeiptr>(values.size() * sizeof(glm::vec3));
     gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, values.data());
@@ -147,25 +152,25 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
   }
 }
 
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, glm::vec3 eye) {
-  // Fur on triangles turned further away than this lies behind the skin that faces the eye.
-  constexpr float outline = -0.6f;
-  std::vector<glm::uvec3> facing, averted;
-  facing.reserve(triangles_.size());
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const glm::vec3 to_eye = eye - centroids_[i], normal = face_normals_[i];
-    const float cosine = glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
-    if (cosine >= 0) facing.push_back(triangles_[i]);
-    else if (cosine > outline) averted.push_back(triangles_[i]);
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {
+  for (std::size_t i = 0; i < levels_.size(); ++i) levels_[i] = layer_level(view, positions_[i], normals_[i], lengths_[i]);
+  gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(), GL_STREAM_DRAW);
+  const LayerLists lists = sort_triangles({triangles_, centroids_, face_normals_, levels_}, view.eye);
+
+  std::vector<glm::uvec3> elements(triangles_);
+  const auto append = [&](const std::vector<glm::uvec3>& triangles) {
+    const DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
+    elements.insert(elements.end(), triangles.begin(), triangles.end());
+    return list;
+  };
+  DrawLists result{{0, static_cast<GLsizei>(3 * triangles_.size())}, {}, {}};
+  for (std::size_t set = 0; set < layer_sets; ++set) {
+    result.facing[set] = append(lists[set].facing);
+    result.averted[set] = append(lists[set].averted);
   }
-  const auto size = [](const std::vector<glm::uvec3>& list) { return static_cast<GLsizeiptr>(list.size() * sizeof(glm::uvec3)); };
-  const GLsizeiptr all = size(triangles_);
-  gl.NamedBufferData(elements_.id(), all + size(facing) + size(averted), nullptr, GL_STREAM_DRAW);
-  gl.NamedBufferSubData(elements_.id(), 0, all, triangles_.data());
-  gl.NamedBufferSubData(elements_.id(), all, size(facing), facing.data());
-  gl.NamedBufferSubData(elements_.id(), all + size(facing), size(averted), averted.data());
-  const auto indices = [](const std::vector<glm::uvec3>& list) { return static_cast<GLsizei>(3 * list.size()); };
-  return {indices(triangles_), indices(facing), indices(averted)};
+  gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
+                     GL_STREAM_DRAW);
+  return result;
 }
 
 }  // namespace pelage

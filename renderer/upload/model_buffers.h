@@ -8,11 +8,12 @@
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/upload/layer_sets.h"
 
 namespace pelage {
 
 /// Attribute places, listed once; shaders name the same numbers.
-enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom };
+enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, level };
 
 /// What was sent, for tests and metrics.
 struct UploadCount {
@@ -34,12 +35,16 @@ class ModelBuffers {
   GLuint base_images() const { return images_.id(); }
   bool has_colours() const { return has_colours_; }
 
-  /// Sends the triangles to draw for an eye: those that face it, then those turned away but near an outline. Returns
-  /// how many indices each group has.
-  struct DrawLists {
-    GLsizei all = 0, facing = 0, averted = 0;  // indices; they follow each other in the element buffer
+  /// A stretch of the element buffer, in indices.
+  struct DrawList {
+    GLsizei first = 0, count = 0;
   };
-  DrawLists sort_for(const Gl& gl, glm::vec3 eye);
+  struct DrawLists {
+    DrawList all;
+    std::array<DrawList, layer_sets> facing, averted;
+  };
+  /// Sends the triangles to draw for a view, and the level of each vertex.
+  DrawLists sort_for(const Gl& gl, const LayerView& view);
 
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
@@ -47,13 +52,16 @@ class ModelBuffers {
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 
   VertexArray vertex_array_;
-  Buffer fixed_, groom_, elements_;
+  Buffer fixed_, groom_, level_, elements_;
   Texture images_;
   bool has_colours_ = false;
   std::vector<std::uint32_t> welded_;     // the model's vertex of each render vertex, rising
   std::vector<std::uint32_t> first_;      // of each model's vertex, its first render vertex; one more at the end
   std::vector<glm::uvec3> triangles_;     // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
+  std::vector<glm::vec3> positions_, normals_;  // of render vertices
+  std::vector<float> lengths_;                  // of render vertices
+  std::vector<float> levels_;                   // of the last view
 };
 
 }  // namespace pelage

@@ -48,7 +48,7 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
 
 Image NaiveRenderer::draw() {
   const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
-  const auto lists = model_.sort_for(gl_, glm::vec3(block.eye));
+  const auto lists = model_.sort_for(gl_, {glm::vec3(block.eye), block.eye.w, 1, ShellPolicy::uniform});
   const std::array<float, 4> nothing{};
   const float far_away = 0;
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());
@@ -67,14 +67,14 @@ Image NaiveRenderer::draw() {
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_BLEND);
   skin_.use();
-  gl_.DrawElements(GL_TRIANGLES, lists.all, GL_UNSIGNED_INT, nullptr);
+  gl_.DrawElements(GL_TRIANGLES, lists.all.count, GL_UNSIGNED_INT, nullptr);
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   shell_.use();
   for (int shell = 0; shell < frame_.knobs.shells; ++shell) {
     shell_.set("shell", shell);
-    gl_.DrawElements(GL_TRIANGLES, lists.all, GL_UNSIGNED_INT, nullptr);
+    gl_.DrawElements(GL_TRIANGLES, lists.all.count, GL_UNSIGNED_INT, nullptr);
   }
   gl_.Disable(GL_BLEND);
   resolve_.draw(gl_, frame_, drawn_, picture_);

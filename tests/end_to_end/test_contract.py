@@ -129,7 +129,7 @@ class Requests(ServedTest):
     def test_frames_and_the_rest(self):
         scene = self.server.new_scene("plane", 50)
         frame = {"width": 8, "height": 8, "camera": {"eye": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
-                 "quality": {"shells": 4, "samples": 1, "steps": 2, "scale": 1.0, "self_shadow": True, "accumulation": "half"},
+                 "quality": {"shells": 4, "shell_policy": "uniform", "samples": 1, "steps": 2, "scale": 1.0, "self_shadow": True, "accumulation": "half"},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
         for variation in self.variations(frame):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))

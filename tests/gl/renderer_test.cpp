@@ -59,6 +59,7 @@ TEST_P(Frames, LayerCountKeepsTheOpacity) {
 TEST_P(Frames, MoreLayersComeCloser) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
   FrameRequest request = small_frame();
+  request.knobs.shell_policy = ShellPolicy::uniform;
   const auto with = [&](int shells) {
     request.knobs.shells = shells;
     return draw(*renderer, model, request);
@@ -67,6 +68,41 @@ TEST_P(Frames, MoreLayersComeCloser) {
   const double coarse = mean_difference(with(4), truth), middle = mean_difference(with(16), truth), fine = mean_difference(with(64), truth);
   EXPECT_LT(middle, coarse * 0.7);
   EXPECT_LT(fine, middle * 0.7);
+}
+
+TEST_P(Frames, FewerLayersWhereTheViewNeedsFewerKeepTheOpacity) {
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.1, .inclination = 0.2});
+  FrameRequest request = small_frame();
+  const auto mean_alpha = [&](ShellPolicy policy) {
+    request.knobs.shell_policy = policy;
+    const Image image = draw(*renderer, model, request);
+    double alpha = 0;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) alpha += image.rgba[i];
+    return alpha / static_cast<double>(image.rgba.size() / 4);
+  };
+  const double uniform = mean_alpha(ShellPolicy::uniform), adaptive = mean_alpha(ShellPolicy::adaptive);
+  EXPECT_NEAR(adaptive, uniform, 0.02 * uniform);
+}
+
+TEST_P(Frames, NothingPopsWhenTheCameraMoves) {
+  // From step to step of a slow approach no picture may change much more than with the same layers everywhere.
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
+  FrameRequest request = small_frame();
+  request.camera.automatic = AutoView::none;
+  request.camera.target = {0, 0, 0};
+  const auto largest_change = [&](ShellPolicy policy) {
+    request.knobs.shell_policy = policy;
+    double largest = 0;
+    Image last;
+    for (int step = 0; step < 12; ++step) {
+      request.camera.eye = {0.02 * step, 0, 3 - 0.03 * step};
+      const Image image = draw(*renderer, model, request);
+      if (step > 0) largest = std::max(largest, mean_difference(image, last));
+      last = image;
+    }
+    return largest;
+  };
+  EXPECT_LT(largest_change(ShellPolicy::adaptive), 1.25 * largest_change(ShellPolicy::uniform));
 }
 
 TEST_P(Frames, DenseFurHidesWhatLiesBehind) {

@@ -13,10 +13,12 @@ flat in vec3 tile_u;
 in vec3 base_uv;
 in vec3 base_colour;
 
+uniform int step_count;  // texture steps inside the slab
+
 layout(location = 0) out vec4 result;  // premultiplied
 
 void main() {
-  Slab slab = march(int(frame.counts.y), 0.0);
+  Slab slab = march(step_count, 0.0);
   if (slab.opacity * float(shell_count) < 0.02) discard;  // together less than one step of 255 over most of the fur
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;

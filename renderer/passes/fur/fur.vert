@@ -10,10 +10,11 @@ layout(location = 4) in vec3 tile_axis;
 layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
+layout(location = 8) in float layer_level;
 
 uniform int shell_count;
-uniform int first_shell;  // drawn first; the last is drawn where the step leads
-uniform int shell_step;   // 1 inside out, -1 outside in
+uniform int shell;
+uniform int layer_set;    // the set of layers that is drawn; -1 draws all of the optical depth
 uniform float push;       // how much further from the eye the depth is written, in lengths of the fur
 
 out vec3 place;
@@ -26,10 +27,12 @@ out float slant;         // path through a slab over its thickness, as the stran
 flat out vec3 tile_u;
 out vec3 base_uv;
 out vec3 base_colour;
-flat out int shell;
+out float density_share; // of the optical depth that this set draws
+
+// As set_share in renderer/upload/layer_sets.cpp.
+float set_share(float level, int set) { return clamp(2.0 * (1.0 - abs(level - float(set))) - 0.5, 0.0, 1.0); }
 
 void main() {
-  shell = first_shell + gl_InstanceID * shell_step;
   float s = (float(shell) + 0.5) / float(shell_count);
   bool root_curve = frame.tile.z > 0.5;
   float inclination = min(length(groom.xy), 1.0);
@@ -54,9 +57,10 @@ void main() {
   slant = sqrt(1.0 + lateral * lateral);
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
+  density_share = layer_set < 0 ? 1.0 : set_share(layer_level, layer_set);
   tile_u = tile_axis;
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
-  gl_Position.z *= gl_Position.w / (gl_Position.w + push * groom.z);  // depth is near / distance
+  gl_Position.z *= gl_Position.w / (gl_Position.w + push * groom.z / max(abs(facing), 0.2));  // depth is near / distance
 }

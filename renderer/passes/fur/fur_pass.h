@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
@@ -21,11 +22,20 @@ class FurPass {
 
   /// Clears the target and draws. Order: skin; depth of dense fur; fur turned away from the
   /// eye, outside in; fur that faces it, inside out.
-  void draw(const Gl& gl, const FrameBlock& block, ModelBuffers& model, const CoatTextures& coat, const RenderTarget& target);
+  void draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, ModelBuffers& model, const CoatTextures& coat,
+            const RenderTarget& target);
 
  private:
-  void draw_shells(const Gl& gl, const Program& program, const ModelBuffers::DrawLists& lists, int shells,
-                   float push) const;
+  /// One shell of one set of layers.
+  struct Layer {
+    int set, shell, shells, steps;
+    double height() const { return (shell + 0.5) / shells; }
+  };
+  static std::vector<Layer> layers_of(const Knobs& knobs);  // of all sets, inside out
+  void draw_skin(const Gl& gl, const ModelBuffers::DrawLists& lists) const;
+  void draw_fur(const Gl& gl, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const;
+  void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
+                  int side) const;
 
   Program skin_, solid_, fur_;
   Buffer block_;
