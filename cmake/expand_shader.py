@@ -1,4 +1,4 @@
-"""Expands #include lines of a shader, checks it with glslangValidator and writes it as a C++ string.
+"""Expands #include lines of a shader, checks its variants with glslangValidator and writes it as a C++ string.
 
 usage: expand_shader.py SOURCE OUTPUT.cpp SYMBOL INCLUDE_DIR...
 """
@@ -27,21 +27,29 @@ def expand(path, folders, seen):
     return "\n".join(text)
 
 
-def check(source, text):
+def variants(text):
+    """Sets of names that may be defined: none, each one that the text asks for with #ifdef alone, and all of them."""
+    names = sorted(set(re.findall(r"^\s*#ifdef\s+(\w+)", text, re.MULTILINE)))
+    return [[], *([name] for name in names), names] if names else [[]]
+
+
+def check(source, text, defines):
     stage = source.suffix[1:]
+    version, rest = text.split("\n", 1)
     with tempfile.NamedTemporaryFile("w", suffix="." + stage) as file:
-        file.write(text)
+        file.write("\n".join([version, *(f"#define {name}" for name in defines), rest]))
         file.flush()
         answer = subprocess.run(["glslangValidator", file.name], capture_output=True, text=True)
     if answer.returncode:
-        sys.exit(f"{source}:\n{answer.stdout}")
+        sys.exit(f"{source} with {defines}:\n{answer.stdout}")
 
 
 def main():
     source, output, symbol, *folders = sys.argv[1:]
     source = pathlib.Path(source).resolve()
     text = expand(source, [pathlib.Path(f).resolve() for f in folders], set()) + "\n"
-    check(source, text)
+    for defines in variants(text):
+        check(source, text, defines)
     pathlib.Path(output).write_text(
         f"namespace pelage::shaders {{\nextern const char* const {symbol};\n"
         f'const char* const {symbol} = R"glsl({text})glsl";\n}}\n', encoding="utf-8")

@@ -8,7 +8,7 @@ Knobs knobs_of(Tier tier) {
   switch (tier) {
     case Tier::draft: return {.shells = 8, .samples = 1, .steps = 3, .scale = 0.75, .self_shadow = false};
     case Tier::interactive: return {};
-    case Tier::detailed: return {.shells = 64, .samples = 4, .steps = 3, .scale = 2};
+    case Tier::detailed: return {.shells = 48, .steps = 3, .scale = 2, .shadow_maps = true, .shadow_resolution = 1024};
   }
   assert(false);
   return {};

@@ -26,6 +26,8 @@ struct Knobs {
   int steps = 4;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)
+  bool shadow_maps = false;                       // draw the shadows that lights ask for
+  int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
   Accumulation accumulation = Accumulation::half;
 
   bool operator==(const Knobs&) const = default;

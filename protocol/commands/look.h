@@ -25,16 +25,25 @@ struct Look {
   glm::vec3 skin{0.10f, 0.065f, 0.05f};  // linear; colour under the fur where the model has none
 };
 
-enum class LightKind { directional, point };
+enum class LightKind { directional, point, spot };
+
+/// Shadow of one part of the body on another (GPU fur 4): from a depth map alone, or softened by the shadow width.
+enum class CastShadow { none, hard, soft };
 
 /// Directional: `direction` is where the light goes, in the model's coordinates. Point: `position`, falling with the
-/// square of distance so that intensity 1 gives white at distance `size`.
+/// square of distance so that intensity 1 gives white at distance `size`. Spot: a point light inside a cone.
+/// Shadows need maps, which a frame draws when its knobs allow them (`shadow_maps`) and keeps until fields or light change.
 struct Light {
   LightKind kind = LightKind::directional;
   glm::dvec3 direction{0, -1, 0};
   glm::dvec3 position{0};
   glm::vec3 colour{1};   // linear
   double intensity = 1;  // [0, 1e8]
+  double cone_degrees = 30;      // half angle of a spot, (0, 90]
+  double cone_softness = 0.25;   // share of the cone over which the edge fades, [0, 1]
+  bool self_shadow_maps = false; // layer-wise shadow maps (GPU fur 3.1) in place of the estimate
+  CastShadow cast_shadow = CastShadow::none;
+  double shadow_scale = 10;      // Cscale of GPU fur 4: larger is a narrower penumbra, [0, 1000]
 };
 
 /// Key, fill and rim: what a new scene is lit by.

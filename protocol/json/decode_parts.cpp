@@ -150,6 +150,11 @@ Light light(const Value& value) {
   object.triple("position", result.position, coordinate);
   object.colour("colour", result.colour);
   object.number("intensity", result.intensity, {0, 1e8});
+  object.number("cone_degrees", result.cone_degrees, {0.1, 90});
+  object.number("cone_softness", result.cone_softness, share);
+  object.boolean("self_shadow_maps", result.self_shadow_maps);
+  object.name("cast_shadow", result.cast_shadow, json_names::cast_shadows);
+  object.number("shadow_scale", result.shadow_scale, {0, 1000});
   object.finish();
   return result;
 }
@@ -206,6 +211,8 @@ Knobs quality(const Value& value) {
   object.integer("steps", result.steps, {1, 16});
   object.number("scale", result.scale, {0.25, 2});
   object.boolean("self_shadow", result.self_shadow);
+  object.boolean("shadow_maps", result.shadow_maps);
+  object.integer("shadow_resolution", result.shadow_resolution, {1, 4096});
   object.name("accumulation", result.accumulation, json_names::accumulations);
   object.finish();
   return result;

@@ -21,7 +21,7 @@ struct Parameter {
   Kind kind;
 };
 
-constexpr std::array<Parameter, 21> frame_parameters{{{"width", "/width", Kind::number},
+constexpr std::array<Parameter, 23> frame_parameters{{{"width", "/width", Kind::number},
                                                       {"height", "/height", Kind::number},
                                                       {"camera", "/camera/auto", Kind::text},
                                                       {"eye", "/camera/eye", Kind::list},
@@ -34,6 +34,8 @@ constexpr std::array<Parameter, 21> frame_parameters{{{"width", "/width", Kind::
                                                       {"steps", "/quality/steps", Kind::number},
                                                       {"scale", "/quality/scale", Kind::number},
                                                       {"self_shadow", "/quality/self_shadow", Kind::boolean},
+                                                      {"shadow_maps", "/quality/shadow_maps", Kind::boolean},
+                                                      {"shadow_resolution", "/quality/shadow_resolution", Kind::number},
                                                       {"shell_policy", "/quality/shell_policy", Kind::text},
                                                       {"accumulation", "/quality/accumulation", Kind::text},
                                                       {"background", "/background", Kind::text},

@@ -108,7 +108,12 @@ Json json_of(const Light& light) {
           {"direction", list(light.direction)},
           {"position", list(light.position)},
           {"colour", colour(light.colour)},
-          {"intensity", light.intensity}};
+          {"intensity", light.intensity},
+          {"cone_degrees", light.cone_degrees},
+          {"cone_softness", light.cone_softness},
+          {"self_shadow_maps", light.self_shadow_maps},
+          {"cast_shadow", text_of(json_names::cast_shadows, light.cast_shadow)},
+          {"shadow_scale", light.shadow_scale}};
 }
 
 template <class Tool>
@@ -166,6 +171,8 @@ Json json_of(const Knobs& knobs) {
           {"steps", knobs.steps},
           {"scale", knobs.scale},
           {"self_shadow", knobs.self_shadow},
+          {"shadow_maps", knobs.shadow_maps},
+          {"shadow_resolution", knobs.shadow_resolution},
           {"shell_policy", text_of(json_names::shell_policies, knobs.shell_policy)},
           {"accumulation", text_of(json_names::accumulations, knobs.accumulation)}};
 }

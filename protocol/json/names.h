@@ -33,8 +33,10 @@ inline constexpr std::array<Name<AutoView>, 6> auto_views{{{"front", AutoView::f
 inline constexpr std::array<Name<LeanCurve>, 2> lean_curves{{{"arc", LeanCurve::arc}, {"root", LeanCurve::root}}};
 inline constexpr std::array<Name<ColourSource>, 3> colour_sources{
     {{"automatic", ColourSource::automatic}, {"model", ColourSource::model}, {"coat", ColourSource::coat}}};
-inline constexpr std::array<Name<LightKind>, 2> light_kinds{
-    {{"directional", LightKind::directional}, {"point", LightKind::point}}};
+inline constexpr std::array<Name<LightKind>, 3> light_kinds{
+    {{"directional", LightKind::directional}, {"point", LightKind::point}, {"spot", LightKind::spot}}};
+inline constexpr std::array<Name<CastShadow>, 3> cast_shadows{
+    {{"none", CastShadow::none}, {"hard", CastShadow::hard}, {"soft", CastShadow::soft}}};
 inline constexpr std::array<Name<Tier>, 3> tiers{
     {{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{

@@ -29,7 +29,7 @@ int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
   std::unique_ptr<Renderer> renderer(new Renderer(gl));
-  const std::string log = renderer->fur_.failure() + renderer->resolve_.failure();
+  const std::string log = renderer->fur_.failure() + renderer->shadows_.failure() + renderer->resolve_.failure();
   if (!log.empty()) return failure(Code::unavailable, "a shader program cannot be built: " + log);
   return renderer;
 }
@@ -87,7 +87,13 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch drawing;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model->second.has_colours(), drawn_.height());
-  fur_.draw(gl_, block, frame.knobs, model->second, coat, drawn_);
+  const auto lists = model->second.sort_for(gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy});
+  const bool shadowed = ShadowMaps::wanted(frame);
+  if (shadowed && shadows_.prepare(gl_, frame, block, model->second, coat, lists) && times) {
+    gl_.Finish();
+    times->shadow = drawing.milliseconds();
+  }
+  fur_.draw(gl_, block, frame.knobs, shadowed, model->second, lists, coat, drawn_);
   if (frame.knobs.samples > 1) {
     gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                              drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -97,7 +103,7 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
   gl_.DeleteSync(fence);
   if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED) return failure(Code::unavailable, "the GL does not answer");
-  if (times) times->draw = drawing.milliseconds();
+  if (times) times->draw = drawing.milliseconds() - times->shadow;
   const Stopwatch reading;
   Result<Image> image = read_back(frame);
   if (times) times->read = reading.milliseconds();

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "protocol/base/status.h"
+#include "renderer/frame/shadow_maps.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/render_target.h"
 #include "renderer/image/image.h"
@@ -20,7 +21,7 @@ namespace pelage {
 
 /// Milliseconds of a frame's stages.
 struct DrawTimes {
-  double draw = 0, read = 0;
+  double shadow = 0, draw = 0, read = 0;
 };
 
 /// Belongs to the thread and the context that it was made on.
@@ -42,13 +43,14 @@ class Renderer {
   void forget(std::uint64_t model);
 
  private:
-  explicit Renderer(const Gl& gl) : gl_(gl), fur_(gl), resolve_(gl) {}
+  explicit Renderer(const Gl& gl) : gl_(gl), fur_(gl), shadows_(gl), resolve_(gl) {}
   Status prepare_targets(const FurFrame& frame);
   const CoatTextures& textures_of(const Coat& coat);
   Result<Image> read_back(const FurFrame& frame);
 
   const Gl& gl_;
   FurPass fur_;
+  ShadowMaps shadows_;
   ResolvePass resolve_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first

@@ -13,6 +13,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(BindFramebuffer, "glBindFramebuffer");
   get(BindTextureUnit, "glBindTextureUnit");
   get(BindVertexArray, "glBindVertexArray");
+  get(BlendEquation, "glBlendEquation");
   get(BlendFunc, "glBlendFunc");
   get(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
@@ -21,6 +22,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(ClipControl, "glClipControl");
   get(ColorMask, "glColorMask");
   get(CompileShader, "glCompileShader");
+  get(CopyTextureSubImage3D, "glCopyTextureSubImage3D");
   get(CreateBuffers, "glCreateBuffers");
   get(CreateFramebuffers, "glCreateFramebuffers");
   get(CreateProgram, "glCreateProgram");
@@ -69,6 +71,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(TextureSubImage3D, "glTextureSubImage3D");
   get(GenerateTextureMipmap, "glGenerateTextureMipmap");
   get(Uniform1f, "glUniform1f");
+  get(Uniform3f, "glUniform3f");
   get(Uniform1i, "glUniform1i");
   get(GetUniformLocation, "glGetUniformLocation");
   get(UseProgram, "glUseProgram");

@@ -18,6 +18,7 @@ struct Gl {
   PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
   PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
   PFNGLBINDVERTEXARRAYPROC BindVertexArray = nullptr;
+  PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
@@ -26,6 +27,7 @@ struct Gl {
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
   PFNGLCOLORMASKPROC ColorMask = nullptr;
   PFNGLCOMPILESHADERPROC CompileShader = nullptr;
+  PFNGLCOPYTEXTURESUBIMAGE3DPROC CopyTextureSubImage3D = nullptr;
   PFNGLCREATEBUFFERSPROC CreateBuffers = nullptr;
   PFNGLCREATEFRAMEBUFFERSPROC CreateFramebuffers = nullptr;
   PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
@@ -75,6 +77,7 @@ struct Gl {
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLUNIFORM1FPROC Uniform1f = nullptr;
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
+  PFNGLUNIFORM3FPROC Uniform3f = nullptr;
   PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
   PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   PFNGLVERTEXARRAYATTRIBBINDINGPROC VertexArrayAttribBinding = nullptr;

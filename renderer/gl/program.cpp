@@ -1,14 +1,19 @@
 #include "renderer/gl/program.h"
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 namespace pelage {
 
 namespace {
 
-GLuint compile(const Gl& gl, GLenum stage, const char* source, std::string& log) {
+GLuint compile(const Gl& gl, GLenum stage, std::string_view source, const std::string& defines, std::string& log) {
   const GLuint shader = gl.CreateShader(stage);
-  gl.ShaderSource(shader, 1, &source, nullptr);
+  const std::size_t line = source.find('\n') + 1;  // the version comes first
+  const std::string whole = std::string(source.substr(0, line)) + defines + std::string(source.substr(line));
+  const char* lines = whole.c_str();
+  gl.ShaderSource(shader, 1, &lines, nullptr);
   gl.CompileShader(shader);
   GLint compiled = 0;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -22,9 +27,9 @@ GLuint compile(const Gl& gl, GLenum stage, const char* source, std::string& log)
 
 }  // namespace
 
-Program::Program(const Gl& gl, const char* vertex, const char* fragment) : gl_(&gl), handle_(gl) {
+Program::Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines) : gl_(&gl), handle_(gl) {
   for (const auto& [stage, source] : {std::pair{GLenum{GL_VERTEX_SHADER}, vertex}, {GLenum{GL_FRAGMENT_SHADER}, fragment}}) {
-    const GLuint shader = compile(gl, stage, source, log_);
+    const GLuint shader = compile(gl, stage, source, defines, log_);
     gl.AttachShader(handle_.id(), shader);
     gl.DeleteShader(shader);  // lives on while attached
   }

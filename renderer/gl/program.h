@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <glm/glm.hpp>
+
 #include "renderer/gl/handles.h"
 
 namespace pelage {
@@ -11,10 +13,12 @@ namespace pelage {
 class Program {
  public:
   Program() = default;
-  Program(const Gl& gl, const char* vertex, const char* fragment);
+  /// `defines` are lines such as "#define SHADOW_MAPS\n", put after the version of both sources.
+  Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines = {});
 
   void use() const { gl_->UseProgram(handle_.id()); }
   void set(const char* name, int value) const { gl_->Uniform1i(location(name), value); }
+  void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(location(name), value.x, value.y, value.z); }
   void set(const char* name, float value) const { gl_->Uniform1f(location(name), value); }
   GLuint id() const { return handle_.id(); }
   const std::string& log() const { return log_; }

@@ -54,6 +54,12 @@ struct FurLight {
   glm::vec3 direction{0, -1, 0};  // unit, where the light goes
   glm::vec3 position{0};
   glm::vec3 radiance{1};          // colour times intensity
+  float cone = 0, soft_cone = 0;  // of a spot: cosines of the half angle and of where it begins to fade
+  bool self_shadow_maps = false;
+  CastShadow cast_shadow = CastShadow::none;
+  float shadow_scale = 10;
+
+  bool operator==(const FurLight&) const = default;
 };
 
 struct FurCamera {

@@ -1,8 +1,8 @@
 // What every pass of a frame knows. Layout std140; renderer/upload/frame_block.h mirrors it.
 struct Light {
-  vec4 direction;  // where the light goes, unit; w is 0, or 1 for a point light
-  vec4 position;
-  vec4 radiance;
+  vec4 direction;  // where the light goes, unit; w is 0, or 1 for a light at a position
+  vec4 position;   // w: cosine of a spot's cone, -2 for other lights
+  vec4 radiance;   // w: cosine at which a spot begins to fade
 };
 
 layout(std140, binding = 0) uniform FrameBlock {

@@ -1,5 +1,9 @@
 // GPU fur eq 1: c = ka g + [kd C (1-(T.L)^2)^(pd/2) + ks (1-(T.H)^2)^(ps/2)] t B, for each light.
 
+#ifdef SHADOW_MAPS
+#include "shadow.glsl"
+#endif
+
 // x^p for x in [0, 1] as an exponential of a logarithm that stays finite.
 float power(float x, float p) { return exp2(p * log2(max(x, 1e-12))); }
 
@@ -11,6 +15,8 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
   bool point = light.direction.w > 0.5;
   to_light = point ? apart * inversesqrt(square) : -light.direction.xyz;
   radiance = light.radiance.rgb * (point ? min(1.0 / square, 1e8) : 1.0);
+  float inside = dot(-to_light, light.direction.xyz), edge = light.position.w;
+  radiance *= clamp((inside - edge) / max(light.radiance.w - edge, 1e-6), 0.0, 1.0);
 }
 
 // Light that passes pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4).
@@ -37,7 +43,12 @@ vec3 fibre_light(Fibre fibre) {
     float diffuse = power(max(0.0, 1.0 - along_light * along_light), 0.5 * frame.exponents.x);
     float specular = power(max(0.0, 1.0 - along_middle * along_middle), 0.5 * frame.exponents.y);
     float back = facing >= 0.0 ? 1.0 : 1.0 - min(-facing, frame.exponents.z) / frame.exponents.z;
-    vec3 kept = transmittance(frame.exponents.w * fibre.depth / max(facing, 0.3), fibre.colour);
+    float depth = frame.exponents.w * fibre.depth / max(facing, 0.3);
+#ifdef SHADOW_MAPS
+    depth = layer_depth(i, fibre.place, fibre.height, facing, depth);
+    radiance *= cast_light(i, fibre.place);
+#endif
+    vec3 kept = transmittance(depth, fibre.colour);
     vec3 scattered = frame.weights.y * fibre.colour * diffuse + frame.weights.z * specular;
     sum += radiance * scattered * kept * back;
   }

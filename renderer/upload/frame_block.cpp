@@ -30,7 +30,10 @@ glm::mat4 view(const FurCamera& camera) {
 }
 
 LightBlock light_block(const FurLight& light) {
-  return {{light.direction, light.kind == LightKind::point ? 1.0f : 0.0f}, {light.position, 1}, {light.radiance, 1}};
+  const bool spot = light.kind == LightKind::spot;
+  return {{light.direction, light.kind == LightKind::directional ? 0.0f : 1.0f},
+          {light.position, spot ? light.cone : -2.0f},
+          {light.radiance, spot ? light.soft_cone : -1.0f}};
 }
 
 float largest_lightness(const Coat& coat) {

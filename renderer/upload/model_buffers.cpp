@@ -135,7 +135,12 @@ void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount&
   gl.TextureParameteri(images_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
+float ModelBuffers::longest_fur() const {
+  return lengths_.empty() ? 0 : *std::max_element(lengths_.begin(), lengths_.end());
+}
+
 void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& count) {
+  if (!fields.dirty.empty()) ++version_;
   std::vector<glm::vec3> values;
   for (const DirtyRange& range : fields.dirty) {
     assert(range.begin <= range.end && range.end < first_.size());

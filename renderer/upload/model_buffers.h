@@ -34,6 +34,9 @@ class ModelBuffers {
   GLuint vertex_array() const { return vertex_array_.id(); }
   GLuint base_images() const { return images_.id(); }
   bool has_colours() const { return has_colours_; }
+  /// Counts the changes of the fields.
+  std::uint64_t version() const { return version_; }
+  float longest_fur() const;  // sizes
 
   /// A stretch of the element buffer, in indices.
   struct DrawList {
@@ -55,6 +58,7 @@ class ModelBuffers {
   Buffer fixed_, groom_, level_, elements_;
   Texture images_;
   bool has_colours_ = false;
+  std::uint64_t version_ = 0;
   std::vector<std::uint32_t> welded_;     // the model's vertex of each render vertex, rising
   std::vector<std::uint32_t> first_;      // of each model's vertex, its first render vertex; one more at the end
   std::vector<glm::uvec3> triangles_;     // in render vertices

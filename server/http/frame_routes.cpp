@@ -79,8 +79,8 @@ Status wait_for_news(Service& service, const Scene& scene, const News& news, con
 }
 
 std::string server_timing(const FrameTimings& t) {
-  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}",
-                     t.queue, t.upload, t.draw, t.read, t.encode);
+  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}",
+                     t.queue, t.upload, t.shadow, t.draw, t.read, t.encode);
 }
 
 void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,

@@ -112,7 +112,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
     if (image.status().code == Code::unavailable) healthy = false;
     return image.status();
   }
-  frame.timings.draw = times.draw, frame.timings.read = times.read;
+  frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.image = std::move(image).value();
   return frame;
 }

@@ -14,7 +14,7 @@ namespace pelage {
 
 /// Milliseconds of each stage, for Server-Timing.
 struct FrameTimings {
-  double queue = 0, upload = 0, draw = 0, read = 0, encode = 0;
+  double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
 };
 
 struct FrameAnswer {

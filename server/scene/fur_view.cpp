@@ -1,5 +1,7 @@
 #include "server/scene/fur_view.h"
 
+#include <cmath>
+
 #include "server/groom/evaluate.h"
 
 namespace pelage {
@@ -9,8 +11,16 @@ namespace {
 FurLight make_light(const Light& light, const Mesh& mesh) {
   const double length = glm::length(light.direction);
   const glm::dvec3 direction = length > 0 ? light.direction / length : glm::dvec3(0, -1, 0);
-  return {light.kind, glm::vec3(direction), glm::vec3(mesh.to_internal(light.position)),
-          light.colour * static_cast<float>(light.intensity)};
+  const double cone = glm::radians(light.cone_degrees);
+  return {.kind = light.kind,
+          .direction = glm::vec3(direction),
+          .position = glm::vec3(mesh.to_internal(light.position)),
+          .radiance = light.colour * static_cast<float>(light.intensity),
+          .cone = static_cast<float>(std::cos(cone)),
+          .soft_cone = static_cast<float>(std::cos(cone * (1 - light.cone_softness))),
+          .self_shadow_maps = light.self_shadow_maps,
+          .cast_shadow = light.cast_shadow,
+          .shadow_scale = static_cast<float>(light.shadow_scale)};
 }
 
 }  // namespace

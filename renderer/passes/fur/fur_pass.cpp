@@ -1,8 +1,8 @@
 #include "renderer/passes/fur/fur_pass.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
+
+#include "renderer/passes/draw/draw_state.h"
 
 namespace pelage {
 
@@ -21,32 +21,13 @@ namespace {
 constexpr int solid_shells = 4;
 constexpr float solid_push = 0.5f;
 
-void draw_list(const Gl& gl, const ModelBuffers::DrawList& list) {
-  const auto offset = static_cast<std::uintptr_t>(list.first) * sizeof(GLuint);
-  gl.DrawElements(GL_TRIANGLES, list.count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
-}
-
-void clear(const Gl& gl, const RenderTarget& target) {
-  const std::array<float, 4> nothing{};
-  const float far_away = 0;
-  gl.ClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, nothing.data());
-  gl.ClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &far_away);
-}
-
-void set_state(const Gl& gl, const RenderTarget& target) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-  gl.Viewport(0, 0, target.width(), target.height());
-  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);  // rows from the top, depth as reversed floats want it
-  gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_GEQUAL);
-  gl.Disable(GL_CULL_FACE);
-}
-
 }  // namespace
 
+FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
+    : skin(gl, shaders::skin_vert, shaders::skin_frag, defines), fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
+
 FurPass::FurPass(const Gl& gl)
-    : skin_(gl, shaders::skin_vert, shaders::skin_frag), solid_(gl, shaders::fur_vert, shaders::solid_frag),
-      fur_(gl, shaders::fur_vert, shaders::fur_frag), block_(gl) {
+    : solid_(gl, shaders::fur_vert, shaders::solid_frag), plain_(gl, ""), shadowed_(gl, "#define SHADOW_MAPS\n"), block_(gl) {
   gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
 }
 
@@ -60,25 +41,25 @@ std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
   return layers;
 }
 
-void FurPass::draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, ModelBuffers& model,
-                   const CoatTextures& coat, const RenderTarget& target) {
-  clear(gl, target);
-  set_state(gl, target);
-  const auto lists = model.sort_for(gl, {glm::vec3(block.eye), block.eye.w, knobs.shells, knobs.shell_policy});
+void FurPass::draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, bool shadow_maps, const ModelBuffers& model,
+                   const ModelBuffers::DrawLists& lists, const CoatTextures& coat, const RenderTarget& target) const {
+  clear_target(gl, target, {});
+  set_draw_state(gl, target);
   gl.NamedBufferSubData(block_.id(), 0, sizeof(FrameBlock), &block);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, block_.id());
   gl.BindVertexArray(model.vertex_array());
   gl.BindTextureUnit(0, coat.shapes());
   gl.BindTextureUnit(1, coat.colours());
   gl.BindTextureUnit(2, model.base_images());
-  draw_skin(gl, lists);
-  draw_fur(gl, lists, knobs);
+  const Shading& shading = shadow_maps ? shadowed_ : plain_;
+  draw_skin(gl, shading.skin, lists);
+  draw_fur(gl, shading.fur, lists, knobs);
 }
 
-void FurPass::draw_skin(const Gl& gl, const ModelBuffers::DrawLists& lists) const {
+void FurPass::draw_skin(const Gl& gl, const Program& skin, const ModelBuffers::DrawLists& lists) const {
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
-  skin_.use();
+  skin.use();
   draw_list(gl, lists.all);
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   solid_.use();
@@ -88,17 +69,17 @@ void FurPass::draw_skin(const Gl& gl, const ModelBuffers::DrawLists& lists) cons
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void FurPass::draw_fur(const Gl& gl, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const {
+void FurPass::draw_fur(const Gl& gl, const Program& fur, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const {
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const std::vector<Layer> layers = layers_of(knobs);
   const auto draw = [&](const Layer& layer, const auto& of_sets, int side) {
-    fur_.set("layer_set", layer.set);
-    draw_layer(gl, fur_, of_sets[static_cast<std::size_t>(layer.set)], layer, side);
+    fur.set("layer_set", layer.set);
+    draw_layer(gl, fur, of_sets[static_cast<std::size_t>(layer.set)], layer, side);
   };
-  fur_.use();
-  fur_.set("push", 0.0f);
+  fur.use();
+  fur.set("push", 0.0f);
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) draw(*layer, lists.averted, -1);
   for (const Layer& layer : layers) draw(layer, lists.facing, 1);
   gl.DepthMask(GL_TRUE);

@@ -18,12 +18,13 @@ class FurPass {
   explicit FurPass(const Gl& gl);
 
   /// "" when both programs were built.
-  std::string failure() const { return skin_.log() + solid_.log() + fur_.log(); }
+  std::string failure() const { return solid_.log() + plain_.skin.log() + plain_.fur.log() + shadowed_.skin.log() + shadowed_.fur.log(); }
 
   /// Clears the target and draws. Order: skin; depth of dense fur; fur turned away from the
   /// eye, outside in; fur that faces it, inside out.
-  void draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, ModelBuffers& model, const CoatTextures& coat,
-            const RenderTarget& target);
+  /// `block` and `lists` are those of the frame's view; with `shadow_maps` the maps are bound.
+  void draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, bool shadow_maps, const ModelBuffers& model,
+            const ModelBuffers::DrawLists& lists, const CoatTextures& coat, const RenderTarget& target) const;
 
  private:
   /// One shell of one set of layers.
@@ -32,12 +33,18 @@ class FurPass {
     double height() const { return (shell + 0.5) / shells; }
   };
   static std::vector<Layer> layers_of(const Knobs& knobs);  // of all sets, inside out
-  void draw_skin(const Gl& gl, const ModelBuffers::DrawLists& lists) const;
-  void draw_fur(const Gl& gl, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const;
+  /// The programs that shade: a scene pays only for the variant that it needs.
+  struct Shading {
+    Shading(const Gl& gl, const std::string& defines);
+    Program skin, fur;
+  };
+  void draw_skin(const Gl& gl, const Program& skin, const ModelBuffers::DrawLists& lists) const;
+  void draw_fur(const Gl& gl, const Program& fur, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const;
   void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
                   int side) const;
 
-  Program skin_, solid_, fur_;
+  Program solid_;
+  Shading plain_, shadowed_;
   Buffer block_;
 };
 

@@ -27,7 +27,12 @@ void main() {
     light_at(i, place, to_light, radiance);
     float facing = dot(normal, to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, furred);
-    sum += radiance * colour * lit * transmittance(depth / max(facing, 0.3), colour);
+    float to_skin = depth / max(facing, 0.3);
+#ifdef SHADOW_MAPS
+    to_skin = layer_depth(i, place, 0.0, facing, to_skin);
+    radiance *= cast_light(i, place);
+#endif
+    sum += radiance * colour * lit * transmittance(to_skin, colour);
   }
   result = vec4(sum, 1.0);
 }

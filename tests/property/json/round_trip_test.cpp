@@ -166,7 +166,12 @@ Command set_lights() {
                              .direction = direction(),
                              .position = place(),
                              .colour = colour(),
-                             .intensity = number(0, 1e8)});
+                             .intensity = number(0, 1e8),
+                             .cone_degrees = number(0.1, 90),
+                             .cone_softness = number(0, 1),
+                             .self_shadow_maps = *rc::gen::arbitrary<bool>(),
+                             .cast_shadow = one_of(CastShadow::soft),
+                             .shadow_scale = number(0, 1000)});
   }
   return result;
 }
@@ -227,10 +232,13 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   before.width = *rc::gen::inRange(1, 8193);
   before.camera = camera();
   before.knobs = {.shells = *rc::gen::inRange(1, 1025),
+                  .shell_policy = one_of(ShellPolicy::adaptive),
                   .samples = *rc::gen::element(1, 4),
                   .steps = *rc::gen::inRange(1, 17),
-                  .scale = number(0.25, 2),
+                  .scale = number(0.25, std::min(2.0, 8192.0 / before.width)),
                   .self_shadow = *rc::gen::arbitrary<bool>(),
+                  .shadow_maps = *rc::gen::arbitrary<bool>(),
+                  .shadow_resolution = *rc::gen::inRange(1, 4097),
                   .accumulation = one_of(Accumulation::full)};
   before.background = one_of(Background::transparent);
   before.background_colour = colour();

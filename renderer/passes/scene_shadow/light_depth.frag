@@ -1,0 +1,9 @@
+#version 450 core
+in vec3 place;
+
+uniform vec3 axis;
+uniform float offset;
+
+layout(location = 0) out float depth;  // linear, sizes
+
+void main() { depth = dot(axis, place) + offset; }

@@ -1,0 +1,20 @@
+#version 450 core
+#include "frame.glsl"
+
+in vec3 place;
+in vec3 skin_normal;
+
+uniform vec3 axis;
+uniform float offset;
+uniform float bias;  // sizes
+
+layout(binding = 5) uniform sampler2D light_depth;
+
+layout(location = 0) out float occluded;
+
+// The inverted occlusion map: 1 where skin that faces the light lies deeper than what the light sees (GPU fur 4).
+void main() {
+  if (dot(skin_normal, frame.eye.xyz - place) <= 0.0) discard;
+  float depth = dot(axis, place) + offset;
+  occluded = depth > texelFetch(light_depth, ivec2(gl_FragCoord.xy), 0).r + bias ? 1.0 : 0.0;
+}

@@ -1,0 +1,68 @@
+#include "renderer/passes/scene_shadow/scene_shadow_pass.h"
+
+#include "renderer/passes/draw/draw_state.h"
+
+namespace pelage {
+
+namespace shaders {
+extern const char* const skin_vert;
+extern const char* const light_depth_frag;
+extern const char* const occlusion_frag;
+extern const char* const reduce_vert;
+extern const char* const shadow_width_frag;
+}  // namespace shaders
+
+namespace {
+
+constexpr float bias = 0.012f;     // sizes, as in shadow.glsl
+constexpr float nowhere = 1e4f;    // depth where the light sees nothing, sizes
+
+void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slot) {
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
+  gl.CopyTextureSubImage3D(maps, 0, 0, 0, slot, 0, 0, target.width(), target.height());
+}
+
+}  // namespace
+
+SceneShadowPass::SceneShadowPass(const Gl& gl)
+    : depth_(gl, shaders::skin_vert, shaders::light_depth_frag), occlusion_(gl, shaders::skin_vert, shaders::occlusion_frag),
+      width_(gl, shaders::reduce_vert, shaders::shadow_width_frag) {}
+
+void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                           const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const {
+  set_draw_state(gl, targets.depth);
+  clear_target(gl, targets.depth, {nowhere, 0, 0, 0});
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  depth_.use();
+  depth_.set("axis", glm::vec3(light.axis));
+  depth_.set("offset", light.axis.w);
+  draw_list(gl, triangles);
+  keep(gl, targets.depth, depth_maps, slot);
+  draw_occlusion(gl, triangles, light, targets);
+  set_draw_state(gl, targets.width);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.BindTextureUnit(6, targets.occlusion.texture());
+  width_.use();
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  keep(gl, targets.width, width_maps, slot);
+}
+
+void SceneShadowPass::draw_occlusion(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                                     const SceneShadowTargets& targets) const {
+  set_draw_state(gl, targets.occlusion);
+  clear_target(gl, targets.occlusion, {});
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_MAX);
+  gl.BindTextureUnit(5, targets.depth.texture());
+  occlusion_.use();
+  occlusion_.set("axis", glm::vec3(light.axis));
+  occlusion_.set("offset", light.axis.w);
+  occlusion_.set("bias", bias);
+  draw_list(gl, triangles);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.Disable(GL_BLEND);
+}
+
+}  // namespace pelage

@@ -1,0 +1,36 @@
+// Shadow that one part of the body casts on another (GPU fur 4): depth map, inverted occlusion map, shadow-width map.
+#pragma once
+
+#include <string>
+
+#include "renderer/gl/program.h"
+#include "renderer/gl/render_target.h"
+#include "renderer/upload/model_buffers.h"
+#include "renderer/upload/shadow_block.h"
+
+namespace pelage {
+
+/// Where the three maps are drawn, one light after the other. Depth and occlusion are of the maps' size, width of a
+/// quarter of it, at least 1.
+struct SceneShadowTargets {
+  const RenderTarget &depth, &occlusion, &width;  // R32F with depth buffer, R16F, R16F
+};
+
+class SceneShadowPass {
+ public:
+  explicit SceneShadowPass(const Gl& gl);
+
+  std::string failure() const { return depth_.log() + occlusion_.log() + width_.log(); }
+
+  /// Writes slice `slot` of both arrays. The frame block of the light's view and the model's vertex array are bound.
+  void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+            const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const;
+
+ private:
+  void draw_occlusion(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                      const SceneShadowTargets& targets) const;
+
+  Program depth_, occlusion_, width_;
+};
+
+}  // namespace pelage

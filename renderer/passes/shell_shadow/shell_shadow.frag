@@ -1,0 +1,16 @@
+#version 450 core
+#include "frame.glsl"
+#include "slab.glsl"
+
+in vec3 place;
+in vec3 fibre_normal;
+
+uniform int step_count;
+
+layout(location = 0) out float kept;
+
+// What one layer lets through on the way from the light; blending multiplies the layers.
+void main() {
+  if (dot(fibre_normal, frame.eye.xyz - place) <= 0.0) discard;
+  kept = 1.0 - march(step_count, 0.0).opacity;
+}

@@ -1,0 +1,60 @@
+#include "renderer/passes/shell_shadow/shell_shadow_pass.h"
+
+#include <array>
+
+#include "renderer/passes/draw/draw_state.h"
+
+namespace pelage {
+
+namespace shaders {
+extern const char* const fur_vert;
+extern const char* const skin_vert;
+extern const char* const skin_frag;
+extern const char* const shell_shadow_frag;
+}  // namespace shaders
+
+namespace {
+
+constexpr int steps = 2;  // inside each layer
+
+void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slice) {
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
+  gl.CopyTextureSubImage3D(maps, 0, 0, 0, slice, 0, 0, target.width(), target.height());
+}
+
+}  // namespace
+
+ShellShadowPass::ShellShadowPass(const Gl& gl)
+    : skin_(gl, shaders::skin_vert, shaders::skin_frag), layer_(gl, shaders::fur_vert, shaders::shell_shadow_frag) {}
+
+void ShellShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const RenderTarget& target, GLuint maps,
+                           int first_slice) const {
+  const std::array<float, 4> all{1, 1, 1, 1};
+  set_draw_state(gl, target);
+  clear_target(gl, target, all);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  skin_.use();
+  draw_list(gl, triangles);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+  layer_.use();
+  layer_.set("push", 0.0f);
+  layer_.set("layer_set", -1);
+  layer_.set("shell_count", shadow_layers);
+  layer_.set("shell_side", 1);
+  layer_.set("step_count", steps);
+  for (int shell = shadow_layers - 1; shell >= 0; --shell) {
+    keep(gl, target, maps, first_slice + shell + 1);
+    layer_.set("shell", shell);
+    draw_list(gl, triangles);
+  }
+  keep(gl, target, maps, first_slice);
+  gl.Disable(GL_BLEND);
+  gl.DepthMask(GL_TRUE);
+}
+
+}  // namespace pelage

@@ -1,0 +1,52 @@
+// Shadows from maps: the light that the layers above let through (GPU fur 3.1), and the shadow that one part of the body
+// casts on another (GPU fur 4). Layout std140; renderer/upload/shadow_block.h mirrors it.
+layout(std140, binding = 2) uniform ShadowBlock {
+  mat4 to_light[8];
+  vec4 axis[8];   // linear depth: dot(xyz, place) + w, sizes
+  vec4 slots[8];  // slot of the layer maps (-1: none), slot of the depth map (-1: none), 1 where the cast shadow is soft,
+                  // its scale (-1: casts none)
+} shadow;
+
+layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
+layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, sizes
+layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: the shadow width, unscaled
+
+const float shadow_layers = 16.0;
+const float cast_bias = 0.012;   // sizes
+const float shadow_width = 0.03; // sizes that a width of 1 stands for
+
+vec2 place_on_map(int i, vec3 place) {
+  vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
+  return vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5;
+}
+
+// How much deeper than the skin that the light sees a place lies, sizes.
+float depth_below(int i, vec3 place, vec2 at) {
+  return dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - texture(depth_maps, vec3(at, shadow.slots[i].y)).r;
+}
+
+// AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin (GPU fur 4).
+float cast_light(int i, vec3 place) {
+  if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
+  vec2 at = place_on_map(i, place);
+  float below = depth_below(i, place, at);
+  if (below <= cast_bias) return 1.0;
+  if (shadow.slots[i].z < 0.5) return 0.0;
+  float width = shadow_width * texture(width_maps, vec3(at, shadow.slots[i].y)).r;
+  float fade = smoothstep(cast_bias, 3.0 * cast_bias, below);
+  return 1.0 - fade * clamp(shadow.slots[i].w * width / below, 0.0, 1.0);
+}
+
+// Optical depth of the layers above a place; what the estimate says where the map shows another part of the body, or
+// where the surface is turned so far away that its layers leave no trace on the map. `facing` is N.L.
+float layer_depth(int i, vec3 place, float height, float facing, float estimate) {
+  float slot = shadow.slots[i].x;
+  if (slot < 0.0) return estimate;
+  vec2 at = place_on_map(i, place);
+  float layer = height * shadow_layers, low = floor(layer);
+  float first = slot * (shadow_layers + 1.0);
+  float kept = mix(texture(kept_maps, vec3(at, first + low)).r,
+                   texture(kept_maps, vec3(at, first + min(low + 1.0, shadow_layers))).r, layer - low);
+  float below = depth_below(i, place, at);
+  return mix(-log(max(kept, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));
+}
