@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "renderer/passes/draw/draw_state.h"
+
 namespace pelage {
 
 namespace {
@@ -23,15 +25,29 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// The #define lines of what a frame uses: what it does not use is not even compiled.
+std::string variant_of(const FurFrame& frame) {
+  const Environment& light = frame.environment;
+  const bool constant = light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
+  return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n");
+}
+
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
 
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
   std::unique_ptr<Renderer> renderer(new Renderer(gl));
-  const std::string log = renderer->fur_.failure() + renderer->shadows_.failure() + renderer->resolve_.failure();
-  if (!log.empty()) return failure(Code::unavailable, "a shader program cannot be built: " + log);
+  if (const Status status = renderer->programs(); !status.ok()) return status;
   return renderer;
+}
+
+Renderer::Renderer(const Gl& gl)
+    : gl_(gl), fur_(gl), shadows_(gl), ground_(gl), resolve_(gl), frame_block_(gl) {}
+
+Status Renderer::programs() const {
+  const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + resolve_.failure();
+  return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
 UploadCount Renderer::add(const FurModel& model, const FurFields& fields) {
@@ -79,6 +95,25 @@ Status Renderer::prepare_targets(const FurFrame& frame) {
   return failure(Code::too_large, "no memory for a frame of this size", "/width");
 }
 
+void Renderer::draw_scene(const FurFrame& frame, const CoatTextures& coat, ModelBuffers& model, DrawTimes& times) {
+  const Stopwatch making;
+  const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
+  const auto lists = model.sort_for(gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy});
+  if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, model, coat, lists)) {
+    gl_.Finish();
+    times.shadow = making.milliseconds();
+  }
+  if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
+  gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
+  gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
+  set_draw_state(gl_, drawn_);
+  gl_.DepthMask(GL_TRUE);
+  clear_target(gl_, drawn_, {});
+  const std::string variant = variant_of(frame);
+  if (frame.ground) ground_.draw(gl_, frame, variant);
+  fur_.draw(gl_, frame.knobs, variant, model, lists, coat);
+}
+
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const auto model = models_.find(frame.model);
   assert(model != models_.end());
@@ -86,14 +121,9 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   if (!status.ok()) return status;
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch drawing;
-  const FrameBlock block = make_frame_block(frame, coat.slices(), model->second.has_colours(), drawn_.height());
-  const auto lists = model->second.sort_for(gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy});
-  const bool shadowed = ShadowMaps::wanted(frame);
-  if (shadowed && shadows_.prepare(gl_, frame, block, model->second, coat, lists) && times) {
-    gl_.Finish();
-    times->shadow = drawing.milliseconds();
-  }
-  fur_.draw(gl_, block, frame.knobs, shadowed, model->second, lists, coat, drawn_);
+  DrawTimes taken;
+  draw_scene(frame, coat, model->second, taken);
+  if (const Status built = programs(); !built.ok()) return built;
   if (frame.knobs.samples > 1) {
     gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                              drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -103,10 +133,11 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
   gl_.DeleteSync(fence);
   if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED) return failure(Code::unavailable, "the GL does not answer");
-  if (times) times->draw = drawing.milliseconds() - times->shadow;
+  taken.draw = drawing.milliseconds() - taken.shadow;
   const Stopwatch reading;
   Result<Image> image = read_back(frame);
-  if (times) times->read = reading.milliseconds();
+  taken.read = reading.milliseconds();
+  if (times) *times = taken;
   if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) {
     drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
   }

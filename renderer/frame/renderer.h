@@ -13,6 +13,7 @@
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/fur/fur_pass.h"
+#include "renderer/passes/ground/ground_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
@@ -43,17 +44,21 @@ class Renderer {
   void forget(std::uint64_t model);
 
  private:
-  explicit Renderer(const Gl& gl) : gl_(gl), fur_(gl), shadows_(gl), resolve_(gl) {}
+  explicit Renderer(const Gl& gl);
+  Status programs() const;  // whether all programs so far were built
   Status prepare_targets(const FurFrame& frame);
   const CoatTextures& textures_of(const Coat& coat);
+  void draw_scene(const FurFrame& frame, const CoatTextures& coat, ModelBuffers& model, DrawTimes& times);
   Result<Image> read_back(const FurFrame& frame);
 
   const Gl& gl_;
   FurPass fur_;
   ShadowMaps shadows_;
+  GroundPass ground_;
   ResolvePass resolve_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first
+  Buffer frame_block_;
   RenderTarget drawn_, single_, picture_;
 };
 

@@ -23,6 +23,9 @@ class ShadowMaps {
 
   std::string failure() const { return shells_.failure() + scene_.failure(); }
 
+  /// Draws depth for other passes too.
+  const SceneShadowPass& scene() const { return scene_; }
+
   /// Whether a frame has shadows from maps at all.
   static bool wanted(const FurFrame& frame);
 

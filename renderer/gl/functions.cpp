@@ -74,6 +74,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(Uniform3f, "glUniform3f");
   get(Uniform1i, "glUniform1i");
   get(GetUniformLocation, "glGetUniformLocation");
+  get(UniformMatrix4fv, "glUniformMatrix4fv");
   get(UseProgram, "glUseProgram");
   get(VertexArrayAttribBinding, "glVertexArrayAttribBinding");
   get(VertexArrayAttribFormat, "glVertexArrayAttribFormat");

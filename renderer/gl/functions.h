@@ -79,6 +79,7 @@ struct Gl {
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
   PFNGLUNIFORM3FPROC Uniform3f = nullptr;
   PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
+  PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv = nullptr;
   PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   PFNGLVERTEXARRAYATTRIBBINDINGPROC VertexArrayAttribBinding = nullptr;
   PFNGLVERTEXARRAYATTRIBFORMATPROC VertexArrayAttribFormat = nullptr;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,12 +68,20 @@ struct FurCamera {
   float tan_half_fov = 0.3f;                                               // vertical
 };
 
+/// A level that catches the shadow of the model, sizes.
+struct FurGround {
+  float height = 0;
+  float shadow = 0, contact = 0;  // [0, 1]
+};
+
 /// Everything a frame needs beside the model: copied, so that the scene may go on changing while it is drawn.
 struct FurFrame {
   std::uint64_t model = 0;  // of the last sync
   Coat coat;
   Look look;
   std::vector<FurLight> lights;  // at most 8
+  Environment environment;
+  std::optional<FurGround> ground;
   FurCamera camera;
   int width = 0, height = 0;
   Knobs knobs;

@@ -17,6 +17,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 depth_above[8];  // 32 values: mean optical depth to the light above each slice
   vec4 ramp_root;    // colour at the root
   Light lights[8];
+  vec4 environment[9];  // irradiance over pi as spherical harmonics
 } frame;
 
 const int slice_count = 32;

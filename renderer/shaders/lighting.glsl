@@ -22,6 +22,21 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
 // Light that passes pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4).
 vec3 transmittance(float depth, vec3 colour) { return exp2(-1.442695 * depth * (1.0 - 0.82 * sqrt(clamp(colour, 0.0, 1.0)))); }
 
+// Light from all around on a surface with that normal; 1 for a white surrounding.
+vec3 environment_light(vec3 n) {
+#ifdef ENVIRONMENT
+  vec3 sum = 0.28209479 * frame.environment[0].rgb;
+  sum += 0.48860251 * (n.y * frame.environment[1].rgb + n.z * frame.environment[2].rgb + n.x * frame.environment[3].rgb);
+  sum += 1.09254843 * (n.x * n.y * frame.environment[4].rgb + n.y * n.z * frame.environment[5].rgb +
+                       n.x * n.z * frame.environment[7].rgb);
+  sum += 0.31539157 * (3.0 * n.z * n.z - 1.0) * frame.environment[6].rgb;
+  sum += 0.54627422 * (n.x * n.x - n.y * n.y) * frame.environment[8].rgb;
+  return max(sum, 0.0);
+#else
+  return vec3(1.0);
+#endif
+}
+
 struct Fibre {
   vec3 place, normal, tangent, to_eye;
   vec3 colour;    // C
@@ -32,7 +47,7 @@ struct Fibre {
 vec3 fibre_light(Fibre fibre) {
   float ground = mix(frame.weights.w, 1.0, fibre.height);
   vec3 ambient_kept = transmittance(0.6 * fibre.depth * frame.exponents.w, fibre.colour);
-  vec3 sum = frame.weights.x * ground * fibre.colour * ambient_kept;
+  vec3 sum = frame.weights.x * ground * fibre.colour * ambient_kept * environment_light(fibre.normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "renderer/coat/strand_tile.h"
+#include "renderer/light/spherical_harmonics.h"
 
 namespace pelage {
 
@@ -68,6 +69,9 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   for (std::size_t i = 0; i < slice_count; ++i) block.depth_above[i / 4][static_cast<int>(i % 4)] = slices.depth_above[i];
   block.ramp_root = {ramp_colour(coat, 0), 1};
   std::transform(frame.lights.begin(), frame.lights.end(), block.lights.begin(), light_block);
+  const SphericalHarmonics light =
+      irradiance_of(project([&](glm::dvec3 direction) { return radiance_of(frame.environment, direction); }));
+  for (std::size_t i = 0; i < light.size(); ++i) block.environment[i] = glm::vec4(glm::vec3(light[i]), 0);
   return block;
 }
 

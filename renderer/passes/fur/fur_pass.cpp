@@ -27,8 +27,8 @@ FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
     : skin(gl, shaders::skin_vert, shaders::skin_frag, defines), fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
 
 FurPass::FurPass(const Gl& gl)
-    : solid_(gl, shaders::fur_vert, shaders::solid_frag), plain_(gl, ""), shadowed_(gl, "#define SHADOW_MAPS\n"), block_(gl) {
-  gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
+    : solid_(gl, shaders::fur_vert, shaders::solid_frag), failure_(solid_.log()) {
+  shading_of(gl, "");
 }
 
 std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
@@ -41,17 +41,19 @@ std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
   return layers;
 }
 
-void FurPass::draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, bool shadow_maps, const ModelBuffers& model,
-                   const ModelBuffers::DrawLists& lists, const CoatTextures& coat, const RenderTarget& target) const {
-  clear_target(gl, target, {});
-  set_draw_state(gl, target);
-  gl.NamedBufferSubData(block_.id(), 0, sizeof(FrameBlock), &block);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, block_.id());
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
+  const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
+  if (made) failure_ += place->second.skin.log() + place->second.fur.log();
+  return place->second;
+}
+
+void FurPass::draw(const Gl& gl, const Knobs& knobs, const std::string& variant, const ModelBuffers& model,
+                   const ModelBuffers::DrawLists& lists, const CoatTextures& coat) {
   gl.BindVertexArray(model.vertex_array());
   gl.BindTextureUnit(0, coat.shapes());
   gl.BindTextureUnit(1, coat.colours());
   gl.BindTextureUnit(2, model.base_images());
-  const Shading& shading = shadow_maps ? shadowed_ : plain_;
+  const Shading& shading = shading_of(gl, variant);
   draw_skin(gl, shading.skin, lists);
   draw_fur(gl, shading.fur, lists, knobs);
 }

@@ -1,6 +1,7 @@
 // The skin with its undercoat, then the fur as shells.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,15 @@ class FurPass {
  public:
   explicit FurPass(const Gl& gl);
 
-  /// "" when both programs were built.
-  std::string failure() const { return solid_.log() + plain_.skin.log() + plain_.fur.log() + shadowed_.skin.log() + shadowed_.fur.log(); }
+  /// "" when the programs of all variants so far were built.
+  std::string failure() const { return failure_; }
 
-  /// Clears the target and draws. Order: skin; depth of dense fur; fur turned away from the
+  /// Order: skin; depth of dense fur; fur turned away from the
   /// eye, outside in; fur that faces it, inside out.
-  /// `block` and `lists` are those of the frame's view; with `shadow_maps` the maps are bound.
-  void draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, bool shadow_maps, const ModelBuffers& model,
-            const ModelBuffers::DrawLists& lists, const CoatTextures& coat, const RenderTarget& target) const;
+  /// `variant` are the #define lines of what the frame uses (SHADOW_MAPS: the maps are bound; ENVIRONMENT); `lists` are those of
+  /// the frame's view. The target is bound and cleared, the frame's block is bound.
+  void draw(const Gl& gl, const Knobs& knobs, const std::string& variant, const ModelBuffers& model,
+            const ModelBuffers::DrawLists& lists, const CoatTextures& coat);
 
  private:
   /// One shell of one set of layers.
@@ -43,9 +45,11 @@ class FurPass {
   void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
                   int side) const;
 
+  const Shading& shading_of(const Gl& gl, const std::string& variant);
+
   Program solid_;
-  Shading plain_, shadowed_;
-  Buffer block_;
+  std::map<std::string, Shading> shadings_;  // by variant, made when first used
+  std::string failure_;
 };
 
 }  // namespace pelage

@@ -21,7 +21,8 @@ void main() {
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
   vec3 colour = mix(bare, undercoat, furred);
   float depth = furred * frame.depth_above[0].x * frame.exponents.w;
-  vec3 sum = frame.weights.x * mix(1.0, frame.weights.w, furred) * colour * transmittance(0.6 * depth, colour);
+  vec3 sum = frame.weights.x * mix(1.0, frame.weights.w, furred) * colour * transmittance(0.6 * depth, colour) *
+             environment_light(normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);

@@ -28,16 +28,21 @@ SceneShadowPass::SceneShadowPass(const Gl& gl)
     : depth_(gl, shaders::skin_vert, shaders::light_depth_frag), occlusion_(gl, shaders::skin_vert, shaders::occlusion_frag),
       width_(gl, shaders::reduce_vert, shaders::shadow_width_frag) {}
 
-void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
-                           const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const {
-  set_draw_state(gl, targets.depth);
-  clear_target(gl, targets.depth, {nowhere, 0, 0, 0});
+void SceneShadowPass::draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                                 const RenderTarget& target) const {
+  set_draw_state(gl, target);
   gl.DepthMask(GL_TRUE);
+  clear_target(gl, target, {nowhere, 0, 0, 0});
   gl.Disable(GL_BLEND);
   depth_.use();
   depth_.set("axis", glm::vec3(light.axis));
   depth_.set("offset", light.axis.w);
   draw_list(gl, triangles);
+}
+
+void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                           const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const {
+  draw_depth(gl, triangles, light, targets.depth);
   keep(gl, targets.depth, depth_maps, slot);
   draw_occlusion(gl, triangles, light, targets);
   set_draw_state(gl, targets.width);

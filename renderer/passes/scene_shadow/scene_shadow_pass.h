@@ -26,6 +26,10 @@ class SceneShadowPass {
   void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
             const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const;
 
+  /// Linear depth from a light's view into a target of R32F with depth. The model's vertex array is bound, and a frame
+  /// block with the view's matrix.
+  void draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light, const RenderTarget& target) const;
+
  private:
   void draw_occlusion(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                       const SceneShadowTargets& targets) const;
