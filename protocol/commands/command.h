@@ -92,8 +92,10 @@ struct Attract {
 struct SetCoat { Coat coat; };
 struct SetLook { Look look; };
 struct SetLights { std::vector<Light> lights; };  // at most 8
+struct SetEnvironment { Environment environment; };
+struct SetGround { Ground ground; };
 
-using Command = std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights>;
+using Command = std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

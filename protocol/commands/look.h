@@ -1,6 +1,7 @@
 // How a groomed model is lit and shaded: part of the scene, set by commands and logged.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -44,6 +45,21 @@ struct Light {
   bool self_shadow_maps = false; // layer-wise shadow maps (GPU fur 3.1) in place of the estimate
   CastShadow cast_shadow = CastShadow::none;
   double shadow_scale = 10;      // Cscale of GPU fur 4: larger is a narrower penumbra, [0, 1000]
+};
+
+/// Light from all around, as colours of a gradient: straight above, at the horizon, straight below. White everywhere is
+/// the constant ambient light of GPU fur eq 1. It scales the look's `ambient`.
+struct Environment {
+  glm::vec3 sky{1}, horizon{1}, ground{1};  // linear
+  double intensity = 1;                     // [0, 100]
+};
+
+/// A level ground that catches the shadow of the model. It shows nothing else: the background stays what it is.
+struct Ground {
+  bool visible = false;
+  std::optional<double> height;  // model's y; the lowest point of the model when absent
+  double shadow = 0.7;           // how much of the light that the model holds off is missing, [0, 1]
+  double contact = 0.7;          // how much it darkens where the model is near, [0, 1]
 };
 
 /// Key, fill and rim: what a new scene is lit by.

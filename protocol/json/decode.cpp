@@ -96,13 +96,27 @@ Command set_lights(Object& object) {
   return result;
 }
 
+Command set_environment(Object& object) {
+  SetEnvironment result;
+  object.required("environment", [&](const Value& v) { result.environment = environment(v); });
+  return result;
+}
+
+Command set_ground(Object& object) {
+  SetGround result;
+  object.required("ground", [&](const Value& v) { result.ground = ground(v); });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 6> command_readers{{{"comb", comb},
+constexpr std::array<json_names::Name<CommandReader>, 8> command_readers{{{"comb", comb},
                                                                           {"blow", blow},
                                                                           {"attract", attract},
                                                                           {"set_coat", set_coat},
                                                                           {"set_look", set_look},
-                                                                          {"set_lights", set_lights}}};
+                                                                          {"set_lights", set_lights},
+                                                                          {"set_environment", set_environment},
+                                                                          {"set_ground", set_ground}}};
 
 Command command(const Value& value) {
   Object object(value);

@@ -159,6 +159,28 @@ Light light(const Value& value) {
   return result;
 }
 
+Environment environment(const Value& value) {
+  Object object(value);
+  Environment result;
+  object.colour("sky", result.sky);
+  object.colour("horizon", result.horizon);
+  object.colour("ground", result.ground);
+  object.number("intensity", result.intensity, {0, 100});
+  object.finish();
+  return result;
+}
+
+Ground ground(const Value& value) {
+  Object object(value);
+  Ground result;
+  object.boolean("visible", result.visible);
+  object.optional("height", [&](const Value& v) { result.height = v.number(coordinate); });
+  object.number("shadow", result.shadow, share);
+  object.number("contact", result.contact, share);
+  object.finish();
+  return result;
+}
+
 Brush brush(const Value& value) {
   Object object(value);
   Brush result;

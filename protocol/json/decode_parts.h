@@ -17,6 +17,8 @@ View view(const Value& value);
 Look look(const Value& value);
 Coat coat(const Value& value);
 Light light(const Value& value);
+Environment environment(const Value& value);
+Ground ground(const Value& value);
 Brush brush(const Value& value);
 Stroke stroke(const Value& value);
 FirstGroom fur(const Value& value);

@@ -116,6 +116,19 @@ Json json_of(const Light& light) {
           {"shadow_scale", light.shadow_scale}};
 }
 
+Json json_of(const Environment& environment) {
+  return {{"sky", colour(environment.sky)},
+          {"horizon", colour(environment.horizon)},
+          {"ground", colour(environment.ground)},
+          {"intensity", environment.intensity}};
+}
+
+Json json_of(const Ground& ground) {
+  Json json = {{"visible", ground.visible}, {"shadow", ground.shadow}, {"contact", ground.contact}};
+  if (ground.height) json["height"] = *ground.height;
+  return json;
+}
+
 template <class Tool>
 void add_stroke_and_brush(Json& json, const Tool& tool) {
   if (tool.stroke) json["stroke"] = json_of(*tool.stroke);
@@ -158,6 +171,10 @@ void add_members(Json& json, const SetLights& command) {
   json["lights"] = Json::array();
   for (const Light& light : command.lights) json["lights"].push_back(json_of(light));
 }
+
+void add_members(Json& json, const SetEnvironment& command) { json["environment"] = json_of(command.environment); }
+
+void add_members(Json& json, const SetGround& command) { json["ground"] = json_of(command.ground); }
 
 Json json_of(const Command& command) {
   Json json = {{"op", op_of(command)}};

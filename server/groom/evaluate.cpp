@@ -14,9 +14,8 @@ struct Tools {
   Evaluation operator()(const Comb& command) const { return comb(command, surface, fields); }
   Evaluation operator()(const Blow& command) const { return blow(command, surface, fields); }
   Evaluation operator()(const Attract& command) const { return attract(command, surface, fields); }
-  Evaluation operator()(const SetCoat&) const { return {}; }
-  Evaluation operator()(const SetLook&) const { return {}; }
-  Evaluation operator()(const SetLights&) const { return {}; }
+  template <class Setting>
+  Evaluation operator()(const Setting&) const { return {}; }
 };
 
 }  // namespace

@@ -47,9 +47,18 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.look = look->look;
   else if (const auto* lights = std::get_if<SetLights>(&command))
     settings.lights = lights->lights;
+  else if (const auto* environment = std::get_if<SetEnvironment>(&command))
+    settings.environment = environment->environment;
+  else if (const auto* ground = std::get_if<SetGround>(&command))
+    settings.ground = ground->ground;
   else
     return std::nullopt;
   return settings;
+}
+
+std::vector<Command> commands_of(const SceneSettings& settings) {
+  return {SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights}, SetEnvironment{settings.environment},
+          SetGround{settings.ground}};
 }
 
 const char* name_of(EntryKind kind) {

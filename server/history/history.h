@@ -18,10 +18,14 @@ struct SceneSettings {
   Coat coat;
   Look look;
   std::vector<Light> lights = default_lights();
+  Environment environment;
+  Ground ground;
 };
 
-/// The settings with a set_coat, set_look or set_lights carried out; none for other commands.
+/// The settings with a command that sets one of them carried out; none for other commands.
 std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command);
+/// The commands that set all of them.
+std::vector<Command> commands_of(const SceneSettings& settings);
 
 /// A new step; a part that joins the last step; and the ways through the steps.
 enum class EntryKind { command, join, undo, redo, revert };

@@ -14,7 +14,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 std::string text_of(const SceneSettings& settings) {
-  return encode(std::vector<Command>{SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights}});
+  return encode(commands_of(settings));
 }
 
 /// Carries out a command that sets something about the scene; whether that made a difference.

@@ -1,5 +1,6 @@
 #include "server/scene/fur_view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "server/groom/evaluate.h"
@@ -21,6 +22,13 @@ FurLight make_light(const Light& light, const Mesh& mesh) {
           .self_shadow_maps = light.self_shadow_maps,
           .cast_shadow = light.cast_shadow,
           .shadow_scale = static_cast<float>(light.shadow_scale)};
+}
+
+FurGround make_ground(const Ground& ground, const Mesh& mesh) {
+  float lowest = 0.5f;
+  for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
+  const double height = ground.height ? mesh.to_internal({0, *ground.height, 0}).y : double{lowest};
+  return {static_cast<float>(height), static_cast<float>(ground.shadow), static_cast<float>(ground.contact)};
 }
 
 }  // namespace
@@ -60,6 +68,8 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   frame.model = scene.model.id;
   frame.coat = scene.settings.coat;
   frame.look = request.look.value_or(scene.settings.look);
+  frame.environment = scene.settings.environment;
+  if (scene.settings.ground.visible) frame.ground = make_ground(scene.settings.ground, mesh);
   for (const Light& light : scene.settings.lights) frame.lights.push_back(make_light(light, mesh));
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
   frame.camera = {glm::vec3(camera.eye), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),

@@ -176,13 +176,21 @@ Command set_lights() {
   return result;
 }
 
+Command set_ground() {
+  Ground ground{.visible = *rc::gen::arbitrary<bool>(), .height = {}, .shadow = number(0, 1), .contact = number(0, 1)};
+  if (*rc::gen::arbitrary<bool>()) ground.height = number(-1e6, 1e6);
+  return SetGround{ground};
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 6)) {
+  switch (*rc::gen::inRange(0, 8)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
     case 3: return set_coat();
     case 4: return SetLook{look()};
+    case 5: return SetEnvironment{{colour(), colour(), colour(), number(0, 100)}};
+    case 6: return set_ground();
     default: return set_lights();
   }
 }
