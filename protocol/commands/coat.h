@@ -65,10 +65,10 @@ struct Coat {
   std::vector<RampStop> ramp{{0.0, {0.100f, 0.060f, 0.035f}},
                              {0.55, {0.360f, 0.210f, 0.110f}},
                              {1.0, {0.620f, 0.440f, 0.270f}}};  // 1 to 4 stops
-  Undercoat undercoat;
-  OddHairs odd_hairs;
-  Pattern pattern;
-  Variation variation;
+  Undercoat undercoat{};
+  OddHairs odd_hairs{};
+  Pattern pattern{};
+  Variation variation{};
   std::uint32_t seed = 1;
 
   bool operator==(const Coat&) const = default;

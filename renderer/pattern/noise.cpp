@@ -40,14 +40,16 @@ float gradient_noise(glm::vec3 place, std::uint32_t stream, std::uint32_t seed) 
   return glm::mix(glm::mix(sums[0], sums[1], w.y), glm::mix(sums[2], sums[3], w.y), w.z);
 }
 
-float cell_distance(glm::vec3 place, std::uint32_t stream, std::uint32_t seed) {
+float cell_distance(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
   const glm::ivec3 cell(glm::floor(place - 0.5f));
   float nearest = 0.62f;
   for (int i = 0; i < 8; ++i) {
     const glm::ivec3 at = cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
     const glm::vec3 random = random_of_cell(at, stream, seed);
-    const glm::vec3 point = glm::vec3(at) + 0.2f + 0.6f * random;
-    nearest = glm::min(nearest, glm::distance(place, point) / (0.8f + 0.3f * glm::fract(random.x * 16.0f)));
+    const glm::vec3 apart = glm::vec3(at) + 0.2f + 0.6f * random - place;
+    const float off = glm::dot(apart, normal);
+    const float size = (0.8f + 0.3f * glm::fract(random.x * 16.0f)) * (1 - glm::smoothstep(0.3f, 0.5f, glm::abs(off)));
+    nearest = glm::min(nearest, glm::length(apart - off * normal) / glm::max(size, 1e-3f));
   }
   return nearest;
 }

@@ -37,11 +37,11 @@ class Evaluator {
   float on_legs(glm::vec3 place) const { return block_.amounts.z * (1 - glm::smoothstep(-0.2f, -0.1f, place.y)); }
   float stripe_count(glm::vec3 place) const;
   float stripe(glm::vec3 place, float ragged) const;
-  float spot(glm::vec3 place) const;
+  float spot(glm::vec3 place, glm::vec3 normal) const;
   float patch(glm::vec3 place, std::uint32_t stream) const;
   glm::vec2 stripes(glm::vec3 place) const;
   glm::vec2 tabby(glm::vec3 place, glm::vec3 normal) const;
-  glm::vec2 rosettes(glm::vec3 place) const;
+  glm::vec2 rosettes(glm::vec3 place, glm::vec3 normal) const;
   float under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const;
   glm::vec3 varied(glm::vec3 place, glm::vec3 colour) const;
   glm::vec3 countershaded(glm::vec3 place, glm::vec3 normal, glm::vec3 base, float shade) const;
@@ -55,7 +55,7 @@ float Evaluator::stripe_count(glm::vec3 place) const {
   const float haunch = 1 - glm::smoothstep(-0.25f, 0.0f, along);
   const float drop = glm::max(glm::mix(-0.08f, 0.06f, haunch) - place.y, 0.0f);
   const float turned = along + 2.4f * block_.amounts.z * glm::mix(1.0f, -1.0f, haunch) * drop * drop / (drop + 0.08f);
-  return turned * per_size() + 2 * warp() * noise(0.35f * per_size() * place, 0);
+  return turned * per_size() + 2 * warp() * noise(0.4f * per_size() * place, 0);
 }
 
 /// 0 in the middle of a stripe, 1 between stripes. Noise drawn out along the stripes joins, splits and ends them.
@@ -68,29 +68,32 @@ float Evaluator::stripe(glm::vec3 place, float ragged) const {
 }
 
 glm::vec2 Evaluator::stripes(glm::vec3 place) const {
-  const float at = stripe(place, 1.3f);
+  const float at = stripe(place, 1.8f);
   return {below(at, coverage(), soft()), glm::smoothstep(0.78f, 0.9f, at)};
 }
 
 glm::vec2 Evaluator::tabby(glm::vec3 place, glm::vec3 normal) const {
-  const float broken = stripe(place, 2.0f) + 0.6f * warp() * noise(0.8f * per_size() * place, 2);
-  const float spine = below(glm::abs(place.x) * per_size(), 0.5f * coverage(), soft()) * glm::smoothstep(0.2f, 0.5f, normal.y);
+  const float breaks = 2.4f * coverage() * (1 - coverage()) * warp() * noise(0.8f * per_size() * place, 2);
+  const float broken = stripe(place, 2.6f) + breaks;
+  const float line = below(glm::abs(place.x) * per_size(), 0.5f * coverage(), soft());
+  const float spine = line * glm::smoothstep(0.2f, 0.5f, normal.y);
   return {glm::max(below(broken, coverage(), soft()), spine), glm::smoothstep(0.7f, 0.9f, broken)};
 }
 
 /// Distance from the middle of a spot: 1 at its edge, which noise makes uneven.
-float Evaluator::spot(glm::vec3 place) const {
+float Evaluator::spot(glm::vec3 place, glm::vec3 normal) const {
   const glm::vec3 at = place * per_size();
   const float uneven = 1 + 0.9f * warp() * noise(2.0f * at, 4);
-  return cell_distance(at, 3, block_.head.y) * uneven / glm::max(block_.derived.y, 1e-4f);
+  return cell_distance(at, normal, 3, block_.head.y) * uneven / glm::max(block_.derived.y, 1e-4f);
 }
 
-/// Rings that are broken in places and filled on the legs.
-glm::vec2 Evaluator::rosettes(glm::vec3 place) const {
-  const float at = spot(place), half_width = 0.5f * softness() + 1e-3f;
+/// Rings that are broken in places; on the legs they are filled, and smaller.
+glm::vec2 Evaluator::rosettes(glm::vec3 place, glm::vec3 normal) const {
+  const float legs = on_legs(place), half_width = 0.5f * softness() + 1e-3f;
+  const float at = spot(place, normal) * (1 + 0.5f * legs);
   const float disc = below(at, 1, half_width), hollow = below(at, 0.62f, half_width);
-  const float gap = below(noise(1.7f * per_size() * place, 5), -0.12f, 0.06f);
-  return {glm::mix(disc * (1 - hollow) * (1 - gap), disc, on_legs(place)), disc};
+  const float gap = below(noise(1.9f * per_size() * place, 5), -0.07f, 0.05f);
+  return {glm::mix(disc * (1 - hollow) * (1 - gap), disc, legs), disc};
 }
 
 float Evaluator::patch(glm::vec3 place, std::uint32_t stream) const {
@@ -102,8 +105,8 @@ float Evaluator::patch(glm::vec3 place, std::uint32_t stream) const {
 glm::vec2 Evaluator::marks(glm::vec3 place, glm::vec3 normal) const {
   switch (kind()) {
     case PatternKind::stripes: return stripes(place);
-    case PatternKind::spots: return {below(spot(place), 1, 0.5f * softness() + 1e-3f), 0};
-    case PatternKind::rosettes: return rosettes(place);
+    case PatternKind::spots: return {below(spot(place, normal), 1, 0.5f * softness() + 1e-3f), 0};
+    case PatternKind::rosettes: return rosettes(place, normal);
     case PatternKind::tabby: return tabby(place, normal);
     case PatternKind::patches: return {patch(place, 6), patch(place, 8)};
     case PatternKind::none:
@@ -114,8 +117,8 @@ glm::vec2 Evaluator::marks(glm::vec3 place, glm::vec3 normal) const {
 
 /// 1 on what is turned down and low, 0 on the back; `reach` in [0, 1] is how far up it goes.
 float Evaluator::under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const {
-  const float down = -0.7f * normal.y - 1.6f * place.y + 0.25f * noise(9.0f * place, 10);
-  const float threshold = glm::mix(1.6f, -1.6f, reach);
+  const float down = -0.9f * normal.y - 0.5f * place.y + 0.25f * noise(9.0f * place, 10);
+  const float threshold = glm::mix(1.4f, -1.4f, reach);
   return glm::smoothstep(threshold - half_width, threshold + half_width, down);
 }
 
@@ -143,7 +146,7 @@ glm::vec3 Evaluator::colour(glm::vec3 place, glm::vec3 normal, glm::vec3 base) c
   glm::vec3 result = base;
   float kept = 1;
   if (block_.amounts.w > 0) {
-    const float lower = block_.amounts.w * under(place, normal, 0.4f, 0.25f);
+    const float lower = block_.amounts.w * under(place, normal, 0.36f, 0.25f);
     result = glm::mix(result, glm::vec3(block_.belly_colour) * shade, lower);
     kept = 1 - lower;
   }

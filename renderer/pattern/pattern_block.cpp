@@ -18,16 +18,16 @@ float largest_luminance(const Coat& coat) {
   return largest;
 }
 
-/// Of balls scattered one to a unit cell that fill this share of space; more than .6 they cannot fill without touching.
+/// Of discs scattered about .8 to a unit square that cover this share of it; over .55 they would have to touch.
 double spot_radius(double coverage) {
-  return std::cbrt(-std::log(1 - std::min(coverage, 0.6)) * 3 / (4 * std::numbers::pi));
+  return std::min(0.5, std::sqrt(-std::log1p(-std::min(coverage, 0.95)) / (0.8 * std::numbers::pi)));
 }
 
-/// Below which the sum of both noises (standard deviations .24 and, by warp, .12) is with a chance of the coverage: the
+/// Below which the sum of both noises (standard deviations .19 and, by warp, .1) is with a chance of the coverage: the
 /// logistic curve close to the normal one. Beyond all values of noise for a coverage of 0 and 1.
 double patch_threshold(const Pattern& pattern) {
   const double coverage = std::clamp(pattern.coverage, 1e-9, 1 - 1e-9);
-  const double deviation = 0.24 * std::hypot(1.0, 0.5 * pattern.warp);
+  const double deviation = 0.19 * std::hypot(1.0, 0.5 * pattern.warp);
   return deviation * std::log(coverage / (1 - coverage)) / 1.702;
 }
 

@@ -12,8 +12,8 @@ layout(std140, binding = 1) uniform PatternBlock {
   vec4 derived;       // swells per size, radius of spots, threshold of patches
 } pattern;
 
-const uint pattern_none = 0u, pattern_stripes = 1u, pattern_spots = 2u, pattern_rosettes = 3u, pattern_tabby = 4u,
-           pattern_patches = 5u, pattern_countershading = 6u;
+const uint kind_none = 0u, kind_stripes = 1u, kind_spots = 2u, kind_rosettes = 3u, kind_tabby = 4u, kind_patches = 5u,
+           kind_countershading = 6u;
 
 // PCG3D (Jarzynski, Olano 2020): three numbers in [0, 1) for a cell.
 vec3 pattern_random(ivec3 cell, uint stream) {
@@ -33,7 +33,7 @@ float pattern_slope(ivec3 cell, ivec3 corner, vec3 inside, uint stream) {
   return dot(2.0 * pattern_random(cell + corner, stream) - 1.0, inside - vec3(corner));
 }
 
-// Gradient noise (Perlin 2002) of one swell per unit: mean 0, standard deviation .24, seldom beyond +-.7.
+// Gradient noise (Perlin 2002) of one swell per unit: mean 0, standard deviation .19, seldom beyond +-.6.
 float pattern_noise(vec3 place, uint stream) {
   vec3 low = floor(place), f = place - low;
   ivec3 cell = ivec3(low);
@@ -46,16 +46,19 @@ float pattern_noise(vec3 place, uint stream) {
   return mix(mix(sums[0], sums[1], w.y), mix(sums[2], sums[3], w.y), w.z);
 }
 
-// Distance to the nearest of points scattered one to a unit cell, each with a size of its own. Points stay in the middle
-// of their cells, so that the eight nearest cells are enough up to the largest value that is given back.
-float pattern_cells(vec3 place, uint stream) {
+// Distance along the surface to the nearest of points scattered one to a unit cell, each with a size of its own that
+// shrinks to nothing for points half a unit off the surface. Points stay in the middle of their cells, so that the eight
+// nearest cells are enough up to the largest value that is given back.
+float pattern_cells(vec3 place, vec3 normal, uint stream) {
   ivec3 cell = ivec3(floor(place - 0.5));
   float nearest = 0.62;
   for (int i = 0; i < 8; ++i) {
     ivec3 at = cell + ivec3(i & 1, (i >> 1) & 1, i >> 2);
     vec3 random = pattern_random(at, stream);
-    vec3 point = vec3(at) + 0.2 + 0.6 * random;
-    nearest = min(nearest, distance(place, point) / (0.8 + 0.3 * fract(random.x * 16.0)));
+    vec3 apart = vec3(at) + 0.2 + 0.6 * random - place;
+    float off = dot(apart, normal);
+    float size = (0.8 + 0.3 * fract(random.x * 16.0)) * (1.0 - smoothstep(0.3, 0.5, abs(off)));
+    nearest = min(nearest, length(apart - off * normal) / max(size, 1e-3));
   }
   return nearest;
 }
@@ -74,7 +77,7 @@ float pattern_stripe_count(vec3 place) {
   float haunch = 1.0 - smoothstep(-0.25, 0.0, along);
   float drop = max(mix(-0.08, 0.06, haunch) - place.y, 0.0);
   float turned = along + 2.4 * pattern.amounts.z * mix(1.0, -1.0, haunch) * drop * drop / (drop + 0.08);
-  return turned * pattern.shape.x + 2.0 * pattern.shape.w * pattern_noise(0.35 * pattern.shape.x * place, 0u);
+  return turned * pattern.shape.x + 2.0 * pattern.shape.w * pattern_noise(0.4 * pattern.shape.x * place, 0u);
 }
 
 // 0 in the middle of a stripe, 1 between stripes. Noise drawn out along the stripes joins, splits and ends them.
@@ -91,33 +94,36 @@ float pattern_soft(float coverage) { return pattern.shape.z * min(coverage, 1.0 
 
 // x: marking, y: inner colour, both in [0, 1].
 vec2 pattern_stripes(vec3 place) {
-  float stripe = pattern_stripe(place, 1.3), coverage = pattern.shape.y;
+  float stripe = pattern_stripe(place, 1.8), coverage = pattern.shape.y;
   return vec2(pattern_below(stripe, coverage, pattern_soft(coverage)), smoothstep(0.78, 0.9, stripe));
 }
 
 vec2 pattern_tabby(vec3 place, vec3 normal) {
   float coverage = pattern.shape.y, soft = pattern_soft(coverage);
-  float broken = pattern_stripe(place, 2.0) + 0.6 * pattern.shape.w * pattern_noise(0.8 * pattern.shape.x * place, 2u);
+  float breaks = 2.4 * coverage * (1.0 - coverage) * pattern.shape.w * pattern_noise(0.8 * pattern.shape.x * place, 2u);
+  float broken = pattern_stripe(place, 2.6) + breaks;
   float spine = pattern_below(abs(place.x) * pattern.shape.x, 0.5 * coverage, soft) * smoothstep(0.2, 0.5, normal.y);
   return vec2(max(pattern_below(broken, coverage, soft), spine), smoothstep(0.7, 0.9, broken));
 }
 
 // Distance from the middle of a spot: 1 at its edge, which noise makes uneven.
-float pattern_spot(vec3 place) {
+float pattern_spot(vec3 place, vec3 normal) {
   vec3 at = place * pattern.shape.x;
-  return pattern_cells(at, 3u) * (1.0 + 0.9 * pattern.shape.w * pattern_noise(2.0 * at, 4u)) / max(pattern.derived.y, 1e-4);
+  float uneven = 1.0 + 0.9 * pattern.shape.w * pattern_noise(2.0 * at, 4u);
+  return pattern_cells(at, normal, 3u) * uneven / max(pattern.derived.y, 1e-4);
 }
 
-vec2 pattern_spots(vec3 place) {
-  return vec2(pattern_below(pattern_spot(place), 1.0, 0.5 * pattern.shape.z + 1e-3), 0.0);
+vec2 pattern_spots(vec3 place, vec3 normal) {
+  return vec2(pattern_below(pattern_spot(place, normal), 1.0, 0.5 * pattern.shape.z + 1e-3), 0.0);
 }
 
-// Rings that are broken in places and filled on the legs.
-vec2 pattern_rosettes(vec3 place) {
-  float spot = pattern_spot(place), soft = 0.5 * pattern.shape.z + 1e-3;
+// Rings that are broken in places; on the legs they are filled, and smaller.
+vec2 pattern_rosettes(vec3 place, vec3 normal) {
+  float legs = pattern_on_legs(place), soft = 0.5 * pattern.shape.z + 1e-3;
+  float spot = pattern_spot(place, normal) * (1.0 + 0.5 * legs);
   float disc = pattern_below(spot, 1.0, soft), hollow = pattern_below(spot, 0.62, soft);
-  float gap = pattern_below(pattern_noise(1.7 * pattern.shape.x * place, 5u), -0.12, 0.06);
-  float ring = disc * (1.0 - hollow) * (1.0 - gap), legs = pattern_on_legs(place);
+  float gap = pattern_below(pattern_noise(1.9 * pattern.shape.x * place, 5u), -0.07, 0.05);
+  float ring = disc * (1.0 - hollow) * (1.0 - gap);
   return vec2(mix(ring, disc, legs), disc);
 }
 
@@ -129,19 +135,19 @@ float pattern_patch(vec3 place, uint stream) {
 
 vec2 pattern_marks(vec3 place, vec3 normal) {
   switch (pattern.head.x) {
-    case pattern_stripes: return pattern_stripes(place);
-    case pattern_spots: return pattern_spots(place);
-    case pattern_rosettes: return pattern_rosettes(place);
-    case pattern_tabby: return pattern_tabby(place, normal);
-    case pattern_patches: return vec2(pattern_patch(place, 6u), pattern_patch(place, 8u));
+    case kind_stripes: return pattern_stripes(place);
+    case kind_spots: return pattern_spots(place, normal);
+    case kind_rosettes: return pattern_rosettes(place, normal);
+    case kind_tabby: return pattern_tabby(place, normal);
+    case kind_patches: return vec2(pattern_patch(place, 6u), pattern_patch(place, 8u));
     default: return vec2(0.0);
   }
 }
 
 // 1 on what is turned down and low, 0 on the back; `reach` in [0, 1] is how far up it goes.
 float pattern_under(vec3 place, vec3 normal, float reach, float soft) {
-  float down = -0.7 * normal.y - 1.6 * place.y + 0.25 * pattern_noise(9.0 * place, 10u);
-  float threshold = mix(1.6, -1.6, reach);
+  float down = -0.9 * normal.y - 0.5 * place.y + 0.25 * pattern_noise(9.0 * place, 10u);
+  float threshold = mix(1.4, -1.4, reach);
   return smoothstep(threshold - soft, threshold + soft, down);
 }
 
@@ -171,13 +177,13 @@ vec3 pattern_countershaded(vec3 place, vec3 normal, vec3 base, float shade) {
 // pattern. Markings get lighter and darker along the strand as the base does.
 vec3 pattern_colour(vec3 place, vec3 normal, vec3 base) {
   uint kind = pattern.head.x;
-  if (kind == pattern_none) return pattern_varied(place, base);
+  if (kind == kind_none) return pattern_varied(place, base);
   float shade = 0.36 + 0.84 * dot(base, vec3(0.2126, 0.7152, 0.0722)) * pattern.axis.w;
-  if (kind == pattern_countershading) return pattern_varied(place, pattern_countershaded(place, normal, base, shade));
+  if (kind == kind_countershading) return pattern_varied(place, pattern_countershaded(place, normal, base, shade));
   vec3 colour = base;
   float kept = 1.0;
   if (pattern.amounts.w > 0.0) {
-    float under = pattern.amounts.w * pattern_under(place, normal, 0.4, 0.25);
+    float under = pattern.amounts.w * pattern_under(place, normal, 0.36, 0.25);
     colour = mix(colour, pattern.belly_colour.rgb * shade, under);
     kept = 1.0 - under;
   }
