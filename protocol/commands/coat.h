@@ -48,6 +48,7 @@ struct Coat {
   double bend = 0.25;           // how far a strand bows to a side, over a length of .03, [0, 2]
   double curl = 0;              // radius of the helix, over a length of .03, [0, 0.5]
   double curl_turns = 3;        // turns of the helix from root to tip, [0, 20]
+  double curl_together = 0;     // how far the strands of a clump curl as one lock, [0, 1]
   double wave = 0;              // amplitude of a sine in one plane, over a length of .03, [0, 0.5]
   double wave_turns = 3;        // waves from root to tip, [0, 20]
   double mess = 0;              // how far each strand goes and bows its own way, [0, 1]

@@ -79,6 +79,7 @@ void forms(Object& object, Coat& result) {
   object.number("bend", result.bend, {0, 2});
   object.number("curl", result.curl, {0, 0.5});
   object.number("curl_turns", result.curl_turns, {0, 20});
+  object.number("curl_together", result.curl_together, share);
   object.number("wave", result.wave, {0, 0.5});
   object.number("wave_turns", result.wave_turns, {0, 20});
   object.number("mess", result.mess, share);

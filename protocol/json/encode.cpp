@@ -116,6 +116,7 @@ Json json_of(const Coat& coat) {
           {"bend", coat.bend},
           {"curl", coat.curl},
           {"curl_turns", coat.curl_turns},
+          {"curl_together", coat.curl_together},
           {"wave", coat.wave},
           {"wave_turns", coat.wave_turns},
           {"mess", coat.mess},

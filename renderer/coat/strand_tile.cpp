@@ -38,13 +38,13 @@ struct Clumps {
   std::optional<ClumpGrid> fine, lodged;
 };
 
-/// Where the lodged patch around `place` presses its strands, as a tangent of the angle from the normal: whole in the
+/// Where the lodged patch around `place` presses its strands, as the tangent of their angle from the normal: whole in the
 /// patch's middle, nothing at its edge, and a third of the patches stands.
 glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
   const Clump patch = patches.nearest(place);
   const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;
   const double weight = (1 - glm::smoothstep(0.35, 0.75, from_middle)) * glm::smoothstep(-0.5, 0.0, patch.length);
-  return glm::normalize(patch.bow + glm::dvec2(1e-9, 0)) * (2.5 * coat.lodge * weight);
+  return glm::normalize(patch.bow + glm::dvec2(1e-9, 0)) * (1.8 * coat.lodge * weight);
 }
 
 /// Heading, wave and extra bow of one strand. They have random numbers of their own, so that strands without them stay.
@@ -52,9 +52,10 @@ void add_forms(const Coat& coat, const Clumps& clumps, const Clump& clump, Rando
   const double straggle = random.uniform(0, turn), bow = random.uniform(0, turn), amount = random.uniform(0.2, 1);
   glm::dvec2 tangent = unit(straggle) * (coat.mess * amount);
   if (clumps.lodged) tangent += lodging(coat, *clumps.lodged, strand.root);
-  strand.heading = tangent * nominal_length;
+  const double upright = 1 / std::sqrt(1 + glm::dot(tangent, tangent));  // cosine: what leans reaches less high
+  strand.heading = tangent * (nominal_length * upright);
   strand.bow += unit(bow) * (coat.mess * amount * nominal_length);
-  strand.length_share = std::max(0.02, strand.length_share / std::sqrt(1 + glm::dot(tangent, tangent)));
+  strand.length_share = std::max(0.02, strand.length_share * upright);
   // The strands of a tuft swing nearly together, or waves would not be seen.
   const double swing = std::atan2(clump.bow.y, clump.bow.x) + random.uniform(-0.35, 0.35);
   strand.wave = unit(swing) * (coat.wave * nominal_length * random.uniform(0.8, 1.2));
@@ -93,7 +94,7 @@ std::vector<Strand> make_strands(const Coat& coat) {
     strand.fine_clump = lock.centre - strand.root;
     strand.clump = (clump.centre - strand.root) * glm::mix(clump.pull, 1.0, coat.wetness);
     strand.bow = coat.bend * nominal_length * glm::mix(unit(angle) * random.uniform(), clump.bow, of_clump * 0.8);
-    strand.curl_phase = random.uniform(0, turn);
+    strand.curl_phase = glm::mix(random.uniform(0, turn), turn * (clump.lightness + 1), coat.curl_together);
     const double shorter = glm::mix(own, 0.5 - 0.5 * clump.length, of_clump * 0.4);
     strand.length_share = std::max(0.02, 1 - coat.length_spread * shorter);
     const double lighter = glm::mix(random.uniform(-1, 1), clump.lightness, of_clump * 0.35);
@@ -109,7 +110,7 @@ std::vector<Strand> make_strands(const Coat& coat) {
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
   const double rise = q * std::sqrt(q), settled = std::min(1.0, 4 * q);  // curls and waves grow out of the root
   // Wet strands meet early and then go on together.
-  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * glm::mix(rise, q * (2 - q), 0.7 * coat.wetness);
+  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
   const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);
   glm::dvec2 offset = to_lock + (strand.clump - to_lock) * gather + strand.bow * (q * q) + strand.heading * q;
   if (coat.curl > 0) {

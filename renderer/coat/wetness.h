@@ -11,11 +11,11 @@ namespace pelage {
 /// c^factor, which darkens it and makes it more saturated.
 inline double wet_absorption(const Coat& coat) { return 1 + 0.8 * coat.wetness; }
 
-/// Factor on the weight of the highlight, 1 to 3: a film of water is smoother than the scales under it.
-inline double wet_shine(const Coat& coat) { return 1 + 2 * coat.wetness; }
+/// Factor on the weight of the highlight, 1 to 2: a film of water is smoother than the scales under it.
+inline double wet_shine(const Coat& coat) { return 1 + coat.wetness; }
 
-/// Factor on the exponent of the highlight (one over the square of its width), 1 to 4.
-inline double wet_sharpness(const Coat& coat) { return 1 + 3 * coat.wetness; }
+/// Factor on the exponent of the highlight (one over the square of its width), 1 to 3.
+inline double wet_sharpness(const Coat& coat) { return 1 + 2 * coat.wetness; }
 
 /// A linear colour as the coat's wetness leaves it.
 inline glm::vec3 wet_colour(const Coat& coat, glm::vec3 colour) {

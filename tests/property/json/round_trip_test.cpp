@@ -166,6 +166,7 @@ Command set_coat() {
             .bend = number(0, 2),
             .curl = number(0, 0.5),
             .curl_turns = number(0, 20),
+            .curl_together = number(0, 1),
             .wave = number(0, 0.5),
             .wave_turns = number(0, 20),
             .mess = number(0, 1),
