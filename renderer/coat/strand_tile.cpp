@@ -38,8 +38,8 @@ struct Clumps {
   std::optional<ClumpGrid> fine, lodged;
 };
 
-/// Where the lodged patch around `place` presses its strands, as the tangent of their angle from the normal: whole in the
-/// patch's middle, nothing at its edge, and a third of the patches stands.
+/// Where the lodged patch around `place` presses its strands, as the tangent of their angle from the normal: whole in
+/// the patch's middle, nothing at its edge, and a third of the patches stands.
 glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
   const Clump patch = patches.nearest(place);
   const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;
@@ -110,7 +110,8 @@ std::vector<Strand> make_strands(const Coat& coat) {
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
   const double rise = q * std::sqrt(q), settled = std::min(1.0, 4 * q);  // curls and waves grow out of the root
   // Wet strands meet early and then go on together.
-  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
+  const double early = glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
+  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * early;
   const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);
   glm::dvec2 offset = to_lock + (strand.clump - to_lock) * gather + strand.bow * (q * q) + strand.heading * q;
   if (coat.curl > 0) {

@@ -15,7 +15,8 @@ struct Stream {
 }  // namespace
 
 glm::vec3 random_of_cell(glm::ivec3 cell, std::uint32_t stream, std::uint32_t seed) {
-  glm::uvec3 v = glm::uvec3(cell) + (seed * 0x9e3779b9u + stream * 0x85ebca6bu) * glm::uvec3(1u, 0xc2b2ae35u, 0x27d4eb2fu);
+  const std::uint32_t key = seed * 0x9e3779b9u + stream * 0x85ebca6bu;
+  glm::uvec3 v = glm::uvec3(cell) + key * glm::uvec3(1u, 0xc2b2ae35u, 0x27d4eb2fu);
   v = v * 1664525u + 1013904223u;
   v.x += v.y * v.z;
   v.y += v.z * v.x;

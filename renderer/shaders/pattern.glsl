@@ -47,8 +47,8 @@ float pattern_noise(vec3 place, uint stream) {
 }
 
 // Distance along the surface to the nearest of points scattered one to a unit cell, each with a size of its own that
-// shrinks to nothing for points half a unit off the surface. Points stay in the middle of their cells, so that the eight
-// nearest cells are enough up to the largest value that is given back.
+// shrinks to nothing for points half a unit off the surface. Points stay in the middle of their cells, so that the
+// eight nearest cells are enough up to the largest value that is given back.
 float pattern_cells(vec3 place, vec3 normal, uint stream) {
   ivec3 cell = ivec3(floor(place - 0.5));
   float nearest = 0.62;

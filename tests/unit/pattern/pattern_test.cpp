@@ -38,7 +38,9 @@ void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& 
 glm::dvec2 mean_marks(const Pattern& pattern) {
   const PatternBlock block = make_pattern_block(with(pattern));
   glm::dvec2 sum(0);
-  for_each_place(20000, [&](glm::vec3 place, glm::vec3 normal) { sum += glm::dvec2(pattern_marks(block, place, normal)); });
+  for_each_place(20000, [&](glm::vec3 place, glm::vec3 normal) {
+    sum += glm::dvec2(pattern_marks(block, place, normal));
+  });
   return sum / 20000.0;
 }
 
@@ -140,7 +142,9 @@ TEST(Pattern, TabbyHasALineAlongTheSpine) {
   const PatternBlock block = make_pattern_block(with(pattern));
   for (float z = -0.4f; z < 0.4f; z += 0.01f) EXPECT_GT(pattern_marks(block, {0, 0.2f, z}, {0, 1, 0}).x, 0.95f) << z;
   float least = 1;
-  for (float z = -0.4f; z < 0.4f; z += 0.01f) least = std::min(least, pattern_marks(block, {0.1f, 0.1f, z}, {1, 0, 0}).x);
+  for (float z = -0.4f; z < 0.4f; z += 0.01f) {
+    least = std::min(least, pattern_marks(block, {0.1f, 0.1f, z}, {1, 0, 0}).x);
+  }
   EXPECT_LT(least, 0.05f) << "and none along the flank";
 }
 
