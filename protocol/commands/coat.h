@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include "protocol/commands/pattern.h"
+
 namespace pelage {
 
 enum class LeanCurve { arc, root };  // science.md 2: the arc, and y = K sqrt(x)
@@ -18,6 +20,26 @@ struct RampStop {
   bool operator==(const RampStop&) const = default;
 };
 
+/// Short, fine strands under the others, in the same tile.
+struct Undercoat {
+  double share = 0;        // of the strands, [0, 1]
+  double length = 0.5;     // over the overcoat's, [0.02, 1]
+  double width = 0.6;      // over the overcoat's, [0.05, 4]
+  double lightness = 1;    // factor on the ramp's colour, [0, 4]
+  double tint = 0;         // how far `colour` replaces the ramp's, [0, 1]
+  glm::vec3 colour{0.5f};  // linear
+
+  bool operator==(const Undercoat&) const = default;
+};
+
+/// Ticking: some hairs have one colour of their own from root to tip.
+struct OddHairs {
+  double share = 0;         // of the strands, [0, 1]
+  glm::vec3 colour{0.85f};  // linear
+
+  bool operator==(const OddHairs&) const = default;
+};
+
 struct Coat {
   int count = 9000;             // strands in the tile, [1, 100000]
   double tile = 0.12;           // side of the tile, sizes, [0.01, 1]
@@ -26,8 +48,17 @@ struct Coat {
   double bend = 0.25;           // how far a strand bows to a side, over a length of .03, [0, 2]
   double curl = 0;              // radius of the helix, over a length of .03, [0, 0.5]
   double curl_turns = 3;        // turns of the helix from root to tip, [0, 20]
+  double curl_together = 0;     // how far the strands of a clump curl as one lock, [0, 1]
+  double wave = 0;              // amplitude of a sine in one plane, over a length of .03, [0, 0.5]
+  double wave_turns = 3;        // waves from root to tip, [0, 20]
+  double mess = 0;              // how far each strand goes and bows its own way, [0, 1]
   double clump = 0.4;           // how far tips gather to the middle of their clump, [0, 1]
   double clump_size = 0.010;    // mean distance of clumps, sizes, [0.001, 0.5]
+  double fine_clump = 0;        // the same inside clumps, for locks of a few strands, [0, 1]
+  double fine_clump_size = 0.004;  // mean distance of these locks, sizes, [0.001, 0.5]
+  double lodge = 0;             // how far patches of strands are pressed to one side, [0, 1]
+  double lodge_size = 0.04;     // mean distance of these patches, sizes, [0.001, 0.5]
+  double wetness = 0;           // [0, 1]: tighter clumps, darker and shinier (renderer/coat/wetness.h)
   double length_spread = 0.3;   // share of the length that is random, [0, 1]
   double colour_spread = 0.12;  // change of lightness from strand to strand, [0, 1]
   double root_share = 0.3;      // angle at the root over angle at the tip: 0 plush, .6 sleek, [0, 1]
@@ -35,6 +66,10 @@ struct Coat {
   std::vector<RampStop> ramp{{0.0, {0.100f, 0.060f, 0.035f}},
                              {0.55, {0.360f, 0.210f, 0.110f}},
                              {1.0, {0.620f, 0.440f, 0.270f}}};  // 1 to 4 stops
+  Undercoat undercoat{};
+  OddHairs odd_hairs{};
+  Pattern pattern{};
+  Variation variation{};
   std::uint32_t seed = 1;
 
   bool operator==(const Coat&) const = default;

@@ -107,41 +107,6 @@ Look look(const Value& value) {
   return result;
 }
 
-Coat coat(const Value& value) {
-  Object object(value);
-  Coat result;
-  object.integer("count", result.count, {1, 100000});
-  object.number("tile", result.tile, {0.01, 1});
-  object.number("width_root", result.width_root, {0, 0.05});
-  object.number("width_tip", result.width_tip, {0, 0.05});
-  object.number("bend", result.bend, {0, 2});
-  object.number("curl", result.curl, {0, 0.5});
-  object.number("curl_turns", result.curl_turns, {0, 20});
-  object.number("clump", result.clump, share);
-  object.number("clump_size", result.clump_size, {0.001, 0.5});
-  object.number("length_spread", result.length_spread, share);
-  object.number("colour_spread", result.colour_spread, share);
-  object.number("root_share", result.root_share, share);
-  object.name("lean_curve", result.lean_curve, json_names::lean_curves);
-  object.integer("seed", result.seed);
-  object.optional("ramp", [&](const Value& list) {
-    result.ramp.clear();
-    for (const Value& stop : list.list(1, limits::ramp_stops)) {
-      Object fields(stop);
-      RampStop made;
-      fields.required("at", [&](const Value& v) { made.at = v.number(share); });
-      fields.required("colour", [&](const Value& v) { made.colour = v.colour(); });
-      fields.finish();
-      if (!result.ramp.empty() && !(made.at > result.ramp.back().at)) {
-        stop.refuse_below("at", "The ramp does not rise.", "above the stop before");
-      }
-      result.ramp.push_back(made);
-    }
-  });
-  object.finish();
-  return result;
-}
-
 Light light(const Value& value) {
   Object object(value);
   Light result;

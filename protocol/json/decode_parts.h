@@ -10,6 +10,8 @@ namespace pelage::json_parts {
 inline constexpr Range coordinate{-1e27, 1e27};
 inline constexpr Range length_in_units{0, 1e27};
 inline constexpr Range share{0, 1};
+inline constexpr Range clump_size{0.001, 0.5};
+inline constexpr Range feature_size{0.005, 2};
 inline constexpr Range pixels{1, limits::frame_pixels};
 
 Camera camera(const Value& value);

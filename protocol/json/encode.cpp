@@ -70,6 +70,42 @@ Json json_of(const Brush& brush) {
           {"invert", brush.invert}};
 }
 
+Json json_of(const Undercoat& undercoat) {
+  return {{"share", undercoat.share},
+          {"length", undercoat.length},
+          {"width", undercoat.width},
+          {"lightness", undercoat.lightness},
+          {"tint", undercoat.tint},
+          {"colour", colour(undercoat.colour)}};
+}
+
+Json json_of(const OddHairs& odd) { return {{"share", odd.share}, {"colour", colour(odd.colour)}}; }
+
+Json json_of(const Pattern& pattern) {
+  return {{"kind", text_of(json_names::pattern_kinds, pattern.kind)},
+          {"scale", pattern.scale},
+          {"coverage", pattern.coverage},
+          {"contrast", pattern.contrast},
+          {"softness", pattern.softness},
+          {"warp", pattern.warp},
+          {"legs", pattern.legs},
+          {"inner", pattern.inner},
+          {"belly", pattern.belly},
+          {"axis", list(pattern.axis)},
+          {"colour", colour(pattern.colour)},
+          {"inner_colour", colour(pattern.inner_colour)},
+          {"belly_colour", colour(pattern.belly_colour)},
+          {"seed", pattern.seed}};
+}
+
+Json json_of(const Variation& variation) {
+  return {{"lightness", variation.lightness},
+          {"hue", variation.hue},
+          {"length", variation.length},
+          {"lean", variation.lean},
+          {"size", variation.size}};
+}
+
 Json json_of(const Coat& coat) {
   Json ramp = Json::array();
   for (const RampStop& stop : coat.ramp) ramp.push_back({{"at", stop.at}, {"colour", colour(stop.colour)}});
@@ -80,13 +116,26 @@ Json json_of(const Coat& coat) {
           {"bend", coat.bend},
           {"curl", coat.curl},
           {"curl_turns", coat.curl_turns},
+          {"curl_together", coat.curl_together},
+          {"wave", coat.wave},
+          {"wave_turns", coat.wave_turns},
+          {"mess", coat.mess},
           {"clump", coat.clump},
           {"clump_size", coat.clump_size},
+          {"fine_clump", coat.fine_clump},
+          {"fine_clump_size", coat.fine_clump_size},
+          {"lodge", coat.lodge},
+          {"lodge_size", coat.lodge_size},
+          {"wetness", coat.wetness},
           {"length_spread", coat.length_spread},
           {"colour_spread", coat.colour_spread},
           {"root_share", coat.root_share},
           {"lean_curve", text_of(json_names::lean_curves, coat.lean_curve)},
           {"ramp", ramp},
+          {"undercoat", json_of(coat.undercoat)},
+          {"odd_hairs", json_of(coat.odd_hairs)},
+          {"pattern", json_of(coat.pattern)},
+          {"variation", json_of(coat.variation)},
           {"seed", coat.seed}};
 }
 

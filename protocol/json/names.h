@@ -31,6 +31,13 @@ inline constexpr std::array<Name<AutoView>, 6> auto_views{{{"front", AutoView::f
                                                            {"top", AutoView::top},
                                                            {"three_quarter", AutoView::three_quarter}}};
 inline constexpr std::array<Name<LeanCurve>, 2> lean_curves{{{"arc", LeanCurve::arc}, {"root", LeanCurve::root}}};
+inline constexpr std::array<Name<PatternKind>, 7> pattern_kinds{{{"none", PatternKind::none},
+                                                                 {"stripes", PatternKind::stripes},
+                                                                 {"spots", PatternKind::spots},
+                                                                 {"rosettes", PatternKind::rosettes},
+                                                                 {"tabby", PatternKind::tabby},
+                                                                 {"patches", PatternKind::patches},
+                                                                 {"countershading", PatternKind::countershading}}};
 inline constexpr std::array<Name<ColourSource>, 3> colour_sources{
     {{"automatic", ColourSource::automatic}, {"model", ColourSource::model}, {"coat", ColourSource::coat}}};
 inline constexpr std::array<Name<LightKind>, 3> light_kinds{

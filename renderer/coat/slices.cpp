@@ -51,9 +51,9 @@ Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
   const glm::dvec2 slope = (strand_offset(coat, strand, high) - strand_offset(coat, strand, low)) /
                            ((high - low) * strand.length_share);
   const double to_texels = slice_texels / coat.tile;
-  const double tip = 0.5 * glm::mix(coat.width_root, coat.width_tip, q);
-  return {(strand.root + strand_offset(coat, strand, q)) * to_texels, tip * to_texels, glm::vec2(slope),
-          ramp_colour(coat, q) * static_cast<float>(strand.lightness), static_cast<float>(strand.number)};
+  const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
+  return {(strand.root + strand_offset(coat, strand, q)) * to_texels, radius * to_texels, glm::vec2(slope),
+          strand_colour(coat, strand, q), static_cast<float>(strand.number)};
 }
 
 std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& strands, int index) {

@@ -4,8 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "protocol/base/random.h"
+#include "renderer/coat/clump_grid.h"
+#include "renderer/coat/wetness.h"
 
 namespace pelage {
 
@@ -13,53 +16,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// What the strands of one tuft share.
-struct Clump {
-  glm::dvec2 centre{0};
-  glm::dvec2 bow{0};
-  double length = 1, lightness = 1;  // [-1, 1]
-  double pull = 1;                   // [0, 1]: tufts are not all alike
-};
-
-class ClumpGrid {
- public:
-  explicit ClumpGrid(const Coat& coat)
-      : tile_(coat.tile), side_(std::max(1, static_cast<int>(std::lround(coat.tile / coat.clump_size)))) {
-    Random random(coat.seed, 1);
-    for (int i = 0; i < side_ * side_; ++i) clumps_.push_back(make_clump(i, random));
-  }
-
-  /// The nearest clump on the periodic tile, its centre moved by whole tiles to lie next to `place`.
-  Clump nearest(glm::dvec2 place) const {
-    const glm::ivec2 cell(glm::floor(place / tile_ * double(side_)));
-    Clump best;
-    double best_distance = 1e300;
-    for (int y = cell.y - 2; y <= cell.y + 2; ++y) {
-      for (int x = cell.x - 2; x <= cell.x + 2; ++x) {
-        Clump clump = clumps_[static_cast<std::size_t>(wrap(y) * side_ + wrap(x))];
-        clump.centre += glm::dvec2(x - wrap(x), y - wrap(y)) * (tile_ / side_);
-        const double distance = glm::distance(clump.centre, place);
-        if (distance < best_distance) best = clump, best_distance = distance;
-      }
-    }
-    return best;
-  }
-
- private:
-  int wrap(int i) const { return (i % side_ + side_) % side_; }
-
-  Clump make_clump(int index, Random& random) const {
-    const glm::dvec2 cell(index % side_, index / side_);
-    const glm::dvec2 jitter(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
-    const double angle = random.uniform(0, turn), reach = random.uniform();
-    return {(cell + jitter) * (tile_ / side_), glm::dvec2(std::cos(angle), std::sin(angle)) * reach,
-            random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.25, 1)};
-  }
-
-  double tile_;
-  int side_;
-  std::vector<Clump> clumps_;
-};
+glm::dvec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Even but not regular for any count: the R2 low-discrepancy sequence (Roberts 2018), which fits a torus, with jitter.
 glm::dvec2 root_place(const Coat& coat, int index, Random& random) {
@@ -68,49 +25,126 @@ glm::dvec2 root_place(const Coat& coat, int index, Random& random) {
   return glm::fract(step * (index + 1.0) + jitter / std::sqrt(static_cast<double>(coat.count))) * coat.tile;
 }
 
+/// Clumps of the coat: what is not used is not made. Water draws strands together.
+struct Clumps {
+  explicit Clumps(const Coat& coat)
+      : gather(glm::mix(coat.clump, 1.0, 0.85 * coat.wetness)), coarse(coat.tile, coat.clump_size, coat.seed, 1) {
+    if (coat.fine_clump > 0) fine.emplace(coat.tile, coat.fine_clump_size, coat.seed, 2);
+    if (coat.lodge > 0) lodged.emplace(coat.tile, coat.lodge_size, coat.seed, 3);
+  }
+
+  double gather;  // [0, 1]
+  ClumpGrid coarse;
+  std::optional<ClumpGrid> fine, lodged;
+};
+
+/// Where the lodged patch around `place` presses its strands, as the tangent of their angle from the normal: whole in
+/// the patch's middle, nothing at its edge, and a third of the patches stands.
+glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
+  const Clump patch = patches.nearest(place);
+  const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;
+  const double weight = (1 - glm::smoothstep(0.35, 0.75, from_middle)) * glm::smoothstep(-0.5, 0.0, patch.length);
+  return glm::normalize(patch.bow + glm::dvec2(1e-9, 0)) * (1.8 * coat.lodge * weight);
+}
+
+/// Heading, wave and extra bow of one strand. They have random numbers of their own, so that strands without them stay.
+void add_forms(const Coat& coat, const Clumps& clumps, const Clump& clump, Random& random, Strand& strand) {
+  const double straggle = random.uniform(0, turn), bow = random.uniform(0, turn), amount = random.uniform(0.2, 1);
+  glm::dvec2 tangent = unit(straggle) * (coat.mess * amount);
+  if (clumps.lodged) tangent += lodging(coat, *clumps.lodged, strand.root);
+  const double upright = 1 / std::sqrt(1 + glm::dot(tangent, tangent));  // cosine: what leans reaches less high
+  strand.heading = tangent * (nominal_length * upright);
+  strand.bow += unit(bow) * (coat.mess * amount * nominal_length);
+  strand.length_share = std::max(0.02, strand.length_share * upright);
+  // The strands of a tuft swing nearly together, or waves would not be seen.
+  const double swing = std::atan2(clump.bow.y, clump.bow.x) + random.uniform(-0.35, 0.35);
+  strand.wave = unit(swing) * (coat.wave * nominal_length * random.uniform(0.8, 1.2));
+  strand.wave_phase = turn * clump.lightness + random.uniform(-0.5, 0.5);
+}
+
+/// Makes a strand one of the undercoat or an odd hair, by chance.
+void add_kind(const Coat& coat, Random& random, Strand& strand) {
+  const bool under = random.uniform() < coat.undercoat.share, odd = random.uniform() < coat.odd_hairs.share;
+  if (under) {
+    strand.length_share = std::max(0.02, strand.length_share * coat.undercoat.length);
+    strand.width = coat.undercoat.width;
+    strand.lightness *= coat.undercoat.lightness;
+    strand.own_colour = coat.undercoat.colour;
+    strand.own_share = static_cast<float>(coat.undercoat.tint);
+  } else if (odd) {
+    strand.own_colour = coat.odd_hairs.colour;
+    strand.own_share = 1;
+  }
+}
+
 }  // namespace
 
 std::vector<Strand> make_strands(const Coat& coat) {
   assert(coat.count >= 1 && coat.tile > 0 && coat.clump_size > 0);
-  const ClumpGrid clumps(coat);
-  Random random(coat.seed);
+  const Clumps clumps(coat);
+  Random random(coat.seed), forms(coat.seed, 4), kinds(coat.seed, 5);
   std::vector<Strand> strands;
   strands.reserve(static_cast<std::size_t>(coat.count));
   for (int i = 0; i < coat.count; ++i) {
     Strand strand;
     strand.root = root_place(coat, i, random);
-    const Clump clump = clumps.nearest(strand.root);
-    const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = coat.clump;
-    strand.clump = (clump.centre - strand.root) * clump.pull;
-    strand.bow = coat.bend * nominal_length *
-                 glm::mix(glm::dvec2(std::cos(angle), std::sin(angle)) * random.uniform(), clump.bow, of_clump * 0.8);
-    strand.curl_phase = random.uniform(0, turn);
+    const Clump lock = clumps.fine ? clumps.fine->nearest(strand.root) : Clump{.centre = strand.root};
+    const Clump clump = clumps.coarse.nearest(lock.centre);  // a lock goes as a whole to one clump
+    const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = clumps.gather;
+    strand.fine_clump = lock.centre - strand.root;
+    strand.clump = (clump.centre - strand.root) * glm::mix(clump.pull, 1.0, coat.wetness);
+    strand.bow = coat.bend * nominal_length * glm::mix(unit(angle) * random.uniform(), clump.bow, of_clump * 0.8);
+    strand.curl_phase = glm::mix(random.uniform(0, turn), turn * (clump.lightness + 1), coat.curl_together);
     const double shorter = glm::mix(own, 0.5 - 0.5 * clump.length, of_clump * 0.4);
     strand.length_share = std::max(0.02, 1 - coat.length_spread * shorter);
     const double lighter = glm::mix(random.uniform(-1, 1), clump.lightness, of_clump * 0.35);
     strand.lightness = std::exp2(2 * coat.colour_spread * lighter);
     strand.number = random.uniform();
+    add_forms(coat, clumps, clump, forms, strand);
+    add_kind(coat, kinds, strand);
     strands.push_back(strand);
   }
   return strands;
 }
 
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
-  const double gather = coat.clump * q * std::sqrt(q);
-  const double angle = strand.curl_phase + turn * coat.curl_turns * q;
-  const glm::dvec2 helix = glm::dvec2(std::cos(angle), std::sin(angle)) * (coat.curl * nominal_length * std::min(1.0, 4 * q));
-  return strand.clump * gather + strand.bow * (q * q) + helix;
+  const double rise = q * std::sqrt(q), settled = std::min(1.0, 4 * q);  // curls and waves grow out of the root
+  // Wet strands meet early and then go on together.
+  const double early = glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
+  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * early;
+  const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);
+  glm::dvec2 offset = to_lock + (strand.clump - to_lock) * gather + strand.bow * (q * q) + strand.heading * q;
+  if (coat.curl > 0) {
+    offset += unit(strand.curl_phase + turn * coat.curl_turns * q) * (coat.curl * nominal_length * settled);
+  }
+  if (coat.wave > 0) offset += strand.wave * (std::sin(strand.wave_phase + turn * coat.wave_turns * q) * settled);
+  return offset;
 }
 
 glm::vec3 ramp_colour(const Coat& coat, double q) {
   const std::vector<RampStop>& ramp = coat.ramp;
   assert(!ramp.empty());
   const auto next = std::find_if(ramp.begin(), ramp.end(), [&](const RampStop& stop) { return stop.at >= q; });
-  if (next == ramp.begin()) return ramp.front().colour;
-  if (next == ramp.end()) return ramp.back().colour;
+  if (next == ramp.begin()) return wet_colour(coat, ramp.front().colour);
+  if (next == ramp.end()) return wet_colour(coat, ramp.back().colour);
   const RampStop& last = *(next - 1);
   const double span = next->at - last.at;
-  return glm::mix(last.colour, next->colour, static_cast<float>(span > 0 ? (q - last.at) / span : 1));
+  const float share = static_cast<float>(span > 0 ? (q - last.at) / span : 1);
+  return wet_colour(coat, glm::mix(last.colour, next->colour, share));
+}
+
+glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q) {
+  const glm::vec3 colour = glm::mix(ramp_colour(coat, q), wet_colour(coat, strand.own_colour), strand.own_share);
+  return colour * static_cast<float>(strand.lightness);
+}
+
+bool same_strands(const Coat& a, const Coat& b) {
+  Coat other = b;
+  other.pattern = a.pattern;
+  other.variation = a.variation;
+  other.root_share = a.root_share;
+  other.lean_curve = a.lean_curve;
+  return a == other;
 }
 
 }  // namespace pelage

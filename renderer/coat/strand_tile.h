@@ -10,27 +10,40 @@
 
 namespace pelage {
 
-/// The length of fur that bend and curl are made for, in sizes.
+/// The length of fur that bend, curl, wave, mess and lodging are made for, in sizes.
 inline constexpr double nominal_length = 0.03;
 
 /// One strand. Places are in sizes on the tile, before the lean; they may leave [0, tile) and are taken modulo the tile.
 struct Strand {
   glm::dvec2 root{0};
-  glm::dvec2 clump{0};     // from the root to the middle of its clump
-  glm::dvec2 bow{0};       // offset of the tip by bending
-  double curl_phase = 0;   // radians
-  double length_share = 1; // of the field's length, (0, 1]
-  double lightness = 1;    // factor on the ramp's colour
-  double number = 0;       // uniform in [0, 1): kept while below the density
+  glm::dvec2 clump{0};       // from the root to the middle of its clump
+  glm::dvec2 fine_clump{0};  // from the root to the middle of its lock inside the clump
+  glm::dvec2 bow{0};         // offset of the tip by bending
+  glm::dvec2 heading{0};     // offset of the tip by where it sets out: mess and lodging
+  glm::dvec2 wave{0};        // amplitude of the sine and the way it swings
+  double wave_phase = 0;     // radians
+  double curl_phase = 0;     // radians
+  double length_share = 1;   // of the field's length, (0, 1]
+  double width = 1;          // factor on the coat's
+  double lightness = 1;      // factor on the ramp's colour
+  glm::vec3 own_colour{0};   // linear; of odd hairs and of the undercoat
+  float own_share = 0;       // how far it replaces the ramp's, [0, 1]
+  double number = 0;         // uniform in [0, 1): kept while below the density
 };
 
-/// Deterministic in the coat alone.
+/// Deterministic in the coat alone. A setting at its neutral value leaves the other settings' strands as they were.
 std::vector<Strand> make_strands(const Coat& coat);
 
 /// Offset from the root at `q` in [0, 1] along the strand, sizes.
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q);
 
-/// The coat's ramp at `q` in [0, 1], linear colour.
+/// The coat's ramp at `q` in [0, 1], linear colour; wet coats are darker.
 glm::vec3 ramp_colour(const Coat& coat, double q);
+
+/// The strand's colour at `q` in [0, 1], linear: from the ramp or its own; may be over 1.
+glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q);
+
+/// Whether both coats give the same strands: patterns, variation and the lean do not count.
+bool same_strands(const Coat& a, const Coat& b);
 
 }  // namespace pelage

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/passes/draw/draw_state.h"
+#include "renderer/coat/strand_tile.h"
 
 namespace pelage {
 
@@ -67,7 +68,8 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
 void Renderer::forget(std::uint64_t model) { models_.erase(model); }
 
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
-  const auto found = std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return c.coat() == coat; });
+  const auto found = std::find_if(coats_.begin(), coats_.end(),
+                                  [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
   if (found != coats_.end()) {
     coats_.splice(coats_.begin(), coats_, found);
     return coats_.front();

@@ -50,7 +50,7 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "Coat", "Look", "Light", "Steps", "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
+                    "SetLook", "SetLights", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Light", "Steps", "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -119,7 +119,11 @@ class Requests(ServedTest):
              "max_stretch": 3},
             {"op": "set_look", "look": {"colour_source": "coat", "ambient": 0.3, "skin": "#102030", "back_attenuation": 0.5}},
             {"op": "set_coat", "coat": {"count": 100, "tile": 0.2, "curl": 0.1, "lean_curve": "root", "seed": 3,
-                                        "ramp": [{"at": 0, "colour": [0, 0, 0]}]}},
+                                        "ramp": [{"at": 0, "colour": [0, 0, 0]}], "wave": 0.1, "lodge": 0.5, "wetness": 0.5,
+                                        "undercoat": {"share": 0.5, "length": 0.4, "colour": "#808080"},
+                                        "odd_hairs": {"share": 0.1, "colour": [1, 1, 1]},
+                                        "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
+                                        "variation": {"lightness": 0.2, "size": 0.1}}},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2}]},
         ]
         for body in bodies:
@@ -184,6 +188,8 @@ class Defaults(ServedTest):
         self.assert_defaults("Blow", blown, given=["direction"])
         self.assert_defaults("Attract", attracted)
         self.assert_defaults("Coat", coat["coat"], given=["count"])
+        for schema, part in (("Undercoat", "undercoat"), ("OddHairs", "odd_hairs"), ("Pattern", "pattern"), ("Variation", "variation")):
+            self.assert_defaults(schema, coat["coat"][part])
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
 

@@ -124,6 +124,40 @@ Command attract() {
                  .max_stretch = number(1, 100)};
 }
 
+Undercoat undercoat() {
+  return {.share = number(0, 1),
+          .length = number(0.02, 1),
+          .width = number(0.05, 4),
+          .lightness = number(0, 4),
+          .tint = number(0, 1),
+          .colour = colour()};
+}
+
+Pattern pattern() {
+  return {.kind = one_of(PatternKind::countershading),
+          .scale = number(0.005, 2),
+          .coverage = number(0, 1),
+          .contrast = number(0, 1),
+          .softness = number(0, 1),
+          .warp = number(0, 2),
+          .legs = number(0, 1),
+          .inner = number(0, 1),
+          .belly = number(0, 1),
+          .axis = direction(),
+          .colour = colour(),
+          .inner_colour = colour(),
+          .belly_colour = colour(),
+          .seed = *rc::gen::arbitrary<std::uint32_t>()};
+}
+
+Variation variation() {
+  return {.lightness = number(0, 1),
+          .hue = number(0, 1),
+          .length = number(0, 1),
+          .lean = number(0, 1),
+          .size = number(0.005, 2)};
+}
+
 Command set_coat() {
   Coat coat{.count = *rc::gen::inRange(1, 100001),
             .tile = number(0.01, 1),
@@ -132,13 +166,26 @@ Command set_coat() {
             .bend = number(0, 2),
             .curl = number(0, 0.5),
             .curl_turns = number(0, 20),
+            .curl_together = number(0, 1),
+            .wave = number(0, 0.5),
+            .wave_turns = number(0, 20),
+            .mess = number(0, 1),
             .clump = number(0, 1),
             .clump_size = number(0.001, 0.5),
+            .fine_clump = number(0, 1),
+            .fine_clump_size = number(0.001, 0.5),
+            .lodge = number(0, 1),
+            .lodge_size = number(0.001, 0.5),
+            .wetness = number(0, 1),
             .length_spread = number(0, 1),
             .colour_spread = number(0, 1),
             .root_share = number(0, 1),
             .lean_curve = one_of(LeanCurve::root),
             .ramp = {},
+            .undercoat = undercoat(),
+            .odd_hairs = {.share = number(0, 1), .colour = colour()},
+            .pattern = pattern(),
+            .variation = variation(),
             .seed = *rc::gen::arbitrary<std::uint32_t>()};
   const int stops = *rc::gen::inRange(1, 5);
   for (int i = 0; i < stops; ++i) coat.ramp.push_back({0.25 * i + number(0.01, 0.2), colour()});
@@ -232,6 +279,12 @@ RC_GTEST_PROP(Json, ColoursKeepEveryBit, ()) {
   Look look;
   look.skin = before;
   const glm::vec3 after = std::get<SetLook>(decode_commands(encode(Command(SetLook{look})))->front()).look.skin;
+  RC_ASSERT(after == before);
+}
+
+RC_GTEST_PROP(Json, CoatsKeepEveryBit, ()) {
+  const Coat before = std::get<SetCoat>(set_coat()).coat;
+  const Coat after = std::get<SetCoat>(decode_commands(encode(Command(SetCoat{before})))->front()).coat;
   RC_ASSERT(after == before);
 }
 

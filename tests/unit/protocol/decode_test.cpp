@@ -185,6 +185,32 @@ TEST(Decode, RampsRise) {
                  "/coat/ramp/0/colour");
 }
 
+TEST(Decode, PartsOfACoat) {
+  const auto commands = decode_commands(
+      R"({"op": "set_coat", "coat": {"wetness": 1, "undercoat": {"share": 0.6}, "odd_hairs": {"share": 0.1, "colour": "#ffffff"},
+          "pattern": {"kind": "rosettes", "axis": [1, 0, 0], "seed": 9}, "variation": {"hue": 0.2}}})");
+  ASSERT_TRUE(commands.ok()) << commands.status().message;
+  const Coat& coat = std::get<SetCoat>(commands->front()).coat;
+  EXPECT_EQ(coat.wetness, 1);
+  EXPECT_EQ(coat.undercoat, (Undercoat{.share = 0.6}));
+  EXPECT_EQ(coat.odd_hairs, (OddHairs{.share = 0.1, .colour = glm::vec3(1)}));
+  EXPECT_EQ(coat.pattern, (Pattern{.kind = PatternKind::rosettes, .axis = {1, 0, 0}, .seed = 9}));
+  EXPECT_EQ(coat.variation, (Variation{.hue = 0.2}));
+}
+
+TEST(Decode, PartsOfACoatHaveLimits) {
+  const auto coat = [](const std::string& members) { return R"({"op": "set_coat", "coat": {)" + members + "}}"; };
+  expect_refusal(coat(R"("wetness": 1.1)"), Code::invalid, "/coat/wetness");
+  expect_refusal(coat(R"("wave": -0.1)"), Code::invalid, "/coat/wave");
+  expect_refusal(coat(R"("fine_clump_size": 0)"), Code::invalid, "/coat/fine_clump_size");
+  expect_refusal(coat(R"("undercoat": {"length": 0})"), Code::invalid, "/coat/undercoat/length");
+  expect_refusal(coat(R"("odd_hairs": {"colour": "white"})"), Code::invalid, "/coat/odd_hairs/colour");
+  expect_refusal(coat(R"("pattern": {"scale": 0})"), Code::invalid, "/coat/pattern/scale");
+  expect_refusal(coat(R"("pattern": {"axis": [0, 0, 0]})"), Code::invalid, "/coat/pattern/axis");
+  expect_refusal(coat(R"("pattern": {"kind": "stripe"})"), Code::invalid, "/coat/pattern/kind");
+  expect_refusal(coat(R"("variation": {"amount": 1})"), Code::invalid, "/coat/variation/amount");
+}
+
 TEST(DecodeColour, IsSrgb) {
   const auto commands = decode_commands(R"({"op": "set_look", "look": {"skin": "#ff0080"}})");
   ASSERT_TRUE(commands.ok());

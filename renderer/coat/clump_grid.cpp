@@ -1,0 +1,46 @@
+#include "renderer/coat/clump_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "protocol/base/random.h"
+
+namespace pelage {
+
+namespace {
+
+/// `cell` and the clump's centre are counted in cells.
+Clump make_clump(glm::dvec2 cell, double cell_side, Random& random) {
+  const glm::dvec2 jitter(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
+  const double angle = random.uniform(0, 2 * std::numbers::pi), reach = random.uniform();
+  return {(cell + jitter) * cell_side, glm::dvec2(std::cos(angle), std::sin(angle)) * reach, random.uniform(-1, 1),
+          random.uniform(-1, 1), random.uniform(0.25, 1)};
+}
+
+}  // namespace
+
+ClumpGrid::ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t stream)
+    : tile_(tile), side_(std::max(1, static_cast<int>(std::lround(tile / size)))) {
+  Random random(seed, stream);
+  for (int i = 0; i < side_ * side_; ++i) {
+    clumps_.push_back(make_clump(glm::dvec2(i % side_, i / side_), tile_ / side_, random));
+  }
+}
+
+Clump ClumpGrid::nearest(glm::dvec2 place) const {
+  const glm::ivec2 cell(glm::floor(place / tile_ * double(side_)));
+  Clump best;
+  double best_distance = 1e300;
+  for (int y = cell.y - 2; y <= cell.y + 2; ++y) {
+    for (int x = cell.x - 2; x <= cell.x + 2; ++x) {
+      Clump clump = clumps_[static_cast<std::size_t>(wrap(y) * side_ + wrap(x))];
+      clump.centre += glm::dvec2(x - wrap(x), y - wrap(y)) * (tile_ / side_);
+      const double distance = glm::distance(clump.centre, place);
+      if (distance < best_distance) best = clump, best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace pelage

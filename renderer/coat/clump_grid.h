@@ -1,0 +1,35 @@
+// Clumps scattered over the periodic tile, one to a cell of a grid: tufts, the locks inside them, and lodged patches.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+/// What the strands of one clump share.
+struct Clump {
+  glm::dvec2 centre{0};              // sizes
+  glm::dvec2 bow{0};                 // within the unit disc
+  double length = 1, lightness = 1;  // [-1, 1]
+  double pull = 1;                   // [.25, 1]: clumps are not all alike
+};
+
+class ClumpGrid {
+ public:
+  /// Clumps about `size` apart on a tile of side `tile`, both in sizes. Deterministic in all four.
+  ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t stream);
+
+  /// The nearest clump on the periodic tile, its centre moved by whole tiles to lie next to `place`.
+  Clump nearest(glm::dvec2 place) const;
+
+ private:
+  int wrap(int i) const { return (i % side_ + side_) % side_; }
+
+  double tile_;
+  int side_;  // cells
+  std::vector<Clump> clumps_;
+};
+
+}  // namespace pelage

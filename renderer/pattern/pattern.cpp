@@ -1,0 +1,176 @@
+#include "renderer/pattern/pattern.h"
+
+#include <cmath>
+
+#include "renderer/pattern/noise.h"
+
+namespace pelage {
+
+namespace {
+
+/// The block with its numbers by name, and the steps of pattern.glsl in the same order.
+class Evaluator {
+ public:
+  explicit Evaluator(const PatternBlock& block) : block_(block) {}
+
+  glm::vec2 marks(glm::vec3 place, glm::vec3 normal) const;
+  glm::vec3 colour(glm::vec3 place, glm::vec3 normal, glm::vec3 base) const;
+
+  float swell(glm::vec3 place, std::uint32_t stream) const {
+    return glm::clamp(1.8f * noise(block_.derived.x * place, stream), -1.0f, 1.0f);
+  }
+
+ private:
+  PatternKind kind() const { return static_cast<PatternKind>(block_.head.x); }
+  float noise(glm::vec3 place, std::uint32_t stream) const { return gradient_noise(place, stream, block_.head.y); }
+  float per_size() const { return block_.shape.x; }
+  float coverage() const { return block_.shape.y; }
+  float softness() const { return block_.shape.z; }
+  float warp() const { return block_.shape.w; }
+  float soft() const { return softness() * glm::min(coverage(), 1 - coverage()) + 1e-3f; }
+
+  /// 1 where x is below the threshold, with a soft edge of the given half width.
+  static float below(float x, float threshold, float half_width) {
+    return 1 - glm::smoothstep(threshold - half_width, threshold + half_width, x);
+  }
+
+  float on_legs(glm::vec3 place) const { return block_.amounts.z * (1 - glm::smoothstep(-0.2f, -0.1f, place.y)); }
+  float stripe_count(glm::vec3 place) const;
+  float stripe(glm::vec3 place, float ragged) const;
+  float spot(glm::vec3 place, glm::vec3 normal) const;
+  float patch(glm::vec3 place, std::uint32_t stream) const;
+  glm::vec2 stripes(glm::vec3 place) const;
+  glm::vec2 tabby(glm::vec3 place, glm::vec3 normal) const;
+  glm::vec2 rosettes(glm::vec3 place, glm::vec3 normal) const;
+  float under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const;
+  glm::vec3 varied(glm::vec3 place, glm::vec3 colour) const;
+  glm::vec3 countershaded(glm::vec3 place, glm::vec3 normal, glm::vec3 base, float shade) const;
+
+  const PatternBlock& block_;
+};
+
+/// Counts stripes along the axis; on legs and haunches they turn to lie around the leg, on haunches swept to the rump.
+float Evaluator::stripe_count(glm::vec3 place) const {
+  const float along = glm::dot(place, glm::vec3(block_.axis));
+  const float haunch = 1 - glm::smoothstep(-0.25f, 0.0f, along);
+  const float drop = glm::max(glm::mix(-0.08f, 0.06f, haunch) - place.y, 0.0f);
+  const float turned = along + 2.4f * block_.amounts.z * glm::mix(1.0f, -1.0f, haunch) * drop * drop / (drop + 0.08f);
+  return turned * per_size() + 2 * warp() * noise(0.4f * per_size() * place, 0);
+}
+
+/// 0 in the middle of a stripe, 1 between stripes. Noise drawn out along the stripes joins, splits and ends them.
+float Evaluator::stripe(glm::vec3 place, float ragged) const {
+  const float count = stripe_count(place);
+  const glm::vec3 axis(block_.axis);
+  const glm::vec3 drawn_out = 0.3f * per_size() * (place - axis * glm::dot(place, axis)) + axis * (0.8f * count);
+  const float between = glm::abs(glm::fract(count) - 0.5f) * 2;
+  return between + 4 * coverage() * (1 - coverage()) * ragged * warp() * noise(drawn_out, 1);
+}
+
+glm::vec2 Evaluator::stripes(glm::vec3 place) const {
+  const float at = stripe(place, 1.8f);
+  return {below(at, coverage(), soft()), glm::smoothstep(0.78f, 0.9f, at)};
+}
+
+glm::vec2 Evaluator::tabby(glm::vec3 place, glm::vec3 normal) const {
+  const float breaks = 2.4f * coverage() * (1 - coverage()) * warp() * noise(0.8f * per_size() * place, 2);
+  const float broken = stripe(place, 2.6f) + breaks;
+  const float line = below(glm::abs(place.x) * per_size(), 0.5f * coverage(), soft());
+  const float spine = line * glm::smoothstep(0.2f, 0.5f, normal.y);
+  return {glm::max(below(broken, coverage(), soft()), spine), glm::smoothstep(0.7f, 0.9f, broken)};
+}
+
+/// Distance from the middle of a spot: 1 at its edge, which noise makes uneven.
+float Evaluator::spot(glm::vec3 place, glm::vec3 normal) const {
+  const glm::vec3 at = place * per_size();
+  const float uneven = 1 + 0.9f * warp() * noise(2.0f * at, 4);
+  return cell_distance(at, normal, 3, block_.head.y) * uneven / glm::max(block_.derived.y, 1e-4f);
+}
+
+/// Rings that are broken in places; on the legs they are filled, and smaller.
+glm::vec2 Evaluator::rosettes(glm::vec3 place, glm::vec3 normal) const {
+  const float legs = on_legs(place), half_width = 0.5f * softness() + 1e-3f;
+  const float at = spot(place, normal) * (1 + 0.5f * legs);
+  const float disc = below(at, 1, half_width), hollow = below(at, 0.62f, half_width);
+  const float gap = below(noise(1.9f * per_size() * place, 5), -0.07f, 0.05f);
+  return {glm::mix(disc * (1 - hollow) * (1 - gap), disc, legs), disc};
+}
+
+float Evaluator::patch(glm::vec3 place, std::uint32_t stream) const {
+  const glm::vec3 at = 0.6f * per_size() * place;
+  const float ragged = 0.5f * warp() * noise(2.7f * at, stream + 1);
+  return below(noise(at, stream) + ragged, block_.derived.z, 0.2f * softness() + 1e-3f);
+}
+
+glm::vec2 Evaluator::marks(glm::vec3 place, glm::vec3 normal) const {
+  switch (kind()) {
+    case PatternKind::stripes: return stripes(place);
+    case PatternKind::spots: return {below(spot(place, normal), 1, 0.5f * softness() + 1e-3f), 0};
+    case PatternKind::rosettes: return rosettes(place, normal);
+    case PatternKind::tabby: return tabby(place, normal);
+    case PatternKind::patches: return {patch(place, 6), patch(place, 8)};
+    case PatternKind::none:
+    case PatternKind::countershading: break;
+  }
+  return glm::vec2(0);
+}
+
+/// 1 on what is turned down and low, 0 on the back; `reach` in [0, 1] is how far up it goes.
+float Evaluator::under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const {
+  const float down = -0.9f * normal.y - 0.5f * place.y + 0.25f * noise(9.0f * place, 10);
+  const float threshold = glm::mix(1.4f, -1.4f, reach);
+  return glm::smoothstep(threshold - half_width, threshold + half_width, down);
+}
+
+glm::vec3 Evaluator::varied(glm::vec3 place, glm::vec3 colour) const {
+  if (block_.variation.x > 0) colour *= std::exp2(block_.variation.x * swell(place, 11));
+  if (block_.variation.y > 0) {
+    const float turn = block_.variation.y * swell(place, 12) / 3;
+    colour *= glm::vec3(1 + turn, 1, 1 - turn);
+  }
+  return colour;
+}
+
+glm::vec3 Evaluator::countershaded(glm::vec3 place, glm::vec3 normal, glm::vec3 base, float shade) const {
+  const float half_width = 0.1f + softness(), reach = coverage();
+  const float back = 1 - under(place, normal, glm::min(reach + 0.3f, 1.0f), half_width);
+  const glm::vec3 upper = glm::mix(base, glm::vec3(block_.inner_colour) * shade, block_.amounts.y * back);
+  const float lower = block_.amounts.x * under(place, normal, reach, half_width);
+  return varied(place, glm::mix(upper, glm::vec3(block_.belly_colour) * shade, lower));
+}
+
+glm::vec3 Evaluator::colour(glm::vec3 place, glm::vec3 normal, glm::vec3 base) const {
+  if (kind() == PatternKind::none) return varied(place, base);
+  const float shade = 0.36f + 0.84f * glm::dot(base, {0.2126f, 0.7152f, 0.0722f}) * block_.axis.w;
+  if (kind() == PatternKind::countershading) return countershaded(place, normal, base, shade);
+  glm::vec3 result = base;
+  float kept = 1;
+  if (block_.amounts.w > 0) {
+    const float lower = block_.amounts.w * under(place, normal, 0.36f, 0.25f);
+    result = glm::mix(result, glm::vec3(block_.belly_colour) * shade, lower);
+    kept = 1 - lower;
+  }
+  const glm::vec2 here = kept * marks(place, normal);
+  result = glm::mix(result, glm::vec3(block_.inner_colour) * shade, block_.amounts.y * here.y);
+  return varied(place, glm::mix(result, glm::vec3(block_.colour) * shade, block_.amounts.x * here.x));
+}
+
+}  // namespace
+
+glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
+  return Evaluator(block).colour(place, normal, base);
+}
+
+glm::vec2 pattern_marks(const PatternBlock& block, glm::vec3 place, glm::vec3 normal) {
+  return Evaluator(block).marks(place, normal);
+}
+
+float pattern_length(const PatternBlock& block, glm::vec3 place) {
+  return block.variation.z > 0 ? 1 + block.variation.z * Evaluator(block).swell(place, 13) : 1;
+}
+
+float pattern_lean(const PatternBlock& block, glm::vec3 place) {
+  return block.variation.w > 0 ? block.variation.w * Evaluator(block).swell(place, 14) : 0;
+}
+
+}  // namespace pelage
