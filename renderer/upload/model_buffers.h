@@ -12,7 +12,7 @@
 namespace pelage {
 
 /// Attribute places, listed once; shaders name the same numbers.
-enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom };
+enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, weight };
 
 /// What was sent, for tests and metrics.
 struct UploadCount {

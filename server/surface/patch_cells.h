@@ -26,7 +26,7 @@ struct Cells {
 
 /// How much a cell may hold.
 struct CellLimits {
-  double cone_degrees = 65;             // between the mean normal and those of 99% of the area
+  double cone_degrees = 80;             // between the mean normal and those of 99% of the area
   std::size_t vertices = 20'000;        // so that flattening stays cheap
 };
 

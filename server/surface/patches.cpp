@@ -68,9 +68,12 @@ Layout lay_out(const Mesh& mesh, const VertexGraph& graph, Cells cells) {
   return layout;
 }
 
-/// Whether too much of the patch is stretched so much that the eye would see it in the fur's density.
-bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat) {
-  constexpr double most = 1.3, allowed_share = 0.04;
+/// Whether too much of the patch is stretched so much that the eye would see it in the fur's density. Where a cell has
+/// few vertices, splitting it makes more overlap than it saves stretch: then only what is much worse counts.
+bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat, std::size_t cell_size) {
+  constexpr double allowed_share = 0.04;
+  constexpr std::size_t few = 20;
+  const double most = cell_size < few ? 1.7 : 1.3;
   double area = 0, bad = 0;
   for (const glm::uvec3& t : flat.triangles) {
     std::array<glm::dvec3, 3> p;
@@ -90,8 +93,9 @@ bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat) {
 /// Splits the cells of patches that stretch too much; gives whether there were any.
 bool split_stretched(const Mesh& mesh, const VertexGraph& graph, const Layout& layout, Cells& cells) {
   const std::uint32_t before = cells.count;
+  const Adjacency members = members_of(cells);
   for (std::uint32_t p = 0; p < before; ++p) {
-    if (stretches_too_much(mesh, layout.flat[p])) split_cell(graph, cells, p);
+    if (stretches_too_much(mesh, layout.flat[p], members.of(p).size())) split_cell(graph, cells, p);
   }
   return cells.count > before;
 }

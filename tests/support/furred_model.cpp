@@ -15,9 +15,9 @@ FurredModel furred(BuiltinModel model, FirstGroom fur) {
   static std::uint64_t last_id = 0;  // ids are unique in a process
   Result<Mesh> mesh = prepare(make_builtin(model), Axis::plus_y, Axis::plus_z, false);
   if (!mesh) throw std::runtime_error(mesh.status().message);
-  TileMap tile_map = lay_charts(*mesh);
+  PatchMap patches = lay_patches(*mesh);
   FieldSet fields = first_groom(*mesh, fur);
-  return {{Surface(std::move(mesh).value()), std::move(tile_map), ++last_id, "test"}, std::move(fields), {}};
+  return {{Surface(std::move(mesh).value()), std::move(patches), ++last_id, "test"}, std::move(fields), {}};
 }
 
 FrameRequest small_frame(AutoView view, int size) {

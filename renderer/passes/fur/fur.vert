@@ -10,6 +10,7 @@ layout(location = 4) in vec3 tile_axis;
 layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
+layout(location = 8) in float weight;   // of the patch that the piece belongs to
 
 uniform int shell_count;
 uniform int first_shell;  // drawn first; the last is drawn where the step leads
@@ -23,7 +24,8 @@ out vec2 tile;           // place on the tile at the slab's middle, in tiles
 out vec2 tile_per_height;// how that moves along the ray for a unit of height, in tiles
 out float level;         // mip level for the size of a pixel here
 out float slant;         // path through a slab over its thickness, as the strands see it
-flat out vec3 tile_u;
+out vec3 tile_u;
+out float patch_weight;
 out vec3 base_uv;
 out vec3 base_colour;
 flat out int shell;
@@ -55,6 +57,7 @@ void main() {
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   tile_u = tile_axis;
+  patch_weight = weight;
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
