@@ -231,8 +231,10 @@ TEST(ValueNoise, IsSmoothWithinItsRangeAndDependsOnTheSeed) {
     low = std::min(low, here), high = std::max(high, here);
     EXPECT_LT(std::abs(value_noise(place + glm::dvec3(1e-4), 1) - here), 2e-3);
   }
-  EXPECT_GE(low, -1), EXPECT_LE(high, 1);
-  EXPECT_LT(low, -0.5), EXPECT_GT(high, 0.5);
+  EXPECT_GE(low, -1);
+  EXPECT_LE(high, 1);
+  EXPECT_LT(low, -0.5);
+  EXPECT_GT(high, 0.5);
   EXPECT_NE(value_noise({0.5, 0.5, 0.5}, 1), value_noise({0.5, 0.5, 0.5}, 2));
 }
 
