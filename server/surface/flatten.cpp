@@ -183,10 +183,11 @@ class RigidFit {
       cosine += flat.weights[k] * (u.x * x.x + u.y * x.y);
       sine += flat.weights[k] * (u.y * x.x - u.x * x.y);
     }
-    const double angle = std::atan2(sine, cosine);
+    const double length = std::hypot(cosine, sine);
+    const double c = length > 0 ? cosine / length : 1, s = length > 0 ? sine / length : 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec2 wish = flat.weights[k] * turned(flat.corners[(k + 1) % 3] - flat.corners[k], angle);
-      const Eigen::RowVector2d row(wish.x, wish.y);
+      const glm::dvec2 side = flat.weights[k] * (flat.corners[(k + 1) % 3] - flat.corners[k]);
+      const Eigen::RowVector2d row(c * side.x - s * side.y, s * side.x + c * side.y);
       right.row(v[static_cast<int>((k + 1) % 3)]) += row;
       right.row(v[static_cast<int>(k)]) -= row;
     }

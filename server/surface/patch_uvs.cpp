@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 glm::vec2 uv_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t corner) {
-  return mesh.corners[triangle][corner].uv;
+  return mesh.texture_uv[triangle][corner];
 }
 
 /// The texture coordinates of a side at its low and its high vertex.
@@ -99,7 +99,7 @@ double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, d
 
 Result<PatchMap> own_uv_patches(const Mesh& mesh) {
   double area = 0, uv_area = 0;
-  for (std::uint32_t t = 0; !mesh.corners.empty() && t < mesh.triangles.size(); ++t) {
+  for (std::uint32_t t = 0; !mesh.texture_uv.empty() && t < mesh.triangles.size(); ++t) {
     area += twice_area(mesh, t);
     uv_area += std::abs(twice_uv_area(mesh, t));
   }

@@ -33,8 +33,8 @@ void for_each_in_parallel(std::uint32_t count, const Work& work) {
 struct Layout {
   Cells cells;
   VertexShares shares;
-  Adjacency triangles;           // of each patch, rising
-  std::vector<FlatPatch> flat;   // of each patch
+  Adjacency triangles;          // of each patch, rising
+  std::vector<FlatPatch> flat;  // of each patch
 };
 
 Adjacency triangles_of_patches(const Mesh& mesh, const VertexShares& shares, std::uint32_t count) {

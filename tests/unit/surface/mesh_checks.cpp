@@ -17,6 +17,7 @@ void expect_groomable(const Mesh& mesh) {
   ASSERT_EQ(mesh.tangents.size(), count);
   ASSERT_EQ(mesh.length_scale.size(), count);
   ASSERT_TRUE(mesh.corners.empty() || mesh.corners.size() == mesh.triangles.size());
+  ASSERT_TRUE(mesh.texture_uv.empty() || mesh.texture_uv.size() == mesh.triangles.size());
   EXPECT_EQ(mesh.report.vertices, count);
   EXPECT_EQ(mesh.report.triangles, mesh.triangles.size());
   EXPECT_GT(mesh.size, 0);
