@@ -28,9 +28,8 @@ glm::dvec3 transported(glm::dvec3 v, glm::dvec3 from, glm::dvec3 to) {
 /// Places vertices one after the other, nearest to the seed first, where their placed neighbours see them.
 class ExponentialMap {
  public:
-  ExponentialMap(const Mesh& mesh, FlatPatch& patch)
-      : mesh_(mesh), patch_(patch), neighbours_(vertex_neighbours(patch.triangles, patch.vertices.size())),
-        turn_(patch.vertices.size(), 0), placed_(patch.vertices.size(), false),
+  ExponentialMap(const Mesh& mesh, const Adjacency& neighbours, FlatPatch& patch)
+      : mesh_(mesh), patch_(patch), neighbours_(neighbours), turn_(patch.vertices.size(), 0), placed_(patch.vertices.size(), false),
         distance_(patch.vertices.size(), std::numeric_limits<double>::infinity()) {}
 
   void place_all(std::uint32_t seed) {
@@ -98,7 +97,7 @@ class ExponentialMap {
 
   const Mesh& mesh_;
   FlatPatch& patch_;
-  Adjacency neighbours_;
+  const Adjacency& neighbours_;
   std::vector<double> turn_;  // of each vertex: the angle of its tangent on the map
   std::vector<bool> placed_;
   std::vector<double> distance_;
@@ -206,6 +205,13 @@ bool is_rigid(const Mesh& mesh, const FlatPatch& patch, double share) {
   });
 }
 
+/// Whether there are no more edges than a surface can have (three for each vertex, Euler). Triangles that meet at random
+/// have more, and their system would fill up and take minutes.
+bool is_like_a_surface(const Adjacency& neighbours) {
+  const double edges = 0.5 * static_cast<double>(neighbours.others.size());
+  return edges <= 3.2 * static_cast<double>(neighbours.begin.size() - 1);
+}
+
 /// One scale that makes the areas agree, and one turn that brings the mean tangent to u.
 void align(const Mesh& mesh, FlatPatch& patch) {
   double area = 0, flat_area = 0;
@@ -230,27 +236,37 @@ void align(const Mesh& mesh, FlatPatch& patch) {
   for (glm::dvec2& uv : patch.uv) uv = scale * turned(uv, angle);
 }
 
-}  // namespace
+/// Where a vertex of the mesh is in the patch.
+std::uint32_t index_of(const FlatPatch& patch, std::uint32_t vertex) {
+  const auto found = std::lower_bound(patch.vertices.begin(), patch.vertices.end(), vertex);
+  return static_cast<std::uint32_t>(found - patch.vertices.begin());
+}
 
-FlatPatch flatten(const Mesh& mesh, std::span<const std::uint32_t> triangles, std::uint32_t seed) {
-  constexpr int iterations = 12;
+/// The triangles with vertices of their own, all at the origin.
+FlatPatch without_places(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   FlatPatch patch;
   for (const std::uint32_t t : triangles) {
     for (int k = 0; k < 3; ++k) patch.vertices.push_back(mesh.triangles[t][k]);
   }
   std::sort(patch.vertices.begin(), patch.vertices.end());
   patch.vertices.erase(std::unique(patch.vertices.begin(), patch.vertices.end()), patch.vertices.end());
-  const auto local = [&](std::uint32_t v) {
-    return static_cast<std::uint32_t>(std::lower_bound(patch.vertices.begin(), patch.vertices.end(), v) -
-                                      patch.vertices.begin());
-  };
   for (const std::uint32_t t : triangles) {
     const glm::uvec3& v = mesh.triangles[t];
-    patch.triangles.emplace_back(local(v.x), local(v.y), local(v.z));
+    patch.triangles.emplace_back(index_of(patch, v.x), index_of(patch, v.y), index_of(patch, v.z));
   }
   patch.uv.assign(patch.vertices.size(), glm::dvec2(0));
-  ExponentialMap(mesh, patch).place_all(local(seed));
-  if (!is_rigid(mesh, patch, 0.002)) {
+  return patch;
+}
+
+}  // namespace
+
+FlatPatch flatten(const Mesh& mesh, std::span<const std::uint32_t> triangles, std::uint32_t seed) {
+  constexpr int iterations = 12;
+  constexpr double rigid = 0.002;
+  FlatPatch patch = without_places(mesh, triangles);
+  const Adjacency neighbours = vertex_neighbours(patch.triangles, patch.vertices.size());
+  ExponentialMap(mesh, neighbours, patch).place_all(index_of(patch, seed));
+  if (is_like_a_surface(neighbours) && !is_rigid(mesh, patch, rigid)) {
     RigidFit fit(mesh, patch);
     for (int i = 0; fit.solvable() && i < iterations; ++i) fit.iterate();
   }

@@ -20,8 +20,8 @@ struct FlatPatch {
 
 /// Lays triangles flat: a discrete exponential map around `seed`, one of their vertices (Schmidt et al. 2006, with
 /// averaged predictions), then local/global iterations towards rigid triangles (ARAP, Liu et al. 2008), then one scale
-/// so that the area is true. u runs along the mean of the vertices' tangents. Always finite; triangles without area
-/// follow their edges. Deterministic.
+/// so that the area is true. Triangles that meet as on no surface keep the exponential map. u runs along the mean of
+/// the vertices' tangents. Always finite; triangles without area follow their edges. Deterministic.
 FlatPatch flatten(const Mesh& mesh, std::span<const std::uint32_t> triangles, std::uint32_t seed);
 
 /// How the map from a triangle to the plane stretches: its singular values, the larger first.

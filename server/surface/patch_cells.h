@@ -26,8 +26,8 @@ struct Cells {
 
 /// How much a cell may hold.
 struct CellLimits {
-  double cone_degrees = 80;             // between the mean normal and those of 99% of the area
-  std::size_t vertices = 20'000;        // so that flattening stays cheap
+  double cone_degrees = 80;       // between the mean normal and those of 99% of the area
+  std::size_t vertices = 10'000;  // so that flattening stays cheap
 };
 
 /// Cells as few and round as the limits allow: seeds are added where a cell bends too much, far from its own seed

@@ -12,7 +12,7 @@ namespace {
 class SharedFur : public OnBackend {};
 
 /// The model with each piece drawn once for every weight.
-Image draw_with_weights(const Gl& gl, const FurredModel& model, const std::vector<float>& weights) {
+Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std::vector<float>& weights) {
   const Mesh& mesh = model.model.surface.mesh();
   const FurPieces whole = make_pieces(mesh, hard_pieces(model.model.patches));
   FurPieces pieces;
@@ -23,17 +23,20 @@ Image draw_with_weights(const Gl& gl, const FurredModel& model, const std::vecto
       pieces.corners.push_back(corners);
     }
   }
-  const std::unique_ptr<Renderer> renderer = Renderer::create(gl).value();
-  renderer->add({model.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {},
-                 !mesh.corners.empty()},
-                {model.fields.direction(), model.fields.length(), {}});
-  return renderer->draw(make_frame(model.view(), small_frame(AutoView::three_quarter, 192))).value();
+  FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 192));
+  static std::uint64_t last_id = 1'000'000;  // far from those of other models
+  frame.model = ++last_id;
+  renderer.add({frame.model, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {},
+                !mesh.corners.empty()},
+               {model.fields.direction(), model.fields.length(), {}});
+  return renderer.draw(frame).value();
 }
 
 TEST_P(SharedFur, PiecesWithSharesMakeOneFur) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
-  const Image one = draw_with_weights(gl(), model, {1}), shared = draw_with_weights(gl(), model, {0.3f, 0.7f});
-  const Image twice = draw_with_weights(gl(), model, {1, 1}), half = draw_with_weights(gl(), model, {0.5f});
+  const std::unique_ptr<Renderer> renderer = Renderer::create(gl()).value();
+  const auto with = [&](const std::vector<float>& weights) { return draw_with_weights(*renderer, model, weights); };
+  const Image one = with({1}), shared = with({0.3f, 0.7f}), twice = with({1, 1}), half = with({0.5f});
   const double difference = mean_difference(shared, one);
   EXPECT_LT(difference, 0.25 * mean_difference(twice, one));
   EXPECT_LT(difference, 0.25 * mean_difference(half, one));
