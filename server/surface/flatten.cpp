@@ -29,7 +29,8 @@ glm::dvec3 transported(glm::dvec3 v, glm::dvec3 from, glm::dvec3 to) {
 class ExponentialMap {
  public:
   ExponentialMap(const Mesh& mesh, const Adjacency& neighbours, FlatPatch& patch)
-      : mesh_(mesh), patch_(patch), neighbours_(neighbours), turn_(patch.vertices.size(), 0), placed_(patch.vertices.size(), false),
+      : mesh_(mesh), patch_(patch), neighbours_(neighbours), turn_(patch.vertices.size(), 0),
+        placed_(patch.vertices.size(), false),
         distance_(patch.vertices.size(), std::numeric_limits<double>::infinity()) {}
 
   void place_all(std::uint32_t seed) {
@@ -160,7 +161,8 @@ class RigidFit {
     const auto n = static_cast<Eigen::Index>(patch_.vertices.size());
     Eigen::MatrixX2d right(n, 2);
     for (Eigen::Index i = 0; i < n; ++i) {
-      right.row(i) << hold * patch_.uv[static_cast<std::size_t>(i)].x, hold * patch_.uv[static_cast<std::size_t>(i)].y;
+      const glm::dvec2 uv = hold * patch_.uv[static_cast<std::size_t>(i)];
+      right.row(i) << uv.x, uv.y;
     }
     for (std::size_t t = 0; t < flat_.size(); ++t) add_wishes(t, right);
     const Eigen::MatrixX2d places = solver_.solve(right);
@@ -205,8 +207,8 @@ bool is_rigid(const Mesh& mesh, const FlatPatch& patch, double share) {
   });
 }
 
-/// Whether there are no more edges than a surface can have (three for each vertex, Euler). Triangles that meet at random
-/// have more, and their system would fill up and take minutes.
+/// Whether there are no more edges than a surface can have (three for each vertex, Euler). Triangles that meet at
+/// random have more, and their system would fill up and take minutes.
 bool is_like_a_surface(const Adjacency& neighbours) {
   const double edges = 0.5 * static_cast<double>(neighbours.others.size());
   return edges <= 3.2 * static_cast<double>(neighbours.begin.size() - 1);

@@ -142,7 +142,8 @@ std::vector<Border> borders_of(const VertexGraph& graph, const Cells& cells) {
   }
   std::vector<Border> borders;
   for (const auto& [pair, length] : lengths) borders.push_back({length, pair.first, pair.second});
-  std::stable_sort(borders.begin(), borders.end(), [](const Border& a, const Border& b) { return a.length > b.length; });
+  std::stable_sort(borders.begin(), borders.end(),
+                   [](const Border& a, const Border& b) { return a.length > b.length; });
   return borders;
 }
 

@@ -18,7 +18,8 @@ glm::vec2 uv_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t corner) 
 
 /// The texture coordinates of a side at its low and its high vertex.
 std::pair<glm::vec2, glm::vec2> uv_along(const Mesh& mesh, const Side& side) {
-  const glm::vec2 first = uv_at(mesh, side.triangle, side.side), second = uv_at(mesh, side.triangle, (side.side + 1) % 3);
+  const glm::vec2 first = uv_at(mesh, side.triangle, side.side);
+  const glm::vec2 second = uv_at(mesh, side.triangle, (side.side + 1) % 3);
   return side.rising ? std::pair(first, second) : std::pair(second, first);
 }
 
@@ -121,7 +122,8 @@ Result<PatchMap> own_uv_patches(const Mesh& mesh) {
     }
     ++map.patches;
   }
-  std::sort(map.pieces.begin(), map.pieces.end(), [](const Piece& a, const Piece& b) { return a.triangle < b.triangle; });
+  std::sort(map.pieces.begin(), map.pieces.end(),
+            [](const Piece& a, const Piece& b) { return a.triangle < b.triangle; });
   return map;
 }
 

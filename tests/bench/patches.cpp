@@ -29,7 +29,8 @@ glm::dvec3 corner(const Mesh& mesh, std::uint32_t triangle, int k) {
 }
 
 double area_of(const Mesh& mesh, std::uint32_t t) {
-  return 0.5 * glm::length(glm::cross(corner(mesh, t, 1) - corner(mesh, t, 0), corner(mesh, t, 2) - corner(mesh, t, 0)));
+  const glm::dvec3 a = corner(mesh, t, 0);
+  return 0.5 * glm::length(glm::cross(corner(mesh, t, 1) - a, corner(mesh, t, 2) - a));
 }
 
 double surface_area(const Mesh& mesh) {
@@ -108,7 +109,8 @@ class Tile {
       for (int x = first.x; x <= last.x; ++x) {
         const glm::ivec2 cell((x % cells + cells) % cells, (y % cells + cells) % cells);
         const glm::dvec2 shift = glm::dvec2(x - cell.x, y - cell.y) / double(cells);
-        for (const std::uint32_t i : grid_[static_cast<std::size_t>(cell.y * cells + cell.x)]) visit(roots_[i] + shift, i);
+        const std::vector<std::uint32_t>& roots = grid_[static_cast<std::size_t>(cell.y * cells + cell.x)];
+        for (const std::uint32_t i : roots) visit(roots_[i] + shift, i);
       }
     }
   }
@@ -133,7 +135,8 @@ Points strands_of(const Mesh& mesh, const PatchMap& map) {
     const glm::dvec2 d1 = uv[1] - uv[0], d2 = uv[2] - uv[0];
     const double determinant = d1.x * d2.y - d1.y * d2.x;
     if (determinant == 0) continue;
-    tile.visit(glm::min(glm::min(uv[0], uv[1]), uv[2]), glm::max(glm::max(uv[0], uv[1]), uv[2]), [&](glm::dvec2 at, std::uint32_t i) {
+    const glm::dvec2 low = glm::min(glm::min(uv[0], uv[1]), uv[2]), high = glm::max(glm::max(uv[0], uv[1]), uv[2]);
+    tile.visit(low, high, [&](glm::dvec2 at, std::uint32_t i) {
       const glm::dvec2 d = at - uv[0];
       const double v = (d.x * d2.y - d.y * d2.x) / determinant, w = (d1.x * d.y - d1.y * d.x) / determinant;
       if (v < 0 || w < 0 || v + w > 1) return;

@@ -156,7 +156,8 @@ bool same_bits(const PatchMap& a, const PatchMap& b) {
 RawModel sheet(int side, double height) {
   RawModel raw;
   for (int i = 0; i < side * side; ++i) {
-    raw.positions.emplace_back(static_cast<double>(i % side) / side, height * between(-1, 1), static_cast<double>(i / side) / side);
+    const double x = i % side, z = i / side;
+    raw.positions.emplace_back(x / side, height * between(-1, 1), z / side);
   }
   for (int y = 0; y + 1 < side; ++y) {
     for (int x = 0; x + 1 < side; ++x) {

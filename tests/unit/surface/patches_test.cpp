@@ -189,7 +189,8 @@ TEST(Patches, HardPiecesKeepTheLargestShare) {
 
 /// Two squares of side 1; the first on a quarter of its texture, the second mirrored on another one.
 RawModel two_squares_with_uvs() {
-  RawModel raw = shapes::model_of({{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1}, {2, 0, 0}, {3, 0, 0}, {3, 0, -1}, {2, 0, -1}},
+  RawModel raw = shapes::model_of({{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1},
+                                   {2, 0, 0}, {3, 0, 0}, {3, 0, -1}, {2, 0, -1}},
                                   {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
   const glm::dvec2 a(0, 0), b(0.5, 0), c(0.5, 0.5), d(0, 0.5);
   raw.corner_uv = {a, b, c, a, c, d, b, a, d, b, d, c};
