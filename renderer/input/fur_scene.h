@@ -20,16 +20,18 @@ struct ImageView {
   std::span<const std::uint8_t> rgba;  // sRGB, straight alpha, rows from the top
 };
 
-/// What a triangle's corner brings beside its vertex.
+/// What a corner of a piece of fur brings beside its vertex.
 struct FurCorner {
   glm::vec2 tile_uv{0};   // place on the sample tile, sizes
   glm::vec3 tile_axis{0}; // the tile's u axis in space, unit
   glm::vec2 image_uv{0};  // v up
   glm::vec3 colour{1};    // linear
   int image = -1;         // index of the base-colour image, -1 for none
+  float weight = 1;       // [0, 1], share of the fur's optical depth; over all pieces of a triangle they sum to 1
 };
 
-/// Constant for a model. `id` is what GPU copies are kept by.
+/// Constant for a model. `id` is what GPU copies are kept by. Triangles are pieces: one of the surface comes once for
+/// each patch of fur that covers it.
 struct FurModel {
   std::uint64_t id = 0;
   std::span<const glm::vec3> positions, normals, tangents;  // for each vertex

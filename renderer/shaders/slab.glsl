@@ -9,7 +9,6 @@ in vec2 tile;
 in vec2 tile_per_height;
 in float level;
 in float slant;
-in float density_share;
 
 struct Slab {
   float opacity, height, light;  // the last two weighted by opacity
@@ -20,13 +19,14 @@ float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
 
 // Front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
 // `blur` levels coarser than a pixel asks for. It is
-// scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1).
-Slab march(int steps, float blur) {
+// scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
+// by `share`.
+Slab march(int steps, float blur, float share) {
   float thickness = 1.0 / float(shell_count);
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
   float slanted = clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
-  float scale = stored_depth * 1.442695 * density_share * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
+  float scale = stored_depth * 1.442695 * share * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
   for (int i = 0; i < steps; ++i) {

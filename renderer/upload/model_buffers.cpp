@@ -13,6 +13,7 @@ struct RenderVertex {
   glm::vec3 position, normal, tangent;
   glm::vec2 tile_uv;
   glm::vec3 tile_axis, image_uv, colour;
+  float weight;
 };
 
 namespace {
@@ -21,12 +22,12 @@ GLuint place_of(Attribute attribute) { return static_cast<GLuint>(attribute); }
 
 bool same_look(const FurCorner& a, const FurCorner& b) {
   return a.tile_uv == b.tile_uv && a.tile_axis == b.tile_axis && a.image_uv == b.image_uv && a.colour == b.colour &&
-         a.image == b.image;
+         a.image == b.image && a.weight == b.weight;
 }
 
 RenderVertex make_vertex(const FurModel& model, std::uint32_t vertex, const FurCorner& corner) {
   return {model.positions[vertex], model.normals[vertex], model.tangents[vertex], corner.tile_uv, corner.tile_axis,
-          {corner.image_uv, static_cast<float>(corner.image)}, corner.colour};
+          {corner.image_uv, static_cast<float>(corner.image)}, corner.colour, corner.weight};
 }
 
 /// A copy of the image at another size, nearest texel.
@@ -112,6 +113,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   add(Attribute::tile_axis, 3, offsetof(RenderVertex, tile_axis), 0);
   add(Attribute::image_uv, 3, offsetof(RenderVertex, image_uv), 0);
   add(Attribute::colour, 3, offsetof(RenderVertex, colour), 0);
+  add(Attribute::weight, 1, offsetof(RenderVertex, weight), 0);
   add(Attribute::groom, 3, 0, 1);
   add(Attribute::level, 1, 0, 2);
 }

@@ -13,7 +13,7 @@
 namespace pelage {
 
 /// Attribute places, listed once; shaders name the same numbers.
-enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, level };
+enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, weight, level };
 
 /// What was sent, for tests and metrics.
 struct UploadCount {

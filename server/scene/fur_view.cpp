@@ -33,20 +33,22 @@ FurGround make_ground(const Ground& ground, const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<std::array<FurCorner, 3>> make_corners(const SceneModel& model) {
-  const Mesh& mesh = model.surface.mesh();
-  std::vector<std::array<FurCorner, 3>> corners(mesh.triangles.size());
-  for (std::size_t t = 0; t < corners.size(); ++t) {
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches) {
+  FurPieces pieces;
+  pieces.triangles.reserve(patches.pieces.size());
+  pieces.corners.reserve(patches.pieces.size());
+  for (const Piece& piece : patches.pieces) {
+    pieces.triangles.push_back(mesh.triangles[piece.triangle]);
+    std::array<FurCorner, 3>& corners = pieces.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      FurCorner& corner = corners[t][k];
-      corner.tile_uv = model.tile_map.corner_uv[t][k];
-      corner.tile_axis = model.tile_map.axis[model.tile_map.chart[t]];
+      const PatchPoint& point = patches.points[piece.points[static_cast<int>(k)]];
+      corners[k].tile_uv = point.uv, corners[k].tile_axis = point.axis, corners[k].weight = point.weight;
       if (mesh.corners.empty()) continue;
-      const LookCorner& look = mesh.corners[t][k];
-      corner.image_uv = look.uv, corner.colour = look.colour, corner.image = look.image;
+      const LookCorner& look = mesh.corners[piece.triangle][k];
+      corners[k].image_uv = look.uv, corners[k].colour = look.colour, corners[k].image = look.image;
     }
   }
-  return corners;
+  return pieces;
 }
 
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty) {
@@ -55,10 +57,10 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges};
   if (renderer.has(scene.model.id)) return renderer.update(scene.model.id, fields);
   const Mesh& mesh = scene.model.surface.mesh();
-  const std::vector<std::array<FurCorner, 3>> corners = make_corners(scene.model);
+  const FurPieces pieces = make_pieces(mesh, scene.model.patches);
   std::vector<ImageView> images;
   for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
-  return renderer.add({scene.model.id, mesh.positions, mesh.normals, mesh.tangents, mesh.triangles, corners, images,
+  return renderer.add({scene.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, images,
                        !mesh.corners.empty()}, fields);
 }
 

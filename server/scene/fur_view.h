@@ -15,8 +15,13 @@ namespace pelage {
 /// dirty vertex ranges.
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty);
 
-/// What each triangle's corners bring: the place on the sample tile and the model's own look.
-std::vector<std::array<FurCorner, 3>> make_corners(const SceneModel& model);
+/// What is drawn of a model: its triangles as patches have them, with the place of each corner on the sample tile, the
+/// patch's share there and the model's own look.
+struct FurPieces {
+  std::vector<glm::uvec3> triangles;
+  std::vector<std::array<FurCorner, 3>> corners;
+};
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches);
 
 /// A frame in internal coordinates, with the scene's coat, look and lights.
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request);

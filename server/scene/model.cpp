@@ -34,9 +34,9 @@ std::string name_of(ModelFormat format) {
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
   Result<Mesh> mesh = prepare(raw, how.up, how.front, how.source_is_32_bit);
   if (!mesh) return mesh.status();
-  TileMap tile_map = lay_charts(*mesh);
+  PatchMap patches = lay_patches(*mesh);
   return std::shared_ptr<const SceneModel>(
-      new SceneModel{Surface(std::move(*mesh)), std::move(tile_map), id, how.name});
+      new SceneModel{Surface(std::move(*mesh)), std::move(patches), id, how.name});
 }
 
 }  // namespace pelage

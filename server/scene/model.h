@@ -16,7 +16,7 @@ namespace pelage {
 std::string name_of(Builtin shape);
 std::string name_of(ModelFormat format);
 
-/// Prepares a model as `how` says (its octets are not looked at) and lays its charts. Fails as prepare does.
+/// Prepares a model as `how` says (its octets are not looked at) and lays its patches. Fails as prepare does.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
 }  // namespace pelage

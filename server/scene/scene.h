@@ -17,7 +17,7 @@
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
 #include "server/history/live_stroke.h"
-#include "server/surface/charts.h"
+#include "server/surface/patches.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -25,7 +25,7 @@ namespace pelage {
 /// A model that never changes while it is in a scene; shared with frames that are being drawn.
 struct SceneModel {
   Surface surface;
-  TileMap tile_map;
+  PatchMap patches;
   std::uint64_t id = 0;  // unique in the process: what the renderer caches by
   std::string name;      // "creature", "obj", ...
 };

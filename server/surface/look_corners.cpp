@@ -57,4 +57,17 @@ std::vector<std::array<LookCorner, 3>> look_corners(const RawModel& raw, const S
   return looks;
 }
 
+std::vector<std::array<glm::vec2, 3>> texture_corners(const RawModel& raw, const Soup& soup) {
+  std::vector<std::array<glm::vec2, 3>> texture;
+  if (raw.corner_uv.empty()) return texture;
+  texture.resize(soup.corners.size(), {glm::vec2(0), glm::vec2(0), glm::vec2(0)});
+  for (std::size_t t = 0; t < texture.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec2 uv = raw.corner_uv[soup.corners[t][static_cast<int>(k)]];
+      if (is_place(uv)) texture[t][k] = glm::vec2(uv);
+    }
+  }
+  return texture;
+}
+
 }  // namespace pelage

@@ -11,4 +11,7 @@ namespace pelage {
 /// Colours that are not finite or negative count as white.
 std::vector<std::array<LookCorner, 3>> look_corners(const RawModel& raw, const Soup& soup);
 
+/// The file's texture coordinates of all corners, whether or not it has a picture; empty when it has none.
+std::vector<std::array<glm::vec2, 3>> texture_corners(const RawModel& raw, const Soup& soup);
+
 }  // namespace pelage

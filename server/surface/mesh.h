@@ -27,6 +27,7 @@ struct Mesh {
   std::vector<glm::vec3> tangents;    // unit, orthogonal to normals; the bitangent is cross(normal, tangent)
   std::vector<glm::uvec3> triangles;
   std::vector<std::array<LookCorner, 3>> corners;  // empty when the model has no colours of its own
+  std::vector<std::array<glm::vec2, 3>> texture_uv;     // the file's own, v up, (0, 0) where bad; empty: none
   std::vector<RawImage> images;
   std::vector<float> length_scale;    // for each vertex: the first groom's length over the asked one, (0, 4]
   glm::dvec3 centre{0};               // of the box, model coordinates

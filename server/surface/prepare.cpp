@@ -109,6 +109,7 @@ Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, Model
   mesh.triangles = soup.triangles;
   mesh.corners = look_corners(raw, soup);
   if (!mesh.corners.empty()) mesh.images = raw.images;
+  mesh.texture_uv = texture_corners(raw, soup);
   mesh.report.source_vertices = raw.positions.size();
   mesh.report.source_faces = raw.face_sizes.size();
   mesh.report.vertices = mesh.positions.size();

@@ -36,6 +36,7 @@ ONLY_IN = {
     r"OpenImageIO/.*": ["renderer/image"],
     r"(EGL|GL)/.*": ["renderer/gl"],
     r"embree3/.*": ["server/surface"],
+    r"Eigen/.*": ["server/surface"],
     r"sqlite3\.h": ["server/history"],
     r"assimp/.*|tiny_obj_loader\.h|seccomp\.h": ["server/import_worker"],
 }

@@ -19,9 +19,9 @@ namespace {
 
 ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
   UploadCount count;
-  const std::vector<std::array<FurCorner, 3>> corners = make_corners(model.model);
   const Mesh& mesh = model.model.surface.mesh();
-  return ModelBuffers(gl, {model.model.id, mesh.positions, mesh.normals, mesh.tangents, mesh.triangles, corners, {},
+  const FurPieces pieces = make_pieces(mesh, hard_pieces(model.model.patches));  // it knows no overlaps
+  return ModelBuffers(gl, {model.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {},
                            !mesh.corners.empty()},
                       {model.fields.direction(), model.fields.length(), {}}, count);
 }

@@ -21,9 +21,9 @@ FurredModel furred(const RawModel& raw, FirstGroom fur) {
   static std::uint64_t last_id = 0;  // ids are unique in a process
   Result<Mesh> mesh = prepare(raw, Axis::plus_y, Axis::plus_z, raw.is_32_bit);
   if (!mesh) throw std::runtime_error(mesh.status().message);
-  TileMap tile_map = lay_charts(*mesh);
+  PatchMap patches = lay_patches(*mesh);
   FieldSet fields = first_groom(*mesh, fur);
-  return {{Surface(std::move(mesh).value()), std::move(tile_map), ++last_id, "test"}, std::move(fields), {}};
+  return {{Surface(std::move(mesh).value()), std::move(patches), ++last_id, "test"}, std::move(fields), {}};
 }
 
 }  // namespace

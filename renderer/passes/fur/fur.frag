@@ -9,16 +9,18 @@ layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square ro
 in vec3 place;
 in vec3 fibre_normal;
 in vec3 fibre_tangent;
-flat in vec3 tile_u;
+in vec3 tile_u;
 in vec3 base_uv;
 in vec3 base_colour;
+
+in float density_share;
 
 uniform int step_count;  // texture steps inside the slab
 
 layout(location = 0) out vec4 result;  // premultiplied
 
 void main() {
-  Slab slab = march(step_count, 0.0);
+  Slab slab = march(step_count, 0.0, density_share);
   if (slab.opacity * float(shell_count) < 0.02) discard;  // together less than one step of 255 over most of the fur
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;

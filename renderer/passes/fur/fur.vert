@@ -10,7 +10,8 @@ layout(location = 4) in vec3 tile_axis;
 layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
-layout(location = 8) in float layer_level;
+layout(location = 8) in float weight;   // of the patch that the piece belongs to
+layout(location = 9) in float layer_level;
 
 uniform int shell_count;
 uniform int shell;
@@ -24,10 +25,10 @@ out vec2 tile;           // place on the tile at the slab's middle, in tiles
 out vec2 tile_per_height;// how that moves along the ray for a unit of height, in tiles
 out float level;         // mip level for the size of a pixel here
 out float slant;         // path through a slab over its thickness, as the strands see it
-flat out vec3 tile_u;
+out vec3 tile_u;
 out vec3 base_uv;
 out vec3 base_colour;
-out float density_share; // of the optical depth that this set draws
+out float density_share; // of the optical depth that this piece and this set draw
 
 // As set_share in renderer/upload/layer_sets.cpp.
 float set_share(float level, int set) { return clamp(2.0 * (1.0 - abs(level - float(set))) - 0.5, 0.0, 1.0); }
@@ -57,7 +58,7 @@ void main() {
   slant = sqrt(1.0 + lateral * lateral);
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
-  density_share = layer_set < 0 ? 1.0 : set_share(layer_level, layer_set);
+  density_share = weight * (layer_set < 0 ? 1.0 : set_share(layer_level, layer_set));
   tile_u = tile_axis;
   base_uv = image_uv;
   base_colour = colour;

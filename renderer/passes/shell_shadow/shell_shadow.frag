@@ -5,6 +5,8 @@
 in vec3 place;
 in vec3 fibre_normal;
 
+in float density_share;
+
 uniform int step_count;
 
 layout(location = 0) out float kept;
@@ -12,5 +14,5 @@ layout(location = 0) out float kept;
 // What one layer lets through on the way from the light; blending multiplies the layers.
 void main() {
   if (dot(fibre_normal, frame.eye.xyz - place) <= 0.0) discard;
-  kept = 1.0 - march(step_count, 0.0).opacity;
+  kept = 1.0 - march(step_count, 0.0, density_share).opacity;
 }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "server/surface/charts.h"
+#include "server/surface/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
 #include "server/surface/triangle_distance.h"
@@ -64,6 +64,28 @@ void check_frames(const Mesh& mesh) {
   }
 }
 
+/// Finite points with unit axes, every triangle covered, and shares of a corner that sum to 1 over its pieces.
+void check_patches(const Mesh& mesh, const PatchMap& map) {
+  for (const PatchPoint& point : map.points) {
+    RC_ASSERT(point.vertex < mesh.positions.size() && point.patch < map.patches);
+    RC_ASSERT(std::isfinite(point.uv.x) && std::isfinite(point.uv.y));
+    RC_ASSERT(point.weight >= 0 && point.weight <= 1);
+    RC_ASSERT(std::abs(glm::length(point.axis) - 1) < 1e-4f);
+  }
+  std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));
+  for (const Piece& piece : map.pieces) {
+    RC_ASSERT(piece.triangle < mesh.triangles.size());
+    for (int k = 0; k < 3; ++k) {
+      const PatchPoint& point = map.points.at(piece.points[k]);
+      RC_ASSERT(point.vertex == mesh.triangles[piece.triangle][k] && point.patch == piece.patch);
+      sums[piece.triangle][k] += double{point.weight};
+    }
+  }
+  for (const glm::dvec3& sum : sums) {
+    for (int k = 0; k < 3; ++k) RC_ASSERT(std::abs(sum[k] - 1) < 1e-5);
+  }
+}
+
 /// Edges of two triangles that are wound against each other.
 std::size_t disagreeing_edges(const Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<bool>> sides;
@@ -99,11 +121,7 @@ RC_GTEST_PROP(Prepare, AnySoupIsGroomableOrRefused, ()) {
     RC_ASSERT(t.x != t.y && t.y != t.z && t.z != t.x);
     RC_ASSERT(std::max({t.x, t.y, t.z}) < mesh->positions.size());
   }
-  const TileMap map = lay_charts(*mesh);
-  for (const auto& triangle : map.corner_uv) {
-    for (const glm::vec2& uv : triangle) RC_ASSERT(std::isfinite(uv.x) && std::isfinite(uv.y));
-  }
-  for (const glm::vec3& axis : map.axis) RC_ASSERT(std::abs(glm::length(axis) - 1) < 1e-4f);
+  check_patches(*mesh, lay_patches(*mesh));
 }
 
 RC_GTEST_PROP(Prepare, WindingAgreesWhereItCan, ()) {
@@ -120,6 +138,62 @@ RC_GTEST_PROP(Prepare, SameInputSameBits, ()) {
   if (!a.ok()) return;
   RC_ASSERT(a->positions == b->positions && a->normals == b->normals && a->tangents == b->tangents);
   RC_ASSERT(a->triangles == b->triangles);
+}
+
+bool same_bits(const PatchMap& a, const PatchMap& b) {
+  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                    [](const PatchPoint& p, const PatchPoint& q) {
+                      return p.vertex == q.vertex && p.patch == q.patch && p.uv == q.uv && p.axis == q.axis &&
+                             p.weight == q.weight;
+                    }) &&
+         std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
+                    [](const Piece& p, const Piece& q) {
+                      return p.triangle == q.triangle && p.patch == q.patch && p.points == q.points;
+                    });
+}
+
+/// A bumpy sheet: a grid of random heights.
+RawModel sheet(int side, double height) {
+  RawModel raw;
+  for (int i = 0; i < side * side; ++i) {
+    const double x = i % side, z = i / side;
+    raw.positions.emplace_back(x / side, height * between(-1, 1), z / side);
+  }
+  for (int y = 0; y + 1 < side; ++y) {
+    for (int x = 0; x + 1 < side; ++x) {
+      const auto at = static_cast<std::uint32_t>(y * side + x), row = static_cast<std::uint32_t>(side);
+      raw.face_sizes.insert(raw.face_sizes.end(), {3, 3});
+      raw.corners.insert(raw.corners.end(), {at, at + row, at + 1, at + 1, at + row, at + row + 1});
+    }
+  }
+  return raw;
+}
+
+RC_GTEST_PROP(Patches, SameMeshSameBits, ()) {
+  const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)), Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(mesh.ok());
+  const PatchMap map = lay_patches(*mesh);
+  check_patches(*mesh, map);
+  RC_ASSERT(same_bits(map, lay_patches(*mesh)));
+}
+
+RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
+  const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)), Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(mesh.ok());
+  const PatchMap hard = hard_pieces(lay_patches(*mesh));
+  RC_ASSERT(hard.pieces.size() == mesh->triangles.size());
+  for (std::size_t t = 0; t < hard.pieces.size(); ++t) RC_ASSERT(hard.pieces[t].triangle == t);
+  check_patches(*mesh, hard);
+}
+
+/// Bumps of about the size of their triangles, which no map keeps without stretch, are rarely turned over.
+RC_GTEST_PROP(Patches, FewPiecesAreFlipped, ()) {
+  const Result<Mesh> mesh = prepare(sheet(whole(8, 24), between(0, 0.05)), Axis::plus_y, Axis::plus_z, false);
+  RC_PRE(mesh.ok());
+  const PatchMap map = lay_patches(*mesh);
+  const auto flipped = std::count_if(map.pieces.begin(), map.pieces.end(),
+                                     [&](const Piece& piece) { return stretch_of(*mesh, map, piece).flipped; });
+  RC_ASSERT(static_cast<double>(flipped) <= 0.02 * static_cast<double>(map.pieces.size()));
 }
 
 RC_GTEST_PROP(Prepare, ScaleChangesNothingInside, ()) {

@@ -2,11 +2,33 @@
 
 #include <cmath>
 
+#include "server/surface/patches.h"
+
 namespace pelage {
 
 namespace {
 
 bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Patches cover every triangle with shares that sum to 1, at finite places.
+void expect_patches(const Mesh& mesh) {
+  const PatchMap map = lay_patches(mesh);
+  std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));
+  std::size_t bad_points = 0, bad_sums = 0;
+  for (const PatchPoint& point : map.points) {
+    const bool good = std::isfinite(point.uv.x) && std::isfinite(point.uv.y) &&
+                      std::abs(glm::length(point.axis) - 1) < 1e-4f;
+    if (!good) ++bad_points;
+  }
+  for (const Piece& piece : map.pieces) {
+    for (int k = 0; k < 3; ++k) sums[piece.triangle][k] += double{map.points[piece.points[k]].weight};
+  }
+  for (const glm::dvec3& sum : sums) {
+    for (int k = 0; k < 3; ++k) bad_sums += !(std::abs(sum[k] - 1) < 1e-5);
+  }
+  EXPECT_EQ(bad_points, 0u);
+  EXPECT_EQ(bad_sums, 0u);
+}
 
 }  // namespace
 
@@ -17,6 +39,7 @@ void expect_groomable(const Mesh& mesh) {
   ASSERT_EQ(mesh.tangents.size(), count);
   ASSERT_EQ(mesh.length_scale.size(), count);
   ASSERT_TRUE(mesh.corners.empty() || mesh.corners.size() == mesh.triangles.size());
+  ASSERT_TRUE(mesh.texture_uv.empty() || mesh.texture_uv.size() == mesh.triangles.size());
   EXPECT_EQ(mesh.report.vertices, count);
   EXPECT_EQ(mesh.report.triangles, mesh.triangles.size());
   EXPECT_GT(mesh.size, 0);
@@ -46,6 +69,7 @@ void expect_groomable(const Mesh& mesh) {
   EXPECT_EQ(bad_frames, 0u);
   EXPECT_EQ(bad_triangles, 0u);
   EXPECT_EQ(unused, 0u);
+  expect_patches(mesh);
 }
 
 }  // namespace pelage

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "server/surface/charts.h"
 #include "tests/unit/surface/shapes.h"
 
 namespace pelage {
@@ -108,42 +107,6 @@ TEST(Surface, MovesAndStillAnswers) {
   second = std::move(first);
   EXPECT_EQ(second.mesh().positions.size(), 8u);
   EXPECT_TRUE(second.raycast({0, 1, 0.01}, {0, -1, 0}));
-}
-
-TEST(Charts, ACubeHasOneForEachSide) {
-  const Result<Mesh> mesh = shapes::prepared(shapes::cube());
-  const TileMap map = lay_charts(*mesh);
-  EXPECT_EQ(map.axis.size(), 6u);
-  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-    const glm::uvec3 v = mesh->triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      const glm::vec3 a = mesh->positions[v[k]], b = mesh->positions[v[(k + 1) % 3]];
-      const glm::vec2 ua = map.corner_uv[t][static_cast<std::size_t>(k)];
-      const glm::vec2 ub = map.corner_uv[t][static_cast<std::size_t>((k + 1) % 3)];
-      EXPECT_NEAR(glm::length(ub - ua), glm::length(b - a), 1e-6) << "flat charts keep lengths";
-      EXPECT_NEAR(ub.x - ua.x, glm::dot(b - a, map.axis[map.chart[t]]), 1e-6) << "u runs along the axis";
-    }
-  }
-}
-
-TEST(Charts, CoverTheModelAndPointTailwards) {
-  const Result<Mesh> mesh = shapes::prepared(shapes::ball(20));
-  const TileMap map = lay_charts(*mesh);
-  ASSERT_EQ(map.chart.size(), mesh->triangles.size());
-  EXPECT_LT(map.axis.size(), 60u);
-  for (std::size_t t = 0; t < map.chart.size(); ++t) {
-    ASSERT_LT(map.chart[t], map.axis.size());
-    const glm::vec3 axis = map.axis[map.chart[t]];
-    EXPECT_NEAR(glm::length(axis), 1, 1e-5);
-    const glm::uvec3 v = mesh->triangles[t];
-    const glm::vec3 a = mesh->positions[v.x], b = mesh->positions[v.y], c = mesh->positions[v.z];
-    const auto& uv = map.corner_uv[t];
-    const glm::vec2 e1 = uv[1] - uv[0], e2 = uv[2] - uv[0];
-    const float flat = e1.x * e2.y - e1.y * e2.x, full = glm::length(glm::cross(b - a, c - a));
-    EXPECT_GT(flat / full, 0.17f) << "within 80 degrees of the chart's normal, and not mirrored";
-    const glm::vec3 n = glm::normalize(a + b + c);
-    EXPECT_TRUE(std::abs(n.z) > 0.2f || axis.z < -0.5f);
-  }
 }
 
 }  // namespace
