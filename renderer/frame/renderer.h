@@ -17,6 +17,7 @@
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
+#include "renderer/upload/pattern_textures.h"
 
 namespace pelage {
 
@@ -58,6 +59,7 @@ class Renderer {
   ResolvePass resolve_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first
+  PatternTextures pattern_;
   Buffer frame_block_;
   RenderTarget drawn_, single_, picture_;
 };

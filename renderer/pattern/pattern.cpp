@@ -14,7 +14,8 @@ class Evaluator {
   explicit Evaluator(const PatternBlock& block) : block_(block) {}
 
   glm::vec2 marks(glm::vec3 place, glm::vec3 normal) const;
-  glm::vec3 colour(glm::vec3 place, glm::vec3 normal, glm::vec3 base) const;
+  glm::vec3 weights(glm::vec3 place, glm::vec3 normal) const;
+  glm::vec3 varied(glm::vec3 place, glm::vec3 colour) const;
 
   float swell(glm::vec3 place, std::uint32_t stream) const {
     return glm::clamp(1.8f * noise(block_.derived.x * place, stream), -1.0f, 1.0f);
@@ -43,8 +44,7 @@ class Evaluator {
   glm::vec2 tabby(glm::vec3 place, glm::vec3 normal) const;
   glm::vec2 rosettes(glm::vec3 place, glm::vec3 normal) const;
   float under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const;
-  glm::vec3 varied(glm::vec3 place, glm::vec3 colour) const;
-  glm::vec3 countershaded(glm::vec3 place, glm::vec3 normal, glm::vec3 base, float shade) const;
+  glm::vec3 countershading(glm::vec3 place, glm::vec3 normal) const;
 
   const PatternBlock& block_;
 };
@@ -131,34 +131,41 @@ glm::vec3 Evaluator::varied(glm::vec3 place, glm::vec3 colour) const {
   return colour;
 }
 
-glm::vec3 Evaluator::countershaded(glm::vec3 place, glm::vec3 normal, glm::vec3 base, float shade) const {
+glm::vec3 Evaluator::countershading(glm::vec3 place, glm::vec3 normal) const {
   const float half_width = 0.1f + softness(), reach = coverage();
   const float back = 1 - under(place, normal, glm::min(reach + 0.3f, 1.0f), half_width);
-  const glm::vec3 upper = glm::mix(base, glm::vec3(block_.inner_colour) * shade, block_.amounts.y * back);
-  const float lower = block_.amounts.x * under(place, normal, reach, half_width);
-  return varied(place, glm::mix(upper, glm::vec3(block_.belly_colour) * shade, lower));
+  return {0, block_.amounts.y * back, block_.amounts.x * under(place, normal, reach, half_width)};
 }
 
-glm::vec3 Evaluator::colour(glm::vec3 place, glm::vec3 normal, glm::vec3 base) const {
-  if (kind() == PatternKind::none) return varied(place, base);
-  const float shade = 0.36f + 0.84f * glm::dot(base, {0.2126f, 0.7152f, 0.0722f}) * block_.axis.w;
-  if (kind() == PatternKind::countershading) return countershaded(place, normal, base, shade);
-  glm::vec3 result = base;
-  float kept = 1;
-  if (block_.amounts.w > 0) {
-    const float lower = block_.amounts.w * under(place, normal, 0.36f, 0.25f);
-    result = glm::mix(result, glm::vec3(block_.belly_colour) * shade, lower);
-    kept = 1 - lower;
-  }
-  const glm::vec2 here = kept * marks(place, normal);
-  result = glm::mix(result, glm::vec3(block_.inner_colour) * shade, block_.amounts.y * here.y);
-  return varied(place, glm::mix(result, glm::vec3(block_.colour) * shade, block_.amounts.x * here.x));
+glm::vec3 Evaluator::weights(glm::vec3 place, glm::vec3 normal) const {
+  if (kind() == PatternKind::none) return glm::vec3(0);
+  if (kind() == PatternKind::countershading) return countershading(place, normal);
+  const float lower = block_.amounts.w > 0 ? block_.amounts.w * under(place, normal, 0.36f, 0.25f) : 0;
+  const glm::vec2 here = (1 - lower) * marks(place, normal);
+  return {lower, block_.amounts.y * here.y, block_.amounts.x * here.x};
 }
 
 }  // namespace
 
+glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 place, glm::vec3 normal) {
+  return Evaluator(block).weights(place, normal);
+}
+
+glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 base) {
+  const float shade = 0.36f + 0.84f * glm::dot(base, {0.2126f, 0.7152f, 0.0722f}) * block.axis.w;
+  glm::vec3 colour = glm::mix(base, glm::vec3(block.belly_colour) * shade, weights.x);
+  colour = glm::mix(colour, glm::vec3(block.inner_colour) * shade, weights.y);
+  return glm::mix(colour, glm::vec3(block.colour) * shade, weights.z);
+}
+
 glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
-  return Evaluator(block).colour(place, normal, base);
+  return Evaluator(block).varied(place, with_weights(block, pattern_weights(block, place, normal), base));
+}
+
+glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 place) {
+  const float hue = block.variation.y > 0 ? block.variation.y * Evaluator(block).swell(place, 12) / 3 : 0;
+  const float lightness = block.variation.x > 0 ? std::exp2(block.variation.x * Evaluator(block).swell(place, 11)) : 1;
+  return {pattern_length(block, place), pattern_lean(block, place), lightness, hue};
 }
 
 glm::vec2 pattern_marks(const PatternBlock& block, glm::vec3 place, glm::vec3 normal) {

@@ -44,6 +44,7 @@ PatternBlock make_pattern_block(const Coat& coat) {
   block.colour = {wet_colour(coat, pattern.colour), 1};
   block.inner_colour = {wet_colour(coat, pattern.inner_colour), 1};
   block.belly_colour = {wet_colour(coat, pattern.belly_colour), 1};
+  if (pattern.kind == PatternKind::countershading) block.colour = block.belly_colour;  // its marking is the underside
   block.variation = glm::vec4(variation.lightness, variation.hue, variation.length, variation.lean);
   block.derived = glm::vec4(1 / variation.size, spot_radius(pattern.coverage), patch_threshold(pattern), 0);
   return block;

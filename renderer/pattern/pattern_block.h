@@ -1,5 +1,4 @@
-// The uniform block of renderer/shaders/pattern.glsl, laid out as std140 wants it. renderer/pattern/pattern.h evaluates
-// the same block on the CPU.
+// A coat's pattern as plain numbers, ready to be evaluated.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,10 +15,9 @@ struct PatternBlock {
   glm::vec4 colour{0}, inner_colour{0}, belly_colour{0};  // rgb, as the coat's wetness leaves them
   glm::vec4 variation{0};   // lightness, hue, length, lean
   glm::vec4 derived{0};     // swells per size, radius of spots and threshold of patches for the coverage
-};
-static_assert(sizeof(PatternBlock) == 16 * 9);
 
-inline constexpr unsigned pattern_binding = 1;  // of the uniform buffer
+  bool operator==(const PatternBlock&) const = default;
+};
 
 PatternBlock make_pattern_block(const Coat& coat);
 

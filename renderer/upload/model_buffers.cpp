@@ -46,7 +46,7 @@ std::vector<std::uint8_t> resized(const ImageView& image, int width, int height)
 }  // namespace
 
 ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count)
-    : vertex_array_(gl), fixed_(gl), groom_(gl), level_(gl), elements_(gl), has_colours_(model.has_colours) {
+    : vertex_array_(gl), fixed_(gl), groom_(gl), level_(gl), variation_(gl), elements_(gl), has_colours_(model.has_colours) {
   std::vector<RenderVertex> vertices;
   split(model, vertices);
   const auto bytes = vertices.size() * sizeof(RenderVertex);
@@ -100,6 +100,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   gl.VertexArrayVertexBuffer(id, 0, fixed_.id(), 0, sizeof(RenderVertex));
   gl.VertexArrayVertexBuffer(id, 1, groom_.id(), 0, sizeof(glm::vec3));
   gl.VertexArrayVertexBuffer(id, 2, level_.id(), 0, sizeof(float));
+  gl.VertexArrayVertexBuffer(id, 3, variation_.id(), 0, sizeof(glm::vec4));
   gl.VertexArrayElementBuffer(id, elements_.id());
   const auto add = [&](Attribute attribute, GLint size, std::size_t offset, GLuint buffer) {
     gl.EnableVertexArrayAttrib(id, place_of(attribute));
@@ -116,6 +117,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   add(Attribute::weight, 1, offsetof(RenderVertex, weight), 0);
   add(Attribute::groom, 3, 0, 1);
   add(Attribute::level, 1, 0, 2);
+  add(Attribute::variation, 4, 0, 3);
 }
 
 void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount& count) {
@@ -157,6 +159,11 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
     gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, values.data());
     count.bytes += static_cast<std::size_t>(bytes), count.buffers += 1;
   }
+}
+
+void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> values) {
+  assert(values.size() == positions_.size());
+  gl.NamedBufferData(variation_.id(), static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
 }
 
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {

@@ -13,7 +13,7 @@
 namespace pelage {
 
 /// Attribute places, listed once; shaders name the same numbers.
-enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, weight, level };
+enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, weight, level, variation };
 
 /// What was sent, for tests and metrics.
 struct UploadCount {
@@ -38,6 +38,12 @@ class ModelBuffers {
   std::uint64_t version() const { return version_; }
   float longest_fur() const;  // sizes
 
+  std::span<const glm::vec3> positions() const { return positions_; }  // of render vertices
+  std::span<const glm::vec3> normals() const { return normals_; }
+  std::span<const glm::uvec3> triangles() const { return triangles_; }
+  /// Slow changes of the fur at each render vertex (renderer/pattern); read by programs with a pattern only.
+  void send_variation(const Gl& gl, std::span<const glm::vec4> values);
+
   /// A stretch of the element buffer, in indices.
   struct DrawList {
     GLsizei first = 0, count = 0;
@@ -55,7 +61,7 @@ class ModelBuffers {
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 
   VertexArray vertex_array_;
-  Buffer fixed_, groom_, level_, elements_;
+  Buffer fixed_, groom_, level_, variation_, elements_;
   Texture images_;
   bool has_colours_ = false;
   std::uint64_t version_ = 0;

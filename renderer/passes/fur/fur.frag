@@ -2,11 +2,18 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "base_colour.glsl"
+#ifdef PATTERN
+#include "pattern.glsl"
+#endif
 #include "slab.glsl"
 
 layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square root), number
 
 in vec3 place;
+#ifdef PATTERN
+in vec3 root;
+in vec4 varied;
+#endif
 in vec3 fibre_normal;
 in vec3 fibre_tangent;
 in vec3 tile_u;
@@ -31,7 +38,10 @@ void main() {
   vec3 normal = normalize(fibre_normal);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
   float above = -log(max(slab.light * share, 0.004));
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place),
-                      fur_colour(strand, base_colour, base_uv), height, above);
+  vec3 colour = fur_colour(strand, base_colour, base_uv);
+#ifdef PATTERN
+  colour = pattern_colour(root, varied, colour);
+#endif
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above);
   result = vec4(fibre_light(fibre) * slab.opacity, slab.opacity);
 }

@@ -12,6 +12,9 @@ layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
 layout(location = 8) in float weight;   // of the patch that the piece belongs to
 layout(location = 9) in float layer_level;
+#ifdef PATTERN
+layout(location = 10) in vec4 variation;  // factor on length, addition to inclination, factor on lightness, turn of hue
+#endif
 
 uniform int shell_count;
 uniform int shell;
@@ -19,6 +22,10 @@ uniform int layer_set;    // the set of layers that is drawn; -1 draws all of th
 uniform float push;       // how much further from the eye the depth is written, in lengths of the fur
 
 out vec3 place;
+#ifdef PATTERN
+out vec3 root;           // where the strand leaves the skin: patterns are anchored there
+out vec4 varied;
+#endif
 out vec3 fibre_normal;
 out vec3 fibre_tangent;
 out vec2 tile;           // place on the tile at the slab's middle, in tiles
@@ -36,11 +43,17 @@ float set_share(float level, int set) { return clamp(2.0 * (1.0 - abs(level - fl
 void main() {
   float s = (float(shell) + 0.5) / float(shell_count);
   bool root_curve = frame.tile.z > 0.5;
-  float inclination = min(length(groom.xy), 1.0);
+  float inclination = min(length(groom.xy), 1.0), fur_length = groom.z;
   vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
+#ifdef PATTERN
+  root = position;
+  varied = variation;
+  fur_length *= variation.x;
+  inclination = clamp(inclination + variation.y, 0.0, 1.0);
+#endif
   vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
   vec3 curve = lean_point(root_curve, inclination, frame.counts.w, s);
-  place = position + groom.z * (curve.x * lean + curve.y * normal);
+  place = position + fur_length * (curve.x * lean + curve.y * normal);
   fibre_normal = normal;
   fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);
 
@@ -48,7 +61,7 @@ void main() {
   vec3 to_eye = normalize(frame.eye.xyz - place);
   float facing = dot(to_eye, normal);
   float rising = (facing < 0.0 ? -1.0 : 1.0) * max(abs(facing), 0.2);
-  float up_speed = groom.z * cos(curve.z), across_speed = groom.z * sin(curve.z);
+  float up_speed = fur_length * cos(curve.z), across_speed = fur_length * sin(curve.z);
   vec3 crossing = (to_eye - facing * normal) * (up_speed / rising) - across_speed * lean;
   vec3 tile_v = cross(normal, tile_axis);
   vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
@@ -63,5 +76,5 @@ void main() {
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
-  gl_Position.z *= gl_Position.w / (gl_Position.w + push * groom.z / max(abs(facing), 0.2));  // depth is near / distance
+  gl_Position.z *= gl_Position.w / (gl_Position.w + push * fur_length / max(abs(facing), 0.2));  // depth is near / distance
 }

@@ -24,12 +24,10 @@ constexpr float solid_push = 0.5f;
 }  // namespace
 
 FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
-    : skin(gl, shaders::skin_vert, shaders::skin_frag, defines), fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
+    : skin(gl, shaders::skin_vert, shaders::skin_frag, defines), solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
+      fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
 
-FurPass::FurPass(const Gl& gl)
-    : solid_(gl, shaders::fur_vert, shaders::solid_frag), failure_(solid_.log()) {
-  shading_of(gl, "");
-}
+FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
 
 std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
   std::vector<Layer> layers;
@@ -43,7 +41,7 @@ std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
 
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
   const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
-  if (made) failure_ += place->second.skin.log() + place->second.fur.log();
+  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
   return place->second;
 }
 
@@ -54,20 +52,20 @@ void FurPass::draw(const Gl& gl, const Knobs& knobs, const std::string& variant,
   gl.BindTextureUnit(1, coat.colours());
   gl.BindTextureUnit(2, model.base_images());
   const Shading& shading = shading_of(gl, variant);
-  draw_skin(gl, shading.skin, lists);
+  draw_skin(gl, shading, lists);
   draw_fur(gl, shading.fur, lists, knobs);
 }
 
-void FurPass::draw_skin(const Gl& gl, const Program& skin, const ModelBuffers::DrawLists& lists) const {
+void FurPass::draw_skin(const Gl& gl, const Shading& shading, const ModelBuffers::DrawLists& lists) const {
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
-  skin.use();
+  shading.skin.use();
   draw_list(gl, lists.all);
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  solid_.use();
-  solid_.set("push", solid_push);
-  solid_.set("layer_set", -1);
-  for (int shell = 0; shell < solid_shells; ++shell) draw_layer(gl, solid_, lists.all, {0, shell, solid_shells, 4}, 1);
+  shading.solid.use();
+  shading.solid.set("push", solid_push);
+  shading.solid.set("layer_set", -1);
+  for (int shell = 0; shell < solid_shells; ++shell) draw_layer(gl, shading.solid, lists.all, {0, shell, solid_shells, 4}, 1);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

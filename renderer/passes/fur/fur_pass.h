@@ -38,16 +38,15 @@ class FurPass {
   /// The programs that shade: a scene pays only for the variant that it needs.
   struct Shading {
     Shading(const Gl& gl, const std::string& defines);
-    Program skin, fur;
+    Program skin, solid, fur;
   };
-  void draw_skin(const Gl& gl, const Program& skin, const ModelBuffers::DrawLists& lists) const;
+  void draw_skin(const Gl& gl, const Shading& shading, const ModelBuffers::DrawLists& lists) const;
   void draw_fur(const Gl& gl, const Program& fur, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const;
   void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
                   int side) const;
 
   const Shading& shading_of(const Gl& gl, const std::string& variant);
 
-  Program solid_;
   std::map<std::string, Shading> shadings_;  // by variant, made when first used
   std::string failure_;
 };

@@ -2,12 +2,18 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "base_colour.glsl"
+#ifdef PATTERN
+#include "pattern.glsl"
+#endif
 
 in vec3 place;
 in vec3 skin_normal;
 in vec3 base_uv;
 in vec3 base_colour;
 in float fur_length;
+#ifdef PATTERN
+in vec4 varied;
+#endif
 
 layout(location = 0) out vec4 result;
 
@@ -19,6 +25,9 @@ void main() {
   bool own = frame.skin.w > 0.5;
   vec3 bare = own ? model_colour(base_colour, base_uv) : frame.skin.rgb;
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
+#ifdef PATTERN
+  undercoat = pattern_colour(place, varied, undercoat);
+#endif
   vec3 colour = mix(bare, undercoat, furred);
   float depth = furred * frame.depth_above[0].x * frame.exponents.w;
   vec3 sum = frame.weights.x * mix(1.0, frame.weights.w, furred) * colour * transmittance(0.6 * depth, colour) *

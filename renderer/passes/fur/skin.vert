@@ -12,6 +12,10 @@ out vec3 skin_normal;
 out vec3 base_uv;
 out vec3 base_colour;
 out float fur_length;
+#ifdef PATTERN
+layout(location = 10) in vec4 variation;
+out vec4 varied;
+#endif
 
 void main() {
   place = position;
@@ -19,5 +23,8 @@ void main() {
   base_uv = image_uv;
   base_colour = colour;
   fur_length = groom.z;
+#ifdef PATTERN
+  varied = variation;
+#endif
   gl_Position = frame.world_to_clip * vec4(position, 1.0);
 }

@@ -1,0 +1,49 @@
+#include "renderer/upload/pattern_textures.h"
+
+#include <vector>
+
+#include "renderer/pattern/pattern.h"
+#include "renderer/pattern/pattern_volume.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr GLuint uniform_binding = 1, texture_unit = 8;  // as in pattern.glsl
+
+struct PatternColours {
+  glm::vec4 colour, inner_colour, belly_colour, origin, scale;
+};
+
+}  // namespace
+
+void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& coat, ModelBuffers& model) {
+  const PatternBlock block = make_pattern_block(coat);
+  if (model_ != model_id || block_ != block) {
+    model_ = model_id, block_ = block;
+    send_volume(gl, block, model);
+    std::vector<glm::vec4> variation;
+    variation.reserve(model.positions().size());
+    for (const glm::vec3& place : model.positions()) variation.push_back(pattern_variation(block, place));
+    model.send_variation(gl, variation);
+  }
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, uniform_binding, uniforms_.id());
+  gl.BindTextureUnit(texture_unit, volume_.id());
+}
+
+void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const ModelBuffers& model) {
+  const PatternVolume volume = make_pattern_volume(block, {model.positions(), model.normals(), model.triangles()});
+  volume_ = Texture(gl, GLenum{GL_TEXTURE_3D});
+  gl.TextureStorage3D(volume_.id(), 1, GL_RGBA8, volume.size.x, volume.size.y, volume.size.z);
+  gl.TextureSubImage3D(volume_.id(), 0, 0, 0, 0, volume.size.x, volume.size.y, volume.size.z, GL_RGBA, GL_UNSIGNED_BYTE,
+                       volume.rgba.data());
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TextureParameteri(volume_.id(), name, GL_LINEAR);
+  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    gl.TextureParameteri(volume_.id(), name, GL_CLAMP_TO_EDGE);
+  }
+  const PatternColours colours{block.colour, block.inner_colour, block.belly_colour, {volume.origin, block.axis.w},
+                               {1.0f / (glm::vec3(volume.size) * volume.cell), 0}};
+  gl.NamedBufferData(uniforms_.id(), sizeof colours, &colours, GL_STATIC_DRAW);
+}
+
+}  // namespace pelage
