@@ -37,13 +37,13 @@ vec3 scatter_kajiya(vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
   return scattering.weights.x * diffuse * colour + scattering.weights.y * specular;
 }
 
-// The mirror direction as a cosine c: c^p = (1 - (1 - c^2))^(p/2), with 1 - c^2 the square of a sine that is exact near 1.
+// The cosine to the mirror direction by its sine, which keeps its digits where the cosine is near 1.
 vec3 scatter_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
   float along_light = dot(tangent, to_light), along_eye = dot(tangent, to_eye);
   float sine_light = sine_to(along_light), sine_eye = sine_to(along_eye);
   float mirror = sine_light * sine_eye - along_light * along_eye;
   float off_mirror = sine_light * along_eye + sine_eye * along_light;
-  float highlight = mirror > 0.0 ? sine_power(off_mirror, scattering.exponents.y) : scattering.exponents.y > 0.0 ? 0.0 : 1.0;
+  float highlight = sine_power(mirror > 0.0 ? off_mirror : 1.0, scattering.exponents.y);
   return scattering.weights.x * sine_light * colour + scattering.weights.y * highlight;
 }
 
@@ -63,7 +63,8 @@ float scaled_bessel_i0(float x) {
   float t = x / 3.75;
   if (t < 1.0) {
     float u = t * t;
-    return exp(-x) * (1.0 + u * (3.5156229 + u * (3.0899424 + u * (1.2067492 + u * (0.2659732 + u * (0.0360768 + u * 0.0045813))))));
+    float tail = 1.2067492 + u * (0.2659732 + u * (0.0360768 + u * 0.0045813));
+    return exp(-x) * (1.0 + u * (3.5156229 + u * (3.0899424 + u * tail)));
   }
   float u = 1.0 / t;
   float head = 0.39894228 + u * (0.01328592 + u * (0.00225319 - u * 0.00157565));
@@ -122,7 +123,8 @@ vec3 scatter_fibre(int model, vec3 tangent, vec3 to_light, vec3 to_eye, vec3 col
   }
   float azimuth = azimuth_between(tangent, to_light, to_eye);
   vec3 at = absorption_coordinates(colour);
-  return gain * vec3(dot(m, azimuthal_lobes(azimuth, cos_theta, at.r)), dot(m, azimuthal_lobes(azimuth, cos_theta, at.g)),
+  return gain * vec3(dot(m, azimuthal_lobes(azimuth, cos_theta, at.r)),
+                     dot(m, azimuthal_lobes(azimuth, cos_theta, at.g)),
                      dot(m, azimuthal_lobes(azimuth, cos_theta, at.b)));
 }
 
@@ -132,8 +134,8 @@ float light_behind(int model, float facing, float reach) {
   return surface && facing < 0.0 ? 1.0 - min(-facing, reach) / reach : 1.0;
 }
 
-// Light scattered to the eye for light of radiance 1, without shadow, B and ambient. Directions are unit and point away from
-// the strand, the tangent from root to tip; colour in [0, 1]; strand is the strand's number in [0, 1].
+// Light scattered to the eye for light of radiance 1, without shadow, B and ambient. Directions are unit and point away
+// from the strand, the tangent from root to tip; colour in [0, 1]; strand is the strand's number in [0, 1].
 vec3 scatter(int model, vec3 tangent, vec3 normal, vec3 to_light, vec3 to_eye, vec3 colour, float strand) {
   if (model == model_energy_conserving || model == model_marschner) {
     return scatter_fibre(model, tangent, to_light, to_eye, colour);

@@ -33,7 +33,7 @@ class AzimuthalAverage {
 
   bool marschner_;
   double eta_;
-  double width_;  // of the distribution around the exact azimuth: s, or the caustic width, radians
+  double width_;                       // of the distribution around the exact azimuth: s, or the caustic width, radians
   std::vector<QuadratureNode> nodes_;  // x = h in [0, 1]: both halves are alike
 };
 

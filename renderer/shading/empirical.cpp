@@ -45,7 +45,8 @@ double scheuermann_lobe(double along, double n) {
   return x * x * (3 - 2 * x) * sine_power(along, n);
 }
 
-glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour, double strand) {
+glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour,
+                               double strand) {
   const FibreOptics& fibre = look.fibre;
   const glm::dvec3 middle = halfway(geometry);
   const double own = fibre.shift_spread * (2 * strand - 1);
@@ -54,12 +55,14 @@ glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry
     return scheuermann_lobe(glm::dot(shifted, middle), exponent);
   };
   const double wrapped = std::clamp(0.25 + 0.75 * glm::dot(geometry.normal, geometry.to_light), 0.0, 1.0);
-  return (look.diffuse * wrapped + fibre.secondary_specular * lobe(fibre.secondary_shift, fibre.secondary_exponent)) * colour +
+  return (look.diffuse * wrapped + fibre.secondary_specular * lobe(fibre.secondary_shift, fibre.secondary_exponent)) *
+             colour +
          look.specular * lobe(fibre.primary_shift, look.specular_exponent);
 }
 
 double light_behind(ShadingModel model, double facing, double reach) {
-  const bool surface = model == ShadingModel::lengyel || model == ShadingModel::kajiya || model == ShadingModel::kajiya_kay;
+  const bool surface =
+      model == ShadingModel::lengyel || model == ShadingModel::kajiya || model == ShadingModel::kajiya_kay;
   return surface && facing < 0 ? 1 - std::min(-facing, reach) / reach : 1;
 }
 

@@ -33,9 +33,11 @@ glm::dvec3 scatter_kajiya_kay(const Look& look, const ScatterGeometry& geometry,
 /// One lobe of Scheuermann 2004 at `along` = T'.H: smoothstep(-1, 0, along) (1 - along^2)^(n/2).
 double scheuermann_lobe(double along, double n);
 
-/// Scheuermann 2004: kd C saturate(lerp(.25, 1, N.L)), a white lobe about T shifted by `primary_shift` and one of colour C
-/// shifted by `secondary_shift`. `strand` in [0, 1] is the strand's own number: it moves both by up to `shift_spread`.
-glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour, double strand);
+/// Scheuermann 2004: kd C saturate(lerp(.25, 1, N.L)), a white lobe about T shifted by `primary_shift` and one of
+/// colour C shifted by `secondary_shift`. `strand` in [0, 1] is the strand's own number: it moves both by up to
+/// `shift_spread`.
+glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour,
+                               double strand);
 
 /// B of GPU fur eq 1 for a light whose direction has the cosine `facing` to the normal: 1 in front, falling to 0 over
 /// `reach` in (0, 1] behind. Always 1 for models that know about light from behind.

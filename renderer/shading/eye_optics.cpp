@@ -26,8 +26,8 @@ CapLight cap_light(double light_angle, double half_angle, double eta) {
   for (const QuadratureNode& ring : gauss_legendre(rings, 0, half_angle)) {
     for (int i = 0; i < turns; ++i) {
       const double turn = 2 * pi * (i + 0.5) / turns;
-      const double facing = std::cos(ring.x) * std::cos(light_angle) +
-                            std::sin(ring.x) * std::sin(light_angle) * std::cos(turn);
+      const double facing =
+          std::cos(ring.x) * std::cos(light_angle) + std::sin(ring.x) * std::sin(light_angle) * std::cos(turn);
       if (facing <= 0) continue;
       const double arrived = ring.weight * std::sin(ring.x) * (2 * pi / turns) * facing;
       light.arrived += arrived;
@@ -64,7 +64,9 @@ double cornea_transmittance(double light_angle, double half_angle, double eta) {
   return light.arrived > 0 ? light.entered / light.arrived : 0;
 }
 
-double cornea_cross_section(double light_angle, double half_angle) { return cap_light(light_angle, half_angle, 1).arrived; }
+double cornea_cross_section(double light_angle, double half_angle) {
+  return cap_light(light_angle, half_angle, 1).arrived;
+}
 
 double caustic_scale(double flux, std::span<const double> weights, std::span<const double> areas) {
   assert(weights.size() == areas.size());

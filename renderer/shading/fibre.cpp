@@ -48,13 +48,15 @@ float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-
   const float t = x / 3.75f;
   if (t < 1) {
     const float u = t * t;
-    const float sum = 1 + u * (3.5156229f + u * (3.0899424f + u * (1.2067492f + u * (0.2659732f + u * (0.0360768f + u * 0.0045813f)))));
+    const float sum =
+        1 +
+        u * (3.5156229f + u * (3.0899424f + u * (1.2067492f + u * (0.2659732f + u * (0.0360768f + u * 0.0045813f)))));
     return sum * std::exp(-x);
   }
   const float u = 1 / t;
   const float head = 0.39894228f + u * (0.01328592f + u * (0.00225319f - u * 0.00157565f));
   const float tail = 0.00916281f + u * (-0.02057706f + u * (0.02635537f + u * (-0.01647633f + u * 0.00392377f)));
-  return (head + square(square(u)) * tail) / std::sqrt(x);
+  return (head + u * u * u * u * tail) / std::sqrt(x);
 }
 
 double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v) {
@@ -117,8 +119,8 @@ LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light,
   for (std::size_t p = 0; p < lobe_count; ++p) {
     const double sine = std::sin(lobes.tilt[p]), cosine = std::cos(lobes.tilt[p]);
     const double tilted_cosine = std::abs(eye.cosine * cosine - eye.sine * sine);
-    values[p] = longitudinal(light.cosine, tilted_cosine, light.sine, eye.sine * cosine + eye.cosine * sine,
-                             lobes.variance[p]);
+    values[p] =
+        longitudinal(light.cosine, tilted_cosine, light.sine, eye.sine * cosine + eye.cosine * sine, lobes.variance[p]);
   }
   return values;
 }
@@ -133,8 +135,8 @@ LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_eye, double
   return values;
 }
 
-double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth, double h,
-                         double sigma_a) {
+double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth,
+                         double h, double sigma_a) {
   const LobeValues m = longitudinal_lobes(lobes, light, eye), n = azimuthal_lobes(lobes, eye.cosine, h, azimuth);
   const LobeValues a = attenuation(eye.cosine, h, sigma_a, lobes.eta);
   double sum = 0;

@@ -1,11 +1,10 @@
-// The parts of a fibre model: how light spreads along the strand (M), how much is left (A) and how it spreads around it (N).
-// Marschner 2003, d'Eon 2011, Chiang 2016; values in science.md 4. A direction is (sin theta, cos theta cos phi,
-// cos theta sin phi) about the strand's axis; theta is the inclination from the plane across it. The axis of these formulas
-// points from tip to root, so that a positive cuticle tilt moves the highlight R towards the root.
+// The parts of a fibre model: how light spreads along the strand (M), how much is left (A) and how it spreads around it
+// (N). Marschner 2003, d'Eon 2011, Chiang 2016; values in science.md 4. A direction is (sin theta, cos theta cos phi,
+// cos theta sin phi) about the strand's axis; theta is the inclination from the plane across it. The axis of these
+// formulas points from tip to root, so that a positive cuticle tilt moves the highlight R towards the root.
 #pragma once
 
 #include <array>
-
 #include <glm/glm.hpp>
 
 #include "protocol/commands/look.h"
@@ -50,7 +49,8 @@ double colour_polynomial(double beta_n);
 /// sin of the refracted azimuthal angle for an offset h in [-1, 1] across the fibre: h / eta'.
 double refracted_offset(double h, double cos_theta, double eta);
 
-/// Azimuth through which a ray of `internal` = p segments inside the fibre leaves: 2 p gamma_t - 2 gamma + p pi, radians.
+/// Azimuth through which a ray of `internal` = p segments inside the fibre leaves: 2 p gamma_t - 2 gamma + p pi,
+/// radians.
 double exit_azimuth(int internal, double h, double cos_theta, double eta);
 
 /// Light that goes each way, of 1 that arrives: Ap for p = 0, 1, 2 and the sum of the rest. The four add up to 1 where
@@ -73,7 +73,7 @@ LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light,
 LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_eye, double h, double azimuth);
 
 /// Sum of Mp Ap Np at an offset h in [-1, 1] across the fibre: 1 / steradian, with the cosine of theta_i in it.
-double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth, double h,
-                         double sigma_a);
+double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth,
+                         double h, double sigma_a);
 
 }  // namespace pelage

@@ -58,7 +58,8 @@ glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::d
   const Inclination light = inclination_of(geometry.tangent, geometry.to_light);
   const Inclination eye = inclination_of(geometry.tangent, geometry.to_eye);
   const bool marschner = look_.shading == ShadingModel::marschner;
-  const LobeValues m = marschner ? marschner_longitudinal(marschner_, light, eye) : longitudinal_lobes(lobes_, light, eye);
+  const LobeValues m =
+      marschner ? marschner_longitudinal(marschner_, light, eye) : longitudinal_lobes(lobes_, light, eye);
   const double cos_theta = marschner ? cos_difference(light, eye) : eye.cosine;
   const double gain = marschner ? pi * light.cosine : pi;
   const double azimuth = azimuth_of(geometry);

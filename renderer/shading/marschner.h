@@ -1,5 +1,5 @@
-// Marschner 2003: R, TT and TRT, each a Gaussian along the strand times a distribution around it. Does not conserve energy:
-// science.md 4 has how far off it is. The axis and the angles are those of fibre.h.
+// Marschner 2003: R, TT and TRT, each a Gaussian along the strand times a distribution around it. Does not conserve
+// energy: science.md 4 has how far off it is. The axis and the angles are those of fibre.h.
 #pragma once
 
 #include "renderer/shading/fibre.h"
@@ -7,8 +7,8 @@
 namespace pelage {
 
 struct MarschnerLobes {
-  LobeValues centre{};  // theta_h of the peak, radians; the fourth lobe is not used and has no weight
-  LobeValues width{};   // standard deviation of theta_h, radians, at least 1e-3
+  LobeValues centre{};       // theta_h of the peak, radians; the fourth lobe is not used and has no weight
+  LobeValues width{};        // standard deviation of theta_h, radians, at least 1e-3
   double caustic_width = 0;  // spread of TT and TRT around the strand, radians
   double eta = 1.55;
 };

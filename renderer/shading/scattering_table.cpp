@@ -62,7 +62,8 @@ LobeValues ScatteringTable::at(double cos_theta, double azimuth, double absorpti
     const int di = corner & 1, dj = corner >> 1 & 1, dk = corner >> 2;
     const double weight = (di ? i.share : 1 - i.share) * (dj ? j.share : 1 - j.share) * (dk ? k.share : 1 - k.share);
     const int texel = ((k.first + dk) * inclinations + j.first + dj) * azimuths + i.first + di;
-    for (std::size_t p = 0; p < lobe_count; ++p) sum[p] += weight * double(values[4 * static_cast<std::size_t>(texel) + p]);
+    for (std::size_t p = 0; p < lobe_count; ++p)
+      sum[p] += weight * double(values[4 * static_cast<std::size_t>(texel) + p]);
   }
   return sum;
 }

@@ -24,6 +24,7 @@ ALLOWED = {
     "renderer": ["protocol/base", "protocol/commands", "renderer"],
     "renderer/input": ["protocol/base", "protocol/commands"],
     "renderer/coat": ["protocol/base", "protocol/commands"],
+    "renderer/shading": ["protocol/base", "protocol/commands"],
     "renderer/image": ["protocol/base"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],
