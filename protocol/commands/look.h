@@ -23,15 +23,15 @@ enum class Absorption { colour, melanin };
 struct FibreOptics {
   double longitudinal_roughness = 0.3;  // beta_m, [0, 1]; energy_conserving
   double azimuthal_roughness = 0.3;     // beta_n, [0, 1]; energy_conserving
-  double cuticle_tilt = 2;              // alpha, degrees towards the root, [-15, 15]; energy_conserving, marschner
-  double refractive_index = 1.55;       // eta, [1, 3]; energy_conserving, marschner
+  double cuticle_tilt = 2;         // alpha, degrees, [-15, 15]; turns reflected light to the root; both fibre models
+  double refractive_index = 1.55;  // eta, [1, 3]; energy_conserving, marschner
   Absorption absorption = Absorption::colour;
-  double eumelanin = 0.3;           // concentration, [0, 1e4]; brown and black; with Absorption::melanin
-  double pheomelanin = 0;           // concentration, [0, 1e4]; red
-  double highlight_width = 7.5;     // beta_R, degrees, [0, 90]; marschner
-  double caustic_width = 10;        // spread of TT and TRT around the strand, degrees, [1, 60]; marschner
-  double primary_shift = -0.1;      // of the tangent along the normal, [-2, 2]; scheuermann
-  double secondary_shift = 0.15;    // [-2, 2]; scheuermann
+  double eumelanin = 0.3;        // concentration, [0, 1e4]; brown and black; with Absorption::melanin
+  double pheomelanin = 0;        // concentration, [0, 1e4]; red
+  double highlight_width = 7.5;  // beta_R, degrees, [0, 90]; marschner
+  double caustic_width = 10;     // spread of TT and TRT around the strand, degrees, [1, 60]; marschner
+  double primary_shift = 0.1;    // of the tangent along the normal, [-2, 2]; > 0: highlight nearer the tip; scheuermann
+  double secondary_shift = -0.15;   // [-2, 2]; scheuermann
   double shift_spread = 0.1;        // from strand to strand, [0, 2]; scheuermann
   double secondary_specular = 0.3;  // weight of the coloured lobe, [0, 4]; scheuermann
   double secondary_exponent = 12;   // [0, 1e6]; scheuermann

@@ -1,10 +1,11 @@
 // The parts of a fibre model: how light spreads along the strand (M), how much is left (A) and how it spreads around it
 // (N). Marschner 2003, d'Eon 2011, Chiang 2016; values in science.md 4. A direction is (sin theta, cos theta cos phi,
 // cos theta sin phi) about the strand's axis; theta is the inclination from the plane across it. The axis of these
-// formulas points from tip to root, so that a positive cuticle tilt moves the highlight R towards the root.
+// formulas points from tip to root, so that a positive cuticle tilt turns reflected light to the root.
 #pragma once
 
 #include <array>
+
 #include <glm/glm.hpp>
 
 #include "protocol/commands/look.h"

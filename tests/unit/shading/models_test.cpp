@@ -79,6 +79,20 @@ TEST(Scheuermann, DiffuseWrapsAndTheSecondLobeIsColoured) {
   EXPECT_NEAR(second.b / second.r, 2, 1e-12);
 }
 
+/// To the same side as Marschner's R for a positive shift, and TRT for a negative one.
+TEST(Scheuermann, ShiftMovesTheHighlight) {
+  Look look;
+  look.shading = ShadingModel::scheuermann;
+  look.diffuse = look.fibre.secondary_specular = 0;
+  const auto towards = [&](double degrees) {
+    return scatter_scheuermann(look, {along, above, above, direction(degrees, 0)}, glm::dvec3(1), 0.5).r;
+  };
+  look.fibre.primary_shift = 0.1;
+  EXPECT_GT(towards(-11), 2 * towards(11));
+  look.fibre.primary_shift = -0.1;
+  EXPECT_GT(towards(11), 1.05 * towards(-11));
+}
+
 double energy_of_reflection(double beta, double alpha, double theta_degrees) {
   FibreOptics fibre;
   fibre.highlight_width = beta;
@@ -137,8 +151,9 @@ TEST(Marschner, ReflectionAgreesWithTheAverage) {
   }
 }
 
-/// Scales point to the tip, so that the highlight moves to the root, by the same angle in both models.
-TEST(FibreShading, HighlightMovesTowardsTheRoot) {
+/// The normals of the scales lean to the root, so reflected light turns there: by the same angle in both models. On a
+/// head of hair the white highlight is then seen nearer the tips.
+TEST(FibreShading, ReflectedLightTurnsToTheRoot) {
   for (const ShadingModel model : {ShadingModel::energy_conserving, ShadingModel::marschner}) {
     Look look;
     look.shading = model;
