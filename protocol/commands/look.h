@@ -12,8 +12,36 @@ namespace pelage {
 /// lightness along the strand; `coat` uses the ramp alone; `automatic` is `model` where the model has colours.
 enum class ColourSource { automatic, model, coat };
 
+/// How a strand answers light (science.md 4; renderer/shading). `lengyel` is GPU fur eq 1 by vertex and `kajiya` the
+/// same by pixel; `energy_conserving` is d'Eon 2011 with Chiang 2016's parameters; `scheuermann` has a wrapped diffuse
+/// term and two shifted lobes; `kajiya_kay` is the model of 1989; `marschner` has R, TT and TRT as in 2003.
+enum class ShadingModel { lengyel, kajiya, energy_conserving, scheuermann, kajiya_kay, marschner };
+
+/// Where a fibre's absorption comes from: from the coat's colour, or from the pigments of `FibreOptics`.
+enum class Absorption { colour, melanin };
+
+/// What the scattering models need to know about a fibre. `kajiya` and `lengyel` use none of it.
+struct FibreOptics {
+  double longitudinal_roughness = 0.3;  // beta_m, [0, 1]; energy_conserving
+  double azimuthal_roughness = 0.3;     // beta_n, [0, 1]; energy_conserving
+  double cuticle_tilt = 2;         // alpha, degrees, [-15, 15]; turns reflected light to the root; both fibre models
+  double refractive_index = 1.55;  // eta, [1, 3]; energy_conserving, marschner
+  Absorption absorption = Absorption::colour;
+  double eumelanin = 0.3;        // concentration, [0, 1e4]; brown and black; with Absorption::melanin
+  double pheomelanin = 0;        // concentration, [0, 1e4]; red
+  double highlight_width = 7.5;  // beta_R, degrees, [0, 90]; marschner
+  double caustic_width = 10;     // spread of TT and TRT around the strand, degrees, [1, 60]; marschner
+  double primary_shift = 0.1;    // of the tangent along the normal, [-2, 2]; > 0: highlight nearer the tip; scheuermann
+  double secondary_shift = -0.15;   // [-2, 2]; scheuermann
+  double shift_spread = 0.1;        // from strand to strand, [0, 2]; scheuermann
+  double secondary_specular = 0.3;  // weight of the coloured lobe, [0, 4]; scheuermann
+  double secondary_exponent = 12;   // [0, 1e6]; scheuermann
+};
+
 /// Weights of GPU fur eq 1 and what goes with them.
 struct Look {
+  ShadingModel shading = ShadingModel::kajiya;
+  FibreOptics fibre;
   ColourSource colour_source = ColourSource::automatic;
   double ambient = 0.38;             // ka, [0, 4]
   double diffuse = 0.8;              // kd, [0, 4]

@@ -25,6 +25,7 @@ ALLOWED = {
     "renderer/input": ["protocol/base", "protocol/commands"],
     "renderer/coat": ["protocol/base", "protocol/commands"],
     "renderer/pattern": ["protocol/base", "protocol/commands", "renderer/coat"],
+    "renderer/shading": ["protocol/base", "protocol/commands"],
     "renderer/image": ["protocol/base"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],

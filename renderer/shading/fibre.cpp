@@ -1,0 +1,147 @@
+#include "renderer/shading/fibre.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/shading/fresnel.h"
+
+namespace pelage {
+
+namespace {
+
+using std::numbers::pi;
+
+double square(double x) { return x * x; }
+
+/// Written for both precisions: the difference of cosines keeps its digits where product and exponential would not.
+template <typename Real>
+Real longitudinal_of(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real v) {
+  const Real apart = cos_in - cos_out, sum = sin_in + sin_out;
+  return scaled_bessel_i0(cos_in * cos_out / v) * std::exp(-(apart * apart + sum * sum) / (2 * v)) /
+         (-v * std::expm1(-2 / v));
+}
+
+}  // namespace
+
+double longitudinal_variance(double beta_m) {
+  return std::max(4e-7, square(0.726 * beta_m + 0.812 * beta_m * beta_m + 3.7 * std::pow(beta_m, 20)));
+}
+
+double azimuthal_scale(double beta_n) {
+  const double scale = 0.265 * beta_n + 1.194 * beta_n * beta_n + 5.372 * std::pow(beta_n, 22);
+  return std::max(1e-4, std::sqrt(pi / 8) * scale);
+}
+
+double scaled_bessel_i0(double x) {
+  double sum = 1, term = 1;
+  if (x < 30) {  // all terms are positive: no digits are lost
+    for (int k = 1; term > 1e-17 * sum; ++k) sum += term *= square(x / 2 / k);
+    return sum * std::exp(-x);
+  }
+  for (int k = 1; k < 25; ++k) sum += term *= square(2 * k - 1) / (8 * x * k);
+  return sum / std::sqrt(2 * pi * x);
+}
+
+float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-7; scattering.glsl has the same
+  const float t = x / 3.75f;
+  if (t < 1) {
+    const float u = t * t;
+    const float sum =
+        1 +
+        u * (3.5156229f + u * (3.0899424f + u * (1.2067492f + u * (0.2659732f + u * (0.0360768f + u * 0.0045813f)))));
+    return sum * std::exp(-x);
+  }
+  const float u = 1 / t;
+  const float head = 0.39894228f + u * (0.01328592f + u * (0.00225319f - u * 0.00157565f));
+  const float tail = 0.00916281f + u * (-0.02057706f + u * (0.02635537f + u * (-0.01647633f + u * 0.00392377f)));
+  return (head + u * u * u * u * tail) / std::sqrt(x);
+}
+
+double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v) {
+  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v);
+}
+
+float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, float v) {
+  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v);
+}
+
+double trimmed_logistic(double x, double s) {
+  const double fall = std::exp(-std::abs(x) / s);
+  return fall / (s * square(1 + fall) * std::tanh(pi / (2 * s)));
+}
+
+double colour_polynomial(double beta_n) {
+  return 5.969 + beta_n * (-0.215 + beta_n * (2.532 + beta_n * (-10.73 + beta_n * (5.574 + beta_n * 0.245))));
+}
+
+glm::dvec3 absorption_from_colour(const glm::dvec3& colour, double beta_n) {
+  const glm::dvec3 root = glm::log(glm::clamp(colour, 1e-6, 1.0)) / colour_polynomial(beta_n);
+  return root * root;
+}
+
+glm::dvec3 absorption_from_melanin(double eumelanin, double pheomelanin) {
+  return eumelanin * glm::dvec3(0.419, 0.697, 1.37) + pheomelanin * glm::dvec3(0.187, 0.4, 1.05);
+}
+
+double refracted_offset(double h, double cos_theta, double eta) {
+  const double along = std::sqrt(eta * eta - 1 + cos_theta * cos_theta);
+  return along > 0 ? std::clamp(h * cos_theta / along, -1.0, 1.0) : h;
+}
+
+double exit_azimuth(int internal, double h, double cos_theta, double eta) {
+  return 2 * internal * std::asin(refracted_offset(h, cos_theta, eta)) - 2 * std::asin(h) + internal * pi;
+}
+
+LobeValues attenuation(double cos_theta, double h, double sigma_a, double eta) {
+  assert(eta >= 1 && sigma_a >= 0 && std::abs(h) <= 1);
+  const double reflected = fresnel_dielectric(cos_theta * std::sqrt(1 - h * h), eta);
+  const double cos_gamma = std::sqrt(1 - square(refracted_offset(h, cos_theta, eta)));
+  const double cos_inside = std::sqrt(eta * eta - 1 + cos_theta * cos_theta) / eta;
+  const double passed = std::exp(-sigma_a * 2 * cos_gamma / std::max(cos_inside, 1e-9));
+  const double once = square(1 - reflected) * passed, bounce = passed * reflected;
+  const double rest = bounce < 1 ? once * bounce * bounce / (1 - bounce) : 0;
+  return {reflected, once, once * bounce, rest};
+}
+
+FibreLobes energy_conserving_lobes(const FibreOptics& fibre) {
+  const double v = longitudinal_variance(fibre.longitudinal_roughness);
+  const double alpha = fibre.cuticle_tilt * pi / 180;
+  return {{v, v / 4, 4 * v, 4 * v},
+          {-2 * alpha, alpha, 4 * alpha, 0},
+          azimuthal_scale(fibre.azimuthal_roughness),
+          fibre.refractive_index};
+}
+
+LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& eye) {
+  LobeValues values{};
+  for (std::size_t p = 0; p < lobe_count; ++p) {
+    const double sine = std::sin(lobes.tilt[p]), cosine = std::cos(lobes.tilt[p]);
+    const double tilted_cosine = std::abs(eye.cosine * cosine - eye.sine * sine);
+    values[p] =
+        longitudinal(light.cosine, tilted_cosine, light.sine, eye.sine * cosine + eye.cosine * sine, lobes.variance[p]);
+  }
+  return values;
+}
+
+LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_eye, double h, double azimuth) {
+  LobeValues values{};
+  for (int p = 0; p < lobe_count - 1; ++p) {
+    const double apart = std::remainder(azimuth - exit_azimuth(p, h, cos_theta_eye, lobes.eta), 2 * pi);
+    values[static_cast<std::size_t>(p)] = trimmed_logistic(apart, lobes.azimuthal_scale);
+  }
+  values[lobe_count - 1] = 1 / (2 * pi);
+  return values;
+}
+
+double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth,
+                         double h, double sigma_a) {
+  const LobeValues m = longitudinal_lobes(lobes, light, eye), n = azimuthal_lobes(lobes, eye.cosine, h, azimuth);
+  const LobeValues a = attenuation(eye.cosine, h, sigma_a, lobes.eta);
+  double sum = 0;
+  for (std::size_t p = 0; p < lobe_count; ++p) sum += m[p] * a[p] * n[p];
+  return sum;
+}
+
+}  // namespace pelage

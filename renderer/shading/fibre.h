@@ -1,0 +1,80 @@
+// The parts of a fibre model: how light spreads along the strand (M), how much is left (A) and how it spreads around it
+// (N). Marschner 2003, d'Eon 2011, Chiang 2016; values in science.md 4. A direction is (sin theta, cos theta cos phi,
+// cos theta sin phi) about the strand's axis; theta is the inclination from the plane across it. The axis of these
+// formulas points from tip to root, so that a positive cuticle tilt turns reflected light to the root.
+#pragma once
+
+#include <array>
+
+#include <glm/glm.hpp>
+
+#include "protocol/commands/look.h"
+
+namespace pelage {
+
+/// R, TT, TRT and, for energy conserving models, the sum of all longer paths.
+constexpr int lobe_count = 4;
+using LobeValues = std::array<double, lobe_count>;
+
+/// A direction by its inclination. cosine >= 0.
+struct Inclination {
+  double sine = 0;
+  double cosine = 1;
+};
+
+/// Variance v of the longitudinal term of R for beta_m in [0, 1] (Chiang 2016), at least 4e-7: TT has a quarter of it.
+double longitudinal_variance(double beta_m);
+
+/// Scale s of the logistic distribution for beta_n in [0, 1] (Chiang 2016), at least 1e-4.
+double azimuthal_scale(double beta_n);
+
+/// exp(-x) I0(x) for x >= 0: the modified Bessel function without its growth.
+double scaled_bessel_i0(double x);
+float scaled_bessel_i0(float x);
+
+/// Mp of d'Eon 2011, normalised: its integral over theta_i with cos theta_i is 1. Finite for v in [1e-7, inf).
+double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v);
+float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, float v);
+
+/// The logistic distribution of scale s > 0, cut to [-pi, pi] and normalised there; x in [-pi, pi].
+double trimmed_logistic(double x, double s);
+
+/// sigma_a per fibre radius for each channel, >= 0. Colour: Chiang 2016, a colour in [0, 1]; values under 1e-6 count
+/// as that. Melanin: concentrations >= 0, the weighted pigments of Chiang 2016.
+glm::dvec3 absorption_from_colour(const glm::dvec3& colour, double beta_n);
+glm::dvec3 absorption_from_melanin(double eumelanin, double pheomelanin);
+
+/// The polynomial in beta_n by which Chiang 2016 divides the logarithm of the colour.
+double colour_polynomial(double beta_n);
+
+/// sin of the refracted azimuthal angle for an offset h in [-1, 1] across the fibre: h / eta'.
+double refracted_offset(double h, double cos_theta, double eta);
+
+/// Azimuth through which a ray of `internal` = p segments inside the fibre leaves: 2 p gamma_t - 2 gamma + p pi,
+/// radians.
+double exit_azimuth(int internal, double h, double cos_theta, double eta);
+
+/// Light that goes each way, of 1 that arrives: Ap for p = 0, 1, 2 and the sum of the rest. The four add up to 1 where
+/// `sigma_a` is 0.
+LobeValues attenuation(double cos_theta, double h, double sigma_a, double eta);
+
+/// All that energy_conserving needs of a look, worked out once.
+struct FibreLobes {
+  LobeValues variance{};
+  LobeValues tilt{};  // what is added to theta of the eye, radians
+  double azimuthal_scale = 0;
+  double eta = 1.55;
+};
+FibreLobes energy_conserving_lobes(const FibreOptics& fibre);
+
+/// Mp for each lobe, with the eye's inclination tilted by the cuticle.
+LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& eye);
+
+/// Np for each lobe at an offset h: near field. `azimuth` is phi of the light less phi of the eye, radians.
+LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_eye, double h, double azimuth);
+
+/// Sum of Mp Ap Np at an offset h in [-1, 1] across the fibre: 1 / steradian, with the cosine of theta_i in it.
+double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth,
+                         double h, double sigma_a);
+
+}  // namespace pelage

@@ -1,0 +1,80 @@
+#include "renderer/shading/scattering_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace pelage {
+
+namespace {
+
+constexpr int azimuth_nodes = 128, inclination_nodes = 32, absorption_nodes = 32;
+constexpr double opaque = 1e4;  // sigma_a for the coordinate 0
+
+double fraction(int i, int count) { return double(i) / (count - 1); }
+
+double absorption_at(double coordinate) {
+  const double root = std::log(coordinate) / 3;
+  return coordinate > 0 ? root * root : opaque;
+}
+
+struct Between {
+  int first = 0;
+  double share = 0;  // of the node after it
+};
+
+Between between(double position, int count) {
+  const double scaled = std::clamp(position, 0.0, 1.0) * (count - 1);
+  const int first = std::min(static_cast<int>(scaled), count - 2);
+  return {first, scaled - first};
+}
+
+/// Fills all azimuths and absorptions of one inclination.
+void fill_inclination(const AzimuthalAverage& average, int j, ScatteringTable& table) {
+  const double cos_theta = fraction(j, table.inclinations);
+  const AzimuthalAverage::NodeValues exits = average.exits(cos_theta);
+  std::vector<AzimuthalAverage::NodeValues> passed;
+  for (int k = 0; k < table.absorptions; ++k) {
+    passed.push_back(average.passed(cos_theta, absorption_at(fraction(k, table.absorptions))));
+  }
+  for (int i = 0; i < table.azimuths; ++i) {
+    const double azimuth = std::numbers::pi * fraction(i, table.azimuths);
+    const AzimuthalAverage::NodeValues spread = average.spread(exits, azimuth);
+    for (int k = 0; k < table.absorptions; ++k) {
+      const LobeValues lobes = average.sum(spread, passed[static_cast<std::size_t>(k)], cos_theta, azimuth);
+      const int texel = (k * table.inclinations + j) * table.azimuths + i;
+      std::copy(lobes.begin(), lobes.end(), table.values.begin() + 4 * texel);
+    }
+  }
+}
+
+}  // namespace
+
+double absorption_coordinate(double sigma_a) { return std::exp(-3 * std::sqrt(sigma_a)); }
+
+LobeValues ScatteringTable::at(double cos_theta, double azimuth, double absorption) const {
+  assert(!empty());
+  const Between i = between(std::abs(azimuth) / std::numbers::pi, azimuths);
+  const Between j = between(cos_theta, inclinations), k = between(absorption, absorptions);
+  LobeValues sum{};
+  for (int corner = 0; corner < 8; ++corner) {
+    const int di = corner & 1, dj = corner >> 1 & 1, dk = corner >> 2;
+    const double weight = (di ? i.share : 1 - i.share) * (dj ? j.share : 1 - j.share) * (dk ? k.share : 1 - k.share);
+    const int texel = ((k.first + dk) * inclinations + j.first + dj) * azimuths + i.first + di;
+    for (std::size_t p = 0; p < lobe_count; ++p)
+      sum[p] += weight * double(values[4 * static_cast<std::size_t>(texel) + p]);
+  }
+  return sum;
+}
+
+ScatteringTable make_scattering_table(const Look& look) {
+  if (look.shading != ShadingModel::energy_conserving && look.shading != ShadingModel::marschner) return {};
+  ScatteringTable table{azimuth_nodes, inclination_nodes, absorption_nodes, {}};
+  table.values.resize(std::size_t{4} * azimuth_nodes * inclination_nodes * absorption_nodes);
+  const AzimuthalAverage average(look.shading, look.fibre);
+  for (int j = 0; j < table.inclinations; ++j) fill_inclination(average, j, table);
+  return table;
+}
+
+}  // namespace pelage
