@@ -25,8 +25,8 @@ Status check(const FloatImage& reference, const FloatImage& test, const Mask& ma
                                       " and " + size_of(reference.width, reference.height) + " pixels.");
   }
   if (mask.count() == 0) return failure(Code::invalid, "The mask is empty: there is nothing to compare.");
-  if (!is_within(options.pixels_per_degree, 1, 1000)) {
-    return failure(Code::invalid, "Pixels per degree are out of range.", "/pixels_per_degree", "[1, 1000]");
+  if (!is_within(options.pixels_per_degree, 5, 1000)) {
+    return failure(Code::invalid, "Pixels per degree are out of range.", "/pixels_per_degree", "[5, 1000]");
   }
   if (!is_within(options.background, 0, 1)) {
     return failure(Code::invalid, "The background is out of range.", "/background", "[0, 1]");
@@ -61,11 +61,12 @@ double shown(double value, ToneMap tone_map) {
 
 /// As the resolve pass does it: the colour itself is tone mapped, then laid over the background.
 FloatImage as_displayed(const FloatImage& image, const CompareOptions& options) {
+  const ToneMap tone_map = image.display_referred ? ToneMap::none : options.tone_map;
   FloatImage displayed{image.width, image.height, std::vector<float>(image.rgba.size(), 1.0f), true};
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     const double alpha = std::clamp(static_cast<double>(image.rgba[i + 3]), 0.0, 1.0);
     for (std::size_t k = 0; k < 3; ++k) {
-      const double colour = alpha > 0 ? shown(image.rgba[i + k] / alpha, options.tone_map) : 0;
+      const double colour = alpha > 0 ? shown(image.rgba[i + k] / alpha, tone_map) : 0;
       displayed.rgba[i + k] = static_cast<float>(colour * alpha + options.background * (1 - alpha));
     }
   }
@@ -134,8 +135,8 @@ Result<PictureError> compare(const FloatImage& reference, const FloatImage& test
   return error;
 }
 
-Result<PictureError> compare(const Image& reference, const Image& test, const Mask& mask, CompareOptions options) {
-  options.tone_map = ToneMap::none;
+Result<PictureError> compare(const Image& reference, const Image& test, const Mask& mask,
+                             const CompareOptions& options) {
   return compare(linear_image(reference), linear_image(test), mask, options);
 }
 

@@ -13,8 +13,8 @@
 namespace pelage {
 
 struct CompareOptions {
-  double pixels_per_degree = 67;         // [1, 1000]; .7 m before a screen of .7 m and 3840 pixels
-  ToneMap tone_map = ToneMap::filmic;    // before FLIP; none for pictures that are display referred
+  double pixels_per_degree = 67;         // [5, 1000]; .7 m before a screen of .7 m and 3840 pixels
+  ToneMap tone_map = ToneMap::filmic;    // before FLIP, of pictures that are not display referred
   double background = 0.18;              // linear grey in [0, 1] behind both pictures
   double outline = 8;                    // pixels to each side of the mask's edge, [0, 1000]
   int threads = 0;                       // 0: as many as there are processors; no figure depends on it
@@ -25,7 +25,8 @@ struct FlipFigures {
   double mean = 0, percentile_95 = 0;
 };
 
-/// Figures over the mask. All but FLIP are in linear light over the background, without tone map.
+/// Figures over the mask. All but FLIP are in linear light over the background, without tone map; they say nothing where
+/// only one of the pictures is display referred.
 struct PictureFigures {
   FlipFigures flip;
   std::optional<FlipFigures> outline;  // none where the mask has no edge in the picture
@@ -47,7 +48,7 @@ struct PictureError {
 Result<PictureError> compare(const FloatImage& reference, const FloatImage& test, const Mask& mask,
                              const CompareOptions& options = {});
 
-/// 8-bit sRGB, as a display shows it: `tone_map` is taken as none.
-Result<PictureError> compare(const Image& reference, const Image& test, const Mask& mask, CompareOptions options = {});
+Result<PictureError> compare(const Image& reference, const Image& test, const Mask& mask,
+                             const CompareOptions& options = {});
 
 }  // namespace pelage

@@ -75,7 +75,7 @@ void add_features(FlipKernels& kernels, double ppd) {
 int FlipKernels::reach() const { return std::max(radius_of(luminance), radius_of(smooth)); }
 
 FlipKernels flip_kernels(double pixels_per_degree) {
-  assert(pixels_per_degree >= 1 && pixels_per_degree <= 1000);
+  assert(pixels_per_degree >= 5 && pixels_per_degree <= 1000);
   FlipKernels kernels;
   add_contrast_sensitivity(kernels, pixels_per_degree);
   add_features(kernels, pixels_per_degree);

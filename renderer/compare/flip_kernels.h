@@ -22,7 +22,7 @@ struct FlipKernels {
   int reach() const;
 };
 
-/// `pixels_per_degree` in [1, 1000]: of the visual angle.
+/// `pixels_per_degree` in [5, 1000]: of the visual angle.
 FlipKernels flip_kernels(double pixels_per_degree);
 
 }  // namespace pelage

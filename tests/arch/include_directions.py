@@ -25,8 +25,11 @@ ALLOWED = {
     "renderer/input": ["protocol/base", "protocol/commands"],
     "renderer/coat": ["protocol/base", "protocol/commands"],
     "renderer/image": ["protocol/base"],
+    "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],
+    "clients/cli": ["protocol", "renderer/image", "renderer/compare"],  # pelage compare
+    "clients/cli/http": ["protocol/base"],
 }
 # outside library -> folders that may include it
 ONLY_IN = {
@@ -70,6 +73,9 @@ def self_test():
     assert problems("server/groom/a.cpp", '#include "server/scene/scene.h"')
     assert problems("server/groom/a.cpp", "#include <GL/gl.h>")
     assert problems("server/scene/a.cpp", "#include <nlohmann/json.hpp>")
+    assert problems("clients/cli/a.cpp", '#include "renderer/frame/renderer.h"')
+    assert problems("clients/cli/http/a.cpp", '#include "renderer/compare/compare.h"')
+    assert not problems("clients/cli/a.cpp", '#include "renderer/compare/compare.h"')
     assert not problems("server/groom/a.cpp", '#include "server/fields/field_set.h"\n#include <vector>')
     print("the checker finds what it should")
 
