@@ -20,7 +20,4 @@ ExitCode show_log(Session& session);
 ExitCode draw_frame(Session& session);
 ExitCode pick_pixel(Session& session);
 
-/// Measures local files; no server is asked.
-ExitCode compare_pictures(const Options& options);
-
 }  // namespace pelage

@@ -10,10 +10,6 @@ std::string text_of(glm::dvec3 v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v
 
 std::string shortened(const std::string& text) { return text.size() <= 60 ? text : text.substr(0, 57) + "..."; }
 
-std::string json_of(const FlipFigures& flip) {
-  return fmt::format(R"({{"mean":{:.7g},"percentile_95":{:.7g}}})", flip.mean, flip.percentile_95);
-}
-
 }  // namespace
 
 void print(const SceneSummary& summary) {
@@ -59,29 +55,6 @@ void print(const PickAnswer& answer) {
              text_of(answer.barycentric), text_of(answer.position), text_of(answer.normal));
   fmt::print("direction   {}\ninclination {:.6g}\nlength      {:.6g}\nstretch     {:.6g}\n", text_of(answer.direction),
              answer.inclination, answer.length, answer.stretch);
-}
-
-void print(const PictureError& error) {
-  const PictureFigures& figures = *error.figures;
-  fmt::print("FLIP        mean {:.4f}, 95th percentile {:.4f}\n", figures.flip.mean, figures.flip.percentile_95);
-  if (figures.outline) {
-    fmt::print("outline     mean {:.4f}, 95th percentile {:.4f}\n", figures.outline->mean,
-               figures.outline->percentile_95);
-  } else {
-    fmt::print("outline     none in the mask\n");
-  }
-  fmt::print("relMSE      {:.6g}\nRMSE        {:.6g}\n", figures.rel_mse, figures.rmse);
-  fmt::print("bias        {:+.6g} of a mean luminance of {:.6g}\n", figures.bias, figures.reference_luminance);
-  fmt::print("coverage    {:.2f} %, {} pixels\nnot finite  {}\n", 100 * error.coverage, error.pixels,
-             error.non_finite);
-}
-
-void print_json(const PictureError& error) {
-  const PictureFigures& figures = *error.figures;
-  fmt::print(R"({{"flip":{},"outline":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
-             json_of(figures.flip), figures.outline ? json_of(*figures.outline) : "null", figures.rel_mse,
-             figures.rmse, figures.bias, figures.reference_luminance);
-  fmt::print("\"coverage\":{:.7g},\"pixels\":{},\"non_finite\":{}}}\n", error.coverage, error.pixels, error.non_finite);
 }
 
 void print(const std::vector<LogEntry>& log) {

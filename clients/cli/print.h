@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "protocol/commands/answers.h"
-#include "renderer/compare/compare.h"
 
 namespace pelage {
 
@@ -13,9 +12,5 @@ void print(const std::vector<SceneSummary>& summaries);
 void print(const CommandAnswer& answer);
 void print(const PickAnswer& answer);
 void print(const std::vector<LogEntry>& log);
-
-/// Only with figures.
-void print(const PictureError& error);
-void print_json(const PictureError& error);
 
 }  // namespace pelage

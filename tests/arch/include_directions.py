@@ -28,8 +28,7 @@ ALLOWED = {
     "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],
-    "clients/cli": ["protocol", "renderer/image", "renderer/compare"],  # pelage compare
-    "clients/cli/http": ["protocol/base"],
+    "clients/cli/compare": ["protocol", "clients/cli", "renderer/image", "renderer/compare"],
 }
 # outside library -> folders that may include it
 ONLY_IN = {
@@ -73,9 +72,9 @@ def self_test():
     assert problems("server/groom/a.cpp", '#include "server/scene/scene.h"')
     assert problems("server/groom/a.cpp", "#include <GL/gl.h>")
     assert problems("server/scene/a.cpp", "#include <nlohmann/json.hpp>")
-    assert problems("clients/cli/a.cpp", '#include "renderer/frame/renderer.h"')
-    assert problems("clients/cli/http/a.cpp", '#include "renderer/compare/compare.h"')
-    assert not problems("clients/cli/a.cpp", '#include "renderer/compare/compare.h"')
+    assert problems("clients/cli/a.cpp", '#include "renderer/compare/compare.h"')
+    assert problems("clients/cli/compare/a.cpp", '#include "renderer/frame/renderer.h"')
+    assert not problems("clients/cli/compare/a.cpp", '#include "renderer/compare/compare.h"')
     assert not problems("server/groom/a.cpp", '#include "server/fields/field_set.h"\n#include <vector>')
     print("the checker finds what it should")
 

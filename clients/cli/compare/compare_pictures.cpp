@@ -1,10 +1,10 @@
+#include "clients/cli/compare/compare_pictures.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "clients/cli/actions.h"
 #include "clients/cli/files.h"
-#include "clients/cli/print.h"
 #include "protocol/base/limits.h"
 #include "renderer/compare/compare.h"
 #include "renderer/compare/error_map.h"
@@ -61,6 +61,34 @@ Result<PictureError> measure(const Options& options) {
     if (Status status = write_file(options.map, png); !status.ok()) return status;
   }
   return error;
+}
+
+std::string json_of(const FlipFigures& flip) {
+  return fmt::format(R"({{"mean":{:.7g},"percentile_95":{:.7g}}})", flip.mean, flip.percentile_95);
+}
+
+/// Both only with figures.
+void print(const PictureError& error) {
+  const PictureFigures& figures = *error.figures;
+  fmt::print("FLIP        mean {:.4f}, 95th percentile {:.4f}\n", figures.flip.mean, figures.flip.percentile_95);
+  if (figures.outline) {
+    fmt::print("outline     mean {:.4f}, 95th percentile {:.4f}\n", figures.outline->mean,
+               figures.outline->percentile_95);
+  } else {
+    fmt::print("outline     none in the mask\n");
+  }
+  fmt::print("relMSE      {:.6g}\nRMSE        {:.6g}\n", figures.rel_mse, figures.rmse);
+  fmt::print("bias        {:+.6g} of a mean luminance of {:.6g}\n", figures.bias, figures.reference_luminance);
+  fmt::print("coverage    {:.2f} %, {} pixels\nnot finite  {}\n", 100 * error.coverage, error.pixels,
+             error.non_finite);
+}
+
+void print_json(const PictureError& error) {
+  const PictureFigures& figures = *error.figures;
+  fmt::print(R"({{"flip":{},"outline":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
+             json_of(figures.flip), figures.outline ? json_of(*figures.outline) : "null", figures.rel_mse,
+             figures.rmse, figures.bias, figures.reference_luminance);
+  fmt::print("\"coverage\":{:.7g},\"pixels\":{},\"non_finite\":{}}}\n", error.coverage, error.pixels, error.non_finite);
 }
 
 }  // namespace
