@@ -115,7 +115,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--colour-source", "colour_source",
                       "automatic, model or coat; default look otherwise");
 
-  CLI::App* compare = add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");
+  CLI::App* compare =
+      add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");
   compare->add_option("reference", options.reference, "The true picture: PNG, JPEG, EXR or HDR")->required();
   compare->add_option("test", options.test, "The picture to measure, of the same size")->required();
   compare->add_option("--mask", options.mask,

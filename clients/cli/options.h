@@ -41,9 +41,9 @@ struct Options {
   // undo, redo, revert
   std::uint64_t count = 1;  // steps, or the revision
   // compare
-  std::string reference, test;  // pictures; "-" is standard input
-  std::string mask;             // a picture; "" for the alpha of both
-  std::string map;              // PNG to write; "" for none
+  std::string reference, test;      // pictures; "-" is standard input
+  std::string mask;                 // a picture; "" for the alpha of both
+  std::string map;                  // PNG to write; "" for none
   std::string tone_map = "filmic";  // of EXR and HDR: none or filmic
   // log
   bool lines = false;

@@ -8,7 +8,8 @@ namespace pelage {
 /// Rec. 709 luminance.
 double luminance_of(const glm::dvec3& linear);
 
-/// The linearised opponent space of Zhang and Wandell (1996): Y in [-16, 100], Cx red against green, Cz blue against yellow.
+/// The linearised opponent space of Zhang and Wandell (1996): Y in [-16, 100], Cx red against green, Cz blue against
+/// yellow.
 glm::dvec3 ycxcz_from_linear(const glm::dvec3& linear);
 
 /// Back, held to the colours that a display has.

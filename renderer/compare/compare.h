@@ -13,11 +13,11 @@
 namespace pelage {
 
 struct CompareOptions {
-  double pixels_per_degree = 67;         // [5, 1000]; .7 m before a screen of .7 m and 3840 pixels
-  ToneMap tone_map = ToneMap::filmic;    // before FLIP, of pictures that are not display referred
-  double background = 0.18;              // linear grey in [0, 1] behind both pictures
-  double outline = 8;                    // pixels to each side of the mask's edge, [0, 1000]
-  int threads = 0;                       // 0: as many as there are processors; no figure depends on it
+  double pixels_per_degree = 67;       // [5, 1000]; .7 m before a screen of .7 m and 3840 pixels
+  ToneMap tone_map = ToneMap::filmic;  // before FLIP, of pictures that are not display referred
+  double background = 0.18;            // linear grey in [0, 1] behind both pictures
+  double outline = 8;                  // pixels to each side of the mask's edge, [0, 1000]
+  int threads = 0;                     // 0: as many as there are processors; no figure depends on it
 };
 
 /// Mean and 95th percentile (nearest rank) of FLIP over some pixels, both in [0, 1].
@@ -25,8 +25,8 @@ struct FlipFigures {
   double mean = 0, percentile_95 = 0;
 };
 
-/// Figures over the mask. All but FLIP are in linear light over the background, without tone map; they say nothing where
-/// only one of the pictures is display referred.
+/// Figures over the mask. All but FLIP are in linear light over the background, without tone map; they say nothing
+/// where only one of the pictures is display referred.
 struct PictureFigures {
   FlipFigures flip;
   std::optional<FlipFigures> outline;  // none where the mask has no edge in the picture

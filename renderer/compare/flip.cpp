@@ -18,9 +18,7 @@ constexpr int strip_rows = 64;
 /// A table of numbers, row after row.
 struct Plane {
   Plane(int columns, int lines)
-      : width(columns),
-        height(lines),
-        values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines)) {}
+      : width(columns), height(lines), values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines)) {}
 
   double* row(int y) { return values.data() + static_cast<std::ptrdiff_t>(y) * width; }
   const double* row(int y) const { return values.data() + static_cast<std::ptrdiff_t>(y) * width; }
@@ -150,7 +148,8 @@ double redistribute(double difference, double largest) {
 void write_errors(const Seen& reference, const Seen& test, float* errors) {
   const double largest = largest_colour_difference();
   for (std::size_t i = 0; i < reference.lab.size(); ++i) {
-    const double edge = std::abs(reference.edge[i] - test.edge[i]), point = std::abs(reference.point[i] - test.point[i]);
+    const double edge = std::abs(reference.edge[i] - test.edge[i]),
+                 point = std::abs(reference.point[i] - test.point[i]);
     const double feature = std::sqrt(std::max(edge, point) / std::sqrt(2.0));
     const double colour = redistribute(hyab(reference.lab[i], test.lab[i]), largest);
     errors[i] = static_cast<float>(std::clamp(std::pow(colour, 1 - feature), 0.0, 1.0));

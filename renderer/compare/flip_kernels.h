@@ -11,8 +11,8 @@ using Kernel = std::vector<double>;
 inline int radius_of(const Kernel& kernel) { return static_cast<int>(kernel.size() / 2); }
 
 struct FlipKernels {
-  /// The eye's contrast sensitivity: luminance and red against green sum to 1. That of blue against yellow is the sum of
-  /// a narrow and a wide Gaussian, and the sums of their squares add up to 1.
+  /// The eye's contrast sensitivity: luminance and red against green sum to 1. That of blue against yellow is the sum
+  /// of a narrow and a wide Gaussian, and the sums of their squares add up to 1.
   Kernel luminance, red_green, blue_yellow_narrow, blue_yellow_wide;
   /// A Gaussian as wide as what the eye takes for an edge or a point, and its first and second derivative; the positive
   /// and the negative weights of a derivative sum to 1 and -1.

@@ -31,9 +31,7 @@ OIIO::ImageSpec exr_spec(int width, int height, std::span<const ExrPlane> planes
   return spec;
 }
 
-float within_half(float value) {
-  return std::isfinite(value) ? std::clamp(value, -largest_half, largest_half) : value;
-}
+float within_half(float value) { return std::isfinite(value) ? std::clamp(value, -largest_half, largest_half) : value; }
 
 /// Pixel by pixel, each channel in its own type, as the file keeps them.
 std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<const ExrPlane> planes) {

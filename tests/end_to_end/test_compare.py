@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -96,13 +97,18 @@ class Compare(unittest.TestCase):
         self.assertLess(self.figures(a, jpeg)["flip"]["mean"], 0.2)
 
     def test_not_a_number_is_refused(self):
-        path = self.folder / "nan.hdr"
-        a = self.folder / "a.exr"
+        a, broken = self.folder / "a.exr", self.folder / "nan.exr"
         if subprocess.run(["oiiotool", "--pattern", "constant:color=0.5,0.5,0.5", "8x8", "3", "-d", "float", "-o", a,
-                           "--addc", "nan,0,0", "-o", path.with_suffix(".exr")]).returncode:
+                           "--addc", "nan,0,0", "-o", broken]).returncode:
             self.skipTest("oiiotool is not installed")
-        run = self.compare(a, path.with_suffix(".exr"), code=3)
+        run = self.compare(a, broken, code=3)
         self.assertIn("64 pixels are NaN or infinite", run.stderr)
+
+    def test_a_client_without_its_other_program_says_so(self):
+        alone = shutil.copy(BIN / "pelage", self.folder)
+        run = subprocess.run([alone, "compare", "a.png", "b.png"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("pelage-compare", run.stderr)
 
     def test_refusals(self):
         a, small = self.picture("a.png", self.fur), self.picture("small.png", self.fur[:40])

@@ -79,15 +79,14 @@ void print(const PictureError& error) {
   }
   fmt::print("relMSE      {:.6g}\nRMSE        {:.6g}\n", figures.rel_mse, figures.rmse);
   fmt::print("bias        {:+.6g} of a mean luminance of {:.6g}\n", figures.bias, figures.reference_luminance);
-  fmt::print("coverage    {:.2f} %, {} pixels\nnot finite  {}\n", 100 * error.coverage, error.pixels,
-             error.non_finite);
+  fmt::print("coverage    {:.2f} %, {} pixels\nnot finite  {}\n", 100 * error.coverage, error.pixels, error.non_finite);
 }
 
 void print_json(const PictureError& error) {
   const PictureFigures& figures = *error.figures;
   fmt::print(R"({{"flip":{},"outline":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
-             json_of(figures.flip), figures.outline ? json_of(*figures.outline) : "null", figures.rel_mse,
-             figures.rmse, figures.bias, figures.reference_luminance);
+             json_of(figures.flip), figures.outline ? json_of(*figures.outline) : "null", figures.rel_mse, figures.rmse,
+             figures.bias, figures.reference_luminance);
   fmt::print("\"coverage\":{:.7g},\"pixels\":{},\"non_finite\":{}}}\n", error.coverage, error.pixels, error.non_finite);
 }
 

@@ -1,8 +1,8 @@
-// pelage-compare: what `pelage compare` becomes, with the same line. A program of its own, because the readers of pictures
-// bring some 250 libraries that take .15 s to load, which no other action of the client needs.
-#include "clients/cli/compare/compare_pictures.h"
-
+// pelage-compare: what `pelage compare` becomes, with the same line. A program of its own, because the readers of
+// pictures bring some 250 libraries that take .15 s to load, which no other action of the client needs.
 #include <cstdio>
+
+#include "clients/cli/compare/compare_pictures.h"
 
 int main(int argc, char** argv) {
   const auto [exit_code, options] = pelage::parse_line(argc, argv);

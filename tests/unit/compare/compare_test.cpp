@@ -128,9 +128,9 @@ TEST(Compare, OnePixelThatIsNotFiniteStopsEverything) {
     for (std::size_t channel : {0u, 2u, 3u}) {
       FloatImage broken = good;
       broken.rgba[4 * 1000 + channel] = bad;
-      for (const PictureError& error : {measured(good, broken, everywhere(64, 64)),
-                                        measured(broken, good, everywhere(64, 64)),
-                                        measured(broken, broken, everywhere(64, 64))}) {
+      for (const PictureError& error :
+           {measured(good, broken, everywhere(64, 64)), measured(broken, good, everywhere(64, 64)),
+            measured(broken, broken, everywhere(64, 64))}) {
         EXPECT_EQ(error.non_finite, 1u);
         EXPECT_FALSE(error.figures) << "one NaN must not drown in a mean";
         EXPECT_TRUE(error.flip.empty());
@@ -225,8 +225,7 @@ TEST(Compare, FloatPicturesAreToneMappedAndDisplayReferredOnesAreNot) {
   EXPECT_EQ(figures(one, two, mask, {.tone_map = ToneMap::none}).bias, figures(one, two, mask).bias);
   FloatImage shown = constant(16, 16, 0.5f, 0.5f, 0.5f), other = constant(16, 16, 0.4f, 0.4f, 0.4f);
   shown.display_referred = other.display_referred = true;
-  EXPECT_EQ(figures(shown, other, mask).flip.mean,
-            figures(shown, other, mask, {.tone_map = ToneMap::none}).flip.mean);
+  EXPECT_EQ(figures(shown, other, mask).flip.mean, figures(shown, other, mask, {.tone_map = ToneMap::none}).flip.mean);
 }
 
 TEST(Compare, SameBitsWithAnyNumberOfThreads) {

@@ -47,8 +47,9 @@ TEST(Flip, AgreesWithItsAuthorsImplementation) {
   constexpr double rounding = 5e-5;
   const Image plain = scene(96, 64);
   EXPECT_NEAR(mean_flip(noise(64, 48, 1), noise(64, 48, 100000)), 0.447823, rounding);
-  EXPECT_NEAR(mean_flip(plain, changed(plain, [](std::uint8_t* p) { p[0] = static_cast<std::uint8_t>(p[0] * 9 / 10); })),
-              0.182654, rounding);
+  EXPECT_NEAR(
+      mean_flip(plain, changed(plain, [](std::uint8_t* p) { p[0] = static_cast<std::uint8_t>(p[0] * 9 / 10); })),
+      0.182654, rounding);
   EXPECT_NEAR(mean_flip(plain, moved(plain)), 0.102136, rounding);
   EXPECT_NEAR(mean_flip(plain, changed(plain, [](std::uint8_t* p) { std::swap(p[0], p[2]); })), 0.582212, rounding);
   EXPECT_NEAR(mean_flip(noise(3, 2, 1), noise(3, 2, 50)), 0.946681, rounding) << "smaller than the filters";
@@ -119,10 +120,9 @@ TEST(Flip, FartherAwayLessIsSeen) {
 TEST(Flip, ExtremePicturesGiveErrorsWithinZeroAndOne) {
   for (double at : {5.0, 67.0, 1000.0}) {
     for (int level : {0, 255}) {
-      for (float error : flip_map(linear_image(noise(17, 5, 2)), linear_image(drawn(17, 5, [&](int x, int, int) {
-                                    return x % 2 ? level : 255 - level;
-                                  })),
-                                  at)) {
+      for (float error :
+           flip_map(linear_image(noise(17, 5, 2)),
+                    linear_image(drawn(17, 5, [&](int x, int, int) { return x % 2 ? level : 255 - level; })), at)) {
         ASSERT_TRUE(error >= 0 && error <= 1) << at;
       }
     }
@@ -135,7 +135,8 @@ TEST(FlipKernels, AreNormalised) {
   const FlipKernels kernels = flip_kernels(ppd);
   EXPECT_EQ(radius_of(kernels.luminance), 10);
   EXPECT_EQ(radius_of(kernels.smooth), 9);
-  for (const Kernel* kernel : {&kernels.luminance, &kernels.red_green, &kernels.smooth}) EXPECT_NEAR(sum(*kernel), 1, 1e-12);
+  for (const Kernel* kernel : {&kernels.luminance, &kernels.red_green, &kernels.smooth})
+    EXPECT_NEAR(sum(*kernel), 1, 1e-12);
   const double narrow = sum(kernels.blue_yellow_narrow), wide = sum(kernels.blue_yellow_wide);
   EXPECT_NEAR(narrow * narrow + wide * wide, 1, 1e-12);
   for (const Kernel* kernel : {&kernels.edge, &kernels.point}) {
@@ -154,7 +155,8 @@ TEST(ColourSpaces, HavePublishedValuesAndAnInverse) {
   const glm::dvec3 colour(0.2, 0.7, 0.05);
   EXPECT_NEAR(glm::length(linear_from_ycxcz(ycxcz_from_linear(colour)) - colour), 0, 1e-12);
   // L*a*b* of sRGB's green is (87.73, -86.18, 83.18); Hunt scales a and b by L / 100.
-  EXPECT_NEAR(glm::length(hunt_lab_from_linear({0, 1, 0}) - glm::dvec3(87.73, -86.18 * 0.8773, 83.18 * 0.8773)), 0, 0.03);
+  EXPECT_NEAR(glm::length(hunt_lab_from_linear({0, 1, 0}) - glm::dvec3(87.73, -86.18 * 0.8773, 83.18 * 0.8773)), 0,
+              0.03);
   EXPECT_NEAR(hyab({50, 3, 0}, {40, 0, 4}), 15, 1e-12);
 }
 
