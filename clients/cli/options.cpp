@@ -115,6 +115,17 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--colour-source", "colour_source",
                       "automatic, model or coat; default look otherwise");
 
+  CLI::App* compare =
+      add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");
+  compare->add_option("reference", options.reference, "The true picture: PNG, JPEG, EXR or HDR")->required();
+  compare->add_option("test", options.test, "The picture to measure, of the same size")->required();
+  compare->add_option("--mask", options.mask,
+                      "Picture of where to measure: its alpha, or what is brighter than half [the alpha of both]");
+  compare->add_option("--map", options.map, "PNG of where the error is, dark for none");
+  compare->add_option("--tone-map", options.tone_map, "How EXR and HDR are shown, for FLIP: none or filmic")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "filmic"}));
+
   CLI::App* pick = add_action(app, options, Action::pick, "pick", "Say what lies under a pixel");
   add_scene(pick, options);
   pick->add_option("x", options.x, "Pixels from the left")->required();
@@ -134,7 +145,7 @@ ParsedLine parse_line(int argc, char** argv) {
       ->default_val("http://127.0.0.1:8080");
   app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
   app.add_flag("--json", options.json, "Print the server's answer as JSON");
-  app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the server refused the input.");
+  app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
   declare_scene_actions(app, options);
   declare_groom_actions(app, options);
   declare_picture_actions(app, options);

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-enum class Action { create, load, run, frame, undo, redo, revert, log, pick, list, remove, info };
+enum class Action { create, load, run, frame, undo, redo, revert, log, pick, list, remove, info, compare };
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
@@ -40,6 +40,11 @@ struct Options {
   double x = 0, y = 0;  // pixels
   // undo, redo, revert
   std::uint64_t count = 1;  // steps, or the revision
+  // compare
+  std::string reference, test;      // pictures; "-" is standard input
+  std::string mask;                 // a picture; "" for the alpha of both
+  std::string map;                  // PNG to write; "" for none
+  std::string tone_map = "filmic";  // of EXR and HDR: none or filmic
   // log
   bool lines = false;
 };

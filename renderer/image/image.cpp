@@ -4,34 +4,43 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <limits>
 #include <memory>
 #include <string_view>
+
+#include "renderer/image/octets.h"
 
 namespace pelage {
 
 namespace {
 
-std::vector<std::uint8_t> without_alpha(const Image& image) {
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(image.rgba.size() / 4 * 3);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    rgb.insert(rgb.end(), {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
-  }
+template <class Sample>
+std::vector<Sample> without_alpha(const std::vector<Sample>& rgba) {
+  std::vector<Sample> rgb;
+  rgb.reserve(rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
   return rgb;
 }
 
-bool is_opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i] != 255) return false;
+template <class Sample>
+bool is_opaque(const std::vector<Sample>& rgba) {
+  for (std::size_t i = 3; i < rgba.size(); i += 4) {
+    if (rgba[i] != std::numeric_limits<Sample>::max()) return false;
   }
   return true;
 }
 
-OIIO::ImageSpec png_spec(const Image& image, int channels, std::span<const ImageText> texts) {
+template <class Picture>
+bool is_whole(const Picture& image) {
+  return image.width > 0 && image.height > 0 &&
+         image.rgba.size() ==
+             std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+}
+
+OIIO::ImageSpec png_spec(int width, int height, int channels, OIIO::TypeDesc type, std::span<const ImageText> texts) {
   constexpr int sub_filter = 16;  // PNG_FILTER_SUB
-  OIIO::ImageSpec spec(image.width, image.height, channels, OIIO::TypeDesc::UINT8);
+  OIIO::ImageSpec spec(width, height, channels, type);
   spec.attribute("png:compressionLevel", 1);
   spec.attribute("png:filter", sub_filter);
   spec.attribute("oiio:ColorSpace", "sRGB");
@@ -40,32 +49,14 @@ OIIO::ImageSpec png_spec(const Image& image, int channels, std::span<const Image
   return spec;
 }
 
-/// The file's name as OpenImageIO wants it to choose a reader; empty when the octets are neither PNG nor JPEG.
-std::string name_by_signature(std::string_view octets) {
-  using namespace std::string_view_literals;
-  if (octets.starts_with("\x89PNG\r\n\x1a\n"sv)) return "memory.png";
-  if (octets.starts_with("\xff\xd8\xff"sv)) return "memory.jpg";
-  return {};
-}
-
-/// Whether the chunks of a PNG end before IEND.
-bool is_png_cut_off(std::string_view octets) {
-  constexpr std::size_t signature = 8, frame = 12;  // of a chunk: its length, its name, its checksum
-  octets.remove_prefix(signature);
-  while (octets.size() >= frame) {
-    std::size_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(octets[i]);
-    if (length > octets.size() - frame) return true;
-    if (octets.substr(4, 4) == "IEND") return false;
-    octets.remove_prefix(frame + length);
-  }
-  return true;
-}
-
-/// Whether a JPEG has no end marker after its last scan: libjpeg fills what is missing with grey and goes on.
-bool is_jpeg_cut_off(std::string_view octets) {
-  const std::size_t scan = octets.rfind("\xff\xda"), end = octets.rfind("\xff\xd9");
-  return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
+template <class Picture>
+std::string encode_png_of(const Picture& image, bool keep_alpha, std::span<const ImageText> texts) {
+  assert(is_whole(image));
+  const auto type = OIIO::BaseTypeFromC<typename decltype(image.rgba)::value_type>::value;
+  const bool rgb = !keep_alpha && is_opaque(image.rgba);
+  const OIIO::ImageSpec spec = png_spec(image.width, image.height, rgb ? 3 : 4, type, texts);
+  if (!rgb) return write_picture(PictureFormat::png, spec, type, image.rgba.data());
+  return write_picture(PictureFormat::png, spec, type, without_alpha(image.rgba).data());
 }
 
 /// Grey, grey with alpha, or colour without alpha to RGBA.
@@ -81,60 +72,45 @@ std::vector<std::uint8_t> to_rgba(const std::vector<std::uint8_t>& pixels, std::
   return rgba;
 }
 
-Status refusal(const std::string& reason) { return failure(Code::invalid, "The picture cannot be read: " + reason); }
-
-std::string reason_of(const std::string& text) { return text.empty() ? "it is broken." : text; }
-
-Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
-  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels < 1 || spec.nchannels > 4 || spec.depth > 1) {
-    return refusal("it has no pixels or an unknown number of channels.");
-  }
-  if (spec.image_pixels() > max_pixels) {
-    return refusal("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels; at most " +
-                   std::to_string(max_pixels) + " are allowed.");
-  }
-  return {};
-}
-
 }  // namespace
 
 std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts) {
-  assert(image.width > 0 && image.height > 0);
-  assert(image.rgba.size() ==
-         std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  const bool rgb = !keep_alpha && is_opaque(image);
-  std::vector<unsigned char> octets;
-  OIIO::Filesystem::IOVecOutput sink(octets);
-  const auto output = OIIO::ImageOutput::create("memory.png", &sink);
-  assert(output);
-  bool written = output->open("memory.png", png_spec(image, rgb ? 3 : 4, texts));
-  const std::vector<std::uint8_t> opaque = rgb ? without_alpha(image) : std::vector<std::uint8_t>();
-  const void* pixels = rgb ? opaque.data() : image.rgba.data();
-  written = written && output->write_image(OIIO::TypeDesc::UINT8, pixels) && output->close();
-  assert(written);
-  return written ? std::string(octets.begin(), octets.end()) : std::string();
+  return encode_png_of(image, keep_alpha, texts);
+}
+
+std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts) {
+  return encode_png_of(image, keep_alpha, texts);
+}
+
+std::string encode_jpeg(const Image& image, int quality) {
+  assert(is_whole(image) && quality >= 1 && quality <= 100);
+  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("Compression", "jpeg:" + std::to_string(quality));
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  return write_picture(PictureFormat::jpeg, spec, spec.format, without_alpha(image.rgba).data());
 }
 
 Result<Image> decode_image(std::span<const std::byte> octets, std::size_t max_pixels) {
   const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
-  const std::string name = name_by_signature(text);
-  if (name.empty()) return refusal("it is neither PNG nor JPEG.");
-  const bool is_png = name == "memory.png";
-  if (is_png ? is_png_cut_off(text) : is_jpeg_cut_off(text)) return refusal("it is cut off.");
+  const PictureFormat format = format_of(text);
+  if (format != PictureFormat::png && format != PictureFormat::jpeg) return unreadable("it is neither PNG nor JPEG.");
+  if (is_cut_off(format, text)) return unreadable("it is cut off.");
 
+  const char* name = name_of(format);
   OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(octets.data()), octets.size());
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);
-  if (!input) return refusal(reason_of(OIIO::geterror()));
+  if (!input) return unreadable(reason_of(OIIO::geterror()));
   OIIO::ImageSpec spec;
-  if (!input->set_ioproxy(&source) || !input->open(name, spec, wishes)) return refusal(reason_of(input->geterror()));
+  if (!input->set_ioproxy(&source) || !input->open(name, spec, wishes)) return unreadable(reason_of(input->geterror()));
   if (Status status = check_size(spec, max_pixels); !status.ok()) return status;
+  if (spec.nchannels > 4) return unreadable("it has an unknown number of channels.");
 
   input->threads(1);
   std::vector<std::uint8_t> pixels(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()) || input->has_error()) {
-    return refusal(reason_of(input->geterror()));
+    return unreadable(reason_of(input->geterror()));
   }
   return Image{spec.width, spec.height, to_rgba(pixels, static_cast<std::size_t>(spec.nchannels))};
 }

@@ -1,4 +1,4 @@
-// Pictures in memory and as files: the only place that sees OpenImageIO.
+// 8-bit and 16-bit pictures in memory and as files. Only this folder sees OpenImageIO.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,23 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-struct ImageText {
-  std::string key, value;  // stored as PNG text
+/// The same with 16 bits.
+struct Image16 {
+  int width = 0, height = 0;
+  std::vector<std::uint16_t> rgba;
 };
 
-/// PNG with the fast settings (zlib level 1, sub filter) and sRGB marked; RGB when every alpha is 255 and
+struct ImageText {
+  std::string key, value;  // stored as PNG text or as an attribute of an EXR
+};
+
+/// PNG with the fast settings (zlib level 1, sub filter) and sRGB marked; RGB when every alpha is at its largest and
 /// `keep_alpha` is false.
 std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts = {});
+std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts = {});
+
+/// JPEG for drafts, quality in [1, 100]. JPEG has no alpha: the colour is written as it is, so draw over a background.
+std::string encode_jpeg(const Image& image, int quality);
 
 /// PNG or JPEG from memory; refused (invalid) when it is neither, broken, or over `max_pixels`.
 Result<Image> decode_image(std::span<const std::byte> octets, std::size_t max_pixels);

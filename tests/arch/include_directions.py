@@ -27,8 +27,10 @@ ALLOWED = {
     "renderer/pattern": ["protocol/base", "protocol/commands", "renderer/coat"],
     "renderer/shading": ["protocol/base", "protocol/commands"],
     "renderer/image": ["protocol/base"],
+    "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],
+    "clients/cli/compare": ["protocol", "clients/cli", "renderer/image", "renderer/compare"],
 }
 # outside library -> folders that may include it
 ONLY_IN = {
@@ -73,6 +75,9 @@ def self_test():
     assert problems("server/groom/a.cpp", '#include "server/scene/scene.h"')
     assert problems("server/groom/a.cpp", "#include <GL/gl.h>")
     assert problems("server/scene/a.cpp", "#include <nlohmann/json.hpp>")
+    assert problems("clients/cli/a.cpp", '#include "renderer/compare/compare.h"')
+    assert problems("clients/cli/compare/a.cpp", '#include "renderer/frame/renderer.h"')
+    assert not problems("clients/cli/compare/a.cpp", '#include "renderer/compare/compare.h"')
     assert not problems("server/groom/a.cpp", '#include "server/fields/field_set.h"\n#include <vector>')
     print("the checker finds what it should")
 

@@ -1,0 +1,189 @@
+#include "renderer/compare/flip.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <thread>
+
+#include "renderer/compare/colour.h"
+#include "renderer/compare/flip_kernels.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr int strip_rows = 64;
+
+/// A table of numbers, row after row.
+struct Plane {
+  Plane(int columns, int lines)
+      : width(columns), height(lines), values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines)) {}
+
+  double* row(int y) { return values.data() + static_cast<std::ptrdiff_t>(y) * width; }
+  const double* row(int y) const { return values.data() + static_cast<std::ptrdiff_t>(y) * width; }
+
+  int width, height;
+  std::vector<double> values;
+};
+
+/// sum += weight * from, for a row.
+void add_scaled(double* sum, const double* from, double weight, int count) {
+  for (int x = 0; x < count; ++x) sum[x] += weight * from[x];
+}
+
+/// Along the rows. `padded` has `reach` columns more on each side than what comes out.
+Plane filter_across(const Plane& padded, const Kernel& kernel, int reach) {
+  Plane filtered(padded.width - 2 * reach, padded.height);
+  const int first = reach - radius_of(kernel);
+  for (int y = 0; y < padded.height; ++y) {
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      add_scaled(filtered.row(y), padded.row(y) + first + static_cast<int>(k), kernel[k], filtered.width);
+    }
+  }
+  return filtered;
+}
+
+/// Along the columns, added to `sum`; `padded` has `reach` rows more above and below.
+void add_filtered_down(Plane& sum, const Plane& padded, const Kernel& kernel, int reach) {
+  const int first = reach - radius_of(kernel);
+  for (int y = 0; y < sum.height; ++y) {
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      add_scaled(sum.row(y), padded.row(y + first + static_cast<int>(k)), kernel[k], sum.width);
+    }
+  }
+}
+
+Plane filter_down(const Plane& padded, const Kernel& kernel, int reach) {
+  Plane filtered(padded.width, padded.height - 2 * reach);
+  add_filtered_down(filtered, padded, kernel, reach);
+  return filtered;
+}
+
+/// Rows [begin, end) of a picture with `reach` more on every side, in YCxCz.
+struct Opponent {
+  Plane y, cx, cz;
+};
+
+Opponent opponent_of(const FloatImage& picture, int begin, int end, int reach) {
+  const int width = picture.width + 2 * reach, height = end - begin + 2 * reach;
+  Opponent strip{{width, height}, {width, height}, {width, height}};
+  for (int row = 0; row < height; ++row) {
+    const int from = std::clamp(begin + row - reach, 0, picture.height - 1);
+    for (int x = 0; x < picture.width; ++x) {
+      const float* rgb = &picture.rgba[4 * (static_cast<std::size_t>(from) * static_cast<std::size_t>(picture.width) +
+                                            static_cast<std::size_t>(x))];
+      const glm::dvec3 colour = ycxcz_from_linear({rgb[0], rgb[1], rgb[2]});
+      strip.y.row(row)[x + reach] = colour.x;
+      strip.cx.row(row)[x + reach] = colour.y;
+      strip.cz.row(row)[x + reach] = colour.z;
+    }
+    for (Plane* plane : {&strip.y, &strip.cx, &strip.cz}) {
+      double* values = plane->row(row);
+      std::fill(values, values + reach, values[reach]);
+      std::fill(values + width - reach, values + width, values[width - reach - 1]);
+    }
+  }
+  return strip;
+}
+
+/// What the eye makes of a strip: colours after its contrast sensitivity, and the strength of edges and points.
+struct Seen {
+  std::vector<glm::dvec3> lab;
+  std::vector<double> edge, point;
+};
+
+void see_colour(Seen& seen, const Opponent& strip, const FlipKernels& kernels, int reach) {
+  const Plane y = filter_down(filter_across(strip.y, kernels.luminance, reach), kernels.luminance, reach);
+  const Plane cx = filter_down(filter_across(strip.cx, kernels.red_green, reach), kernels.red_green, reach);
+  Plane cz(y.width, y.height);
+  for (const Kernel* kernel : {&kernels.blue_yellow_narrow, &kernels.blue_yellow_wide}) {
+    add_filtered_down(cz, filter_across(strip.cz, *kernel, reach), *kernel, reach);
+  }
+  seen.lab.resize(y.values.size());
+  for (std::size_t i = 0; i < seen.lab.size(); ++i) {
+    seen.lab[i] = hunt_lab_from_linear(linear_from_ycxcz({y.values[i], cx.values[i], cz.values[i]}));
+  }
+}
+
+void see_features(Seen& seen, const Opponent& strip, const FlipKernels& kernels, int reach) {
+  Plane grey = strip.y;
+  for (double& value : grey.values) value = (value + 16) / 116;
+  const Plane smooth = filter_across(grey, kernels.smooth, reach);
+  const Plane edge_x = filter_down(filter_across(grey, kernels.edge, reach), kernels.smooth, reach);
+  const Plane edge_y = filter_down(smooth, kernels.edge, reach);
+  const Plane point_x = filter_down(filter_across(grey, kernels.point, reach), kernels.smooth, reach);
+  const Plane point_y = filter_down(smooth, kernels.point, reach);
+  for (std::size_t i = 0; i < edge_x.values.size(); ++i) {
+    seen.edge.push_back(std::hypot(edge_x.values[i], edge_y.values[i]));
+    seen.point.push_back(std::hypot(point_x.values[i], point_y.values[i]));
+  }
+}
+
+Seen see(const FloatImage& picture, int begin, int end, const FlipKernels& kernels) {
+  const int reach = kernels.reach();
+  const Opponent strip = opponent_of(picture, begin, end, reach);
+  Seen seen;
+  see_colour(seen, strip, kernels, reach);
+  see_features(seen, strip, kernels, reach);
+  return seen;
+}
+
+constexpr double colour_exponent = 0.7;  // q_c of the paper
+
+/// The largest difference that there is, between green and blue, raised to q_c.
+double largest_colour_difference() {
+  return std::pow(hyab(hunt_lab_from_linear({0, 1, 0}), hunt_lab_from_linear({0, 0, 1})), colour_exponent);
+}
+
+/// Raises to q_c and maps to [0, 1]: what is over p_c of the largest gets no more than the last 1 - p_t (eq. 6).
+double redistribute(double difference, double largest) {
+  constexpr double p_c = 0.4, p_t = 0.95;
+  const double raised = std::pow(difference, colour_exponent), knee = p_c * largest;
+  if (raised < knee) return raised * p_t / knee;
+  return p_t + (raised - knee) / (largest - knee) * (1 - p_t);
+}
+
+/// Features make a difference of colour weigh more: colour^(1 - feature) (eq. 8 and 9).
+void write_errors(const Seen& reference, const Seen& test, float* errors) {
+  const double largest = largest_colour_difference();
+  for (std::size_t i = 0; i < reference.lab.size(); ++i) {
+    const double edge = std::abs(reference.edge[i] - test.edge[i]),
+                 point = std::abs(reference.point[i] - test.point[i]);
+    const double feature = std::sqrt(std::max(edge, point) / std::sqrt(2.0));
+    const double colour = redistribute(hyab(reference.lab[i], test.lab[i]), largest);
+    errors[i] = static_cast<float>(std::clamp(std::pow(colour, 1 - feature), 0.0, 1.0));
+  }
+}
+
+int count_of(int threads, int strips) {
+  const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(wanted, 1, strips);
+}
+
+}  // namespace
+
+std::vector<float> flip_map(const FloatImage& reference, const FloatImage& test, double pixels_per_degree,
+                            int threads) {
+  assert(reference.width == test.width && reference.height == test.height);
+  assert(reference.width > 0 && reference.height > 0);
+  const FlipKernels kernels = flip_kernels(pixels_per_degree);
+  const std::size_t width = static_cast<std::size_t>(reference.width);
+  const int strips = (reference.height + strip_rows - 1) / strip_rows;
+  std::vector<float> errors(width * static_cast<std::size_t>(reference.height));
+  std::atomic<int> next = 0;
+  const auto work = [&] {
+    for (int strip = next++; strip < strips; strip = next++) {
+      const int begin = strip * strip_rows, end = std::min(begin + strip_rows, reference.height);
+      write_errors(see(reference, begin, end, kernels), see(test, begin, end, kernels),
+                   errors.data() + width * static_cast<std::size_t>(begin));
+    }
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < count_of(threads, strips); ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  return errors;
+}
+
+}  // namespace pelage

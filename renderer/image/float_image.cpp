@@ -1,0 +1,132 @@
+#include "renderer/image/float_image.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string_view>
+
+#include "renderer/image/octets.h"
+
+namespace pelage {
+
+namespace {
+
+/// Places of R, G, B and A among a file's channels; grey names one place three times. -1 where there is none.
+using Places = std::array<int, 4>;
+
+int place_of(const std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+/// "beauty." of "beauty.R"; "" of "R".
+std::string layer_of(const std::string& channel) {
+  const std::size_t dot = channel.rfind('.');
+  return dot == std::string::npos ? "" : channel.substr(0, dot + 1);
+}
+
+Places places_in_layer(const std::vector<std::string>& names, const std::string& layer) {
+  Places places;
+  for (std::size_t k = 0; k < 4; ++k) places[k] = place_of(names, layer + "RGBA"[k]);
+  if (places[0] < 0 && places[1] < 0 && places[2] < 0) {
+    const int grey = place_of(names, layer + "Y");
+    places = {grey, grey, grey, places[3]};
+  }
+  return places;
+}
+
+bool has_colour(const Places& places) { return places[0] >= 0 && places[1] >= 0 && places[2] >= 0; }
+
+Places places_by_name(const std::vector<std::string>& names) {
+  Places places = places_in_layer(names, "");
+  for (std::size_t i = 0; i < names.size() && !has_colour(places); ++i) {
+    places = places_in_layer(names, layer_of(names[i]));
+  }
+  return places;
+}
+
+/// By position, for formats without names of channels: grey, grey and alpha, RGB, RGBA.
+Places places_by_count(int channels) {
+  const bool grey = channels < 3, alpha = channels % 2 == 0;
+  return {0, grey ? 0 : 1, grey ? 0 : 2, alpha ? channels - 1 : -1};
+}
+
+/// Reads the range of channels that holds all places at once: most readers cannot go back to the first row.
+Status read_channels(OIIO::ImageInput& input, const Places& places, FloatImage& image) {
+  constexpr int most = 16;
+  const int last = *std::max_element(places.begin(), places.end());
+  const int first = std::min({places[0], places[1], places[2], places[3] < 0 ? last : places[3]});
+  if (last - first >= most) return unreadable("its channels of colour are too far apart.");
+  const std::size_t step = static_cast<std::size_t>(last - first) + 1, pixels = image.rgba.size() / 4;
+  std::vector<float> read(pixels * step);
+  if (!input.read_image(0, 0, first, last + 1, OIIO::TypeDesc::FLOAT, read.data()) || input.has_error()) {
+    return unreadable(reason_of(input.geterror()));
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (places[k] < 0) continue;
+    const std::size_t offset = static_cast<std::size_t>(places[k] - first);
+    for (std::size_t i = 0; i < pixels; ++i) image.rgba[i * 4 + k] = read[i * step + offset];
+  }
+  return {};
+}
+
+void make_linear_and_premultiplied(FloatImage& image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      image.rgba[i + k] = static_cast<float>(linear_from_srgb(image.rgba[i + k]) * image.rgba[i + 3]);
+    }
+  }
+}
+
+}  // namespace
+
+double linear_from_srgb(double value) {
+  if (value <= 0.04045) return value / 12.92;
+  return std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double srgb_from_linear(double value) {
+  if (value <= 0.0031308) return value * 12.92;
+  return 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+}
+
+FloatImage linear_image(const Image& image) {
+  FloatImage linear{image.width, image.height, std::vector<float>(image.rgba.size()), true};
+  std::transform(image.rgba.begin(), image.rgba.end(), linear.rgba.begin(),
+                 [](std::uint8_t value) { return static_cast<float>(value) * (1.0f / 255); });
+  make_linear_and_premultiplied(linear);
+  return linear;
+}
+
+Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels) {
+  const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
+  const PictureFormat format = format_of(text);
+  if (format == PictureFormat::unknown) return unreadable("it is neither PNG, JPEG, EXR nor HDR.");
+  if (is_cut_off(format, text)) return unreadable("it is cut off.");
+
+  const char* name = name_of(format);
+  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(octets.data()), octets.size());
+  OIIO::ImageSpec wishes;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);
+  if (!input) return unreadable(reason_of(OIIO::geterror()));
+  OIIO::ImageSpec spec;
+  if (!input->set_ioproxy(&source) || !input->open(name, spec, wishes)) return unreadable(reason_of(input->geterror()));
+  if (Status status = check_size(spec, max_pixels); !status.ok()) return status;
+
+  input->threads(1);
+  const bool named = format == PictureFormat::exr || spec.nchannels > 4;
+  const Places places = named ? places_by_name(spec.channelnames) : places_by_count(spec.nchannels);
+  if (!has_colour(places)) return unreadable("it has no channels R, G and B, nor Y.");
+  FloatImage image{spec.width, spec.height, std::vector<float>(spec.image_pixels() * 4, 1.0f)};
+  if (Status status = read_channels(*input, places, image); !status.ok()) return status;
+  image.display_referred = format == PictureFormat::png || format == PictureFormat::jpeg;
+  if (image.display_referred) make_linear_and_premultiplied(image);
+  return image;
+}
+
+}  // namespace pelage

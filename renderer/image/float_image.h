@@ -1,0 +1,49 @@
+// Pictures in linear light: what is measured, what lights a scene, and what a farm keeps.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/image/image.h"
+
+namespace pelage {
+
+/// Linear light with sRGB's primaries, multiplied by alpha, rows from the top, 4 * width * height numbers. Any float
+/// may be in it: what reads one decides what it does with NaN and infinity.
+struct FloatImage {
+  int width = 0, height = 0;
+  std::vector<float> rgba;
+  bool display_referred = false;  // from PNG or JPEG: tone mapped and held to [0, 1] already
+};
+
+/// The sRGB curve (IEC 61966-2-1) and back. Odd outside [0, 1]: no clamp.
+double linear_from_srgb(double value);
+double srgb_from_linear(double value);
+
+FloatImage linear_image(const Image& image);
+
+/// PNG (8 and 16 bit, taken as sRGB), JPEG, EXR or Radiance HDR from memory. Of an EXR the first part is read: R, G, B
+/// and A, else those of the first layer that has them ("beauty.R"), else Y as grey; alpha is 1 where there is none. NaN
+/// and infinity stay. Refused (invalid) when it is none of these, broken, without colour, or over `max_pixels`.
+Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels);
+
+enum class ExrSample { half, single };
+
+/// One channel of an EXR: the value of pixel i, rows from the top, is values[offset + i * stride].
+struct ExrPlane {
+  std::string channel;  // "R", "A", "Z", "normal.X"; unique in a file
+  std::span<const float> values;
+  std::size_t offset = 0, stride = 1;
+  ExrSample sample = ExrSample::half;
+};
+
+/// R, G, B and A of interleaved RGBA; with a layer's name their names are "LAYER.R" and so on.
+std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& layer = {});
+
+/// An EXR with these channels, zip compressed (lossless); the same input gives the same octets. Finite numbers beyond
+/// the range of half are held at its largest; NaN and infinity stay.
+std::string encode_exr(int width, int height, std::span<const ExrPlane> planes, std::span<const ImageText> texts = {});
+
+}  // namespace pelage
