@@ -37,7 +37,7 @@ def check(source, text, defines):
     stage = source.suffix[1:]
     version, rest = text.split("\n", 1)
     with tempfile.NamedTemporaryFile("w", suffix="." + stage) as file:
-        file.write("\n".join([version, *(f"#define {name}" for name in defines), rest]))
+        file.write("\n".join([version, *(f"#define {name} 1" for name in defines), rest]))
         file.flush()
         answer = subprocess.run(["glslangValidator", file.name], capture_output=True, text=True)
     if answer.returncode:

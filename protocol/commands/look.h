@@ -36,6 +36,8 @@ struct FibreOptics {
   double shift_spread = 0.1;        // from strand to strand, [0, 2]; scheuermann
   double secondary_specular = 0.3;  // weight of the coloured lobe, [0, 4]; scheuermann
   double secondary_exponent = 12;   // [0, 1e6]; scheuermann
+
+  bool operator==(const FibreOptics&) const = default;
 };
 
 /// Weights of GPU fur eq 1 and what goes with them.
@@ -52,6 +54,8 @@ struct Look {
   double ambient_floor = 0.3;        // e of g = (1-e) s + e, [0, 1]
   double self_shadow = 1;            // scales the optical depth to the light, [0, 4]
   glm::vec3 skin{0.10f, 0.065f, 0.05f};  // linear; colour under the fur where the model has none
+
+  bool operator==(const Look&) const = default;
 };
 
 enum class LightKind { directional, point, spot };

@@ -90,9 +90,32 @@ View view(const Value& value) {
   return result;
 }
 
+FibreOptics fibre(const Value& value) {
+  Object object(value);
+  FibreOptics result;
+  object.number("longitudinal_roughness", result.longitudinal_roughness, share);
+  object.number("azimuthal_roughness", result.azimuthal_roughness, share);
+  object.number("cuticle_tilt", result.cuticle_tilt, {-15, 15});
+  object.number("refractive_index", result.refractive_index, {1, 3});
+  object.name("absorption", result.absorption, json_names::absorptions);
+  object.number("eumelanin", result.eumelanin, {0, 1e4});
+  object.number("pheomelanin", result.pheomelanin, {0, 1e4});
+  object.number("highlight_width", result.highlight_width, {0, 90});
+  object.number("caustic_width", result.caustic_width, {1, 60});
+  object.number("primary_shift", result.primary_shift, {-2, 2});
+  object.number("secondary_shift", result.secondary_shift, {-2, 2});
+  object.number("shift_spread", result.shift_spread, {0, 2});
+  object.number("secondary_specular", result.secondary_specular, {0, 4});
+  object.number("secondary_exponent", result.secondary_exponent, {0, 1e6});
+  object.finish();
+  return result;
+}
+
 Look look(const Value& value) {
   Object object(value);
   Look result;
+  object.name("shading", result.shading, json_names::shading_models);
+  object.optional("fibre", [&](const Value& v) { result.fibre = fibre(v); });
   object.name("colour_source", result.colour_source, json_names::colour_sources);
   object.number("ambient", result.ambient, {0, 4});
   object.number("diffuse", result.diffuse, {0, 4});

@@ -139,8 +139,27 @@ Json json_of(const Coat& coat) {
           {"seed", coat.seed}};
 }
 
+Json json_of(const FibreOptics& fibre) {
+  return {{"longitudinal_roughness", fibre.longitudinal_roughness},
+          {"azimuthal_roughness", fibre.azimuthal_roughness},
+          {"cuticle_tilt", fibre.cuticle_tilt},
+          {"refractive_index", fibre.refractive_index},
+          {"absorption", text_of(json_names::absorptions, fibre.absorption)},
+          {"eumelanin", fibre.eumelanin},
+          {"pheomelanin", fibre.pheomelanin},
+          {"highlight_width", fibre.highlight_width},
+          {"caustic_width", fibre.caustic_width},
+          {"primary_shift", fibre.primary_shift},
+          {"secondary_shift", fibre.secondary_shift},
+          {"shift_spread", fibre.shift_spread},
+          {"secondary_specular", fibre.secondary_specular},
+          {"secondary_exponent", fibre.secondary_exponent}};
+}
+
 Json json_of(const Look& look) {
   return {{"colour_source", text_of(json_names::colour_sources, look.colour_source)},
+          {"shading", text_of(json_names::shading_models, look.shading)},
+          {"fibre", json_of(look.fibre)},
           {"ambient", look.ambient},
           {"diffuse", look.diffuse},
           {"specular", look.specular},

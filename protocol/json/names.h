@@ -40,6 +40,14 @@ inline constexpr std::array<Name<PatternKind>, 7> pattern_kinds{{{"none", Patter
                                                                  {"countershading", PatternKind::countershading}}};
 inline constexpr std::array<Name<ColourSource>, 3> colour_sources{
     {{"automatic", ColourSource::automatic}, {"model", ColourSource::model}, {"coat", ColourSource::coat}}};
+inline constexpr std::array<Name<ShadingModel>, 6> shading_models{{{"lengyel", ShadingModel::lengyel},
+                                                                  {"kajiya", ShadingModel::kajiya},
+                                                                  {"energy_conserving", ShadingModel::energy_conserving},
+                                                                  {"scheuermann", ShadingModel::scheuermann},
+                                                                  {"kajiya_kay", ShadingModel::kajiya_kay},
+                                                                  {"marschner", ShadingModel::marschner}}};
+inline constexpr std::array<Name<Absorption>, 2> absorptions{
+    {{"colour", Absorption::colour}, {"melanin", Absorption::melanin}}};
 inline constexpr std::array<Name<LightKind>, 3> light_kinds{
     {{"directional", LightKind::directional}, {"point", LightKind::point}, {"spot", LightKind::spot}}};
 inline constexpr std::array<Name<CastShadow>, 3> cast_shadows{

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "protocol/commands/coat.h"
+#include "protocol/commands/look.h"
 
 namespace pelage {
 
@@ -16,6 +17,13 @@ inline double wet_shine(const Coat& coat) { return 1 + coat.wetness; }
 
 /// Factor on the exponent of the highlight (one over the square of its width), 1 to 3.
 inline double wet_sharpness(const Coat& coat) { return 1 + 2 * coat.wetness; }
+
+/// A look as the coat's wetness leaves it: shinier, with sharper highlights.
+inline Look wet_look(const Coat& coat, Look look) {
+  look.specular *= wet_shine(coat);
+  look.specular_exponent *= wet_sharpness(coat);
+  return look;
+}
 
 /// A linear colour as the coat's wetness leaves it.
 inline glm::vec3 wet_colour(const Coat& coat, glm::vec3 colour) {

@@ -32,7 +32,9 @@ std::string variant_of(const FurFrame& frame) {
   const Environment& light = frame.environment;
   const bool constant = light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
-         (has_pattern(frame.coat) ? "#define PATTERN\n" : "");
+         (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
+         (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
+         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
@@ -46,7 +48,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
 }
 
 Renderer::Renderer(const Gl& gl)
-    : gl_(gl), fur_(gl), shadows_(gl), ground_(gl), resolve_(gl), pattern_(gl), frame_block_(gl) {}
+    : gl_(gl), fur_(gl), shadows_(gl), ground_(gl), resolve_(gl), pattern_(gl), scattering_(gl), frame_block_(gl) {}
 
 Status Renderer::programs() const {
   const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + resolve_.failure();
@@ -110,6 +112,7 @@ void Renderer::draw_scene(const FurFrame& frame, const CoatTextures& coat, Model
   if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
   gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
+  scattering_.prepare(gl_, frame);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
   set_draw_state(gl_, drawn_);
   gl_.DepthMask(GL_TRUE);

@@ -18,6 +18,7 @@
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/pattern_textures.h"
+#include "renderer/upload/scattering_textures.h"
 
 namespace pelage {
 
@@ -60,6 +61,7 @@ class Renderer {
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first
   PatternTextures pattern_;
+  ScatteringTextures scattering_;
   Buffer frame_block_;
   RenderTarget drawn_, single_, picture_;
 };

@@ -1,11 +1,14 @@
-// GPU fur eq 1: c = ka g + [kd C (1-(T.L)^2)^(pd/2) + ks (1-(T.H)^2)^(ps/2)] t B, for each light.
+// Light on fur: what arrives, what gets through, and what a fibre sends to the eye.
 
 #ifdef SHADOW_MAPS
 #include "shadow.glsl"
 #endif
 
-// x^p for x in [0, 1] as an exponential of a logarithm that stays finite.
-float power(float x, float p) { return exp2(p * log2(max(x, 1e-12))); }
+#include "scattering.glsl"
+
+#ifndef SHADING_MODEL
+#define SHADING_MODEL model_kajiya
+#endif
 
 // Where the light comes from, unit, and what arrives at the place.
 void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
@@ -37,13 +40,22 @@ vec3 environment_light(vec3 n) {
 #endif
 }
 
+// What a bundle sends back after many fibres. The fibre models scatter once; without the rest, pale fur turns grey and
+// red fur brown (dual scattering in spirit; science.md 4).
+vec3 scatter_again(vec3 tangent, vec3 to_light, vec3 colour) {
+  float along = dot(tangent, to_light);
+  return 0.55 * scattering.weights.x * colour * sqrt(max(0.0, 1.0 - along * along));
+}
+
 struct Fibre {
   vec3 place, normal, tangent, to_eye;
   vec3 colour;    // C
   float height;   // s in [0, 1]
   float depth;    // optical depth to a light along the normal
+  float strand;   // number of the strand in [0, 1]
 };
 
+// Light that a fibre sends to the eye, after GPU fur eq 1 to 3: each light is scattered by the look's shading model.
 vec3 fibre_light(Fibre fibre) {
   float ground = mix(frame.weights.w, 1.0, fibre.height);
   vec3 ambient_kept = transmittance(0.6 * fibre.depth * frame.exponents.w, fibre.colour);
@@ -51,21 +63,18 @@ vec3 fibre_light(Fibre fibre) {
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
-    vec3 middle = to_light + fibre.to_eye;
-    middle *= inversesqrt(max(dot(middle, middle), 1e-12));
-    float along_light = dot(fibre.tangent, to_light), along_middle = dot(fibre.tangent, middle);
     float facing = dot(fibre.normal, to_light);
-    float diffuse = power(max(0.0, 1.0 - along_light * along_light), 0.5 * frame.exponents.x);
-    float specular = power(max(0.0, 1.0 - along_middle * along_middle), 0.5 * frame.exponents.y);
-    float back = facing >= 0.0 ? 1.0 : 1.0 - min(-facing, frame.exponents.z) / frame.exponents.z;
     float depth = frame.exponents.w * fibre.depth / max(facing, 0.3);
 #ifdef SHADOW_MAPS
     depth = layer_depth(i, fibre.place, fibre.height, facing, depth);
     radiance *= cast_light(i, fibre.place);
 #endif
-    vec3 kept = transmittance(depth, fibre.colour);
-    vec3 scattered = frame.weights.y * fibre.colour * diffuse + frame.weights.z * specular;
-    sum += radiance * scattered * kept * back;
+    vec3 scattered = scatter(SHADING_MODEL, fibre.tangent, fibre.normal, to_light, fibre.to_eye, fibre.colour, fibre.strand);
+    if (SHADING_MODEL == model_energy_conserving || SHADING_MODEL == model_marschner) {
+      scattered = 0.6 * scattered + scatter_again(fibre.tangent, to_light, fibre.colour);
+    }
+    sum += radiance * scattered * transmittance(depth, fibre.colour) *
+           light_behind(SHADING_MODEL, facing, frame.exponents.z);
   }
   return sum;
 }

@@ -52,13 +52,13 @@ bool takes_model_colours(ColourSource source, bool model_has_colours) {
 
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels) {
   assert(frame.lights.size() <= 8);
-  const Look& look = frame.look;
+  const Look look = wet_look(frame.coat, frame.look);
   const Coat& coat = frame.coat;
   FrameBlock block;
   block.world_to_clip = projection(frame) * view(frame.camera);
   block.eye = {frame.camera.eye, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};
-  block.weights = glm::vec4(look.ambient, look.diffuse, look.specular * wet_shine(coat), look.ambient_floor);
-  block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent * wet_sharpness(coat), look.back_attenuation,
+  block.weights = glm::vec4(look.ambient, look.diffuse, look.specular, look.ambient_floor);
+  block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,
                               frame.knobs.self_shadow ? look.self_shadow : 0.0);
   block.skin = {look.skin, takes_model_colours(look.colour_source, model_has_colours) ? 1.0f : 0.0f};
   block.counts = glm::vec4(frame.knobs.shells, frame.knobs.steps, frame.lights.size(), coat.root_share);

@@ -40,7 +40,7 @@ CoatTextures trilinear(const Gl& gl, const Coat& coat) {
 NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame)
     : gl_(gl), frame_(frame), coat_(trilinear(gl, frame.coat)), model_(send(gl, model)),
       skin_(gl, shaders::skin_vert, shaders::skin_frag), shell_(gl, shaders::naive_vert, shaders::naive_frag),
-      resolve_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, 1, true),
+      resolve_(gl), scattering_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, 1, true),
       picture_(gl, GL_RGBA8, frame.width, frame.height, 1, false) {
   assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());
   gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
@@ -55,6 +55,7 @@ Image NaiveRenderer::draw() {
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_DEPTH, 0, &far_away);
   gl_.NamedBufferSubData(block_.id(), 0, sizeof(FrameBlock), &block);
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, block_.id());
+  scattering_.prepare(gl_, frame_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer());
   gl_.Viewport(0, 0, frame_.width, frame_.height);
   gl_.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/frame/renderer.h"
+#include "renderer/upload/scattering_textures.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::bench {
@@ -20,6 +21,7 @@ class NaiveRenderer {
   ModelBuffers model_;
   Program skin_, shell_;
   ResolvePass resolve_;
+  ScatteringTextures scattering_;
   Buffer block_;
   RenderTarget drawn_, picture_;
 };

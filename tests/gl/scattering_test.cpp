@@ -74,7 +74,7 @@ class Scattering : public OnBackend {
     const Buffer block(gl());
     const ScatteringBlock values = scattering_block(look);
     gl().NamedBufferData(block.id(), sizeof values, &values, GL_STATIC_DRAW);
-    gl().BindBufferBase(GL_UNIFORM_BUFFER, 1, block.id());
+    gl().BindBufferBase(GL_UNIFORM_BUFFER, 3, block.id());
     const Texture inputs = send_cases(asked), azimuthal = send_table(table);
     gl().BindTextureUnit(0, inputs.id());
     gl().BindTextureUnit(3, azimuthal.id());

@@ -21,6 +21,9 @@ in vec3 base_uv;
 in vec3 base_colour;
 
 in float density_share;
+#ifdef LENGYEL
+in vec3 vertex_light;  // for fur of colour 1
+#endif
 
 uniform int step_count;  // texture steps inside the slab
 
@@ -32,8 +35,8 @@ void main() {
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;
   vec2 at = tile + tile_per_height * (height - shell_height());
-  vec3 strand = textureLod(colours, vec3(at, floor(height * float(slice_count))), floor(level + 0.5)).rgb;
-  strand *= strand;
+  vec4 texel = textureLod(colours, vec3(at, floor(height * float(slice_count))), floor(level + 0.5));
+  vec3 strand = texel.rgb * texel.rgb;
   vec2 slope = (slab.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 normal = normalize(fibre_normal);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
@@ -42,6 +45,11 @@ void main() {
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
 #endif
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above);
-  result = vec4(fibre_light(fibre) * slab.opacity, slab.opacity);
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, texel.a);
+#ifdef LENGYEL
+  vec3 light = colour * vertex_light;
+#else
+  vec3 light = fibre_light(fibre);
+#endif
+  result = vec4(light * slab.opacity, slab.opacity);
 }

@@ -2,6 +2,10 @@
 #include "frame.glsl"
 #include "lean.glsl"
 
+#ifdef LENGYEL
+#include "lighting.glsl"
+#endif
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 tangent;
@@ -35,6 +39,9 @@ out float slant;         // path through a slab over its thickness, as the stran
 out vec3 tile_u;
 out vec3 base_uv;
 out vec3 base_colour;
+#ifdef LENGYEL
+out vec3 vertex_light;   // the baseline of GPU fur: light at the vertices, for fur of colour 1
+#endif
 out float density_share; // of the optical depth that this piece and this set draw
 
 // As set_share in renderer/upload/layer_sets.cpp.
@@ -73,6 +80,12 @@ void main() {
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   density_share = weight * (layer_set < 0 ? 1.0 : set_share(layer_level, layer_set));
   tile_u = tile_axis;
+#ifdef LENGYEL
+  int above = int(s * float(slice_count));
+  float depth = frame.depth_above[above / 4][above % 4];
+  const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
+  vertex_light = fibre_light(Fibre(place, normal, normalize(fibre_tangent), to_eye, vec3(grey), s, depth, 0.5)) / grey;
+#endif
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);

@@ -26,6 +26,6 @@ void main() {
   vec2 slope = (shape.xy * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
   Fibre fibre = Fibre(place, normal, tangent, to_eye, fur_colour(strand * strand, base_colour, base_uv), height,
-                      -log(max(shape.b, 0.004)));
+                      -log(max(shape.b, 0.004)), 0.5);
   result = vec4(fibre_light(fibre) * opacity, opacity);
 }

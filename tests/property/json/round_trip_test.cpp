@@ -193,7 +193,22 @@ Command set_coat() {
 }
 
 Look look() {
-  return {.colour_source = one_of(ColourSource::coat),
+  return {.shading = one_of(ShadingModel::marschner),
+          .fibre = {.longitudinal_roughness = number(0, 1),
+                    .azimuthal_roughness = number(0, 1),
+                    .cuticle_tilt = number(-15, 15),
+                    .refractive_index = number(1, 3),
+                    .absorption = one_of(Absorption::melanin),
+                    .eumelanin = number(0, 1e4),
+                    .pheomelanin = number(0, 1e4),
+                    .highlight_width = number(0, 90),
+                    .caustic_width = number(1, 60),
+                    .primary_shift = number(-2, 2),
+                    .secondary_shift = number(-2, 2),
+                    .shift_spread = number(0, 2),
+                    .secondary_specular = number(0, 4),
+                    .secondary_exponent = number(0, 1e6)},
+          .colour_source = one_of(ColourSource::coat),
           .ambient = number(0, 4),
           .diffuse = number(0, 4),
           .specular = number(0, 4),
