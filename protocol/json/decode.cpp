@@ -96,13 +96,22 @@ Command set_lights(Object& object) {
   return result;
 }
 
+Command set_eyes(Object& object) {
+  SetEyes result;
+  object.required("eyes", [&](const Value& list) {
+    for (const Value& member : list.list(0, limits::eyes)) result.eyes.push_back(eye(member));
+  });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 6> command_readers{{{"comb", comb},
+constexpr std::array<json_names::Name<CommandReader>, 7> command_readers{{{"comb", comb},
                                                                           {"blow", blow},
                                                                           {"attract", attract},
                                                                           {"set_coat", set_coat},
                                                                           {"set_look", set_look},
-                                                                          {"set_lights", set_lights}}};
+                                                                          {"set_lights", set_lights},
+                                                                          {"set_eyes", set_eyes}}};
 
 Command command(const Value& value) {
   Object object(value);

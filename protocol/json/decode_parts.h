@@ -17,6 +17,7 @@ View view(const Value& value);
 Look look(const Value& value);
 Coat coat(const Value& value);
 Light light(const Value& value);
+Eye eye(const Value& value);
 Brush brush(const Value& value);
 Stroke stroke(const Value& value);
 FirstGroom fur(const Value& value);

@@ -21,7 +21,7 @@ struct Parameter {
   Kind kind;
 };
 
-constexpr std::array<Parameter, 21> frame_parameters{{{"width", "/width", Kind::number},
+constexpr std::array<Parameter, 22> frame_parameters{{{"width", "/width", Kind::number},
                                                       {"height", "/height", Kind::number},
                                                       {"camera", "/camera/auto", Kind::text},
                                                       {"eye", "/camera/eye", Kind::list},
@@ -33,6 +33,7 @@ constexpr std::array<Parameter, 21> frame_parameters{{{"width", "/width", Kind::
                                                       {"samples", "/quality/samples", Kind::number},
                                                       {"steps", "/quality/steps", Kind::number},
                                                       {"scale", "/quality/scale", Kind::number},
+                                                      {"eye_steps", "/quality/eye_steps", Kind::number},
                                                       {"self_shadow", "/quality/self_shadow", Kind::boolean},
                                                       {"shell_policy", "/quality/shell_policy", Kind::text},
                                                       {"accumulation", "/quality/accumulation", Kind::text},

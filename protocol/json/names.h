@@ -35,6 +35,8 @@ inline constexpr std::array<Name<ColourSource>, 3> colour_sources{
     {{"automatic", ColourSource::automatic}, {"model", ColourSource::model}, {"coat", ColourSource::coat}}};
 inline constexpr std::array<Name<LightKind>, 2> light_kinds{
     {{"directional", LightKind::directional}, {"point", LightKind::point}}};
+inline constexpr std::array<Name<PupilShape>, 2> pupil_shapes{
+    {{"round", PupilShape::round}, {"slit", PupilShape::slit}}};
 inline constexpr std::array<Name<Tier>, 3> tiers{
     {{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 namespace pelage {
 
@@ -29,7 +30,7 @@ int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
   std::unique_ptr<Renderer> renderer(new Renderer(gl));
-  const std::string log = renderer->fur_.failure() + renderer->resolve_.failure();
+  const std::string log = renderer->fur_.failure() + renderer->eyes_.failure() + renderer->resolve_.failure();
   if (!log.empty()) return failure(Code::unavailable, "a shader program cannot be built: " + log);
   return renderer;
 }
@@ -87,7 +88,9 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch drawing;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model->second.has_colours(), drawn_.height());
-  fur_.draw(gl_, block, frame.knobs, model->second, coat, drawn_);
+  std::function<void()> draw_eyes;
+  if (!frame.eyes.empty()) draw_eyes = [&] { eyes_.draw(gl_, frame, drawn_); };
+  fur_.draw(gl_, block, frame.knobs, model->second, coat, drawn_, draw_eyes);
   if (frame.knobs.samples > 1) {
     gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                              drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);

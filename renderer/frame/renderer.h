@@ -11,6 +11,7 @@
 #include "renderer/gl/render_target.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/passes/eye/eye_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/upload/coat_textures.h"
@@ -42,13 +43,14 @@ class Renderer {
   void forget(std::uint64_t model);
 
  private:
-  explicit Renderer(const Gl& gl) : gl_(gl), fur_(gl), resolve_(gl) {}
+  explicit Renderer(const Gl& gl) : gl_(gl), fur_(gl), eyes_(gl), resolve_(gl) {}
   Status prepare_targets(const FurFrame& frame);
   const CoatTextures& textures_of(const Coat& coat);
   Result<Image> read_back(const FurFrame& frame);
 
   const Gl& gl_;
   FurPass fur_;
+  EyePass eyes_;
   ResolvePass resolve_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first

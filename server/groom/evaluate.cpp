@@ -17,6 +17,7 @@ struct Tools {
   Evaluation operator()(const SetCoat&) const { return {}; }
   Evaluation operator()(const SetLook&) const { return {}; }
   Evaluation operator()(const SetLights&) const { return {}; }
+  Evaluation operator()(const SetEyes&) const { return {}; }
 };
 
 }  // namespace

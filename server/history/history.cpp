@@ -47,6 +47,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.look = look->look;
   else if (const auto* lights = std::get_if<SetLights>(&command))
     settings.lights = lights->lights;
+  else if (const auto* eyes = std::get_if<SetEyes>(&command))
+    settings.eyes = eyes->eyes;
   else
     return std::nullopt;
   return settings;
@@ -57,8 +59,8 @@ const char* name_of(EntryKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-History::History(Revision first) : first_(first), records_(1) {
-  records_[0].settings = std::make_shared<const SceneSettings>();
+History::History(Revision first, SceneSettings settings) : first_(first), records_(1) {
+  records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
 }
 
 Result<FieldDelta> History::undo(std::uint64_t steps) const {

@@ -18,9 +18,10 @@ struct SceneSettings {
   Coat coat;
   Look look;
   std::vector<Light> lights = default_lights();
+  std::vector<Eye> eyes;
 };
 
-/// The settings with a set_coat, set_look or set_lights carried out; none for other commands.
+/// The settings with a set_coat, set_look, set_lights or set_eyes carried out; none for other commands.
 std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command);
 
 /// A new step; a part that joins the last step; and the ways through the steps.
@@ -43,7 +44,8 @@ struct Entry {
 /// beginning with the lists of other states, so that undo and revert never copy or re-evaluate anything.
 class History {
  public:
-  explicit History(Revision first);
+  /// `settings` are those of the first revision.
+  explicit History(Revision first, SceneSettings settings = {});
 
   Revision revision() const { return first_ + records_.size() - 1; }
   Revision first_revision() const { return first_; }

@@ -52,7 +52,8 @@ Status check_schema(Database& database) {
 }
 
 std::string settings_text(const SceneSettings& settings) {
-  return encode(std::vector<Command>{SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights}});
+  return encode(std::vector<Command>{SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights},
+                                     SetEyes{settings.eyes}});
 }
 
 Result<std::shared_ptr<const SceneSettings>> settings_from(const std::string& text) {

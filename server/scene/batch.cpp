@@ -14,7 +14,8 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 std::string text_of(const SceneSettings& settings) {
-  return encode(std::vector<Command>{SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights}});
+  return encode(std::vector<Command>{SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights},
+                                     SetEyes{settings.eyes}});
 }
 
 /// Carries out a command that sets something about the scene; whether that made a difference.

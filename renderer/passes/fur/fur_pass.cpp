@@ -61,18 +61,27 @@ std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
 }
 
 void FurPass::draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, ModelBuffers& model,
-                   const CoatTextures& coat, const RenderTarget& target) {
+                   const CoatTextures& coat, const RenderTarget& target,
+                   const std::function<void()>& before_fur) {
   clear(gl, target);
   set_state(gl, target);
   const auto lists = model.sort_for(gl, {glm::vec3(block.eye), block.eye.w, knobs.shells, knobs.shell_policy});
   gl.NamedBufferSubData(block_.id(), 0, sizeof(FrameBlock), &block);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, block_.id());
+  bind(gl, model, coat);
+  draw_skin(gl, lists);
+  if (before_fur) {
+    before_fur();
+    bind(gl, model, coat);
+  }
+  draw_fur(gl, lists, knobs);
+}
+
+void FurPass::bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat) {
   gl.BindVertexArray(model.vertex_array());
   gl.BindTextureUnit(0, coat.shapes());
   gl.BindTextureUnit(1, coat.colours());
   gl.BindTextureUnit(2, model.base_images());
-  draw_skin(gl, lists);
-  draw_fur(gl, lists, knobs);
 }
 
 void FurPass::draw_skin(const Gl& gl, const ModelBuffers::DrawLists& lists) const {

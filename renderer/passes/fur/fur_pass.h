@@ -1,6 +1,7 @@
 // The skin with its undercoat, then the fur as shells.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,10 @@ class FurPass {
   /// "" when both programs were built.
   std::string failure() const { return skin_.log() + solid_.log() + fur_.log(); }
 
-  /// Clears the target and draws. Order: skin; depth of dense fur; fur turned away from the
-  /// eye, outside in; fur that faces it, inside out.
+  /// Clears the target and draws. Order: skin; depth of dense fur; what `before_fur` draws, where it is given; fur turned
+  /// away from the eye, outside in; fur that faces it, inside out.
   void draw(const Gl& gl, const FrameBlock& block, const Knobs& knobs, ModelBuffers& model, const CoatTextures& coat,
-            const RenderTarget& target);
+            const RenderTarget& target, const std::function<void()>& before_fur = {});
 
  private:
   /// One shell of one set of layers.
@@ -32,6 +33,7 @@ class FurPass {
     double height() const { return (shell + 0.5) / shells; }
   };
   static std::vector<Layer> layers_of(const Knobs& knobs);  // of all sets, inside out
+  static void bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat);
   void draw_skin(const Gl& gl, const ModelBuffers::DrawLists& lists) const;
   void draw_fur(const Gl& gl, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const;
   void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
