@@ -46,15 +46,15 @@ Tissue tissue(double around, double along) {
   const double collarette = std::exp(-std::pow((along - edge) / 0.035, 2.0));
   const double coarse = fibres(around, along, 88, 3.0, 21), fine = fibres(around, along, 232, 2.0, 31);
   const double hair = fibres(around, along, 480, 2.0, 41);
-  const double crypt = outside * glm::smoothstep(0.62, 0.86, noise(around, along, 30, 3.5, 51)) *
+  const double crypt = outside * glm::smoothstep(0.66, 0.95, noise(around, along, 44, 4.5, 51)) *
                        glm::smoothstep(0.95, 0.75, along);
   const double furrow = outside * std::pow(std::sin(along * 26 + 3 * noise(around, along, 12, 2, 61)), 8.0);
-  const double strands = 0.50 * coarse + 0.32 * fine + 0.18 * hair;
+  const double strands = 0.48 * coarse + 0.34 * fine + 0.18 * hair;
   const double margin = glm::smoothstep(0.0, 0.06, along) * glm::smoothstep(1.02, 0.86, along);
   const double blotch = noise(around, along, 14, 2.0, 71);
   Tissue made;
-  made.scattering = (0.30 + 0.62 * strands + 0.22 * collarette + 0.10 * (blotch - 0.5) - 0.10 * furrow) *
-                    (1 - 0.55 * crypt) * glm::mix(0.25, 1.0, margin);
+  made.scattering = (0.10 + 0.85 * strands + 0.20 * collarette + 0.16 * (blotch - 0.5) - 0.08 * furrow) *
+                    (1 - 0.45 * crypt) * glm::mix(0.25, 1.0, margin);
   made.height = glm::mix(0.55, 0.72, collarette) + 0.40 * (strands - 0.4) - 0.40 * crypt - 0.12 * furrow -
                 0.20 * glm::smoothstep(0.75, 1.0, along);
   made.inner = glm::smoothstep(0.75, 0.05, along + 0.35 * (blotch - 0.5) + 0.20 * (strands - 0.4));

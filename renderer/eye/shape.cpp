@@ -42,8 +42,8 @@ EyeShape shape_of(const FurEye& eye) {
 PupilAxes pupil_axes(PupilShape shape, double size) {
   if (shape == PupilShape::round) return {size, size};
   // Narrow in bright light and nearly as high as the iris; round once it is dilated.
-  const double narrow = std::clamp(1.35 * size - 0.12, 0.0, 1.0);
-  const double width = glm::mix(narrow, size, size), height = glm::mix(0.62 * std::min(1.0, 12 * size), 1.0, size);
+  const double narrow = std::clamp(1.6 * size - 0.12, 0.0, 1.0);
+  const double width = glm::mix(narrow, size, size), height = glm::mix(0.50 * std::min(1.0, 12 * size), 1.0, size);
   return {width, height};
 }
 

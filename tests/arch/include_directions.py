@@ -24,6 +24,7 @@ ALLOWED = {
     "renderer": ["protocol/base", "protocol/commands", "renderer"],
     "renderer/input": ["protocol/base", "protocol/commands"],
     "renderer/coat": ["protocol/base", "protocol/commands"],
+    "renderer/eye": ["protocol/base", "protocol/commands", "renderer/input"],
     "renderer/image": ["protocol/base"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],

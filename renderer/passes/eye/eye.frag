@@ -90,8 +90,9 @@ float pupil_edge(vec2 at) {
   vec2 axes = max(eye.pupil.xy * eye.up.w, vec2(1e-4));
   vec2 way = at * inversesqrt(max(dot(at, at), 1e-12));
   if (eye.pupil.z < 0.5) return axes.x;
-  float a = abs(way.x) / axes.x, b = way.y * way.y / (axes.y * axes.y);  // |x| / w + (y / h)^2 = 1
-  return 2.0 / (a + sqrt(a * a + 4.0 * b));
+  float a = abs(way.x) / axes.x, b = way.y * way.y / (axes.y * axes.y);
+  float almond = 2.0 / (a + sqrt(a * a + 4.0 * b));  // |x| / w + (y / h)^2 = 1
+  return 0.5 * (almond + inversesqrt(a * a + b));    // half way to an ellipse
 }
 
 vec4 tissue_at(vec2 at, float edge) {
@@ -136,9 +137,14 @@ vec3 flat_iris(vec2 at, IrisLight lights, float sky) {
   return sum * tint(tissue) * tissue.r * 1.5;
 }
 
+// What a step through tissue sends back of the light that falls on it, over what thick tissue does: scattered once, with
+// the light's way in from above the step and through it, and the ray's way through it. Steps of any size add up to 1.
+float sent_back(float above, float thick, float slant, float rising) {
+  return exp(-above / rising) * (1.0 - exp(-thick * (slant + 1.0 / rising)));
+}
+
 // Subsurface texture mapping (character rendering; Francois et al. 2006): a march through the layers of the iris. Height
-// says where tissue is; it scatters once (weighed so that flat and thick tissue is as bright as its colour), and what lies
-// deeper is darker and more saturated. Under all of it is the pigment.
+// says where tissue is; it scatters once, and what lies deeper is darker and more saturated. Under all of it is the pigment.
 vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sky) {
   const float density = 7.0;  // optical depth of the whole relief
   vec3 sum = vec3(0.0);
@@ -151,19 +157,17 @@ vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sk
     float edge = pupil_edge(at);
     tissue = tissue_at(at, edge);
     float below = tissue.g - (1.0 - depth);
-    float inside = smoothstep(-0.5 * share, 0.5 * share, below) * smoothstep(-pixel, pixel, length(at) - edge);
-    if (inside <= 0.0) continue;
-    below = max(below, 0.0);
-    float caught = inside * (1.0 - exp(-density * share * slant));
+    float thick = density * min(max(below + 0.5 * share, 0.0), share);  // of the tissue inside this step
+    float there = smoothstep(-pixel, pixel, length(at) - edge);
+    if (thick * there <= 0.0) continue;
+    float above = density * max(below - 0.5 * share, 0.0);
     vec3 colour = tint(tissue);
-    vec3 light = 1.4 * frame.weights.x * sky * vec3(exp(-0.5 * density * below));
+    vec3 light = frame.weights.x * sky * vec3(sent_back(above, thick, slant, 2.0));
     for (int i = 0; i < int(frame.counts.z); ++i) {
-      float rising = lights.rising[i];
-      float reached = exp(-density * below / rising) * (1.0 + rising * slant) / (rising * slant);
-      light += lights.arriving[i] * (reached * lights.scattered[i]);
+      light += lights.arriving[i] * (lights.scattered[i] * sent_back(above, thick, slant, lights.rising[i]));
     }
-    sum += passed * caught * light * mix(colour, colour * colour, clamp(below, 0.0, 1.0)) * tissue.r * 1.5;
-    passed *= 1.0 - caught;
+    sum += passed * there * light * mix(colour, colour * colour, clamp(below, 0.0, 1.0)) * tissue.r * 1.5;
+    passed *= 1.0 - there * (1.0 - exp(-thick * slant));
   }
   float edge = pupil_edge(bottom);
   vec3 pigment = eye.iris.rgb * eye.iris.rgb * smoothstep(-pixel, pixel, length(bottom) - edge);
@@ -229,25 +233,25 @@ vec3 reflected_light(vec3 place, vec3 normal, vec3 along) {
   vec3 way = along - 2.0 * min(dot(along, normal), 0.0) * normal;
   float disc = mix(0.5, 0.11, eye.sclera.w);  // radians
   float gain = 1.0 / (sin(disc) * sin(disc));
-  vec3 sum = surroundings_along(way, place) * mix(0.35, 1.0, eye.sclera.w);
+  vec3 sum = surroundings_along(way, place);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     Lit lit = lit_by(i, place);
     float off = acos(clamp(dot(way, lit.to_light), -1.0, 1.0));
     sum += lit.radiance * gain * smoothstep(1.15 * disc, 0.85 * disc, off) * past_lids(place, lit.to_light);
   }
-  return mirrored * sum;
+  return mirrored * mix(0.35, 1.0, eye.sclera.w) * sum;
 }
 
 vec3 lid_light(vec3 place, vec3 along) {
   vec3 normal = unit(place);
-  float margin = smoothstep(0.16, 0.0, -opening(normal));  // moist along the edge
-  vec3 colour = mix(eye.lid.rgb, eye.lid.rgb * vec3(1.3, 0.9, 0.9), margin);
+  float margin = smoothstep(0.14, 0.02, -opening(normal));  // moist along the edge
+  vec3 colour = mix(eye.lid.rgb, eye.lid.rgb * vec3(0.7, 0.55, 0.55), margin);
   vec3 sum = frame.weights.x * colour;
   for (int i = 0; i < int(frame.counts.z); ++i) {
     Lit lit = lit_by(i, place);
     vec3 middle = unit(lit.to_light - along);
     float facing = max(dot(normal, lit.to_light), 0.0);
-    float gloss = mix(0.02, 0.10, margin) * power(max(dot(normal, middle), 0.0), mix(12.0, 60.0, margin));
+    float gloss = mix(0.03, 0.25, margin) * power(max(dot(normal, middle), 0.0), mix(10.0, 40.0, margin));
     sum += lit.radiance * facing * (colour + gloss);
   }
   return sum;
@@ -282,6 +286,7 @@ vec3 eyeball_light(vec3 place, vec3 along) {
   vec3 seen = cornea < 1.0 ? sclera_light(place, normal) : vec3(0.0);
   if (cornea > 0.0) seen = mix(seen, iris_light(place, normal, along), cornea);
   float kept = 1.0 - reflectance(-dot(along, normal), eye.position.w);
+  seen *= mix(0.30, 1.0, smoothstep(0.0, 0.30, opening(unit(place))));  // lids and lashes close by
   return seen * kept + reflected_light(place, normal, along);
 }
 
@@ -298,7 +303,7 @@ void main() {
   Surface lid = enter(along, 0.0, lid_radius);
   float shut = eye.lid_right.w == 0.0 || !outside(0.0, lid_radius) ? 0.0
                : smoothstep(0.5 * pixel, -0.5 * pixel, opening(unit(lid.place)));
-  float covered = mix(hit.covered, lid.covered, shut);
+  float covered = mix(hit.covered, lid.covered * smoothstep(-0.62, -0.40, opening(unit(lid.place))), shut);  // into the skin
   if (covered <= 0.0) discard;
   if (shut < 1.0 && hit.covered > 0.0) light = eyeball_light(hit.place, along);
   if (shut > 0.0) light = mix(light, lid_light(lid.place, along), shut), hit.place = shut > 0.5 ? lid.place : hit.place;

@@ -171,13 +171,45 @@ Command set_lights() {
   return result;
 }
 
+Command set_eyes() {
+  SetEyes result;
+  const int count = *rc::gen::inRange(0, 9);
+  for (int i = 0; i < count; ++i) {
+    Eye eye{.position = place(), .radius = number(1e-6, 1e6), .gaze = direction()};
+    if (*rc::gen::arbitrary<bool>()) eye.look_at = eye.position + direction();
+    eye.iris = {.colour = colour(),
+                .inner_colour = colour(),
+                .size = number(0.1, 0.95),
+                .depth = number(0, 0.5),
+                .relief = number(0, 0.2),
+                .limbal_ring = number(0, 1),
+                .turn_degrees = number(-360, 360)};
+    eye.pupil.shape = one_of(PupilShape::slit);
+    if (*rc::gen::arbitrary<bool>()) eye.pupil.size = number(0, 1);
+    if (*rc::gen::arbitrary<bool>()) {
+      eye.lids = Lids{.facing = {},
+                      .width_degrees = number(1, 90),
+                      .upper_degrees = number(-90, 90),
+                      .lower_degrees = number(-90, 90),
+                      .tilt_degrees = number(-180, 180),
+                      .colour = colour()};
+      if (*rc::gen::arbitrary<bool>()) eye.lids->facing = direction();
+    }
+    eye.sclera = colour();
+    eye.bulge = number(0, 1), eye.refraction = number(1, 3), eye.wetness = number(0, 1);
+    result.eyes.push_back(eye);
+  }
+  return result;
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 6)) {
+  switch (*rc::gen::inRange(0, 7)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
     case 3: return set_coat();
     case 4: return SetLook{look()};
+    case 5: return set_eyes();
     default: return set_lights();
   }
 }
