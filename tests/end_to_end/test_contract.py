@@ -102,7 +102,7 @@ class Requests(ServedTest):
             for other in (None, "text", [], {}, True, -1, 1e30, 0.5):
                 if other != value:
                     yield {**body, key: other}
-            if isinstance(value, list) and value and isinstance(value[0], dict):
+            if key != "samples" and isinstance(value, list) and value and isinstance(value[0], dict):  # their times depend on each other
                 for inner in self.variations(value[0]):
                     yield {**body, key: [inner, *value[1:]]}
             if isinstance(value, dict):

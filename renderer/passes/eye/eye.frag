@@ -303,7 +303,7 @@ void main() {
   Surface lid = enter(along, 0.0, lid_radius);
   float shut = eye.lid_right.w == 0.0 || !outside(0.0, lid_radius) ? 0.0
                : smoothstep(0.5 * pixel, -0.5 * pixel, opening(unit(lid.place)));
-  float covered = mix(hit.covered, lid.covered * smoothstep(-0.62, -0.40, opening(unit(lid.place))), shut);  // into the skin
+  float covered = mix(hit.covered, lid.covered, shut);
   if (covered <= 0.0) discard;
   if (shut < 1.0 && hit.covered > 0.0) light = eyeball_light(hit.place, along);
   if (shut > 0.0) light = mix(light, lid_light(lid.place, along), shut), hit.place = shut > 0.5 ? lid.place : hit.place;

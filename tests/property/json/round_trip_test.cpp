@@ -176,7 +176,7 @@ Command set_eyes() {
   const int count = *rc::gen::inRange(0, 9);
   for (int i = 0; i < count; ++i) {
     Eye eye{.position = place(), .radius = number(1e-6, 1e6), .gaze = direction()};
-    if (*rc::gen::arbitrary<bool>()) eye.look_at = eye.position + direction();
+    if (*rc::gen::arbitrary<bool>()) eye.look_at = {eye.position.x > 0 ? -1 : 1, number(-9, 9), 0};
     eye.iris = {.colour = colour(),
                 .inner_colour = colour(),
                 .size = number(0.1, 0.95),
@@ -262,6 +262,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .samples = *rc::gen::element(1, 4),
                   .steps = *rc::gen::inRange(1, 17),
                   .scale = number(0.25, 2),
+                  .eye_steps = *rc::gen::inRange(0, 65),
                   .self_shadow = *rc::gen::arbitrary<bool>(),
                   .accumulation = one_of(Accumulation::full)};
   before.background = one_of(Background::transparent);
