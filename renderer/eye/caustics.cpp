@@ -15,7 +15,8 @@ constexpr int rays_across = 160;  // of the light's beam
 void splat(float* map, double x, double y, double flux) {
   constexpr double last = caustic_texels - 1;
   x = std::clamp(x - 0.5, 0.0, last), y = std::clamp(y - 0.5, 0.0, last);
-  const int i = std::min(static_cast<int>(x), caustic_texels - 2), j = std::min(static_cast<int>(y), caustic_texels - 2);
+  const int i = std::min(static_cast<int>(x), caustic_texels - 2);
+  const int j = std::min(static_cast<int>(y), caustic_texels - 2);
   const double u = x - i, v = y - j;
   float* texel = map + j * caustic_texels + i;
   texel[0] += static_cast<float>(flux * (1 - u) * (1 - v));

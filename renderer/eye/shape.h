@@ -1,4 +1,4 @@
-// The surfaces of an eye, in its own frame: the ball has radius 1 around the origin, +Z is the axis that it looks along.
+// The surfaces of an eye, in its own frame: the ball has radius 1 around the origin, and it looks along +Z.
 #pragma once
 
 #include "renderer/input/fur_scene.h"

@@ -137,14 +137,14 @@ vec3 flat_iris(vec2 at, IrisLight lights, float sky) {
   return sum * tint(tissue) * tissue.r * 1.5;
 }
 
-// What a step through tissue sends back of the light that falls on it, over what thick tissue does: scattered once, with
-// the light's way in from above the step and through it, and the ray's way through it. Steps of any size add up to 1.
+// What a step through tissue sends back of the light that falls on it, over what thick tissue does: scattered once,
+// with the light's way in from above the step and through it, and the ray's way through it. Steps of any size add up to 1.
 float sent_back(float above, float thick, float slant, float rising) {
   return exp(-above / rising) * (1.0 - exp(-thick * (slant + 1.0 / rising)));
 }
 
-// Subsurface texture mapping (character rendering; Francois et al. 2006): a march through the layers of the iris. Height
-// says where tissue is; it scatters once, and what lies deeper is darker and more saturated. Under all of it is the pigment.
+// Subsurface texture mapping (character rendering; Francois et al. 2006): a march through the layers of the iris.
+// Height says where tissue is; it scatters once, and what lies deeper is darker and more saturated. Below it is the pigment.
 vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sky) {
   const float density = 7.0;  // optical depth of the whole relief
   vec3 sum = vec3(0.0);
@@ -203,8 +203,8 @@ vec3 iris_light(vec3 place, vec3 normal, vec3 along) {
 vec3 sclera_light(vec3 place, vec3 normal) {
   const vec3 wrap = vec3(0.45, 0.28, 0.22);
   float back = acos(clamp(place.z, -1.0, 1.0)) - asin(clamp(eye.up.w, 0.0, 1.0));
-  vec4 tissue = textureLod(tissues, vec3(atan(place.y, place.x) * 0.15915494 + eye.inner.w, clamp(back / 1.2, 0.0, 1.0), 0.0),
-                           max(log2(pixel * rows / 1.2), 0.0));
+  vec2 at = vec2(atan(place.y, place.x) * 0.15915494 + eye.inner.w, clamp(back / 1.2, 0.0, 1.0));
+  vec4 tissue = textureLod(tissues, vec3(at, 0.0), max(log2(pixel * rows / 1.2), 0.0));
   float lid = 1.0 - smoothstep(0.0, 0.45, opening(unit(place)));
   float red = clamp(0.75 * lid + 0.5 * smoothstep(0.15, 1.0, back), 0.0, 1.0);
   vec3 colour = eye.sclera.rgb * mix(vec3(1.0), vec3(0.80, 0.42, 0.36), 0.6 * red);
@@ -262,8 +262,8 @@ struct Surface {
   float covered;  // share of the pixel, softened over one pixel
 };
 
-// Where the ray enters a ball on the axis. Taken from the ray's nearest place to its centre, so that nothing is lost far
-// from the eye; where it misses by less than a pixel, the place on the outline.
+// Where the ray enters a ball on the axis. Taken from the ray's nearest place to its centre, so that nothing is lost
+// far from the eye; where it misses by less than a pixel, the place on the outline.
 Surface enter(vec3 along, float centre, float radius) {
   vec3 off = local - vec3(0.0, 0.0, centre);
   vec3 nearest = off - along * dot(off, along);
@@ -286,8 +286,8 @@ vec3 eyeball_light(vec3 place, vec3 along) {
   vec3 seen = cornea < 1.0 ? sclera_light(place, normal) : vec3(0.0);
   if (cornea > 0.0) seen = mix(seen, iris_light(place, normal, along), cornea);
   float kept = 1.0 - reflectance(-dot(along, normal), eye.position.w);
-  seen *= mix(0.30, 1.0, smoothstep(0.0, 0.30, opening(unit(place))));  // lids and lashes close by
-  return seen * kept + reflected_light(place, normal, along);
+  float shaded = mix(0.30, 1.0, smoothstep(0.0, 0.30, opening(unit(place))));  // by lids and lashes close by
+  return shaded * (seen * kept + reflected_light(place, normal, along));
 }
 
 void main() {

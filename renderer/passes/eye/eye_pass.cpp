@@ -50,7 +50,8 @@ void EyePass::make_textures(const Gl& gl) {
 int EyePass::caustics_of(const Gl& gl, const EyeShape& shape) {
   auto place = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.shape == shape; });
   const bool made = place != kept_.end();
-  if (!made) place = std::min_element(kept_.begin(), kept_.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
+  const auto older = [](const Kept& a, const Kept& b) { return a.used < b.used; };
+  if (!made) place = std::min_element(kept_.begin(), kept_.end(), older);
   const int first = caustic_angles * static_cast<int>(place - kept_.begin());
   *place = {shape, draws_};
   if (made) return first;

@@ -21,8 +21,8 @@ class EyePass {
 
   std::string failure() const { return program_.log(); }
 
-  /// Expects the frame's uniform block at binding 0 and depth testing as the fur pass sets it up; leaves a vertex array,
-  /// a program and textures of its own bound. The frame has 1 to 8 eyes.
+  /// Expects the frame's uniform block at binding 0 and depth testing as the fur pass sets it up; leaves a vertex
+  /// array, a program and textures of its own bound. The frame has 1 to 8 eyes.
   void draw(const Gl& gl, const FurFrame& frame, const RenderTarget& target);
 
  private:
