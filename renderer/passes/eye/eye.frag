@@ -275,8 +275,6 @@ Surface enter(vec3 along, float centre, float radius) {
   return surface;
 }
 
-bool outside(float centre, float radius) { return distance(viewer, vec3(0.0, 0.0, centre)) > radius; }
-
 vec3 eyeball_light(vec3 place, vec3 along) {
   float soft = max(0.04 * eye.up.w, pixel), across = length(place.xy);
   float cornea = place.z > 0.0 ? smoothstep(eye.up.w + soft, eye.up.w - soft, across) : 0.0;
@@ -295,20 +293,19 @@ void main() {
   vec3 along = unit(local - viewer);
   pixel = max(frame.eye.w * distance(local, viewer), 1e-6);
   Surface ball = enter(along, 0.0, 1.0), dome = enter(along, eye.cornea.x, eye.cornea.y);
-  if (!outside(0.0, 1.0) || !outside(eye.cornea.x, eye.cornea.y)) discard;  // an eye has no inside to look at
   bool over = dome.covered > 0.0 && (ball.covered <= 0.0 || dot(dome.place - ball.place, along) < 0.0);
   Surface hit = over ? dome : ball;
   hit.covered = max(ball.covered, dome.covered);
   vec3 light = vec3(0.0);
   Surface lid = enter(along, 0.0, lid_radius);
-  float shut = eye.lid_right.w == 0.0 || !outside(0.0, lid_radius) ? 0.0
+  float shut = eye.lid_right.w == 0.0 || length(viewer) <= lid_radius ? 0.0
                : smoothstep(0.5 * pixel, -0.5 * pixel, opening(unit(lid.place)));
   float covered = mix(hit.covered, lid.covered, shut);
   if (covered <= 0.0) discard;
   if (shut < 1.0 && hit.covered > 0.0) light = eyeball_light(hit.place, along);
   if (shut > 0.0) light = mix(light, lid_light(lid.place, along), shut), hit.place = shut > 0.5 ? lid.place : hit.place;
-  if (dot(hit.place - viewer, along) <= 0.0) discard;
+  if (dot(hit.place - viewer, along) <= 0.0) discard;  // behind the camera, or around it
   vec4 clip = frame.world_to_clip * vec4(eye.position.xyz + eye.right.w * in_world(hit.place), 1.0);
   gl_FragDepth = clamp(clip.z / max(clip.w, 1e-12), 0.0, 1.0);
-  result = vec4(min(light, most) * covered, covered);
+  result = vec4(clamp(light, 0.0, most) * covered, covered);  // mixing with a blinding light may end below 0
 }
