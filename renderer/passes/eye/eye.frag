@@ -209,7 +209,7 @@ vec3 sclera_light(vec3 place, vec3 normal) {
   float red = clamp(0.75 * lid + 0.5 * smoothstep(0.15, 1.0, back), 0.0, 1.0);
   vec3 colour = eye.sclera.rgb * mix(vec3(1.0), vec3(0.80, 0.42, 0.36), 0.6 * red);
   colour *= mix(vec3(1.0), vec3(0.72, 0.25, 0.20), 0.65 * tissue.a * (0.35 + 0.65 * red));
-  colour *= 1.0 - 0.9 * eye.iris.w * smoothstep(0.16, 0.0, back);
+  colour *= 1.0 - 0.9 * eye.iris.w * (1.0 - smoothstep(0.0, 0.16, back));
   vec3 sum = vec3(frame.weights.x * open_sky(place));
   for (int i = 0; i < int(frame.counts.z); ++i) {
     Lit lit = lit_by(i, place);
@@ -237,14 +237,14 @@ vec3 reflected_light(vec3 place, vec3 normal, vec3 along) {
   for (int i = 0; i < int(frame.counts.z); ++i) {
     Lit lit = lit_by(i, place);
     float off = acos(clamp(dot(way, lit.to_light), -1.0, 1.0));
-    sum += lit.radiance * gain * smoothstep(1.15 * disc, 0.85 * disc, off) * past_lids(place, lit.to_light);
+    sum += lit.radiance * gain * (1.0 - smoothstep(0.85 * disc, 1.15 * disc, off)) * past_lids(place, lit.to_light);
   }
   return mirrored * mix(0.35, 1.0, eye.sclera.w) * sum;
 }
 
 vec3 lid_light(vec3 place, vec3 along) {
   vec3 normal = unit(place);
-  float margin = smoothstep(0.14, 0.02, -opening(normal));  // moist along the edge
+  float margin = 1.0 - smoothstep(0.02, 0.14, -opening(normal));  // moist along the edge
   vec3 colour = mix(eye.lid.rgb, eye.lid.rgb * vec3(0.7, 0.55, 0.55), margin);
   vec3 sum = frame.weights.x * colour;
   for (int i = 0; i < int(frame.counts.z); ++i) {
@@ -277,7 +277,7 @@ Surface enter(vec3 along, float centre, float radius) {
 
 vec3 eyeball_light(vec3 place, vec3 along) {
   float soft = max(0.04 * eye.up.w, pixel), across = length(place.xy);
-  float cornea = place.z > 0.0 ? smoothstep(eye.up.w + soft, eye.up.w - soft, across) : 0.0;
+  float cornea = place.z > 0.0 ? 1.0 - smoothstep(eye.up.w - soft, eye.up.w + soft, across) : 0.0;
   vec3 bulged = unit(place - vec3(0.0, 0.0, eye.cornea.x));
   vec3 normal = unit(mix(unit(place), bulged, cornea));
   if (dot(normal, along) > -1e-3) normal = unit(normal - along * (dot(normal, along) + 1e-3));
@@ -299,7 +299,7 @@ void main() {
   vec3 light = vec3(0.0);
   Surface lid = enter(along, 0.0, lid_radius);
   float shut = eye.lid_right.w == 0.0 || length(viewer) <= lid_radius ? 0.0
-               : smoothstep(0.5 * pixel, -0.5 * pixel, opening(unit(lid.place)));
+               : 1.0 - smoothstep(-0.5 * pixel, 0.5 * pixel, opening(unit(lid.place)));
   float covered = mix(hit.covered, lid.covered, shut);
   if (covered <= 0.0) discard;
   if (shut < 1.0 && hit.covered > 0.0) light = eyeball_light(hit.place, along);
