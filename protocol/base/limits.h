@@ -22,6 +22,8 @@ inline constexpr double model_precision = 1e-4;          // largest 32-bit step 
 inline constexpr int shells = 1024;
 inline constexpr int frame_pixels = 8192;                // width and height, each
 inline constexpr std::size_t lights = 8;
+inline constexpr std::size_t eyes = 8;
+inline constexpr double least_eye_radius = 1e-6;         // sizes
 inline constexpr std::size_t ramp_stops = 4;
 inline constexpr double wait_seconds = 25.0;
 

@@ -11,6 +11,7 @@
 
 #include "protocol/commands/camera.h"
 #include "protocol/commands/coat.h"
+#include "protocol/commands/eye.h"
 #include "protocol/commands/look.h"
 
 namespace pelage {
@@ -94,8 +95,10 @@ struct SetLook { Look look; };
 struct SetLights { std::vector<Light> lights; };  // at most 8
 struct SetEnvironment { Environment environment; };
 struct SetGround { Ground ground; };
+struct SetEyes { std::vector<Eye> eyes; };        // at most 8
 
-using Command = std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround>;
+using Command =
+    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

@@ -108,15 +108,24 @@ Command set_ground(Object& object) {
   return result;
 }
 
+Command set_eyes(Object& object) {
+  SetEyes result;
+  object.required("eyes", [&](const Value& list) {
+    for (const Value& member : list.list(0, limits::eyes)) result.eyes.push_back(eye(member));
+  });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 8> command_readers{{{"comb", comb},
+constexpr std::array<json_names::Name<CommandReader>, 9> command_readers{{{"comb", comb},
                                                                           {"blow", blow},
                                                                           {"attract", attract},
                                                                           {"set_coat", set_coat},
                                                                           {"set_look", set_look},
                                                                           {"set_lights", set_lights},
                                                                           {"set_environment", set_environment},
-                                                                          {"set_ground", set_ground}}};
+                                                                          {"set_ground", set_ground},
+                                                                          {"set_eyes", set_eyes}}};
 
 Command command(const Value& value) {
   Object object(value);

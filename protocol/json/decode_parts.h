@@ -21,6 +21,7 @@ Coat coat(const Value& value);
 Light light(const Value& value);
 Environment environment(const Value& value);
 Ground ground(const Value& value);
+Eye eye(const Value& value);
 Brush brush(const Value& value);
 Stroke stroke(const Value& value);
 FirstGroom fur(const Value& value);

@@ -21,7 +21,7 @@ struct Parameter {
   Kind kind;
 };
 
-constexpr std::array<Parameter, 23> frame_parameters{{{"width", "/width", Kind::number},
+constexpr std::array<Parameter, 24> frame_parameters{{{"width", "/width", Kind::number},
                                                       {"height", "/height", Kind::number},
                                                       {"camera", "/camera/auto", Kind::text},
                                                       {"eye", "/camera/eye", Kind::list},
@@ -33,6 +33,7 @@ constexpr std::array<Parameter, 23> frame_parameters{{{"width", "/width", Kind::
                                                       {"samples", "/quality/samples", Kind::number},
                                                       {"steps", "/quality/steps", Kind::number},
                                                       {"scale", "/quality/scale", Kind::number},
+                                                      {"eye_steps", "/quality/eye_steps", Kind::number},
                                                       {"self_shadow", "/quality/self_shadow", Kind::boolean},
                                                       {"shadow_maps", "/quality/shadow_maps", Kind::boolean},
                                                       {"shadow_resolution", "/quality/shadow_resolution", Kind::number},

@@ -171,6 +171,45 @@ Json json_of(const Look& look) {
           {"skin", colour(look.skin)}};
 }
 
+Json json_of(const Iris& iris) {
+  return {{"colour", colour(iris.colour)},
+          {"inner_colour", colour(iris.inner_colour)},
+          {"size", iris.size},
+          {"depth", iris.depth},
+          {"relief", iris.relief},
+          {"limbal_ring", iris.limbal_ring},
+          {"turn_degrees", iris.turn_degrees}};
+}
+
+Json json_of(const Pupil& pupil) {
+  Json json = {{"shape", text_of(json_names::pupil_shapes, pupil.shape)}, {"size", "automatic"}};
+  if (pupil.size) json["size"] = *pupil.size;
+  return json;
+}
+
+Json json_of(const Lids& lids) {
+  Json json = {{"width_degrees", lids.width_degrees},
+               {"upper_degrees", lids.upper_degrees},
+               {"lower_degrees", lids.lower_degrees},
+               {"tilt_degrees", lids.tilt_degrees},
+               {"colour", colour(lids.colour)}};
+  if (lids.facing) json["facing"] = list(*lids.facing);
+  return json;
+}
+
+Json json_of(const Eye& eye) {
+  Json json = {{"position", list(eye.position)}, {"radius", eye.radius}};
+  json[eye.look_at ? "look_at" : "gaze"] = list(eye.look_at.value_or(eye.gaze));
+  json["iris"] = json_of(eye.iris);
+  json["pupil"] = json_of(eye.pupil);
+  if (eye.lids) json["lids"] = json_of(*eye.lids);
+  json["sclera"] = colour(eye.sclera);
+  json["bulge"] = eye.bulge;
+  json["refraction"] = eye.refraction;
+  json["wetness"] = eye.wetness;
+  return json;
+}
+
 Json json_of(const Light& light) {
   return {{"kind", text_of(json_names::light_kinds, light.kind)},
           {"direction", list(light.direction)},
@@ -244,6 +283,11 @@ void add_members(Json& json, const SetEnvironment& command) { json["environment"
 
 void add_members(Json& json, const SetGround& command) { json["ground"] = json_of(command.ground); }
 
+void add_members(Json& json, const SetEyes& command) {
+  json["eyes"] = Json::array();
+  for (const Eye& eye : command.eyes) json["eyes"].push_back(json_of(eye));
+}
+
 Json json_of(const Command& command) {
   Json json = {{"op", op_of(command)}};
   std::visit([&](const auto& c) { add_members(json, c); }, command);
@@ -255,6 +299,7 @@ Json json_of(const Knobs& knobs) {
           {"samples", knobs.samples},
           {"steps", knobs.steps},
           {"scale", knobs.scale},
+          {"eye_steps", knobs.eye_steps},
           {"self_shadow", knobs.self_shadow},
           {"shadow_maps", knobs.shadow_maps},
           {"shadow_resolution", knobs.shadow_resolution},

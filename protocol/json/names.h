@@ -52,6 +52,8 @@ inline constexpr std::array<Name<LightKind>, 3> light_kinds{
     {{"directional", LightKind::directional}, {"point", LightKind::point}, {"spot", LightKind::spot}}};
 inline constexpr std::array<Name<CastShadow>, 3> cast_shadows{
     {{"none", CastShadow::none}, {"hard", CastShadow::hard}, {"soft", CastShadow::soft}}};
+inline constexpr std::array<Name<PupilShape>, 2> pupil_shapes{
+    {{"round", PupilShape::round}, {"slit", PupilShape::slit}}};
 inline constexpr std::array<Name<Tier>, 3> tiers{
     {{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{

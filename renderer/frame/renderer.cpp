@@ -48,10 +48,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
 }
 
 Renderer::Renderer(const Gl& gl)
-    : gl_(gl), fur_(gl), shadows_(gl), ground_(gl), resolve_(gl), pattern_(gl), scattering_(gl), frame_block_(gl) {}
+    : gl_(gl), fur_(gl), shadows_(gl), ground_(gl), eyes_(gl), resolve_(gl), pattern_(gl), scattering_(gl), frame_block_(gl) {}
 
 Status Renderer::programs() const {
-  const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + resolve_.failure();
+  const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() + resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
@@ -119,7 +119,13 @@ void Renderer::draw_scene(const FurFrame& frame, const CoatTextures& coat, Model
   clear_target(gl_, drawn_, {});
   const std::string variant = variant_of(frame);
   if (frame.ground) ground_.draw(gl_, frame, variant);
-  fur_.draw(gl_, frame.knobs, variant, model, lists, coat);
+  fur_.bind(gl_, model, coat);
+  fur_.draw_skin(gl_, variant, lists);
+  if (!frame.eyes.empty()) {
+    eyes_.draw(gl_, frame, drawn_);
+    fur_.bind(gl_, model, coat);
+  }
+  fur_.draw_fur(gl_, variant, frame.knobs, lists);
 }
 
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {

@@ -12,6 +12,7 @@
 #include "renderer/gl/render_target.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/passes/eye/eye_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
@@ -57,6 +58,7 @@ class Renderer {
   FurPass fur_;
   ShadowMaps shadows_;
   GroundPass ground_;
+  EyePass eyes_;
   ResolvePass resolve_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first

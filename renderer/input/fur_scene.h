@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "protocol/commands/coat.h"
+#include "protocol/commands/eye.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/look.h"
 
@@ -65,6 +66,25 @@ struct FurLight {
   bool operator==(const FurLight&) const = default;
 };
 
+/// Lids around an eye: a sphere with an almond left open (Lids in protocol/commands/eye.h).
+struct FurLids {
+  glm::mat3 frame{1};  // right, up and the middle of the opening, unit and orthogonal
+  glm::vec3 opening{1};  // radians to a corner, to the upper and to the lower lid
+  glm::vec3 colour{0};   // linear
+};
+
+/// An eye. Iris and pupil are as in the command; their lengths are in radii of the eye.
+struct FurEye {
+  glm::vec3 position{0};
+  float radius = 0.02f;  // above 0
+  glm::mat3 frame{1};    // right, up and where it looks, unit and orthogonal
+  Iris iris;
+  Pupil pupil;
+  std::optional<FurLids> lids;
+  glm::vec3 sclera{1};   // linear
+  double bulge = 0.5, refraction = 1.376, wetness = 1;
+};
+
 struct FurCamera {
   glm::vec3 eye{0, 0, 1}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // unit and orthogonal
   float tan_half_fov = 0.3f;                                               // vertical
@@ -84,6 +104,7 @@ struct FurFrame {
   std::vector<FurLight> lights;  // at most 8
   Environment environment;
   std::optional<FurGround> ground;
+  std::vector<FurEye> eyes;      // at most 8
   FurCamera camera;
   int width = 0, height = 0;
   Knobs knobs;

@@ -92,6 +92,15 @@ struct CheckTool {
     if (!reachable(mesh.to_internal(attract.point))) return out_of_reach("/point");
     return reachable_length(internal_length(attract.radius, attract.units, mesh)) ? Status{} : out_of_reach("/radius");
   }
+  Status operator()(const SetEyes& command) const {
+    for (std::size_t k = 0; k < command.eyes.size(); ++k) {
+      const Eye& eye = command.eyes[k];
+      const std::string pointer = "/eyes/" + std::to_string(k);
+      if (!reachable(mesh.to_internal(eye.position))) return out_of_reach(pointer + "/position");
+      if (eye.look_at && !reachable(mesh.to_internal(*eye.look_at))) return out_of_reach(pointer + "/look_at");
+    }
+    return {};
+  }
   template <class Other>
   Status operator()(const Other&) const {
     return {};

@@ -51,6 +51,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.environment = environment->environment;
   else if (const auto* ground = std::get_if<SetGround>(&command))
     settings.ground = ground->ground;
+  else if (const auto* eyes = std::get_if<SetEyes>(&command))
+    settings.eyes = eyes->eyes;
   else
     return std::nullopt;
   return settings;
@@ -58,7 +60,7 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
 
 std::vector<Command> commands_of(const SceneSettings& settings) {
   return {SetCoat{settings.coat}, SetLook{settings.look}, SetLights{settings.lights}, SetEnvironment{settings.environment},
-          SetGround{settings.ground}};
+          SetGround{settings.ground}, SetEyes{settings.eyes}};
 }
 
 const char* name_of(EntryKind kind) {
@@ -66,8 +68,8 @@ const char* name_of(EntryKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-History::History(Revision first) : first_(first), records_(1) {
-  records_[0].settings = std::make_shared<const SceneSettings>();
+History::History(Revision first, SceneSettings settings) : first_(first), records_(1) {
+  records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
 }
 
 Result<FieldDelta> History::undo(std::uint64_t steps) const {

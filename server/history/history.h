@@ -20,6 +20,7 @@ struct SceneSettings {
   std::vector<Light> lights = default_lights();
   Environment environment;
   Ground ground;
+  std::vector<Eye> eyes;
 };
 
 /// The settings with a command that sets one of them carried out; none for other commands.
@@ -47,7 +48,8 @@ struct Entry {
 /// beginning with the lists of other states, so that undo and revert never copy or re-evaluate anything.
 class History {
  public:
-  explicit History(Revision first);
+  /// `settings` are those of the first revision.
+  explicit History(Revision first, SceneSettings settings = {});
 
   Revision revision() const { return first_ + records_.size() - 1; }
   Revision first_revision() const { return first_; }

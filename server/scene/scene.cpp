@@ -8,6 +8,7 @@
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/scene/batch.h"
+#include "server/scene/first_settings.h"
 #include "server/scene/pick.h"
 
 namespace pelage {
@@ -51,13 +52,13 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       journal_(journal),
       model_(std::move(model)),
       fields_(first_groom(model_->surface.mesh(), fur)),
-      history_(0),
+      history_(0, first_settings(*model_)),
       dirty_(whole_range(fields_.size())) {}
 
 Status Scene::restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries) {
   const std::lock_guard lock(mutex_);
   fields_ = FieldSet(fields_.size());
-  history_ = History(first);
+  history_ = History(first, first_settings(*model_));
   dirty_ = whole_range(fields_.size());
   if (!fits(first_groom, fields_)) return damaged();
   fields_.apply(first_groom);
@@ -249,7 +250,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   if (!written.ok()) return written;
   model_ = std::move(model);
   fields_ = std::move(first);
-  history_ = History(revision);
+  history_ = History(revision, first_settings(*model_));
   live_.end();
   dirty_ = whole_range(fields_.size());
   changed_.notify_all();

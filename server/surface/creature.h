@@ -14,6 +14,8 @@ namespace creature {
 inline constexpr glm::dvec3 kHead{0, .845, .375};
 inline constexpr glm::dvec3 kNose{0, .802, .652};
 inline constexpr glm::dvec3 kEye{.088, .862, .538};
+inline constexpr glm::dvec3 kEyeball{.0855, .8625, .5155};
+inline constexpr double kEyeballRadius = .0375;
 inline constexpr glm::dvec3 kEarBase{.128, .975, .345};
 inline constexpr glm::dvec3 kEarTip{.205, 1.175, .315};
 inline constexpr glm::dvec3 kEarFront{.36, .08, .93};  // the way the ear's hollow looks; about unit

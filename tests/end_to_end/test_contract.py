@@ -50,7 +50,9 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Light", "Steps", "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
+                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "Eye", "Iris", "Pupil",
+                    "Lids", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
+                    "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -69,6 +71,8 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Stroke"]["properties"]["samples"]["maxItems"], limits["samples_per_stroke"])
         self.assertIn(f"at most {limits['dabs_per_stroke']} dabs", SCHEMAS["Brush"]["properties"]["spacing"]["description"])
         self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
+        self.assertEqual(SCHEMAS["SetEyes"]["properties"]["eyes"]["maxItems"], limits["eyes"])
+        self.assertEqual(SCHEMAS["Eye"]["properties"]["radius"]["minimum"], limits["least_eye_radius"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
@@ -100,6 +104,9 @@ class Requests(ServedTest):
             for other in (None, "text", [], {}, True, -1, 1e30, 0.5):
                 if other != value:
                     yield {**body, key: other}
+            if key != "samples" and isinstance(value, list) and value and isinstance(value[0], dict):  # their times depend on each other
+                for inner in self.variations(value[0]):
+                    yield {**body, key: [inner, *value[1:]]}
             if isinstance(value, dict):
                 for inner in self.variations(value):
                     yield {**body, key: inner}
@@ -125,6 +132,11 @@ class Requests(ServedTest):
                                         "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2}]},
+            {"op": "set_eyes", "eyes": [{"position": [0, 1, 0], "radius": 0.02, "gaze": [0, 0, 1], "sclera": "#ffffff", "bulge": 0.25,
+                                         "iris": {"colour": "#806020", "size": 0.5, "depth": 0.25, "relief": 0.1, "limbal_ring": 0.25},
+                                         "pupil": {"shape": "slit", "size": 0.25}, "refraction": 1.5, "wetness": 0.25,
+                                         "lids": {"facing": [0, 0, 1], "width_degrees": 60, "upper_degrees": 20}},
+                                        {"position": [0, 1, 0], "radius": 0.02, "look_at": [0, 1, 1], "pupil": {"size": "automatic"}}]},
         ]
         for body in bodies:
             for variation in self.variations(body):
@@ -133,7 +145,7 @@ class Requests(ServedTest):
     def test_frames_and_the_rest(self):
         scene = self.server.new_scene("plane", 50)
         frame = {"width": 8, "height": 8, "camera": {"eye": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
-                 "quality": {"shells": 4, "shell_policy": "uniform", "samples": 1, "steps": 2, "scale": 1.0, "self_shadow": True, "accumulation": "half"},
+                 "quality": {"shells": 4, "shell_policy": "uniform", "samples": 1, "steps": 2, "scale": 1.0, "eye_steps": 2, "self_shadow": True, "accumulation": "half"},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
         for variation in self.variations(frame):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
@@ -177,10 +189,11 @@ class Defaults(ServedTest):
         scene = self.server.new_scene("sphere", 500)
         answer = scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=1.0), {"op": "blow", "source": [0, 0, 1], "direction": [0, 0, -1]},
                            {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
-                           {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]})
+                           {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]},
+                           {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]})
         self.assertEqual(answer.status, 200, answer)
         commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
-        combed, blown, attracted, coat, look, lights = commands
+        combed, blown, attracted, coat, look, lights, eyes = commands
         self.assert_defaults("Comb", combed)
         self.assert_defaults("Stroke", combed["stroke"])
         self.assert_defaults("Brush", combed["brush"], given=["radius"])
@@ -192,6 +205,9 @@ class Defaults(ServedTest):
             self.assert_defaults(schema, coat["coat"][part])
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
+        self.assert_defaults("Eye", eyes["eyes"][0])
+        for schema, part in (("Iris", "iris"), ("Pupil", "pupil"), ("Lids", "lids")):
+            self.assert_defaults(schema, eyes["eyes"][0][part])
 
     def test_frames(self):
         scene = self.server.new_scene("sphere", 500)

@@ -182,6 +182,30 @@ TEST_P(Frames, ExtremesGiveFinitePictures) {
   }
 }
 
+TEST_P(Frames, EyesLeaveNoTraceInFramesWithoutThem) {
+  FurredModel model = furred({Builtin::sphere, 1000});
+  const Image before = draw(*renderer, model, small_frame());
+  model.settings.eyes = {{.position = {0, 0, model.model.surface.mesh().size * 0.3}, .radius = 0.1}};
+  EXPECT_NE(draw(*renderer, model, small_frame()).rgba, before.rgba);
+  model.settings.eyes.clear();
+  EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
+}
+
+TEST_P(Frames, FurCoversAnEyeAndSkinHidesWhatLiesBehindIt) {
+  const auto change = [&](double fur, double z) {
+    FurredModel model = furred({Builtin::sphere, 1000}, {.length = fur, .inclination = 0.6});
+    const Mesh& mesh = model.model.surface.mesh();
+    const Image without = draw(*renderer, model, small_frame());
+    model.settings.eyes = {{.position = mesh.to_model({0, 0, z}), .radius = 0.05}};
+    return mean_difference(without, draw(*renderer, model, small_frame()));
+  };
+  const double bare = change(0, 0.27);  // the skin is at .289
+  EXPECT_GT(bare, 0.3);
+  EXPECT_LT(change(0.12, 0.27), 0.25 * bare);
+  EXPECT_EQ(change(0, 0.2), 0);
+  EXPECT_EQ(change(0, -0.29), 0);
+}
+
 TEST_P(Frames, SizesFromOnePixelOn) {
   const FurredModel model = furred({Builtin::sphere, 300});
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 300}, {300, 7}}) {

@@ -45,18 +45,15 @@ const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& var
   return place->second;
 }
 
-void FurPass::draw(const Gl& gl, const Knobs& knobs, const std::string& variant, const ModelBuffers& model,
-                   const ModelBuffers::DrawLists& lists, const CoatTextures& coat) {
+void FurPass::bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat) const {
   gl.BindVertexArray(model.vertex_array());
   gl.BindTextureUnit(0, coat.shapes());
   gl.BindTextureUnit(1, coat.colours());
   gl.BindTextureUnit(2, model.base_images());
-  const Shading& shading = shading_of(gl, variant);
-  draw_skin(gl, shading, lists);
-  draw_fur(gl, shading.fur, lists, knobs);
 }
 
-void FurPass::draw_skin(const Gl& gl, const Shading& shading, const ModelBuffers::DrawLists& lists) const {
+void FurPass::draw_skin(const Gl& gl, const std::string& variant, const ModelBuffers::DrawLists& lists) {
+  const Shading& shading = shading_of(gl, variant);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   shading.skin.use();
@@ -69,7 +66,8 @@ void FurPass::draw_skin(const Gl& gl, const Shading& shading, const ModelBuffers
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void FurPass::draw_fur(const Gl& gl, const Program& fur, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const {
+void FurPass::draw_fur(const Gl& gl, const std::string& variant, const Knobs& knobs, const ModelBuffers::DrawLists& lists) {
+  const Program& fur = shading_of(gl, variant).fur;
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

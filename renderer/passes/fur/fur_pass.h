@@ -21,12 +21,13 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Order: skin; depth of dense fur; fur turned away from the
-  /// eye, outside in; fur that faces it, inside out.
-  /// `variant` are the #define lines of what the frame uses (SHADOW_MAPS: the maps are bound; ENVIRONMENT); `lists` are those of
-  /// the frame's view. The target is bound and cleared, the frame's block is bound.
-  void draw(const Gl& gl, const Knobs& knobs, const std::string& variant, const ModelBuffers& model,
-            const ModelBuffers::DrawLists& lists, const CoatTextures& coat);
+  /// Binds a model and its coat, for both draws. `variant` below are the #define lines of what the frame uses; the target
+  /// is bound and cleared, and so are the frame's block and what the variant reads.
+  void bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat) const;
+  /// The skin, and the depth of dense fur.
+  void draw_skin(const Gl& gl, const std::string& variant, const ModelBuffers::DrawLists& lists);
+  /// Fur turned away from the eye, outside in; fur that faces it, inside out.
+  void draw_fur(const Gl& gl, const std::string& variant, const Knobs& knobs, const ModelBuffers::DrawLists& lists);
 
  private:
   /// One shell of one set of layers.
@@ -35,13 +36,12 @@ class FurPass {
     double height() const { return (shell + 0.5) / shells; }
   };
   static std::vector<Layer> layers_of(const Knobs& knobs);  // of all sets, inside out
+
   /// The programs that shade: a scene pays only for the variant that it needs.
   struct Shading {
     Shading(const Gl& gl, const std::string& defines);
     Program skin, solid, fur;
   };
-  void draw_skin(const Gl& gl, const Shading& shading, const ModelBuffers::DrawLists& lists) const;
-  void draw_fur(const Gl& gl, const Program& fur, const ModelBuffers::DrawLists& lists, const Knobs& knobs) const;
   void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
                   int side) const;
 

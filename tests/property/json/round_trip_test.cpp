@@ -244,8 +244,39 @@ Command set_ground() {
   return SetGround{ground};
 }
 
+Command set_eyes() {
+  SetEyes result;
+  const int count = *rc::gen::inRange(0, 9);
+  for (int i = 0; i < count; ++i) {
+    Eye eye{.position = place(), .radius = number(1e-6, 1e6), .gaze = direction()};
+    if (*rc::gen::arbitrary<bool>()) eye.look_at = {eye.position.x > 0 ? -1 : 1, number(-9, 9), 0};
+    eye.iris = {.colour = colour(),
+                .inner_colour = colour(),
+                .size = number(0.1, 0.95),
+                .depth = number(0, 0.5),
+                .relief = number(0, 0.2),
+                .limbal_ring = number(0, 1),
+                .turn_degrees = number(-360, 360)};
+    eye.pupil.shape = one_of(PupilShape::slit);
+    if (*rc::gen::arbitrary<bool>()) eye.pupil.size = number(0, 1);
+    if (*rc::gen::arbitrary<bool>()) {
+      eye.lids = Lids{.facing = {},
+                      .width_degrees = number(1, 90),
+                      .upper_degrees = number(-90, 90),
+                      .lower_degrees = number(-90, 90),
+                      .tilt_degrees = number(-180, 180),
+                      .colour = colour()};
+      if (*rc::gen::arbitrary<bool>()) eye.lids->facing = direction();
+    }
+    eye.sclera = colour();
+    eye.bulge = number(0, 1), eye.refraction = number(1, 3), eye.wetness = number(0, 1);
+    result.eyes.push_back(eye);
+  }
+  return result;
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 8)) {
+  switch (*rc::gen::inRange(0, 9)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
@@ -253,6 +284,7 @@ Command command() {
     case 4: return SetLook{look()};
     case 5: return SetEnvironment{{colour(), colour(), colour(), number(0, 100)}};
     case 6: return set_ground();
+    case 7: return set_eyes();
     default: return set_lights();
   }
 }
@@ -312,6 +344,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .samples = *rc::gen::element(1, 4),
                   .steps = *rc::gen::inRange(1, 17),
                   .scale = number(0.25, std::min(2.0, 8192.0 / before.width)),
+                  .eye_steps = *rc::gen::inRange(0, 65),
                   .self_shadow = *rc::gen::arbitrary<bool>(),
                   .shadow_maps = *rc::gen::arbitrary<bool>(),
                   .shadow_resolution = *rc::gen::inRange(1, 4097),

@@ -108,7 +108,7 @@ class Script {
     return comb;
   }
   Command setting() {
-    const int kind = below(3);
+    const int kind = below(4);
     if (kind == 0) {
       SetCoat coat;
       coat.coat.curl = random_.uniform(0, 0.5);
@@ -119,6 +119,12 @@ class Script {
       SetLook look;
       look.look.ambient = random_.uniform();
       return look;
+    }
+    if (kind == 2) {
+      SetEyes eyes;
+      eyes.eyes.resize(1 + static_cast<std::size_t>(below(2)));
+      eyes.eyes[0].radius = random_.uniform(0.01, 0.1);
+      return eyes;
     }
     SetLights lights;
     lights.lights = default_lights();
@@ -156,7 +162,7 @@ std::string settings_text(const Scene& scene) {
   std::string text;
   scene.read([&](const SceneView& view) {
     text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
-                                       SetLights{view.settings.lights}});
+                                       SetLights{view.settings.lights}, SetEyes{view.settings.eyes}});
   });
   return text;
 }

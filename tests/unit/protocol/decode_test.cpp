@@ -170,6 +170,28 @@ TEST(Decode, CountsAreLimited) {
                  "/lights");
 }
 
+TEST(Decode, EyesHaveLimits) {
+  const auto eyes = [](const std::string& list) { return R"({"op": "set_eyes", "eyes": [)" + list + "]}"; };
+  const auto eye = [&](const std::string& members) {
+    return eyes(R"({"position": [0, 1, 0], "radius": 0.02)" + (members.empty() ? "" : ", " + members) + "}");
+  };
+  EXPECT_TRUE(refusal(eyes("")).ok());
+  EXPECT_TRUE(refusal(eye("")).ok());
+  EXPECT_TRUE(refusal(eye(R"("look_at": [0, 0, 0], "pupil": {"shape": "slit", "size": "automatic"}, "lids": {})")).ok());
+  EXPECT_TRUE(refusal(eyes(repeated(R"({"position": [0, 0, 0], "radius": 1})", limits::eyes))).ok());
+  expect_refusal(eyes(repeated(R"({"position": [0, 0, 0], "radius": 1})", limits::eyes + 1)), Code::invalid, "/eyes");
+  expect_refusal(eyes(R"({"position": [0, 1, 0], "radius": 0})"), Code::invalid, "/eyes/0/radius");
+  expect_refusal(eyes(R"({"position": [0, 1, 0]})"), Code::invalid, "/eyes/0/radius");
+  expect_refusal(eye(R"("gaze": [0, 0, 0])"), Code::invalid, "/eyes/0/gaze");
+  expect_refusal(eye(R"("gaze": [0, 0, 1], "look_at": [0, 0, 0])"), Code::invalid, "/eyes/0/gaze");
+  expect_refusal(eye(R"("look_at": [0, 1, 0])"), Code::invalid, "/eyes/0/look_at");
+  expect_refusal(eye(R"("pupil": {"size": 1.5})"), Code::invalid, "/eyes/0/pupil/size");
+  expect_refusal(eye(R"("pupil": {"size": "small"})"), Code::invalid, "/eyes/0/pupil/size");
+  expect_refusal(eye(R"("refraction": 0.9)"), Code::invalid, "/eyes/0/refraction");
+  expect_refusal(eye(R"("iris": {"color": "#ffffff"})"), Code::invalid, "/eyes/0/iris/color");
+  EXPECT_EQ(refusal(eye(R"("iris": {"color": "#ffffff"})")).nearest, "colour");
+}
+
 TEST(Decode, BatchesNameTheCommand) {
   expect_refusal(R"({"commands": [)" + comb_text + R"(, {"op": "comb", "brush": {"radius": -1}}]})", Code::invalid,
                  "/commands/1/brush/radius");

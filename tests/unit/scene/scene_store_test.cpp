@@ -69,6 +69,37 @@ TEST_F(SceneStoreTest, ARestartHasEverything) {
   again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, Coat{}.root_share); });
 }
 
+std::size_t eyes_of(const Scene& scene) {
+  std::size_t count = 0;
+  scene.read([&](const SceneView& view) { count = view.settings.eyes.size(); });
+  return count;
+}
+
+TEST_F(SceneStoreTest, ACreatureHasEyesThatARestartKeeps) {
+  const std::string creature = make(Builtin::creature)->id(), torus = make()->id();
+  const auto find = [&](const std::string& id) { return *store_->find(id); };
+  EXPECT_EQ(eyes_of(*find(torus)), 0u);
+  EXPECT_EQ(eyes_of(*find(creature)), 2u);
+  open();
+  EXPECT_EQ(eyes_of(*find(creature)), 2u);
+  EXPECT_EQ(execute(*find(creature), {SetEyes{}}).revision, 1u);
+  EXPECT_EQ(execute(*find(creature), {SetEyes{}}).revision, 1u);  // nothing changes
+  execute(*find(torus), {SetEyes{{Eye{.position = {0, 1, 0}}}}});
+  open();
+  EXPECT_EQ(eyes_of(*find(creature)), 0u);
+  EXPECT_EQ(eyes_of(*find(torus)), 1u);
+  move(*find(creature), Undo{});
+  EXPECT_EQ(eyes_of(*find(creature)), 2u);
+}
+
+TEST_F(SceneStoreTest, EyesFarFromTheModelAreRefused) {
+  const auto scene = make();
+  const Eye far{.position = {0, 1e20, 0}};
+  const auto refused = scene->execute({SetEyes{{Eye{}, far}}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().pointer, "/eyes/1/position");
+}
+
 TEST_F(SceneStoreTest, WhatWasAnsweredIsOnDiskWhenTheServerIsKilled) {
   const auto scene = make();
   for (std::size_t i = 0; i < 20; ++i) execute(*scene, {comb_at(*scene, 10 * i)});

@@ -1,0 +1,11 @@
+// What a scene begins with beside its fur.
+#pragma once
+
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// The default coat, look and lights; the built-in creature has two eyes.
+SceneSettings first_settings(const SceneModel& model);
+
+}  // namespace pelage

@@ -1,0 +1,261 @@
+// The eye pass, read back in floats.
+#include "renderer/passes/eye/eye_pass.h"
+
+#include <cmath>
+#include <functional>
+
+#include "renderer/coat/slices.h"
+#include "renderer/eye/optics.h"
+#include "renderer/upload/frame_block.h"
+#include "tests/gl/backends.h"
+
+namespace pelage::testing {
+namespace {
+
+constexpr int size = 96;
+
+/// A frame that looks along -Z at an eye of radius .1 that looks back.
+FurFrame frame_with(FurEye eye) {
+  FurFrame frame;
+  eye.radius = 0.1f;
+  frame.eyes = {eye};
+  frame.camera.eye = {0, 0, 2};
+  frame.camera.tan_half_fov = 0.06f;
+  frame.width = frame.height = size;
+  frame.background_colour = glm::vec3(0.5f);
+  frame.lights = {{.kind = LightKind::directional, .direction = glm::normalize(glm::vec3(-0.5f, -0.6f, -0.6f)), .radiance = glm::vec3(1)}};
+  return frame;
+}
+
+/// The camera on a circle around the eye, `degrees` to its left as the eye sees it.
+void look_from(FurFrame& frame, float degrees, float distance = 2) {
+  const float angle = glm::radians(degrees);
+  const glm::vec3 away(std::sin(angle), 0, std::cos(angle));
+  frame.camera = {distance * away, {std::cos(angle), 0, -std::sin(angle)}, {0, 1, 0}, -away, frame.camera.tan_half_fov};
+}
+
+class Eyes : public OnBackend {
+ protected:
+  void SetUp() override {
+    OnBackend::SetUp();
+    if (context) pass = std::make_unique<EyePass>(gl());
+  }
+  void TearDown() override {
+    pass.reset();
+    OnBackend::TearDown();
+  }
+
+  std::vector<glm::vec4> draw(const FurFrame& frame) {
+    const RenderTarget target(gl(), GL_RGBA32F, size, size, 1, true);
+    const glm::vec4 nothing(0);
+    const float far_away = 0;
+    gl().ClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, &nothing.x);
+    gl().ClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &far_away);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    gl().Viewport(0, 0, size, size);
+    gl().ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+    gl().Enable(GL_DEPTH_TEST);
+    gl().DepthFunc(GL_GEQUAL);
+    gl().DepthMask(GL_TRUE);
+    const Buffer block(gl());
+    const FrameBlock content = make_frame_block(frame, Slices{}, false, size);
+    gl().NamedBufferData(block.id(), sizeof content, &content, GL_STREAM_DRAW);
+    gl().BindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
+    pass->draw(gl(), frame, target);
+    std::vector<glm::vec4> pixels(size * size);
+    gl().ReadPixels(0, 0, size, size, GL_RGBA, GL_FLOAT, pixels.data());
+    return pixels;
+  }
+
+  std::unique_ptr<EyePass> pass;
+};
+
+bool all_finite(const std::vector<glm::vec4>& pixels) {
+  for (const glm::vec4& pixel : pixels) {
+    for (int k = 0; k < 4; ++k) {
+      if (!std::isfinite(pixel[k]) || pixel[k] < 0) return false;
+    }
+  }
+  return true;
+}
+
+double alpha_of(const std::vector<glm::vec4>& pixels) {
+  double sum = 0;
+  for (const glm::vec4& pixel : pixels) sum += pixel.a;
+  return sum;
+}
+
+TEST_P(Eyes, CoverTheDiscOfTheBall) {
+  FurEye eye;
+  eye.bulge = 0;
+  const std::vector<glm::vec4> pixels = draw(frame_with(eye));
+  // A ball of radius r at distance d fills a circle whose tangent is r / sqrt(d^2 - r^2).
+  const double radius = 0.1 / std::sqrt(4 - 0.01) / 0.06 * size / 2;
+  EXPECT_NEAR(alpha_of(pixels), 3.14159265 * radius * radius, 0.005 * 3.14159265 * radius * radius);
+  EXPECT_EQ(pixels[size / 2 * size + size / 2].a, 1);
+}
+
+TEST_P(Eyes, ExtremesStayFinite) {
+  for (const double refraction : {1.0, 1.376, 3.0}) {
+    for (const double depth : {0.0, 0.5}) {
+      for (const std::optional<double> pupil : {std::optional(0.0), std::optional(1.0), std::optional<double>()}) {
+        for (const int steps : {0, 1, 2, 64}) {
+          FurEye eye;
+          eye.refraction = refraction, eye.bulge = depth * 2, eye.wetness = depth * 2;
+          eye.iris.depth = depth, eye.iris.relief = 0.2, eye.iris.size = depth > 0 ? 0.95 : 0.1;
+          eye.pupil = {steps % 2 ? PupilShape::slit : PupilShape::round, pupil};
+          if (steps == 2) eye.lids = FurLids{glm::mat3(1), {1.5f, 1.5f, 1.5f}, glm::vec3(0)};
+          FurFrame frame = frame_with(eye);
+          frame.knobs.eye_steps = steps;
+          frame.lights.push_back({.kind = LightKind::point, .position = {0, 0, 0.1f}, .radiance = glm::vec3(1e8f)});
+          for (const float degrees : {0.f, 89.9f, 90.f, 180.f}) {
+            look_from(frame, degrees);
+            ASSERT_TRUE(all_finite(draw(frame))) << refraction << " " << depth << " " << steps << " " << degrees;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Eyes, BehindTheCameraOrAroundItNothingIsDrawn) {
+  FurFrame frame = frame_with({});
+  frame.camera.eye = {0, 0, -1};  // looks away from it
+  EXPECT_EQ(alpha_of(draw(frame)), 0);
+  for (const float z : {0.f, 0.05f, 0.099f}) {
+    frame.camera.eye = {0, 0, z};
+    const auto pixels = draw(frame);
+    EXPECT_TRUE(all_finite(pixels));
+    EXPECT_EQ(alpha_of(pixels), 0) << z;
+  }
+  frame.camera.eye = {0, 0, 0.2f};  // close by
+  EXPECT_GT(alpha_of(draw(frame)), 0.99 * size * size);
+  frame.camera.eye = {0, 0, 1e6f};
+  EXPECT_TRUE(all_finite(draw(frame)));
+}
+
+/// The ray of a pixel, traced in double: whether it ends inside the pupil; none off the cornea and near borders.
+std::optional<bool> sees_pupil(const FurFrame& frame, int x, int y) {
+  const EyeShape shape = shape_of(frame.eyes[0]);
+  const double span = 2 * double{frame.camera.tan_half_fov} / size;
+  const glm::dvec3 along = glm::normalize(glm::dvec3(frame.camera.forward) + (x + 0.5 - size / 2) * span * glm::dvec3(frame.camera.right) -
+                                          (y + 0.5 - size / 2) * span * glm::dvec3(frame.camera.up));
+  const glm::dvec3 from = glm::dvec3(frame.camera.eye) / 0.1 - glm::dvec3(0, 0, shape.cornea_centre);
+  const double half = glm::dot(from, along), inner = half * half - glm::dot(from, from) + shape.cornea_radius * shape.cornea_radius;
+  if (inner <= 0) return std::nullopt;
+  const glm::dvec3 away = from - along * (half + std::sqrt(inner));
+  const glm::dvec3 place = away + glm::dvec3(0, 0, shape.cornea_centre);
+  if (place.z < shape.limbus || std::hypot(place.x, place.y) > 0.9 * shape.iris_radius) return std::nullopt;
+  const glm::dvec3 inside = *refract_into(along, away / shape.cornea_radius, shape.refraction);
+  const glm::dvec3 hit = place + inside * ((place.z - shape.iris_plane) / -inside.z);
+  const double reach = std::hypot(hit.x, hit.y), edge = *frame.eyes[0].pupil.size * shape.iris_radius;
+  if (std::abs(reach - edge) < 0.10 || reach > 0.85 * shape.iris_radius) return std::nullopt;  // dark margins
+  return reach < edge;
+}
+
+TEST_P(Eyes, PupilLiesWhereRefractionPutsIt) {
+  FurEye eye;
+  eye.pupil.size = 0.4;
+  eye.iris.depth = 0.3, eye.iris.limbal_ring = 0;
+  for (const double refraction : {1.0, 1.376, 2.0}) {
+    eye.refraction = refraction;
+    FurFrame frame = frame_with(eye);
+    frame.background_colour = glm::vec3(0), frame.lights.clear();
+    frame.knobs.eye_steps = 1;
+    for (const float degrees : {0.f, 30.f, 50.f}) {
+      look_from(frame, degrees);
+      const std::vector<glm::vec4> pixels = draw(frame);
+      int inside = 0, wrong = 0;
+      for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+          const std::optional<bool> pupil = sees_pupil(frame, x, y);
+          if (!pupil) continue;
+          inside += *pupil;
+          wrong += *pupil != (pixels[static_cast<std::size_t>(y * size + x)].r < 1e-3f);
+        }
+      }
+      EXPECT_GT(inside, 50);
+      EXPECT_LE(wrong, 2) << refraction << " " << degrees;
+    }
+  }
+}
+
+/// Mean light of the pixels of the left and the right half.
+glm::dvec2 halves(const std::vector<glm::vec4>& pixels) {
+  glm::dvec2 sum(0);
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) sum[x < size / 2 ? 0 : 1] += double{pixels[static_cast<std::size_t>(y * size + x)].r};
+  }
+  return sum / (0.5 * size * size);
+}
+
+TEST_P(Eyes, CausticIsBrighterOppositeTheLight) {
+  FurEye eye;
+  eye.iris.size = 0.95, eye.iris.depth = 0.3, eye.pupil.size = 0;
+  eye.wetness = 0;
+  FurFrame frame = frame_with(eye);
+  frame.background_colour = glm::vec3(0), frame.look.ambient = 0;
+  frame.lights[0].direction = glm::normalize(glm::vec3(-1, 0, -0.9f));  // from the right
+  const glm::dvec2 light = halves(draw(frame));
+  EXPECT_GT(light.x, 1.1 * light.y);
+}
+
+TEST_P(Eyes, TheMarchConverges) {
+  FurFrame frame = frame_with({});
+  look_from(frame, 40);
+  const auto with = [&](int steps) {
+    frame.knobs.eye_steps = steps;
+    return draw(frame);
+  };
+  const auto apart = [](const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(double{a[i].r} - double{b[i].r});
+    return sum;
+  };
+  const auto truth = with(64), fine = with(24), coarse = with(4), parallax = with(1), flat = with(0);
+  EXPECT_LT(apart(fine, truth), 0.6 * apart(coarse, truth));
+  EXPECT_LT(apart(coarse, truth), 0.8 * apart(parallax, truth));
+  EXPECT_LT(apart(parallax, truth), apart(flat, truth));
+}
+
+TEST_P(Eyes, LidsCloseAndShade) {
+  FurEye eye;
+  eye.lids = FurLids{glm::mat3(1), {1.1f, -0.2f, -0.2f}, glm::vec3(0)};
+  FurFrame frame = frame_with(eye);
+  const auto redness = [&] {
+    double sum = 0;
+    for (const glm::vec4& pixel : draw(frame)) sum += double{pixel.r} - double{pixel.b};
+    return sum;
+  };
+  frame.lights.clear(), frame.background_colour = glm::vec3(0);
+  const double shut = redness();
+  frame.eyes[0].lids->opening = {1.1f, 0.6f, 0.6f};
+  const double open = redness();
+  frame.eyes[0].lids.reset();
+  const double bare = redness();
+  EXPECT_NEAR(shut, 0, 0.05);
+  EXPECT_GT(open, 10);
+  EXPECT_GT(bare, 1.2 * open);
+}
+
+TEST_P(Eyes, ALightIsASharpDiscOnAWetEye) {
+  FurEye eye;
+  eye.wetness = 1, eye.sclera = eye.iris.colour = eye.iris.inner_colour = glm::vec3(0);
+  const auto peak = [&] {
+    float most = 0;
+    const std::vector<glm::vec4> pixels = draw(frame_with(eye));
+    for (int y = size / 4; y < size * 3 / 4; ++y) {
+      for (int x = size / 4; x < size * 3 / 4; ++x) most = std::max(most, pixels[static_cast<std::size_t>(y * size + x)].b);
+    }
+    return most;
+  };
+  const float wet = peak();
+  eye.wetness = 0;
+  EXPECT_GT(wet, 4 * peak());
+  EXPECT_GT(wet, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Eyes, all_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing
