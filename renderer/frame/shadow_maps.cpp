@@ -12,6 +12,14 @@ constexpr float half_diagonal = 0.5f;  // of every model's box, sizes
 
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || light.cast_shadow != CastShadow::none; }
 
+/// The paper reduces to a quarter at 512 x 512; the blur must not shrink with finer maps, so a texel is about .03 sizes
+/// wide (a quarter of what smaller maps have).
+int width_texels(int resolution) {
+  int ratio = 4;
+  while (resolution / ratio > 48) ratio *= 2;
+  return std::max(1, resolution / ratio);
+}
+
 Texture map_array(const Gl& gl, GLenum format, int size, int slices, GLint filter) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
   gl.TextureStorage3D(texture.id(), 1, format, size, size, std::max(1, slices));
@@ -74,13 +82,13 @@ ShadowMaps::Counts ShadowMaps::place_slots(const FurFrame& frame, float radius, 
 void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolution) {
   kept_ = map_array(gl, GL_R16F, counts.layers ? resolution : 1, counts.layers * shadow_boundaries, GL_LINEAR);
   depth_ = map_array(gl, GL_R32F, resolution, counts.casts, GL_NEAREST);
-  width_ = map_array(gl, GL_R16F, std::max(1, resolution / 4), counts.casts, GL_LINEAR);
+  width_ = map_array(gl, GL_R16F, width_texels(resolution), counts.casts, GL_LINEAR);
 }
 
 void ShadowMaps::draw_maps(const Gl& gl, const FrameBlock& block, const std::vector<LightView>& views,
                            const ModelBuffers::DrawList& triangles, int resolution) {
   const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true), depth(gl, GL_R32F, resolution, resolution, 1, true);
-  const RenderTarget width(gl, GL_R16F, std::max(1, resolution / 4), std::max(1, resolution / 4), 1, false);
+  const RenderTarget width(gl, GL_R16F, width_texels(resolution), width_texels(resolution), 1, false);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_.id());
   std::size_t next = 0;
   for (const glm::vec4& slot : slots_.slots) {

@@ -9,11 +9,11 @@ layout(std140, binding = 2) uniform ShadowBlock {
 
 layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
 layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, sizes
-layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: the shadow width, unscaled
+layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge
 
 const float shadow_layers = 16.0;
-const float cast_bias = 0.012;   // sizes
-const float shadow_width = 0.03; // sizes that a width of 1 stands for
+const float cast_bias = 0.006;   // sizes
+const float shadow_width = 0.03; // sizes from the edge of a shadow to where its map is white
 
 vec2 place_on_map(int i, vec3 place) {
   vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
@@ -32,7 +32,8 @@ float cast_light(int i, vec3 place) {
   float below = depth_below(i, place, at);
   if (below <= cast_bias) return 1.0;
   if (shadow.slots[i].z < 0.5) return 0.0;
-  float width = shadow_width * texture(width_maps, vec3(at, shadow.slots[i].y)).r;
+  float white = texture(width_maps, vec3(at, shadow.slots[i].y)).r;  // .5 at the edge
+  float width = shadow_width * max(2.0 * white - 1.0, 0.0);
   float fade = smoothstep(cast_bias, 3.0 * cast_bias, below);
   return 1.0 - fade * clamp(shadow.slots[i].w * width / below, 0.0, 1.0);
 }

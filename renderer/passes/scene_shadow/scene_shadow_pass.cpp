@@ -14,7 +14,7 @@ extern const char* const shadow_width_frag;
 
 namespace {
 
-constexpr float bias = 0.012f;     // sizes, as in shadow.glsl
+constexpr float bias = 0.006f;     // sizes, as in shadow.glsl
 constexpr float nowhere = 1e4f;    // depth where the light sees nothing, sizes
 
 void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slot) {
@@ -49,6 +49,7 @@ void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles
   gl.Disable(GL_DEPTH_TEST);
   gl.BindTextureUnit(6, targets.occlusion.texture());
   width_.use();
+  width_.set("ratio", targets.occlusion.width() / targets.width.width());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   keep(gl, targets.width, width_maps, slot);
 }

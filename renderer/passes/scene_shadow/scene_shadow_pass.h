@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// Where the three maps are drawn, one light after the other. Depth and occlusion are of the maps' size, width of a
-/// quarter of it, at least 1.
+/// Where the three maps are drawn, one light after the other. Depth and occlusion are of the maps' size; that of the
+/// widths divides it.
 struct SceneShadowTargets {
   const RenderTarget &depth, &occlusion, &width;  // R32F with depth buffer, R16F, R16F
 };

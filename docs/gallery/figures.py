@@ -1,0 +1,137 @@
+"""What the gallery shows: figures of pictures, each a model, its fur, commands and a frame."""
+
+import json
+import pathlib
+
+LOOKS = pathlib.Path(__file__).resolve().parents[2] / "clients" / "looks"
+
+STUDIO = [{"op": "set_ground", "ground": {"visible": True}},
+          {"op": "set_environment", "environment": {"sky": [1, 1, 1], "horizon": [0.8, 0.82, 0.85],
+                                                    "ground": [0.5, 0.48, 0.45], "intensity": 1.2}}]
+FINE = {"shells": 24, "shadow_maps": True, "shadow_resolution": 1024, "scale": 1.5}
+SIMPLE = {"shells": 24, "scale": 1.5}
+ONE_LIGHT = {"direction": [-0.5, -0.8, -0.45], "intensity": 1.7}
+
+
+def builtin(name, triangles=5000):
+    return {"builtin": name, "triangles": triangles}
+
+
+def glmark(name):
+    options = {"horse": "3ds", "cat": "3ds", "bunny": "obj"}
+    turned = {"horse": {"up": "y", "front": "z"}, "cat": {"up": "y", "front": "z"}, "bunny": {}}
+    return {"file": f"/usr/share/glmark2/models/{name}.{options[name]}", "options": {"format": options[name], **turned[name]}}
+
+
+def fur(length, inclination):
+    return {"length": length, "inclination": inclination}
+
+
+def picture(title, model, *steps, fur_of=None, quality=None, camera=None, **frame):
+    request = {"quality": quality or FINE, **({"camera": camera} if camera else {}), **frame}
+    return {"title": title, "model": model, "fur": fur_of or {}, "steps": [s for s in steps if s], "frame": request}
+
+
+def coat(**settings):
+    return {"op": "set_coat", "coat": settings}
+
+
+def look(**settings):
+    return {"op": "set_look", "look": settings}
+
+
+def lights(*members):
+    return {"op": "set_lights", "lights": list(members)}
+
+
+def look_file(name):
+    return json.loads((LOOKS / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def studio(*commands):
+    return {"commands": [*STUDIO, *commands]}
+
+
+def eye(position, target, fov=35):
+    return {"eye": position, "target": target, "fov_degrees": fov}
+
+
+TORUS, KNOT = builtin("torus", 2000), builtin("knot", 2880)
+CREATURE = builtin("creature", 20000)
+PLANE = builtin("plane", 400)
+CLOSE = eye([0.0, 0.55, 0.75], [0.0, 0.0, 0.0], 25)
+FACE = eye([-0.75, 1.1, 1.9], [0.0, 0.86, 0.42], 19)
+EAR = eye([1.5, 1.45, 1.5], [0.1, 0.95, 0.15], 16)
+
+
+FIGURES = [
+    {"name": "per_pixel", "title": "Light at the vertices, light in each pixel (GPU fur, figure 1)",
+     "text": "`lengyel` is the baseline of the paper: it lights vertices. Strands have no sides there.",
+     "pictures": [picture(name, TORUS, look(shading=name), fur_of=fur(0.05, 0.5), quality=SIMPLE)
+                  for name in ("lengyel", "kajiya")]},
+    {"name": "lodged", "title": "Fur that was lodged, and a pattern (GPU fur, figure 2)",
+     "text": "`lodge` presses patches of strands to one side. The zebra's stripes need no texture coordinates.",
+     "pictures": [picture("lodged", TORUS, coat(lodge=0.5), fur_of=fur(0.05, 0.4), quality=SIMPLE),
+                  picture("zebra", glmark("horse"), look_file("zebra"), studio(), fur_of=fur(0.012, 0.85))]},
+    {"name": "single_hairs", "title": "Shadows of single hairs (GPU fur, figure 6)",
+     "text": "Sparse fur on a plane: the layer-wise shadow maps hold each strand.",
+     "pictures": [picture(title, PLANE, coat(count=250, clump=0, width_root=0.002, width_tip=0.001, tile=0.2),
+                          look(ambient=0.3, skin=[0.75, 0.7, 0.62]), lights({**ONE_LIGHT, "self_shadow_maps": maps}),
+                          fur_of=fur(0.05, 0.35), camera=CLOSE, quality={**FINE, "shadow_maps": maps, "shadow_resolution": 2048})
+                  for title, maps in (("without", False), ("with shadow maps", True))]},
+    {"name": "self_shadow", "title": "Self-shadow (GPU fur, figure 7)",
+     "text": "None, the estimate that interactive frames use, and layer-wise shadow maps.",
+     "pictures": [picture(title, KNOT, lights({**ONE_LIGHT, "self_shadow_maps": maps}), fur_of=fur(0.03, 0.5),
+                          quality={**FINE, "self_shadow": shadow, "shadow_maps": maps})
+                  for title, shadow, maps in (("none", False, False), ("estimate", True, False), ("maps", True, True))]},
+    {"name": "cast_shadow", "title": "Shadow of the body on itself (GPU fur, figure 8)",
+     "text": "No shadow, a hard one from the depth map, a soft one with the shadow width.",
+     "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "cast_shadow": kind}),
+                          fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft")]},
+    {"name": "curves", "title": "Both lean curves, light and strong (fur modelling, 5.1)",
+     "text": "The arc, and y = K sqrt(x), whose tail goes on rising when the lean is strong.",
+     "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),
+                          fur_of=fur(0.08, lean), quality=SIMPLE)
+                  for lean in (0.35, 0.95) for curve in ("arc", "root")]},
+    {"name": "forms", "title": "Forms of fur", "text": "One coat on one sphere, a setting at a time.",
+     "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.09, 0.45), quality=SIMPLE)
+                  for name, settings in (("straight", {"bend": 0, "clump": 0}), ("bent", {"bend": 1.2, "clump": 0}),
+                                         ("wavy", {"wave": 0.08, "wave_turns": 3}),
+                                         ("curly", {"curl": 0.12, "curl_turns": 4, "curl_together": 0.8}),
+                                         ("messy", {"mess": 0.8, "clump": 0.1}), ("clumped", {"clump": 0.95, "clump_size": 0.02}),
+                                         ("wet", {"wetness": 1, "clump": 0.8, "fine_clump": 0.8}), ("lodged", {"lodge": 0.5}),
+                                         ("undercoat", {"undercoat": {"share": 0.6, "length": 0.45, "tint": 0.8,
+                                                                      "colour": [0.7, 0.62, 0.5]}}))]},
+    {"name": "looks", "title": "Looks to start from", "text": "Files in clients/looks.",
+     "pictures": [picture(name.replace("_", " "), model, look_file(name), studio(), fur_of=fur(length, lean))
+                  for name, model, length, lean in (("shorthair_cat", glmark("cat"), 0.018, 0.75),
+                                                    ("rabbit", glmark("bunny"), 0.035, 0.5), ("fox", CREATURE, 0.042, 0.72),
+                                                    ("sheep", CREATURE, 0.035, 0.2), ("wet_dog", CREATURE, 0.04, 0.75),
+                                                    ("bear", CREATURE, 0.055, 0.6), ("zebra", glmark("horse"), 0.012, 0.85),
+                                                    ("leopard", glmark("cat"), 0.016, 0.8),
+                                                    ("toy_plush", glmark("bunny"), 0.022, 0.3))]},
+    {"name": "shading", "title": "Shading models", "text": "One interface, six models by name (docs/fur.md).",
+     "pictures": [picture(name, CREATURE, look(shading=name), studio())
+                  for name in ("lengyel", "kajiya", "kajiya_kay", "scheuermann", "marschner", "energy_conserving")]},
+    {"name": "eye", "title": "The eye", "text": "Cornea, iris marched through its layers, limbal ring, caustic, lids (docs/eyes.md).",
+     "pictures": [picture("face", CREATURE, studio(), camera=FACE, quality={**FINE, "eye_steps": 16})]},
+    {"name": "special", "title": "Hard cases",
+     "text": "A sleek horse; white fur lit from behind; an agouti fox; an ear's fringe in front of the flank; a parting in fur of 30 mm.",
+     "pictures": [picture("sleek horse", glmark("horse"),
+                          coat(root_share=0.6, clump=0.2, clump_size=0.008,
+                               ramp=[{"at": 0, "colour": "#4a2c1a"}, {"at": 0.6, "colour": "#8a5530"}, {"at": 1, "colour": "#a8703f"}]),
+                          look(shading="energy_conserving"), studio(), fur_of=fur(0.012, 0.9)),
+                  picture("white, lit from behind", glmark("bunny"), look_file("rabbit"),
+                          studio(lights({"direction": [0.2, -0.35, 0.9], "intensity": 2.2}, {"direction": [-0.5, -0.6, -0.5], "intensity": 0.35})),
+                          fur_of=fur(0.045, 0.45), background="#30343a"),
+                  picture("agouti fox", CREATURE,
+                          coat(ramp=[{"at": 0, "colour": "#4a4038"}, {"at": 0.45, "colour": "#8f5a2c"}, {"at": 0.75, "colour": "#e0b070"},
+                                     {"at": 1, "colour": "#2a1a10"}], odd_hairs={"share": 0.1, "colour": [0.8, 0.78, 0.72]}),
+                          look(colour_source="coat"), studio(), fur_of=fur(0.042, 0.7)),
+                  picture("ear in front of the flank", CREATURE, studio(), camera=EAR),
+                  picture("parting", builtin("plane", 4000),
+                          {"commands": [{"op": "comb", "brush": {"radius": 0.4, "strength": 1, "falloff": "constant"}, "lean": 0.8,
+                                         "stroke": {"samples": [{"position": [side * 0.36, 0, z], "time": 0}, {"position": [side * 0.75, 0, z], "time": 1}]}}
+                                        for side in (-1, 1) for z in (-0.4, 0, 0.4)]},
+                          fur_of=fur(0.03, 0.3), camera=eye([0.05, 0.35, 0.75], [0, 0, 0.05], 30))]},
+]
