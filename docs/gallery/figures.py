@@ -61,7 +61,7 @@ CREATURE = builtin("creature", 20000)
 PLANE = builtin("plane", 400)
 CLOSE = eye([0.0, 0.55, 0.75], [0.0, 0.0, 0.0], 25)
 FACE = eye([-0.75, 1.1, 1.9], [0.0, 0.86, 0.42], 19)
-EAR = eye([1.5, 1.45, 1.5], [0.1, 0.95, 0.15], 16)
+EAR = eye([-0.35, 2.3, 1.9], [0.05, 0.9, 0.12], 17)
 
 
 FIGURES = [
@@ -94,7 +94,8 @@ FIGURES = [
                           fur_of=fur(0.08, lean), quality=SIMPLE)
                   for lean in (0.35, 0.95) for curve in ("arc", "root")]},
     {"name": "forms", "title": "Forms of fur", "text": "One coat on one sphere, a setting at a time.",
-     "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.09, 0.45), quality=SIMPLE)
+     "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.05, 0.45), quality=SIMPLE,
+                          camera=eye([0.9, 1.4, 3.4], [0.25, 0.35, 0.5], 22))
                   for name, settings in (("straight", {"bend": 0, "clump": 0}), ("bent", {"bend": 1.2, "clump": 0}),
                                          ("wavy", {"wave": 0.08, "wave_turns": 3}),
                                          ("curly", {"curl": 0.12, "curl_turns": 4, "curl_together": 0.8}),
