@@ -22,6 +22,7 @@ layout(location = 10) in vec4 variation;  // factor on length, addition to incli
 
 uniform int shell_count;
 uniform int shell;
+uniform int shell_side;   // 1 on triangles that face the eye, -1 on those turned away
 uniform int layer_set;    // the set of layers that is drawn; -1 draws all of the optical depth
 uniform float push;       // how much further from the eye the depth is written, in lengths of the fur
 
@@ -67,7 +68,7 @@ void main() {
   // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans.
   vec3 to_eye = normalize(frame.eye.xyz - place);
   float facing = dot(to_eye, normal);
-  float rising = (facing < 0.0 ? -1.0 : 1.0) * max(abs(facing), 0.2);
+  float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // one sign for all of a triangle
   float up_speed = fur_length * cos(curve.z), across_speed = fur_length * sin(curve.z);
   vec3 crossing = (to_eye - facing * normal) * (up_speed / rising) - across_speed * lean;
   vec3 tile_v = cross(normal, tile_axis);
