@@ -16,10 +16,11 @@ extern const char* const skin_frag;
 
 namespace {
 
-// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written a fur length further away so that
-// the layers of one coat do not hide each other. Without it the body's outer layers would cover an ear's fringe.
+// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written further away by a part of the fur's
+// length over the cosine of the view, so that the layers of one coat do not hide each other. Without it the body's outer
+// layers would cover an ear's fringe; with a whole length they shine through thin rims.
 constexpr int solid_shells = 4;
-constexpr float solid_push = 0.5f;
+constexpr float solid_push = 0.25f;
 
 }  // namespace
 
