@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "renderer/shading/fresnel.h"
+
 namespace pelage {
 
 std::optional<glm::dvec3> refract_into(glm::dvec3 along, glm::dvec3 normal, double index) {
@@ -15,13 +17,7 @@ std::optional<glm::dvec3> refract_into(glm::dvec3 along, glm::dvec3 normal, doub
 }
 
 double fresnel(double cosine, double index) {
-  assert(index >= 1);
-  const double c = std::clamp(cosine, 0.0, 1.0);
-  const double inside = std::sqrt(index * index - 1 + c * c);  // index times the cosine inside
-  if (!(inside + c > 0)) return 0;                             // no surface at all, seen along it
-  const double across = (c - inside) / (c + inside);
-  const double along = (index * index * c - inside) / (index * index * c + inside);
-  return 0.5 * (across * across + along * along);
+  return index == 1 ? 0 : fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), index);  // no surface at all reflects nothing
 }
 
 double pupil_size(double luminance) {

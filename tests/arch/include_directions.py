@@ -26,7 +26,7 @@ ALLOWED = {
     "renderer/coat": ["protocol/base", "protocol/commands"],
     "renderer/pattern": ["protocol/base", "protocol/commands", "renderer/coat"],
     "renderer/shading": ["protocol/base", "protocol/commands"],
-    "renderer/eye": ["protocol/base", "protocol/commands", "renderer/input"],
+    "renderer/eye": ["protocol/base", "protocol/commands", "renderer/input", "renderer/shading"],
     "renderer/image": ["protocol/base"],
     "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
