@@ -27,6 +27,13 @@ def fur(length, inclination):
     return {"length": length, "inclination": inclination}
 
 
+SHARED = pathlib.Path(__file__).resolve().parents[3] / "shared" / "meshes"
+
+
+def shared(name, **options):
+    return {"file": str(SHARED / name), "options": {"format": name.split(".")[-1], **options}}
+
+
 def picture(title, model, *steps, fur_of=None, quality=None, camera=None, **frame):
     request = {"quality": quality or FINE, **({"camera": camera} if camera else {}), **frame}
     return {"title": title, "model": model, "fur": fur_of or {}, "steps": [s for s in steps if s], "frame": request}
@@ -135,4 +142,27 @@ FIGURES = [
                                          "stroke": {"samples": [{"position": [side * 0.36, 0, z], "time": 0}, {"position": [side * 0.75, 0, z], "time": 1}]}}
                                         for side in (-1, 1) for z in (-0.4, 0, 0.4)]},
                           fur_of=fur(0.03, 0.3), camera=eye([0.05, 0.35, 0.75], [0, 0, 0.05], 30))]},
+    {"name": "animals", "title": "Four animals",
+     "text": "Plush, agouti, sleek and white, with the settings of reference pictures made of strands; interactive and detailed. "
+             "Models by others (docs/models.md); they are skipped where the files are missing.",
+     "pictures": [picture(f"{title}, {tier}", model, coat(**settings), look(colour_source="coat", **shade), studio(),
+                          fur_of=fur(length, lean), quality={**knobs, "shadow_maps": True, "shadow_resolution": 1024})
+                  for title, model, length, lean, settings, shade in (
+                      ("plush", shared("koala_low.obj"), 0.042, 0.42,
+                       {"count": 16000, "root_share": 0.15, "clump": 0.55, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
+                        "curl": 0.02, "width_root": 0.0008, "width_tip": 0.0002,
+                        "ramp": [{"at": 0, "colour": [0.30, 0.29, 0.28]}, {"at": 0.5, "colour": [0.50, 0.48, 0.46]}, {"at": 1, "colour": [0.72, 0.70, 0.67]}]}, {}),
+                      ("agouti", shared("cat.obj"), 0.042, 0.72,
+                       {"count": 16000, "root_share": 0.45, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
+                        "width_root": 0.0008, "width_tip": 0.0002,
+                        "ramp": [{"at": 0, "colour": [0.18, 0.12, 0.09]}, {"at": 0.5, "colour": [0.62, 0.24, 0.05]}, {"at": 1, "colour": [0.30, 0.12, 0.04]}]}, {}),
+                      ("sleek", shared("spot.obj", front="-z"), 0.018, 0.92,
+                       {"count": 20000, "root_share": 0.75, "clump": 0.12, "clump_size": 0.025, "fine_clump": 0.35, "fine_clump_size": 0.008,
+                        "width_root": 0.0008, "width_tip": 0.0002,
+                        "ramp": [{"at": 0, "colour": [0.10, 0.045, 0.02]}, {"at": 0.5, "colour": [0.22, 0.09, 0.035]}, {"at": 1, "colour": [0.28, 0.13, 0.06]}]}, {}),
+                      ("white", shared("koala_low.obj"), 0.042, 0.6,
+                       {"count": 16000, "root_share": 0.4, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
+                        "width_root": 0.0008, "width_tip": 0.0002,
+                        "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]}, {}))
+                  for tier, knobs in (("interactive", {}), ("detailed", {"shells": 48, "steps": 3, "scale": 2}))]},
 ]

@@ -96,6 +96,9 @@ def main():
             if not figure["name"].startswith(wanted):
                 continue
             for i, picture in enumerate(figure["pictures"]):
+                if not pathlib.Path(picture["model"].get("file", __file__)).exists():
+                    print(f"{figure['name']}-{i}: skipped, there is no {picture['model']['file']}", flush=True)
+                    continue
                 start = time.monotonic()
                 make_picture(server, picture, f"{figure['name']}-{i}")
                 print(f"{figure['name']}-{i}: {picture['title']}, {time.monotonic() - start:.1f} s", flush=True)
