@@ -6,7 +6,8 @@ namespace pelage {
 
 Knobs knobs_of(Tier tier) {
   switch (tier) {
-    case Tier::draft: return {.shells = 8, .samples = 1, .steps = 3, .scale = 0.75, .eye_steps = 1, .self_shadow = false};
+    case Tier::draft:
+      return {.shells = 8, .samples = 1, .steps = 3, .scale = 0.75, .eye_steps = 1, .self_shadow = false};
     case Tier::interactive: return {};
     case Tier::detailed:
       return {.shells = 48, .steps = 3, .scale = 2, .eye_steps = 16, .shadow_maps = true, .shadow_resolution = 1024};

@@ -5,16 +5,16 @@
 #include <chrono>
 #include <cmath>
 
+#include "renderer/coat/strand_tile.h"
 #include "renderer/passes/draw/draw_state.h"
 #include "renderer/pattern/pattern_block.h"
-#include "renderer/coat/strand_tile.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr std::size_t kept_coats = 3;           // 90 MB each
-constexpr std::int64_t kept_pixels = 2048 * 2048;  // targets of a larger frame are given back after it
+constexpr std::size_t kept_coats = 3;               // 90 MB each
+constexpr std::int64_t kept_pixels = 2048 * 2048;   // targets of a larger frame are given back after it
 constexpr std::uint64_t patience = 60'000'000'000;  // nanoseconds until a GL that does not answer is given up
 
 class Stopwatch {
@@ -30,9 +30,10 @@ class Stopwatch {
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame) {
   const Environment& light = frame.environment;
-  const bool constant = light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
-  return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
-         (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
+  const bool constant =
+      light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
+  return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
+         (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
          (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
@@ -48,10 +49,19 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
 }
 
 Renderer::Renderer(const Gl& gl)
-    : gl_(gl), fur_(gl), shadows_(gl), ground_(gl), eyes_(gl), resolve_(gl), pattern_(gl), scattering_(gl), frame_block_(gl) {}
+    : gl_(gl),
+      fur_(gl),
+      shadows_(gl),
+      ground_(gl),
+      eyes_(gl),
+      resolve_(gl),
+      pattern_(gl),
+      scattering_(gl),
+      frame_block_(gl) {}
 
 Status Renderer::programs() const {
-  const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() + resolve_.failure();
+  const std::string log =
+      fur_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() + resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
@@ -72,8 +82,8 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
 void Renderer::forget(std::uint64_t model) { models_.erase(model); }
 
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
-  const auto found = std::find_if(coats_.begin(), coats_.end(),
-                                  [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
+  const auto found =
+      std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
   if (found != coats_.end()) {
     coats_.splice(coats_.begin(), coats_, found);
     return coats_.front();
@@ -146,7 +156,8 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
   gl_.DeleteSync(fence);
-  if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED) return failure(Code::unavailable, "the GL does not answer");
+  if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED)
+    return failure(Code::unavailable, "the GL does not answer");
   taken.draw = drawing.milliseconds() - taken.shadow;
   const Stopwatch reading;
   Result<Image> image = read_back(frame);

@@ -23,8 +23,10 @@ int width_texels(int resolution) {
 Texture map_array(const Gl& gl, GLenum format, int size, int slices, GLint filter) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
   gl.TextureStorage3D(texture.id(), 1, format, size, size, std::max(1, slices));
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TextureParameteri(texture.id(), name, filter);
-  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl.TextureParameteri(texture.id(), name, GL_CLAMP_TO_EDGE);
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TextureParameteri(texture.id(), name, filter);
+  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TextureParameteri(texture.id(), name, GL_CLAMP_TO_EDGE);
   return texture;
 }
 
@@ -87,7 +89,8 @@ void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolutio
 
 void ShadowMaps::draw_maps(const Gl& gl, const FrameBlock& block, const std::vector<LightView>& views,
                            const ModelBuffers::DrawList& triangles, int resolution) {
-  const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true), depth(gl, GL_R32F, resolution, resolution, 1, true);
+  const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true),
+      depth(gl, GL_R32F, resolution, resolution, 1, true);
   const RenderTarget width(gl, GL_R16F, width_texels(resolution), width_texels(resolution), 1, false);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_.id());
   std::size_t next = 0;

@@ -27,8 +27,10 @@ GLuint compile(const Gl& gl, GLenum stage, std::string_view source, const std::s
 
 }  // namespace
 
-Program::Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines) : gl_(&gl), handle_(gl) {
-  for (const auto& [stage, source] : {std::pair{GLenum{GL_VERTEX_SHADER}, vertex}, {GLenum{GL_FRAGMENT_SHADER}, fragment}}) {
+Program::Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines)
+    : gl_(&gl), handle_(gl) {
+  for (const auto& [stage, source] :
+       {std::pair{GLenum{GL_VERTEX_SHADER}, vertex}, {GLenum{GL_FRAGMENT_SHADER}, fragment}}) {
     const GLuint shader = compile(gl, stage, source, defines, log_);
     gl.AttachShader(handle_.id(), shader);
     gl.DeleteShader(shader);  // lives on while attached

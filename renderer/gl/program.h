@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include <glm/glm.hpp>
+#include <string>
 
 #include "renderer/gl/handles.h"
 
@@ -20,7 +19,9 @@ class Program {
   void set(const char* name, int value) const { gl_->Uniform1i(location(name), value); }
   void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(location(name), value.x, value.y, value.z); }
   void set(const char* name, float value) const { gl_->Uniform1f(location(name), value); }
-  void set(const char* name, const glm::mat4& value) const { gl_->UniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]); }
+  void set(const char* name, const glm::mat4& value) const {
+    gl_->UniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+  }
   GLuint id() const { return handle_.id(); }
   const std::string& log() const { return log_; }
 

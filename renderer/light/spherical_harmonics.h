@@ -3,7 +3,6 @@
 
 #include <array>
 #include <functional>
-
 #include <glm/glm.hpp>
 
 #include "protocol/commands/look.h"

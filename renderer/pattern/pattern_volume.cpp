@@ -18,7 +18,8 @@ class Filler {
  public:
   Filler(const PatternBlock& block, PatternVolume& volume) : block_(block), volume_(volume) {
     volume_.rgba.assign(4 * static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y) *
-                        static_cast<std::size_t>(volume.size.z), 0);
+                            static_cast<std::size_t>(volume.size.z),
+                        0);
   }
 
   void fill_about(glm::vec3 place, glm::vec3 normal) {
@@ -29,8 +30,10 @@ class Filler {
  private:
   void fill(glm::ivec3 at, glm::vec3 normal) {
     at = glm::clamp(at, glm::ivec3(0), volume_.size - 1);
-    std::uint8_t* texel = &volume_.rgba[4 * (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) +
-                                             static_cast<std::size_t>(at.y)) * static_cast<std::size_t>(volume_.size.x) +
+    std::uint8_t* texel = &volume_.rgba[4 *
+                                            (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) +
+                                             static_cast<std::size_t>(at.y)) *
+                                            static_cast<std::size_t>(volume_.size.x) +
                                         4 * static_cast<std::size_t>(at.x)];
     if (texel[3]) return;
     const glm::vec3 middle = volume_.origin + (glm::vec3(at) + 0.5f) * volume_.cell;
@@ -50,7 +53,8 @@ void for_each_point(glm::vec3 a, glm::vec3 b, glm::vec3 c, float spacing, Visit 
   const int steps = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps - i; ++j) {
-      const float u = static_cast<float>(i) / static_cast<float>(steps), v = static_cast<float>(j) / static_cast<float>(steps);
+      const float u = static_cast<float>(i) / static_cast<float>(steps),
+                  v = static_cast<float>(j) / static_cast<float>(steps);
       visit(glm::vec3(1 - u - v, u, v));
     }
   }

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "renderer/pattern/pattern_block.h"
 
@@ -17,9 +16,9 @@ struct PatternSurface {
 };
 
 struct PatternVolume {
-  glm::ivec3 size{1};           // cells along x, y, z; each at most 256
-  glm::vec3 origin{0};          // corner of the first cell
-  float cell = 1;               // side of a cell, sizes
+  glm::ivec3 size{1};              // cells along x, y, z; each at most 256
+  glm::vec3 origin{0};             // corner of the first cell
+  float cell = 1;                  // side of a cell, sizes
   std::vector<std::uint8_t> rgba;  // shares of belly, inner and marking colour; a is 255 where it was evaluated
 };
 

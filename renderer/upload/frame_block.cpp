@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "renderer/coat/strand_tile.h"
-#include "renderer/light/spherical_harmonics.h"
 #include "renderer/coat/wetness.h"
+#include "renderer/light/spherical_harmonics.h"
 
 namespace pelage {
 
@@ -40,7 +40,8 @@ LightBlock light_block(const FurLight& light) {
 
 float largest_lightness(const Coat& coat) {
   float largest = 1e-4f;
-  for (const RampStop& stop : coat.ramp) largest = std::max(largest, glm::dot(stop.colour, {0.2126f, 0.7152f, 0.0722f}));
+  for (const RampStop& stop : coat.ramp)
+    largest = std::max(largest, glm::dot(stop.colour, {0.2126f, 0.7152f, 0.0722f}));
   return largest;
 }
 
@@ -67,7 +68,8 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {
     block.depth_scale[i] = glm::vec4(slices.levels[i].depth_scale[0], slices.levels[i].depth_scale[1], 0, 0);
   }
-  for (std::size_t i = 0; i < slice_count; ++i) block.depth_above[i / 4][static_cast<int>(i % 4)] = slices.depth_above[i];
+  for (std::size_t i = 0; i < slice_count; ++i)
+    block.depth_above[i / 4][static_cast<int>(i % 4)] = slices.depth_above[i];
   block.ramp_root = {ramp_colour(coat, 0), 1};
   std::transform(frame.lights.begin(), frame.lights.end(), block.lights.begin(), light_block);
   const SphericalHarmonics light =

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-
 #include <glm/glm.hpp>
 
 #include "renderer/coat/slices.h"
@@ -25,8 +24,8 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 64 + 16 * (6 + 8 + 8 + 1 + 24 + 9));
 
-/// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that layers
-/// stay apart at any distance (science.md 1).
+/// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that
+/// layers stay apart at any distance (science.md 1).
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels);
 
 }  // namespace pelage

@@ -7,8 +7,9 @@ namespace pelage {
 
 namespace {
 
-constexpr float full_tangent = 5.0f;       // of the angle from which all shells are drawn: 79 degrees
-constexpr float furthest_averted = -0.6f;  // fur on triangles turned further away lies behind the skin that faces the eye
+constexpr float full_tangent = 5.0f;  // of the angle from which all shells are drawn: 79 degrees
+constexpr float furthest_averted =
+    -0.6f;  // fur on triangles turned further away lies behind the skin that faces the eye
 
 }  // namespace
 
@@ -32,7 +33,8 @@ float layer_level(const LayerView& view, glm::vec3 position, glm::vec3 normal, f
 }
 
 float set_share(float level, int set) {
-  const float near = 1.0f - std::abs(level - static_cast<float>(set));  // a tent, cut off so that few triangles need both
+  const float near =
+      1.0f - std::abs(level - static_cast<float>(set));  // a tent, cut off so that few triangles need both
   return std::clamp(2.0f * near - 0.5f, 0.0f, 1.0f);
 }
 

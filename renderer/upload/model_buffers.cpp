@@ -26,8 +26,9 @@ bool same_look(const FurCorner& a, const FurCorner& b) {
 }
 
 RenderVertex make_vertex(const FurModel& model, std::uint32_t vertex, const FurCorner& corner) {
-  return {model.positions[vertex], model.normals[vertex], model.tangents[vertex], corner.tile_uv, corner.tile_axis,
-          {corner.image_uv, static_cast<float>(corner.image)}, corner.colour, corner.weight};
+  return {model.positions[vertex], model.normals[vertex], model.tangents[vertex],
+          corner.tile_uv,          corner.tile_axis,      {corner.image_uv, static_cast<float>(corner.image)},
+          corner.colour,           corner.weight};
 }
 
 /// A copy of the image at another size, nearest texel.
@@ -37,7 +38,8 @@ std::vector<std::uint8_t> resized(const ImageView& image, int width, int height)
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const int from = (y * image.height / height) * image.width + x * image.width / width;
-      std::memcpy(&result[4 * static_cast<std::size_t>(y * width + x)], &image.rgba[4 * static_cast<std::size_t>(from)], 4);
+      std::memcpy(&result[4 * static_cast<std::size_t>(y * width + x)], &image.rgba[4 * static_cast<std::size_t>(from)],
+                  4);
     }
   }
   return result;
@@ -46,12 +48,19 @@ std::vector<std::uint8_t> resized(const ImageView& image, int width, int height)
 }  // namespace
 
 ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count)
-    : vertex_array_(gl), fixed_(gl), groom_(gl), level_(gl), variation_(gl), elements_(gl), has_colours_(model.has_colours) {
+    : vertex_array_(gl),
+      fixed_(gl),
+      groom_(gl),
+      level_(gl),
+      variation_(gl),
+      elements_(gl),
+      has_colours_(model.has_colours) {
   std::vector<RenderVertex> vertices;
   split(model, vertices);
   const auto bytes = vertices.size() * sizeof(RenderVertex);
   gl.NamedBufferData(fixed_.id(), static_cast<GLsizeiptr>(bytes), vertices.data(), GL_STATIC_DRAW);
-  gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)), nullptr, GL_DYNAMIC_DRAW);
+  gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)), nullptr,
+                     GL_DYNAMIC_DRAW);
   count.bytes += bytes, count.buffers += 1;
   const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};
   update(gl, {fields.direction, fields.length, {&all, 1}}, count);
@@ -122,7 +131,8 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
 
 void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount& count) {
   int width = 1, height = 1;
-  for (const ImageView& image : model.images) width = std::max(width, image.width), height = std::max(height, image.height);
+  for (const ImageView& image : model.images)
+    width = std::max(width, image.width), height = std::max(height, image.height);
   width = std::min(width, 4096), height = std::min(height, 4096);
   const auto layers = static_cast<GLsizei>(std::max<std::size_t>(1, model.images.size()));
   const int levels = model.images.empty() ? 1 : 1 + static_cast<int>(std::floor(std::log2(std::max(width, height))));
@@ -167,8 +177,10 @@ void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> value
 }
 
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {
-  for (std::size_t i = 0; i < levels_.size(); ++i) levels_[i] = layer_level(view, positions_[i], normals_[i], lengths_[i]);
-  gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(), GL_STREAM_DRAW);
+  for (std::size_t i = 0; i < levels_.size(); ++i)
+    levels_[i] = layer_level(view, positions_[i], normals_[i], lengths_[i]);
+  gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
+                     GL_STREAM_DRAW);
   const LayerLists lists = sort_triangles({triangles_, centroids_, face_normals_, levels_}, view.eye);
 
   std::vector<glm::uvec3> elements(triangles_);

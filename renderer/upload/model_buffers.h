@@ -13,7 +13,19 @@
 namespace pelage {
 
 /// Attribute places, listed once; shaders name the same numbers.
-enum class Attribute : GLuint { position, normal, tangent, tile_uv, tile_axis, image_uv, colour, groom, weight, level, variation };
+enum class Attribute : GLuint {
+  position,
+  normal,
+  tangent,
+  tile_uv,
+  tile_axis,
+  image_uv,
+  colour,
+  groom,
+  weight,
+  level,
+  variation
+};
 
 /// What was sent, for tests and metrics.
 struct UploadCount {
@@ -65,9 +77,9 @@ class ModelBuffers {
   Texture images_;
   bool has_colours_ = false;
   std::uint64_t version_ = 0;
-  std::vector<std::uint32_t> welded_;     // the model's vertex of each render vertex, rising
-  std::vector<std::uint32_t> first_;      // of each model's vertex, its first render vertex; one more at the end
-  std::vector<glm::uvec3> triangles_;     // in render vertices
+  std::vector<std::uint32_t> welded_;  // the model's vertex of each render vertex, rising
+  std::vector<std::uint32_t> first_;   // of each model's vertex, its first render vertex; one more at the end
+  std::vector<glm::uvec3> triangles_;  // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
   std::vector<glm::vec3> positions_, normals_;  // of render vertices
   std::vector<float> lengths_;                  // of render vertices

@@ -37,11 +37,15 @@ void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const
   gl.TextureStorage3D(volume_.id(), 1, GL_RGBA8, volume.size.x, volume.size.y, volume.size.z);
   gl.TextureSubImage3D(volume_.id(), 0, 0, 0, 0, volume.size.x, volume.size.y, volume.size.z, GL_RGBA, GL_UNSIGNED_BYTE,
                        volume.rgba.data());
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TextureParameteri(volume_.id(), name, GL_LINEAR);
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TextureParameteri(volume_.id(), name, GL_LINEAR);
   for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
     gl.TextureParameteri(volume_.id(), name, GL_CLAMP_TO_EDGE);
   }
-  const PatternColours colours{block.colour, block.inner_colour, block.belly_colour, {volume.origin, block.axis.w},
+  const PatternColours colours{block.colour,
+                               block.inner_colour,
+                               block.belly_colour,
+                               {volume.origin, block.axis.w},
                                {1.0f / (glm::vec3(volume.size) * volume.cell), 0}};
   gl.NamedBufferData(uniforms_.id(), sizeof colours, &colours, GL_STATIC_DRAW);
 }

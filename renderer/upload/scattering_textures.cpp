@@ -13,9 +13,10 @@ constexpr GLuint block_binding = 3, table_unit = 3;  // as in scattering.glsl
 Texture send_table(const Gl& gl, const ScatteringTable& table) {
   Texture texture(gl, GLenum{GL_TEXTURE_3D});
   gl.TextureStorage3D(texture.id(), 1, GL_RGBA32F, table.azimuths, table.inclinations, table.absorptions);
-  gl.TextureSubImage3D(texture.id(), 0, 0, 0, 0, table.azimuths, table.inclinations, table.absorptions, GL_RGBA, GL_FLOAT,
-                       table.values.data());
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TextureParameteri(texture.id(), name, GL_LINEAR);
+  gl.TextureSubImage3D(texture.id(), 0, 0, 0, 0, table.azimuths, table.inclinations, table.absorptions, GL_RGBA,
+                       GL_FLOAT, table.values.data());
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TextureParameteri(texture.id(), name, GL_LINEAR);
   for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
     gl.TextureParameteri(texture.id(), name, GL_CLAMP_TO_EDGE);
   }

@@ -34,7 +34,9 @@ LightView directional_view(glm::vec3 direction, float radius, int resolution) {
   projection[2][2] = 1 / (2 * radius);
   projection[3][2] = (far_away + radius) / (2 * radius);
   projection[3][3] = 1;
-  return {projection * view_matrix(axes, eye), eye, {direction, radius},
+  return {projection * view_matrix(axes, eye),
+          eye,
+          {direction, radius},
           2 * radius / (static_cast<float>(resolution) * far_away)};
 }
 
@@ -47,8 +49,10 @@ LightView point_view(glm::vec3 position, float radius, int resolution) {
   projection[0][0] = projection[1][1] = 1 / tangent;
   projection[2][3] = -1;
   projection[3][2] = near_plane;
-  return {projection * view_matrix(axes_along(forward), position), position,
-          {forward, -glm::dot(forward, position)}, 2 * tangent / static_cast<float>(resolution)};
+  return {projection * view_matrix(axes_along(forward), position),
+          position,
+          {forward, -glm::dot(forward, position)},
+          2 * tangent / static_cast<float>(resolution)};
 }
 
 }  // namespace

@@ -2,21 +2,21 @@
 #pragma once
 
 #include <array>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "renderer/input/fur_scene.h"
 
 namespace pelage {
 
-/// The view of a light that holds the whole model: orthographic for directional lights. Depth is reversed as in a frame.
+/// The view of a light that holds the whole model: orthographic for directional lights. Depth is reversed as in a
+/// frame.
 struct LightView {
   glm::mat4 world_to_clip{1};
-  glm::vec3 eye{0};     // far away for a directional light
-  glm::vec4 axis{0};    // linear depth of a place in sizes: dot(axis.xyz, place) + axis.w
-  float texel = 0;      // size of a map's texel at distance 1 from the eye, for maps of `resolution`
+  glm::vec3 eye{0};   // far away for a directional light
+  glm::vec4 axis{0};  // linear depth of a place in sizes: dot(axis.xyz, place) + axis.w
+  float texel = 0;    // size of a map's texel at distance 1 from the eye, for maps of `resolution`
 };
 
 /// None for a light inside the model's surroundings (a ball of `radius` about the centre), which no one map holds.

@@ -61,8 +61,9 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   const FurPieces pieces = make_pieces(mesh, scene.model.patches);
   std::vector<ImageView> images;
   for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
-  return renderer.add({scene.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, images,
-                       !mesh.corners.empty()}, fields);
+  return renderer.add({scene.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners,
+                       images, !mesh.corners.empty()},
+                      fields);
 }
 
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {

@@ -1,4 +1,6 @@
 // The GLSL mixing of a pattern's colours against the C++ one, and patterns in whole frames.
+#include "renderer/pattern/pattern.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
-#include "renderer/pattern/pattern.h"
 #include "tests/gl/backends.h"
 #include "tests/support/furred_model.h"
 
@@ -68,8 +69,10 @@ TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
     int darker = 0, same = 0;
     for (std::size_t i = 0; i < plain.rgba.size(); i += 4) {
       if (plain.rgba[i + 3] < 255) continue;
-      if (striped.rgba[i] < plain.rgba[i] / 2) ++darker;
-      else if (std::abs(striped.rgba[i] - plain.rgba[i]) <= 2) ++same;
+      if (striped.rgba[i] < plain.rgba[i] / 2)
+        ++darker;
+      else if (std::abs(striped.rgba[i] - plain.rgba[i]) <= 2)
+        ++same;
     }
     EXPECT_GT(darker, 500) << length;
     EXPECT_GT(same, 500) << length;

@@ -104,7 +104,10 @@ TEST_P(Shadows, LightsInsideTheModelAndTinyMapsAreFine) {
   FurredModel model = furred({Builtin::sphere, 300});
   for (const glm::dvec3 position : {glm::dvec3(0), glm::dvec3(0.4, 0, 0), glm::dvec3(0, 1e6, 0)}) {
     for (const LightKind kind : {LightKind::point, LightKind::spot}) {
-      model.settings.lights = {{.kind = kind, .position = position, .intensity = 1e8, .self_shadow_maps = true,
+      model.settings.lights = {{.kind = kind,
+                                .position = position,
+                                .intensity = 1e8,
+                                .self_shadow_maps = true,
                                 .cast_shadow = CastShadow::soft}};
       FrameRequest request = small_frame(AutoView::front, 24);
       request.knobs.shadow_maps = true;

@@ -37,6 +37,16 @@ const Golden goldens[] = {
        model.settings.coat.ramp = {{0, {0.75f, 0.72f, 0.68f}}, {1, {0.92f, 0.91f, 0.90f}}};
        request.background = Background::transparent;
      }, 0.5, 60},
+    {"creature_leopard_in_the_studio", {Builtin::creature, 4000}, {.length = 0.025, .inclination = 0.7},
+     [](FurredModel& model, FrameRequest& request) {
+       model.settings.coat.pattern.kind = PatternKind::rosettes;
+       model.settings.look.shading = ShadingModel::energy_conserving;
+       model.settings.look.colour_source = ColourSource::coat;
+       model.settings.environment.horizon = {0.8f, 0.82f, 0.85f};
+       model.settings.environment.ground = {0.5f, 0.48f, 0.45f};
+       model.settings.ground.visible = true;
+       request.knobs.shadow_maps = true;
+     }, 0.5, 60},
 };
 
 class Pictures : public OnBackend {};

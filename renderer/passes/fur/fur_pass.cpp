@@ -16,16 +16,17 @@ extern const char* const skin_frag;
 
 namespace {
 
-// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written further away by a part of the fur's
-// length over the cosine of the view, so that the layers of one coat do not hide each other. Without it the body's outer
-// layers would cover an ear's fringe; with a whole length they shine through thin rims.
+// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written further away by a part of the
+// fur's length over the cosine of the view, so that the layers of one coat do not hide each other. Without it the
+// body's outer layers would cover an ear's fringe; with a whole length they shine through thin rims.
 constexpr int solid_shells = 4;
 constexpr float solid_push = 0.25f;
 
 }  // namespace
 
 FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
-    : skin(gl, shaders::skin_vert, shaders::skin_frag, defines), solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
+    : skin(gl, shaders::skin_vert, shaders::skin_frag, defines),
+      solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
       fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
 
 FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
@@ -36,7 +37,8 @@ std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
     const int shells = shells_of_set(knobs.shells, set);
     for (int shell = 0; shell < shells; ++shell) layers.push_back({set, shell, shells, steps_of_set(knobs.steps, set)});
   }
-  std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.height() < b.height(); });
+  std::stable_sort(layers.begin(), layers.end(),
+                   [](const Layer& a, const Layer& b) { return a.height() < b.height(); });
   return layers;
 }
 
@@ -63,11 +65,13 @@ void FurPass::draw_skin(const Gl& gl, const std::string& variant, const ModelBuf
   shading.solid.use();
   shading.solid.set("push", solid_push);
   shading.solid.set("layer_set", -1);
-  for (int shell = 0; shell < solid_shells; ++shell) draw_layer(gl, shading.solid, lists.all, {0, shell, solid_shells, 4}, 1);
+  for (int shell = 0; shell < solid_shells; ++shell)
+    draw_layer(gl, shading.solid, lists.all, {0, shell, solid_shells, 4}, 1);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void FurPass::draw_fur(const Gl& gl, const std::string& variant, const Knobs& knobs, const ModelBuffers::DrawLists& lists) {
+void FurPass::draw_fur(const Gl& gl, const std::string& variant, const Knobs& knobs,
+                       const ModelBuffers::DrawLists& lists) {
   const Program& fur = shading_of(gl, variant).fur;
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);

@@ -21,8 +21,8 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Binds a model and its coat, for both draws. `variant` below are the #define lines of what the frame uses; the target
-  /// is bound and cleared, and so are the frame's block and what the variant reads.
+  /// Binds a model and its coat, for both draws. `variant` below are the #define lines of what the frame uses; the
+  /// target is bound and cleared, and so are the frame's block and what the variant reads.
   void bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat) const;
   /// The skin, and the depth of dense fur.
   void draw_skin(const Gl& gl, const std::string& variant, const ModelBuffers::DrawLists& lists);

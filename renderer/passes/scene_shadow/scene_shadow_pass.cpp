@@ -14,8 +14,8 @@ extern const char* const shadow_width_frag;
 
 namespace {
 
-constexpr float bias = 0.006f;     // sizes, as in shadow.glsl
-constexpr float nowhere = 1e4f;    // depth where the light sees nothing, sizes
+constexpr float bias = 0.006f;   // sizes, as in shadow.glsl
+constexpr float nowhere = 1e4f;  // depth where the light sees nothing, sizes
 
 void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slot) {
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
@@ -25,7 +25,8 @@ void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slot) {
 }  // namespace
 
 SceneShadowPass::SceneShadowPass(const Gl& gl)
-    : depth_(gl, shaders::skin_vert, shaders::light_depth_frag), occlusion_(gl, shaders::skin_vert, shaders::occlusion_frag),
+    : depth_(gl, shaders::skin_vert, shaders::light_depth_frag),
+      occlusion_(gl, shaders::skin_vert, shaders::occlusion_frag),
       width_(gl, shaders::reduce_vert, shaders::shadow_width_frag) {}
 
 void SceneShadowPass::draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,

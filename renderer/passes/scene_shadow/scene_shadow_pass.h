@@ -28,7 +28,8 @@ class SceneShadowPass {
 
   /// Linear depth from a light's view into a target of R32F with depth. The model's vertex array is bound, and a frame
   /// block with the view's matrix.
-  void draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light, const RenderTarget& target) const;
+  void draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                  const RenderTarget& target) const;
 
  private:
   void draw_occlusion(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,

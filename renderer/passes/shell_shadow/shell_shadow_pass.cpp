@@ -27,8 +27,8 @@ void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slice) {
 ShellShadowPass::ShellShadowPass(const Gl& gl)
     : skin_(gl, shaders::skin_vert, shaders::skin_frag), layer_(gl, shaders::fur_vert, shaders::shell_shadow_frag) {}
 
-void ShellShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const RenderTarget& target, GLuint maps,
-                           int first_slice) const {
+void ShellShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const RenderTarget& target,
+                           GLuint maps, int first_slice) const {
   const std::array<float, 4> all{1, 1, 1, 1};
   set_draw_state(gl, target);
   clear_target(gl, target, all);

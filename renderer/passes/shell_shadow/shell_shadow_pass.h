@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-inline constexpr int shadow_layers = 16;                      // as in the paper
+inline constexpr int shadow_layers = 16;                     // as in the paper
 inline constexpr int shadow_boundaries = shadow_layers + 1;  // the skin first, the open air last
 
 class ShellShadowPass {

@@ -34,9 +34,9 @@ TEST(LayerSets, MoreLayersTowardsTheOutline) {
 
 TEST(LayerSets, FurThatIsSmallOnThePictureNeedsFew) {
   const glm::vec3 edge = tilted(89);
-  EXPECT_EQ(layer_level(view, {0, 0, 0}, edge, 0.1f), 2);    // 20 pixels
+  EXPECT_EQ(layer_level(view, {0, 0, 0}, edge, 0.1f), 2);           // 20 pixels
   EXPECT_NEAR(layer_level(view, {0, 0, 0}, edge, 0.04f), 1, 0.01);  // 8 pixels
-  EXPECT_EQ(layer_level(view, {0, 0, 0}, edge, 0.01f), 0);   // 2 pixels
+  EXPECT_EQ(layer_level(view, {0, 0, 0}, edge, 0.01f), 0);          // 2 pixels
 }
 
 TEST(LayerSets, ExtremesAreLevels) {
