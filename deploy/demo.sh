@@ -51,8 +51,13 @@ groom() {  # NAME: pictures before and after each step
   $bin/pelage log "$name" --lines >"$out/$name.jsonl"
 }
 
+cat >$out/studio.jsonl <<'EOF'
+{"op": "set_ground", "ground": {"visible": true}}
+{"op": "set_environment", "environment": {"horizon": [0.8, 0.82, 0.85], "ground": [0.5, 0.48, 0.45], "intensity": 1.15}}
+EOF
 say "4/4 grooming"
 $bin/pelage new --name creature >/dev/null
+$bin/pelage run creature $out/studio.jsonl >/dev/null
 groom creature
 $bin/pelage new --name model >/dev/null
 $bin/pelage load model "$model" --up="$up" --front="$front" --length 0.014 --inclination 0.75 >/dev/null
@@ -60,10 +65,11 @@ cat >$out/coat.jsonl <<'EOF'
 {"op": "set_coat", "coat": {"root_share": 0.55, "clump": 0.25, "clump_size": 0.008, "ramp": [{"at": 0, "colour": "#5a3822"}, {"at": 0.6, "colour": "#a8703f"}, {"at": 1, "colour": "#c08a58"}]}}
 EOF
 $bin/pelage run model $out/coat.jsonl >/dev/null
+$bin/pelage run model $out/studio.jsonl >/dev/null
 groom model
 
 oiiotool $out/{creature,model}-{0-before,1-comb,2-blow,3-attract,4-detailed}.png --mosaic:pad=8 5x2 -o $out/contact-sheet.png
-rm -f $out/coat.jsonl $out/1-comb.jsonl $out/2-blow.jsonl $out/3-attract.jsonl
+rm -f $out/studio.jsonl $out/coat.jsonl $out/1-comb.jsonl $out/2-blow.jsonl $out/3-attract.jsonl
 say "done. Look at out/contact-sheet.png; each picture is beside it, and out/creature.jsonl is the groom as a log."
 if [ $keep = yes ]; then
   echo "The server runs on at $PELAGE_SERVER (process $server). Go on with:"

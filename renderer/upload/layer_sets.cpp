@@ -8,6 +8,7 @@ namespace pelage {
 namespace {
 
 constexpr float full_tangent = 5.0f;  // of the angle from which all shells are drawn: 79 degrees
+constexpr float full_bending = 1.5f;      // of the normal over the length of the fur, radians
 constexpr float furthest_averted =
     -0.6f;  // fur on triangles turned further away lies behind the skin that faces the eye
 
@@ -20,16 +21,31 @@ int shells_of_set(int shells, int set) {
 
 int steps_of_set(int steps, int set) { return std::min(16, (steps * (layer_sets + 1 - set) + 1) / 2); }
 
-float layer_level(const LayerView& view, glm::vec3 position, glm::vec3 normal, float length) {
+float layer_level(const LayerView& view, const LayerVertex& vertex) {
   constexpr float highest = layer_sets - 1;
   if (view.policy == ShellPolicy::uniform) return highest;
-  const glm::vec3 to_eye = view.eye - position;
+  const glm::vec3 to_eye = view.eye - vertex.position;
   const float distance = std::max(glm::length(to_eye), 1e-6f);
-  const float cosine = std::min(1.0f, std::abs(glm::dot(to_eye, normal)) / distance);
+  const float cosine = std::min(1.0f, std::abs(glm::dot(to_eye, vertex.normal)) / distance);
   const float tangent = std::sqrt(1 - cosine * cosine) / std::max(cosine, 1e-3f);
-  const float by_angle = std::min(1.0f, tangent / full_tangent);
-  const float by_size = length / (view.pixel * distance * static_cast<float>(view.shells));
-  return std::clamp(highest + std::log2(std::max(std::min(by_angle, by_size), 1e-6f)), 0.0f, highest);
+  const float by_angle = tangent / full_tangent;
+  const float by_bending = vertex.length * vertex.curvature / full_bending;
+  const float by_size = vertex.length / (view.pixel * distance * static_cast<float>(view.shells));
+  const float share = std::min({std::max(by_angle, by_bending), by_size, 1.0f});
+  return std::clamp(highest + std::log2(std::max(share, 1e-6f)), 0.0f, highest);
+}
+
+std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                              std::span<const glm::uvec3> triangles) {
+  std::vector<float> sum(positions.size()), edges(positions.size());
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    const float bend = glm::distance(normals[a], normals[b]) / std::max(glm::distance(positions[a], positions[b]), 1e-6f);
+    sum[a] += bend, sum[b] += bend;
+    edges[a] += 1, edges[b] += 1;
+  };
+  for (const glm::uvec3& t : triangles) add(t.x, t.y), add(t.y, t.z), add(t.z, t.x);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= std::max(edges[i], 1.0f);
+  return sum;
 }
 
 float set_share(float level, int set) {

@@ -30,9 +30,20 @@ struct LayerView {
   ShellPolicy policy = ShellPolicy::adaptive;
 };
 
-/// Level of a vertex in [0, layer_sets - 1]: layers follow the tangent of the angle between view and fur, and need not
-/// lie closer than a pixel. Continuous in all of its arguments. `length` in sizes.
-float layer_level(const LayerView& view, glm::vec3 position, glm::vec3 normal, float length);
+/// What a vertex brings: `length` of its fur in sizes, `curvature` of the skin in 1 / sizes.
+struct LayerVertex {
+  glm::vec3 position{0}, normal{0, 0, 1};
+  float length = 0, curvature = 0;
+};
+
+/// Level of a vertex in [0, layer_sets - 1]: layers follow the tangent of the angle between view and fur and the bending
+/// of the skin over the fur's length, as a thick layer goes straight on; they need not lie closer than a pixel.
+/// Continuous in all of its arguments.
+float layer_level(const LayerView& view, const LayerVertex& vertex);
+
+/// Mean over the edges at each vertex of the change of the normal over the edge's length, 1 / sizes.
+std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                              std::span<const glm::uvec3> triangles);
 
 /// Share of the optical depth that a set draws at a level; the shares of all sets add up to 1. fur.vert has the same.
 float set_share(float level, int set);

@@ -97,6 +97,7 @@ void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& verti
   for (const std::uint32_t c : chosen) vertices.push_back(make_vertex(model, vertex_of(c), corner_of(c)));
   for (const RenderVertex& vertex : vertices) positions_.push_back(vertex.position), normals_.push_back(vertex.normal);
   lengths_.resize(vertices.size()), levels_.resize(vertices.size());
+  curvatures_ = curvatures(positions_, normals_, triangles_);
   for (const glm::uvec3& t : model.triangles) {
     const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
     centroids_.push_back((a + b + c) / 3.0f);
@@ -178,7 +179,7 @@ void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> value
 
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {
   for (std::size_t i = 0; i < levels_.size(); ++i)
-    levels_[i] = layer_level(view, positions_[i], normals_[i], lengths_[i]);
+    levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
   const LayerLists lists = sort_triangles({triangles_, centroids_, face_normals_, levels_}, view.eye);

@@ -83,6 +83,7 @@ class ModelBuffers {
   std::vector<glm::vec3> centroids_, face_normals_;
   std::vector<glm::vec3> positions_, normals_;  // of render vertices
   std::vector<float> lengths_;                  // of render vertices
+  std::vector<float> curvatures_;               // of the skin at render vertices, 1 / sizes
   std::vector<float> levels_;                   // of the last view
 };
 

@@ -23,26 +23,48 @@ TEST(LayerSets, SharesAddUpToOne) {
 TEST(LayerSets, MoreLayersTowardsTheOutline) {
   float last = -1;
   for (float degrees = 0; degrees <= 90; degrees += 1) {
-    const float level = layer_level(view, {0, 0, 0}, tilted(degrees), 0.1f);
+    const float level = layer_level(view, {{0, 0, 0}, tilted(degrees), 0.1f, 0});
     EXPECT_GE(level, last) << degrees;
     EXPECT_LT(level - last, degrees == 0 ? 2.0f : 0.15f) << "a jump at " << degrees;
     last = level;
   }
-  EXPECT_EQ(layer_level(view, {0, 0, 0}, tilted(0), 0.1f), 0);
+  EXPECT_EQ(layer_level(view, {{0, 0, 0}, tilted(0), 0.1f, 0}), 0);
   EXPECT_EQ(last, layer_sets - 1);
 }
 
 TEST(LayerSets, FurThatIsSmallOnThePictureNeedsFew) {
   const glm::vec3 edge = tilted(89);
-  EXPECT_EQ(layer_level(view, {0, 0, 0}, edge, 0.1f), 2);           // 20 pixels
-  EXPECT_NEAR(layer_level(view, {0, 0, 0}, edge, 0.04f), 1, 0.01);  // 8 pixels
-  EXPECT_EQ(layer_level(view, {0, 0, 0}, edge, 0.01f), 0);          // 2 pixels
+  EXPECT_EQ(layer_level(view, {{0, 0, 0}, edge, 0.1f, 0}), 2);           // 20 pixels
+  EXPECT_NEAR(layer_level(view, {{0, 0, 0}, edge, 0.04f, 0}), 1, 0.01);  // 8 pixels
+  EXPECT_EQ(layer_level(view, {{0, 0, 0}, edge, 0.01f, 0}), 0);          // 2 pixels
+}
+
+TEST(LayerSets, BentSkinNeedsMore) {
+  const auto level = [](float curvature) { return layer_level(view, {{0, 0, 0}, tilted(0), 0.1f, curvature}); };
+  EXPECT_EQ(level(0), 0);
+  EXPECT_GT(level(8), level(4));
+  EXPECT_EQ(level(100), layer_sets - 1);
+}
+
+TEST(LayerSets, CurvatureOfASphereIsOneOverItsRadius) {
+  std::vector<glm::vec3> normals;
+  std::vector<glm::uvec3> triangles;
+  for (int row = 1; row < 40; ++row) {
+    for (int column = 0; column < 80; ++column) {
+      const float polar = 3.14159265f * static_cast<float>(row) / 40, turn = 3.14159265f * static_cast<float>(column) / 40;
+      normals.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn));
+    }
+  }
+  std::vector<glm::vec3> positions;
+  for (const glm::vec3& n : normals) positions.push_back(0.25f * n);
+  for (std::uint32_t i = 0; i + 80 < normals.size(); ++i) triangles.emplace_back(i, i + 1, i + 80);
+  for (const float curvature : curvatures(positions, normals, triangles)) EXPECT_NEAR(curvature, 4, 1e-3);
 }
 
 TEST(LayerSets, ExtremesAreLevels) {
   for (const float length : {0.0f, 1e-20f, 10.0f, 1e20f}) {
     for (const glm::vec3 place : {glm::vec3(0, 0, 10), glm::vec3(0, 0, 1e6f), glm::vec3(0)}) {
-      const float level = layer_level(view, place, {0, 0, 1}, length);
+      const float level = layer_level(view, {place, {0, 0, 1}, length, 1e6f});
       EXPECT_TRUE(level >= 0 && level <= layer_sets - 1) << level;
     }
   }
