@@ -4,28 +4,13 @@
 #include <cmath>
 
 #include "server/scene/fur_view.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
 namespace {
 
-class Frames : public OnBackend {
- protected:
-  void SetUp() override {
-    OnBackend::SetUp();
-    if (!context) return;
-    Result<std::unique_ptr<Renderer>> made = Renderer::create(gl());
-    ASSERT_TRUE(made.ok()) << made.status().message;
-    renderer = std::move(made).value();
-  }
-  void TearDown() override {
-    renderer.reset();
-    OnBackend::TearDown();
-  }
-
-  std::unique_ptr<Renderer> renderer;
-};
+class Frames : public WithRenderer {};
 
 TEST_P(Frames, FurReachesBeyondTheSkin) {
   const FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0}), furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0});

@@ -3,26 +3,14 @@
 
 #include "renderer/frame/renderer.h"
 #include "server/scene/fur_view.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
 namespace {
 
-class Shadows : public OnBackend {
+class Shadows : public WithRenderer {
  protected:
-  void SetUp() override {
-    OnBackend::SetUp();
-    if (!context) return;
-    Result<std::unique_ptr<Renderer>> made = Renderer::create(gl());
-    ASSERT_TRUE(made.ok()) << made.status().message;
-    renderer = std::move(made).value();
-  }
-  void TearDown() override {
-    renderer.reset();
-    OnBackend::TearDown();
-  }
-
   /// Light from above, the picture from above too, so that what is shadowed by itself is not seen.
   Image picture(FurredModel& model, const Light& light, bool maps, AutoView from = AutoView::top) {
     model.settings.lights = {light};
@@ -34,8 +22,6 @@ class Shadows : public OnBackend {
     const glm::dvec3 colour = mean_colour(image);
     return (colour.r + colour.g + colour.b) / 3;
   }
-
-  std::unique_ptr<Renderer> renderer;
 };
 
 const Light from_above{.direction = {0, -1, 0}, .intensity = 1};

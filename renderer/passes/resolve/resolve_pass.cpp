@@ -5,11 +5,11 @@
 namespace pelage {
 
 namespace shaders {
-extern const char* const resolve_vert;
+extern const char* const whole_target_vert;
 extern const char* const resolve_frag;
 }  // namespace shaders
 
-ResolvePass::ResolvePass(const Gl& gl) : program_(gl, shaders::resolve_vert, shaders::resolve_frag), nothing_(gl) {}
+ResolvePass::ResolvePass(const Gl& gl) : program_(gl, shaders::whole_target_vert, shaders::resolve_frag), nothing_(gl) {}
 
 void ResolvePass::draw(const Gl& gl, const FurFrame& frame, const RenderTarget& drawn, const RenderTarget& picture) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());

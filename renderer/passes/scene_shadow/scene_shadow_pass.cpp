@@ -8,7 +8,7 @@ namespace shaders {
 extern const char* const skin_vert;
 extern const char* const light_depth_frag;
 extern const char* const occlusion_frag;
-extern const char* const reduce_vert;
+extern const char* const whole_target_vert;
 extern const char* const shadow_width_frag;
 }  // namespace shaders
 
@@ -27,7 +27,7 @@ void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slot) {
 SceneShadowPass::SceneShadowPass(const Gl& gl)
     : depth_(gl, shaders::skin_vert, shaders::light_depth_frag),
       occlusion_(gl, shaders::skin_vert, shaders::occlusion_frag),
-      width_(gl, shaders::reduce_vert, shaders::shadow_width_frag) {}
+      width_(gl, shaders::whole_target_vert, shaders::shadow_width_frag) {}
 
 void SceneShadowPass::draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                                  const RenderTarget& target) const {
