@@ -20,6 +20,16 @@ struct FieldsHash {
 };
 std::string to_hex(FieldsHash hash);
 
+/// What a frame asked of the GL. `bytes` are those sent for it, changes of fields included.
+struct FrameCounters {
+  std::size_t passes = 0;    // programs put to use, one after another
+  std::size_t draws = 0;     // draw calls
+  std::size_t textures = 0;  // textures bound
+  std::size_t bytes = 0;     // sent from the CPU
+  std::uint64_t fragments = 0;  // runs of fragment shaders, but for the pass that writes the picture's pixels
+  bool operator==(const FrameCounters&) const = default;
+};
+
 /// How one field changed: vertices that changed a bit, the mean change over them and the largest, in the field's unit.
 struct FieldChange {
   std::string field;

@@ -347,4 +347,12 @@ std::string json_text(std::string_view text) { return line(Json(text)); }
 
 std::string encode(const Knobs& knobs) { return line(json_of(knobs)); }
 
+std::string encode(const FrameCounters& counters) {
+  return line({{"passes", counters.passes},
+               {"draws", counters.draws},
+               {"textures", counters.textures},
+               {"bytes", counters.bytes},
+               {"fragments", counters.fragments}});
+}
+
 }  // namespace pelage

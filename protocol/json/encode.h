@@ -25,6 +25,7 @@ std::string encode(const std::vector<SceneSummary>& summaries);
 std::string encode(const PickAnswer& answer);
 std::string encode(const std::vector<LogEntry>& log);
 std::string encode(const Knobs& knobs);
+std::string encode(const FrameCounters& counters);
 
 /// A text as a JSON string, with its quotes.
 std::string json_text(std::string_view text);

@@ -57,7 +57,8 @@ Renderer::Renderer(const Gl& gl)
       resolve_(gl),
       pattern_(gl),
       scattering_(gl),
-      frame_block_(gl) {}
+      frame_block_(gl),
+      fragments_(gl) {}
 
 Status Renderer::programs() const {
   const std::string log =
@@ -146,27 +147,43 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch drawing;
   DrawTimes taken;
+  fragments_.begin();
   draw_scene(frame, coat, model->second, taken);
+  fragments_.end();
   if (const Status built = programs(); !built.ok()) return built;
   if (frame.knobs.samples > 1) {
     gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                              drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   resolve_.draw(gl_, frame, frame.knobs.samples > 1 ? single_ : drawn_, picture_);
-  const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
-  gl_.DeleteSync(fence);
-  if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED)
-    return failure(Code::unavailable, "the GL does not answer");
+  if (const Status drawn = finish(); !drawn.ok()) return drawn;
   taken.draw = drawing.milliseconds() - taken.shadow;
   const Stopwatch reading;
   Result<Image> image = read_back(frame);
   taken.read = reading.milliseconds();
+  taken.counters = take_counters();
   if (times) *times = taken;
   if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) {
     drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
   }
   return image;
+}
+
+Status Renderer::finish() const {
+  const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
+  gl_.DeleteSync(fence);
+  const bool done = answer != GL_TIMEOUT_EXPIRED && answer != GL_WAIT_FAILED;
+  return done ? Status{} : failure(Code::unavailable, "the GL does not answer");
+}
+
+FrameCounters Renderer::take_counters() const {
+  const GlCounts counts = gl_.take_counts();
+  return {.passes = counts.programs,
+          .draws = counts.draws,
+          .textures = counts.textures,
+          .bytes = counts.bytes,
+          .fragments = fragments_.result()};
 }
 
 Result<Image> Renderer::read_back(const FurFrame& frame) {

@@ -7,8 +7,9 @@
 #include <memory>
 
 #include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
 #include "renderer/frame/shadow_maps.h"
-#include "renderer/gl/functions.h"
+#include "renderer/gl/fragment_counter.h"
 #include "renderer/gl/render_target.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
@@ -23,9 +24,10 @@
 
 namespace pelage {
 
-/// Milliseconds of a frame's stages.
+/// Milliseconds of a frame's stages, and what it asked of the GL.
 struct DrawTimes {
   double shadow = 0, draw = 0, read = 0;
+  FrameCounters counters;
 };
 
 /// Belongs to the thread and the context that it was made on.
@@ -52,6 +54,8 @@ class Renderer {
   Status prepare_targets(const FurFrame& frame);
   const CoatTextures& textures_of(const Coat& coat);
   void draw_scene(const FurFrame& frame, const CoatTextures& coat, ModelBuffers& model, DrawTimes& times);
+  Status finish() const;  // waits for the GL
+  FrameCounters take_counters() const;
   Result<Image> read_back(const FurFrame& frame);
 
   const Gl& gl_;
@@ -65,6 +69,7 @@ class Renderer {
   PatternTextures pattern_;
   ScatteringTextures scattering_;
   Buffer frame_block_;
+  FragmentCounter fragments_;
   RenderTarget drawn_, single_, picture_;
 };
 

@@ -2,6 +2,57 @@
 
 namespace pelage {
 
+namespace {
+
+std::size_t texel_bytes(GLenum format, GLenum type) {
+  const std::size_t channels = format == GL_RGBA ? 4 : format == GL_RG ? 2 : 1;
+  return channels * (type == GL_FLOAT ? sizeof(GLfloat) : sizeof(GLubyte));
+}
+
+}  // namespace
+
+void Gl::BindTextureUnit(GLuint unit, GLuint texture) const {
+  ++counts_.textures;
+  counted_.BindTextureUnit(unit, texture);
+}
+
+void Gl::DrawArrays(GLenum mode, GLint first, GLsizei count) const {
+  ++counts_.draws;
+  counted_.DrawArrays(mode, first, count);
+}
+
+void Gl::DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) const {
+  ++counts_.draws;
+  counted_.DrawElements(mode, count, type, indices);
+}
+
+void Gl::DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) const {
+  ++counts_.draws;
+  counted_.DrawElementsInstanced(mode, count, type, indices, instances);
+}
+
+void Gl::NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const {
+  if (data) counts_.bytes += static_cast<std::size_t>(size);
+  counted_.NamedBufferData(buffer, size, data, usage);
+}
+
+void Gl::NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, const void* data) const {
+  counts_.bytes += static_cast<std::size_t>(size);
+  counted_.NamedBufferSubData(buffer, offset, size, data);
+}
+
+void Gl::TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                           GLsizei depth, GLenum format, GLenum type, const void* pixels) const {
+  counts_.bytes += static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                   static_cast<std::size_t>(depth) * texel_bytes(format, type);
+  counted_.TextureSubImage3D(texture, level, x, y, z, width, height, depth, format, type, pixels);
+}
+
+void Gl::UseProgram(GLuint program) const {
+  ++counts_.programs;
+  counted_.UseProgram(program);
+}
+
 std::string Gl::load(const LoadFunction& find) {
   std::string missing;
   const auto get = [&](auto& function, const char* name) {
@@ -9,9 +60,10 @@ std::string Gl::load(const LoadFunction& find) {
     if (!function && missing.empty()) missing = name;
   };
   get(AttachShader, "glAttachShader");
+  get(BeginQuery, "glBeginQuery");
   get(BindBufferBase, "glBindBufferBase");
   get(BindFramebuffer, "glBindFramebuffer");
-  get(BindTextureUnit, "glBindTextureUnit");
+  get(counted_.BindTextureUnit, "glBindTextureUnit");
   get(BindVertexArray, "glBindVertexArray");
   get(BlendEquation, "glBlendEquation");
   get(BlendFunc, "glBlendFunc");
@@ -26,6 +78,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(CreateBuffers, "glCreateBuffers");
   get(CreateFramebuffers, "glCreateFramebuffers");
   get(CreateProgram, "glCreateProgram");
+  get(CreateQueries, "glCreateQueries");
   get(CreateRenderbuffers, "glCreateRenderbuffers");
   get(CreateShader, "glCreateShader");
   get(CreateTextures, "glCreateTextures");
@@ -33,6 +86,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(DeleteBuffers, "glDeleteBuffers");
   get(DeleteFramebuffers, "glDeleteFramebuffers");
   get(DeleteProgram, "glDeleteProgram");
+  get(DeleteQueries, "glDeleteQueries");
   get(DeleteRenderbuffers, "glDeleteRenderbuffers");
   get(DeleteShader, "glDeleteShader");
   get(DeleteSync, "glDeleteSync");
@@ -41,10 +95,11 @@ std::string Gl::load(const LoadFunction& find) {
   get(DepthFunc, "glDepthFunc");
   get(DepthMask, "glDepthMask");
   get(Disable, "glDisable");
-  get(DrawArrays, "glDrawArrays");
-  get(DrawElements, "glDrawElements");
-  get(DrawElementsInstanced, "glDrawElementsInstanced");
+  get(counted_.DrawArrays, "glDrawArrays");
+  get(counted_.DrawElements, "glDrawElements");
+  get(counted_.DrawElementsInstanced, "glDrawElementsInstanced");
   get(Enable, "glEnable");
+  get(EndQuery, "glEndQuery");
   get(EnableVertexArrayAttrib, "glEnableVertexArrayAttrib");
   get(FenceSync, "glFenceSync");
   get(Finish, "glFinish");
@@ -53,12 +108,13 @@ std::string Gl::load(const LoadFunction& find) {
   get(GetIntegerv, "glGetIntegerv");
   get(GetProgramInfoLog, "glGetProgramInfoLog");
   get(GetProgramiv, "glGetProgramiv");
+  get(GetQueryObjectui64v, "glGetQueryObjectui64v");
   get(GetShaderInfoLog, "glGetShaderInfoLog");
   get(GetShaderiv, "glGetShaderiv");
   get(GetString, "glGetString");
   get(LinkProgram, "glLinkProgram");
-  get(NamedBufferData, "glNamedBufferData");
-  get(NamedBufferSubData, "glNamedBufferSubData");
+  get(counted_.NamedBufferData, "glNamedBufferData");
+  get(counted_.NamedBufferSubData, "glNamedBufferSubData");
   get(NamedFramebufferRenderbuffer, "glNamedFramebufferRenderbuffer");
   get(NamedFramebufferTexture, "glNamedFramebufferTexture");
   get(NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");
@@ -68,14 +124,14 @@ std::string Gl::load(const LoadFunction& find) {
   get(TextureParameteri, "glTextureParameteri");
   get(TextureStorage2D, "glTextureStorage2D");
   get(TextureStorage3D, "glTextureStorage3D");
-  get(TextureSubImage3D, "glTextureSubImage3D");
+  get(counted_.TextureSubImage3D, "glTextureSubImage3D");
   get(GenerateTextureMipmap, "glGenerateTextureMipmap");
   get(Uniform1f, "glUniform1f");
   get(Uniform3f, "glUniform3f");
   get(Uniform1i, "glUniform1i");
   get(GetUniformLocation, "glGetUniformLocation");
   get(UniformMatrix4fv, "glUniformMatrix4fv");
-  get(UseProgram, "glUseProgram");
+  get(counted_.UseProgram, "glUseProgram");
   get(VertexArrayAttribBinding, "glVertexArrayAttribBinding");
   get(VertexArrayAttribFormat, "glVertexArrayAttribFormat");
   get(VertexArrayElementBuffer, "glVertexArrayElementBuffer");

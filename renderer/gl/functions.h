@@ -3,20 +3,27 @@
 
 #include <GL/glcorearb.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace pelage {
 
 /// Looks a function up by name; null where the context has none.
 using LoadFunction = std::function<void*(const char*)>;
 
-/// A table of functions, valid for one context on one thread.
+/// What was asked of the GL; bytes are those of buffers and textures that came from the CPU.
+struct GlCounts {
+  std::size_t programs = 0, draws = 0, textures = 0, bytes = 0;
+};
+
+/// A table of functions, valid for one context on one thread. Calls that frames are measured by are counted.
 struct Gl {
   PFNGLATTACHSHADERPROC AttachShader = nullptr;
+  PFNGLBEGINQUERYPROC BeginQuery = nullptr;
   PFNGLBINDBUFFERBASEPROC BindBufferBase = nullptr;
   PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
-  PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
   PFNGLBINDVERTEXARRAYPROC BindVertexArray = nullptr;
   PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
@@ -31,6 +38,7 @@ struct Gl {
   PFNGLCREATEBUFFERSPROC CreateBuffers = nullptr;
   PFNGLCREATEFRAMEBUFFERSPROC CreateFramebuffers = nullptr;
   PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
+  PFNGLCREATEQUERIESPROC CreateQueries = nullptr;
   PFNGLCREATERENDERBUFFERSPROC CreateRenderbuffers = nullptr;
   PFNGLCREATESHADERPROC CreateShader = nullptr;
   PFNGLCREATETEXTURESPROC CreateTextures = nullptr;
@@ -38,6 +46,7 @@ struct Gl {
   PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
   PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;
   PFNGLDELETEPROGRAMPROC DeleteProgram = nullptr;
+  PFNGLDELETEQUERIESPROC DeleteQueries = nullptr;
   PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
   PFNGLDELETESHADERPROC DeleteShader = nullptr;
   PFNGLDELETESYNCPROC DeleteSync = nullptr;
@@ -46,10 +55,8 @@ struct Gl {
   PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
   PFNGLDISABLEPROC Disable = nullptr;
-  PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
-  PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
-  PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
   PFNGLENABLEPROC Enable = nullptr;
+  PFNGLENDQUERYPROC EndQuery = nullptr;
   PFNGLENABLEVERTEXARRAYATTRIBPROC EnableVertexArrayAttrib = nullptr;
   PFNGLFENCESYNCPROC FenceSync = nullptr;
   PFNGLFINISHPROC Finish = nullptr;
@@ -58,12 +65,11 @@ struct Gl {
   PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
   PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
   PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;
+  PFNGLGETQUERYOBJECTUI64VPROC GetQueryObjectui64v = nullptr;
   PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = nullptr;
   PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
   PFNGLGETSTRINGPROC GetString = nullptr;
   PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
-  PFNGLNAMEDBUFFERDATAPROC NamedBufferData = nullptr;
-  PFNGLNAMEDBUFFERSUBDATAPROC NamedBufferSubData = nullptr;
   PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer = nullptr;
   PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture = nullptr;
   PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample = nullptr;
@@ -73,22 +79,48 @@ struct Gl {
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
   PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
   PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
-  PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLUNIFORM1FPROC Uniform1f = nullptr;
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
   PFNGLUNIFORM3FPROC Uniform3f = nullptr;
   PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
   PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv = nullptr;
-  PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   PFNGLVERTEXARRAYATTRIBBINDINGPROC VertexArrayAttribBinding = nullptr;
   PFNGLVERTEXARRAYATTRIBFORMATPROC VertexArrayAttribFormat = nullptr;
   PFNGLVERTEXARRAYELEMENTBUFFERPROC VertexArrayElementBuffer = nullptr;
   PFNGLVERTEXARRAYVERTEXBUFFERPROC VertexArrayVertexBuffer = nullptr;
   PFNGLVIEWPORTPROC Viewport = nullptr;
 
+  void BindTextureUnit(GLuint unit, GLuint texture) const;
+  void DrawArrays(GLenum mode, GLint first, GLsizei count) const;
+  void DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) const;
+  void DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) const;
+  void NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const;
+  void NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, const void* data) const;
+  /// Of 1, 2 or 4 channels (GL_RED, GL_RG, GL_RGBA) in octets or floats.
+  void TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                         GLsizei depth, GLenum format, GLenum type, const void* pixels) const;
+  void UseProgram(GLuint program) const;
+
+  /// What was counted since the last call.
+  GlCounts take_counts() const { return std::exchange(counts_, {}); }
+
   /// Loads every function. Returns the first name that the context lacks, or "".
   std::string load(const LoadFunction& find);
+
+ private:
+  struct Counted {
+    PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
+    PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
+    PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
+    PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
+    PFNGLNAMEDBUFFERDATAPROC NamedBufferData = nullptr;
+    PFNGLNAMEDBUFFERSUBDATAPROC NamedBufferSubData = nullptr;
+    PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
+    PFNGLUSEPROGRAMPROC UseProgram = nullptr;
+  };
+  Counted counted_;
+  mutable GlCounts counts_;  // counting changes nothing that a user of the table sees
 };
 
 }  // namespace pelage

@@ -54,6 +54,14 @@ struct RenderbufferKind {
   static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateRenderbuffers(1, &id); return id; }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteRenderbuffers(1, &id); }
 };
+struct QueryKind {
+  static GLuint create(const Gl& gl, GLenum target) {
+    GLuint id = 0;
+    gl.CreateQueries(target, 1, &id);
+    return id;
+  }
+  static void destroy(const Gl& gl, GLuint id) { gl.DeleteQueries(1, &id); }
+};
 struct ProgramKind {
   static GLuint create(const Gl& gl) { return gl.CreateProgram(); }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteProgram(id); }
@@ -61,6 +69,7 @@ struct ProgramKind {
 
 using Buffer = Handle<BufferKind>;
 using Texture = Handle<TextureKind>;
+using Query = Handle<QueryKind>;
 using VertexArray = Handle<VertexArrayKind>;
 using Framebuffer = Handle<FramebufferKind>;
 using Renderbuffer = Handle<RenderbufferKind>;

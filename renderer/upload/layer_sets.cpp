@@ -51,7 +51,7 @@ std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<co
 float set_share(float level, int set) {
   const float near =
       1.0f - std::abs(level - static_cast<float>(set));  // a tent, cut off so that few triangles need both
-  return std::clamp(2.0f * near - 0.5f, 0.0f, 1.0f);
+  return std::clamp(6.0f * near - 2.5f, 0.0f, 1.0f);
 }
 
 LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye) {

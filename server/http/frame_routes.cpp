@@ -99,6 +99,7 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   set_etag(response, frame->revision);
   response.set_header("Pelage-Revision", std::to_string(frame->revision));
   response.set_header("Pelage-Quality", encode(frame->knobs));
+  response.set_header("Pelage-Counters", encode(frame->counters));
   response.set_header("Server-Timing", server_timing(frame->timings));
   response.set_header("Cache-Control", "no-cache");
   response.set_content(std::move(frame->png), "image/png");

@@ -28,6 +28,7 @@ struct DrawnFrame {
   Image image;
   Revision revision = 0;
   FrameTimings timings;
+  FrameCounters counters;
 };
 
 /// A frame that waits for the render thread.
@@ -113,6 +114,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
     return image.status();
   }
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
+  frame.counters = times.counters;
   frame.image = std::move(image).value();
   return frame;
 }
@@ -162,7 +164,7 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   if (!drawn) return drawn.status();
   const Clock::time_point start = Clock::now();
   FrameAnswer result{.png = encode_png(drawn->image, request.background == Background::transparent),
-                     .revision = drawn->revision, .knobs = request.knobs, .timings = drawn->timings};
+                     .revision = drawn->revision, .knobs = request.knobs, .timings = drawn->timings, .counters = drawn->counters};
   result.timings.encode = milliseconds_since(start);
   return result;
 }

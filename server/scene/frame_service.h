@@ -22,6 +22,7 @@ struct FrameAnswer {
   Revision revision = 0;
   Knobs knobs;  // as used
   FrameTimings timings;
+  FrameCounters counters;
 };
 
 /// Thread-safe. Encoding runs on the caller's thread.

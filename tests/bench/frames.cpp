@@ -1,40 +1,17 @@
 // Frames against the naive version in the same run: minima of alternating repetitions, wall and CPU milliseconds.
 // usage: bench_frames [--repetitions N] [--size PIXELS] [--ply FILE] [--most-difference D]
 // With --most-difference it fails when a picture and its naive one differ by more than D/255 on average.
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <string>
 
-#include "renderer/gl/context/context.h"
 #include "server/scene/fur_view.h"
+#include "tests/bench/measure.h"
 #include "tests/bench/naive_renderer.h"
 
 namespace pelage::bench {
 namespace {
-
-struct Cost {
-  double wall = 1e300, cpu = 1e300;  // milliseconds
-  void least(const Cost& other) { wall = std::min(wall, other.wall), cpu = std::min(cpu, other.cpu); }
-};
-
-double cpu_milliseconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto ms = [](const timeval& t) { return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_usec) / 1e3; };
-  return ms(usage.ru_utime) + ms(usage.ru_stime);
-}
-
-Cost measure(const std::function<void()>& work) {
-  const double cpu = cpu_milliseconds();
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(), cpu_milliseconds() - cpu};
-}
 
 /// Gives the mean difference of the picture and the naive one, in 1/255.
 double run(const Gl& gl, Renderer& renderer, const char* name, const testing::FurredModel& model, int size, int repetitions) {
@@ -77,16 +54,13 @@ int main(int count, char** arguments) {
     else if (name == "--most-difference") most_difference = std::atof(arguments[i + 1]);
     else return std::fprintf(stderr, "unknown argument %s\n", name.c_str()), 2;
   }
-  const Result<std::unique_ptr<Context>> context = select_context(GlChoice::automatic, 0);
-  if (!context) return std::fprintf(stderr, "%s\n", context.status().message.c_str()), 4;
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
-  if (!renderer) return std::fprintf(stderr, "%s\n", renderer.status().message.c_str()), 4;
-  std::printf("%s, 16 shells\n", (*context)->description().c_str());
-  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | %17s %5s | mean difference /255\n", "model", "tri", "px", "naive: wall cpu ms",
+  const BenchRenderer opened = open_renderer();
+  if (!opened.renderer) return 4;
+  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | %17s %5s | mean difference /255\n", "16 shells", "tri", "px", "naive: wall cpu ms",
               "1 sample: wall cpu", "ratio", "4 samples: wall cpu", "ratio", "draft: wall cpu", "ratio");
   double difference = 0;
   const auto add = [&](const char* name, const testing::FurredModel& model) {
-    difference = std::max(difference, run((*context)->gl(), **renderer, name, model, size, repetitions));
+    difference = std::max(difference, run(opened.context->gl(), *opened.renderer, name, model, size, repetitions));
   };
   add("torus", testing::furred({Builtin::torus, 5000}));
   add("creature", testing::furred({Builtin::creature, 5000}));

@@ -191,6 +191,36 @@ TEST_P(Frames, FurCoversAnEyeAndSkinHidesWhatLiesBehindIt) {
   EXPECT_EQ(change(0, -0.29), 0);
 }
 
+TEST_P(Frames, WhatIsNotUsedCostsNothing) {
+  // A scene without maps, ground, pattern or environment. These are the numbers of a program that has none of those:
+  // skin, coarse depth, fur and the picture; 4 shells of depth and 8 of fur, averted and facing.
+  const FurredModel model = furred({Builtin::sphere, 300});
+  FrameRequest request = small_frame();
+  request.knobs.shells = 8;
+  request.knobs.shell_policy = ShellPolicy::uniform;
+  draw(*renderer, model, request);
+  const auto counters = [&](const FurFrame& frame) {
+    DrawTimes times;
+    EXPECT_TRUE(renderer->draw(frame, &times).ok());
+    return times.counters;
+  };
+  FurFrame frame = make_frame(model.view(), request);
+  const FrameCounters plain = counters(frame);
+  EXPECT_EQ(plain.passes, 4u);
+  EXPECT_EQ(plain.draws, 22u);
+  EXPECT_EQ(plain.textures, 4u);
+  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 9736);  // a level for each vertex, lists of triangles
+  EXPECT_NEAR(static_cast<double>(plain.fragments), 94618, 0.05 * 94618);  // edges differ between drivers
+  EXPECT_EQ(counters(frame), plain);
+
+  frame.lights[0].self_shadow_maps = true;  // asked of the light alone: no map is drawn
+  EXPECT_EQ(counters(frame), plain);
+  frame.knobs.shadow_maps = true;
+  EXPECT_GT(counters(frame).draws, plain.draws);
+  frame.knobs.shadow_maps = false;  // having drawn them once costs later frames nothing
+  EXPECT_EQ(counters(frame), plain);
+}
+
 TEST_P(Frames, SizesFromOnePixelOn) {
   const FurredModel model = furred({Builtin::sphere, 300});
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 300}, {300, 7}}) {

@@ -46,7 +46,7 @@ out vec3 vertex_light;   // the baseline of GPU fur: light at the vertices, for 
 out float density_share; // of the optical depth that this piece and this set draw
 
 // As set_share in renderer/upload/layer_sets.cpp.
-float set_share(float level, int set) { return clamp(2.0 * (1.0 - abs(level - float(set))) - 0.5, 0.0, 1.0); }
+float set_share(float level, int set) { return clamp(6.0 * (1.0 - abs(level - float(set))) - 2.5, 0.0, 1.0); }
 
 void main() {
   float s = (float(shell) + 0.5) / float(shell_count);

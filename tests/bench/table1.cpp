@@ -1,0 +1,93 @@
+// Table 1 of GPU fur again: five models of the same sizes, 16 shells, one light, maps of 512 x 512, without and with
+// shadows. The paper's figures were taken on a GeForce FX 5700 Ultra; it does not say at what size of picture.
+// usage: bench_table1 [--repetitions N] [--size PIXELS]
+#include <algorithm>
+#include <cstdio>
+
+#include "server/scene/fur_view.h"
+#include "tests/bench/measure.h"
+
+namespace pelage::bench {
+namespace {
+
+struct PaperRow {
+  double layer_maps, depth_maps, plain, shadowed;  // ms, ms, frames a second, frames a second
+};
+
+struct Row {
+  const char* name;
+  BuiltinModel model;
+  bool pattern;
+  PaperRow paper;
+};
+
+constexpr Row rows[] = {{"torus", {Builtin::torus, 567}, false, {80, 15, 65.3, 38.7}},
+                        {"creature", {Builtin::creature, 5000}, false, {100, 20, 16.7, 10.5}},
+                        {"knot", {Builtin::knot, 2880}, false, {100, 15, 20, 12}},
+                        {"cloth", {Builtin::cloth, 1401}, false, {90, 15, 33.4, 20}},
+                        {"zebra", {Builtin::creature, 6010}, true, {110, 15, 14.3, 9.2}}};
+
+testing::FurredModel model_of(const Row& row) {
+  testing::FurredModel model = testing::furred(row.model);
+  if (row.pattern) model.settings.coat.pattern.kind = PatternKind::stripes;
+  model.settings.lights.resize(1);
+  return model;
+}
+
+/// The least time of making a light's maps.
+double making(Renderer& renderer, FurFrame frame, bool layers, CastShadow cast, int repetitions) {
+  double least = 1e300;
+  frame.lights[0].self_shadow_maps = layers, frame.lights[0].cast_shadow = cast;
+  for (int i = 0; i <= repetitions; ++i) {
+    frame.lights[0].radiance *= 1.0001f;  // any change makes them anew
+    DrawTimes times;
+    draw(renderer, frame, &times);
+    if (i > 0) least = std::min(least, times.shadow);
+  }
+  return least;
+}
+
+void run(Renderer& renderer, const Row& row, int size, int repetitions) {
+  const testing::FurredModel model = model_of(row);
+  FrameRequest request = testing::small_frame(AutoView::three_quarter, size);
+  request.knobs.shells = 16;
+  request.knobs.self_shadow = false;
+  testing::draw(renderer, model, request);
+  const FurFrame plain = make_frame(model.view(), request);
+  FurFrame kept = plain;
+  kept.knobs.self_shadow = kept.knobs.shadow_maps = true;
+  const double depth = making(renderer, kept, false, CastShadow::soft, repetitions);
+  const double both = making(renderer, kept, true, CastShadow::soft, repetitions);
+  kept.lights[0].self_shadow_maps = true, kept.lights[0].cast_shadow = CastShadow::soft;
+  FurFrame anew = kept;
+  const std::vector<Cost> costs = measure_alternating({[&] { draw(renderer, plain); }, [&] { draw(renderer, kept); },
+                                                       [&] {
+                                                         anew.lights[0].radiance *= 1.0001f;
+                                                         draw(renderer, anew);
+                                                         draw(renderer, kept);
+                                                       }}, repetitions);
+  // The third drew two frames with new maps each: half of it is one frame.
+  const double frame_anew = costs[2].wall / 2;
+  std::printf("| %s, %zu | %.0f (%.0f) | %.0f (%.0f) | %.1f, %.1f/s (%.1f) | %.1f, %.1f/s (%.1f) | %.2f (%.2f) | %.1f, %.1f/s |\n",
+              row.name, model.model.surface.mesh().triangles.size(), both - depth, row.paper.layer_maps, depth,
+              row.paper.depth_maps, costs[0].wall, 1e3 / costs[0].wall, row.paper.plain, costs[1].wall, 1e3 / costs[1].wall,
+              row.paper.shadowed, costs[1].cpu / costs[0].cpu, row.paper.plain / row.paper.shadowed, frame_anew, 1e3 / frame_anew);
+  std::fflush(stdout);
+  renderer.forget(model.model.id);
+}
+
+int main(int count, char** arguments) {
+  const int repetitions = argument(count, arguments, "--repetitions", 7), size = argument(count, arguments, "--size", 512);
+  const BenchRenderer opened = open_renderer();
+  if (!opened.renderer) return 4;
+  std::printf("%d x %d pixels, least of %d; the paper's figures in brackets\n\n", size, size, repetitions);
+  std::printf("| model, triangles | layer maps, ms | depth and width maps, ms | frame without shadow, ms | with maps kept, ms | "
+              "ratio | with maps made anew |\n|---|---|---|---|---|---|---|\n");
+  for (const Row& row : rows) run(*opened.renderer, row, size, repetitions);
+  return 0;
+}
+
+}  // namespace
+}  // namespace pelage::bench
+
+int main(int count, char** arguments) { return pelage::bench::main(count, arguments); }
