@@ -105,15 +105,23 @@ void declare_groom_actions(CLI::App& app, Options& options) {
 void declare_picture_actions(CLI::App& app, Options& options) {
   CLI::App* frame = add_action(app, options, Action::frame, "frame", "Draw a scene");
   add_scene(frame, options);
-  frame->add_option("-o,--output", options.output, "PNG file; - for standard output")->capture_default_str();
+  frame->add_option("-o,--output", options.output, "The picture; - for standard output")->capture_default_str();
   add_view(frame, options);
   add_frame_parameter(frame, options, "--quality", "quality", "draft, interactive or detailed [interactive]");
   add_knob(frame, options);
-  add_frame_parameter(frame, options, "--background", "background", "transparent or #rrggbb");
+  add_frame_parameter(frame, options, "--background", "background", "transparent, studio or #rrggbb");
   add_frame_parameter(frame, options, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   add_frame_parameter(frame, options, "--tone-map", "tone_map", "none or filmic [filmic]");
   add_frame_parameter(frame, options, "--colour-source", "colour_source",
                       "automatic, model or coat; default look otherwise");
+
+  add_frame_parameter(frame, options, "--format", "format", "png, png16, jpeg or exr [the output's ending]");
+  add_frame_parameter(frame, options, "--jpeg-quality", "jpeg_quality", "1 to 100 [90]");
+  add_frame_parameter(frame, options, "--exr-type", "exr_type", "half or float [half]");
+  add_frame_parameter(frame, options, "--layers", "layers",
+                      "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
+                      "shadow, layer_count [beauty]");
+  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length or layer_count [none]");
 
   CLI::App* compare =
       add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");

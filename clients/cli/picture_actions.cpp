@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "clients/cli/actions.h"
 #include "clients/cli/files.h"
 #include "clients/cli/print.h"
@@ -16,11 +19,27 @@ std::string header(const HttpAnswer& answer, const char* name) {
   return found == answer.headers.end() ? "" : found->second;
 }
 
+/// The format that an output's ending stands for; PNG where it says nothing.
+const char* format_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == "exr") return "exr";
+  return ending == "jpg" || ending == "jpeg" ? "jpeg" : "png";
+}
+
+Parameters with_format(Parameters parameters, const std::string& output) {
+  const auto names_format = [](const auto& parameter) { return parameter.first == "format"; };
+  const bool given = std::any_of(parameters.begin(), parameters.end(), names_format);
+  if (!given) parameters.emplace_back("format", format_of(output));
+  return parameters;
+}
+
 }  // namespace
 
 ExitCode draw_frame(Session& session) {
   const Options& options = session.options();
-  const auto request = decode_frame_query(options.frame);
+  const auto request = decode_frame_query(with_format(options.frame, options.output));
   if (!request) return report(request.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());

@@ -16,7 +16,26 @@ enum class Tier { draft, interactive, detailed };
 enum class Accumulation { half, full };
 enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
 enum class ToneMap { none, filmic };
-enum class Background { colour, transparent };
+enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
+enum class FrameFormat { png, png16, jpeg, exr };
+enum class ExrType { half, single };
+/// What a picture can show over the frame, on the skin.
+enum class Overlay { none, direction, strokes, length, layer_count };
+
+/// What an EXR can hold beside colour. All but beauty and alpha leave out the ground. Beauty, albedo and direct are
+/// multiplied by alpha; position, normal, tangent and shadow are means over what covers the pixel.
+enum class FrameLayer {
+  beauty,      // R, G, B, A: linear light without exposure, tone map and background
+  alpha,       // A
+  depth,       // Z: distance along the view of the first fur or skin over half opacity, model's unit; infinity for none
+  position,    // model's coordinates
+  normal,      // of the skin below, unit
+  tangent,     // of the fur from root to tip, unit; 0 where the skin is bare
+  albedo,      // linear
+  direct,      // light of lamps without the ambient part, linear
+  shadow,      // share of that light that shadows leave, [0, 1]; 1 where none comes
+  layer_count  // fragments of shells that were shaded, mean over the pixel
+};
 
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
@@ -47,6 +66,11 @@ struct FrameRequest {
   double exposure = 0;                               // stops, [-20, 20]
   ToneMap tone_map = ToneMap::filmic;
   std::optional<Look> look;  // in place of the scene's, for this frame
+  FrameFormat format = FrameFormat::png;
+  int jpeg_quality = 90;                                                     // [1, 100]
+  ExrType exr_type = ExrType::half;                                          // depth and position are always single
+  std::vector<FrameLayer> layers{FrameLayer::beauty};                        // of an EXR: at least one, each once
+  Overlay overlay = Overlay::none;                                           // not in an EXR
   std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
 };
 

@@ -137,29 +137,67 @@ Command command(const Value& value) {
   return result;
 }
 
+void background(const Value& value, FrameRequest& result) {
+  const nlohmann::json& tree = value.tree();
+  result.background = tree == "transparent" ? Background::transparent
+                      : tree == "studio"    ? Background::studio
+                                            : Background::colour;
+  if (result.background == Background::colour) result.background_colour = value.colour();
+}
+
+std::vector<FrameLayer> layers(const Value& list) {
+  std::vector<FrameLayer> result;
+  for (const Value& member : list.list(1, json_names::frame_layers.size())) {
+    const FrameLayer layer = member.name_of(json_names::frame_layers);
+    if (std::find(result.begin(), result.end(), layer) != result.end()) {
+      member.refuse("The layer is named twice.", "each layer once");
+    }
+    result.push_back(layer);
+  }
+  return result;
+}
+
+/// Which members do not go together.
+void check_frame(const Value& value, const FrameRequest& request, bool names_layers) {
+  const double width = request.width * request.knobs.scale, height = request.height * request.knobs.scale;
+  if (std::max(width, height) > limits::frame_pixels) {
+    value.refuse_below("quality", "The quality's scale renders the frame too large.",
+                       "scale x width and scale x height at most " + std::to_string(limits::frame_pixels));
+  }
+  const bool exr = request.format == FrameFormat::exr;
+  if (names_layers && !exr) value.refuse_below("layers", "Only an EXR has layers.", "format exr");
+  const bool colour_only = request.layers == std::vector{FrameLayer::beauty};
+  if (exr && !colour_only && width * height * static_cast<double>(request.layers.size()) > limits::layer_pixels) {
+    value.refuse_below("layers", "The layers are too large together.",
+                       "drawn pixels x layers at most " + std::to_string(limits::layer_pixels));
+  }
+  if (exr && request.overlay != Overlay::none) {
+    value.refuse_below("overlay", "An EXR has no overlay.", "format png, png16 or jpeg");
+  }
+  if (request.format == FrameFormat::jpeg && request.background == Background::transparent) {
+    value.refuse_below("background", "JPEG has no alpha.", "a colour or studio");
+  }
+}
+
 FrameRequest frame_request(const Value& value) {
-  static constexpr std::array<json_names::Name<bool>, 1> formats{{{"png", true}}};
   Object object(value);
   FrameRequest result;
   object.integer("width", result.width, pixels);
   object.integer("height", result.height, pixels);
   object.optional("camera", [&](const Value& v) { result.camera = camera(v); });
   object.optional("quality", [&](const Value& v) { result.knobs = quality(v); });
-  object.optional("background", [&](const Value& v) {
-    const bool transparent = v.tree().is_string() && v.tree() == "transparent";
-    result.background = transparent ? Background::transparent : Background::colour;
-    if (!transparent) result.background_colour = v.colour();
-  });
+  object.optional("background", [&](const Value& v) { background(v, result); });
   object.number("exposure", result.exposure, {-20, 20});
   object.name("tone_map", result.tone_map, json_names::tone_maps);
   object.optional("look", [&](const Value& v) { result.look = look(v); });
   object.optional("view", [&](const Value& v) { result.view = v.text(0, limits::name_bytes); });
-  object.optional("format", [&](const Value& v) { v.name_of(formats); });
+  object.name("format", result.format, json_names::frame_formats);
+  object.integer("jpeg_quality", result.jpeg_quality, {1, 100});
+  object.name("exr_type", result.exr_type, json_names::exr_types);
+  object.optional("layers", [&](const Value& v) { result.layers = layers(v); });
+  object.name("overlay", result.overlay, json_names::overlays);
   object.finish();
-  if (std::max(result.width, result.height) * result.knobs.scale > limits::frame_pixels) {
-    value.refuse_below("quality", "The quality's scale renders the frame too large.",
-                       "scale x width and scale x height at most " + std::to_string(limits::frame_pixels));
-  }
+  check_frame(value, result, object.has("layers"));
   return result;
 }
 

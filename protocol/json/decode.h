@@ -25,7 +25,7 @@ Result<FrameRequest> decode_frame_request(std::string_view text);
 using Query = std::vector<std::pair<std::string, std::string>>;
 /// The same request as parameters of an address: width, height, camera (an automatic view) or eye, target, up (three
 /// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view,
-/// format. Pointers name the member of the request that the parameter stands for.
+/// format, jpeg_quality, exr_type, layers (names with commas), overlay. Pointers name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How to read a model's octets: format (required), up, front, length, inclination.
 Result<ImportOptions> decode_import_query(const Query& query);

@@ -1,5 +1,6 @@
 // Query parameters become the JSON document that they stand for, so that one decoder refuses what is wrong with them.
 #include <array>
+#include <sstream>
 
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_parts.h"
@@ -12,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-enum class Kind { text, number, list, boolean };
+enum class Kind { text, number, list, names, boolean };  // lists and names have commas
 
 /// A parameter, and the JSON pointer of what it stands for.
 struct Parameter {
@@ -21,7 +22,7 @@ struct Parameter {
   Kind kind;
 };
 
-constexpr std::array<Parameter, 24> frame_parameters{{{"width", "/width", Kind::number},
+constexpr std::array<Parameter, 27> frame_parameters{{{"width", "/width", Kind::number},
                                                       {"height", "/height", Kind::number},
                                                       {"camera", "/camera/auto", Kind::text},
                                                       {"eye", "/camera/eye", Kind::list},
@@ -44,6 +45,10 @@ constexpr std::array<Parameter, 24> frame_parameters{{{"width", "/width", Kind::
                                                       {"tone_map", "/tone_map", Kind::text},
                                                       {"view", "/view", Kind::text},
                                                       {"format", "/format", Kind::text},
+                                                      {"jpeg_quality", "/jpeg_quality", Kind::number},
+                                                      {"exr_type", "/exr_type", Kind::text},
+                                                      {"layers", "/layers", Kind::names},
+                                                      {"overlay", "/overlay", Kind::text},
                                                       {"colour_source", "/look/colour_source", Kind::text}}};
 
 constexpr std::array<Parameter, 5> import_parameters{{{"format", "/format", Kind::text},
@@ -52,9 +57,17 @@ constexpr std::array<Parameter, 5> import_parameters{{{"format", "/format", Kind
                                                       {"length", "/length", Kind::number},
                                                       {"inclination", "/inclination", Kind::number}}};
 
+json names_of(const std::string& text) {
+  json names = json::array();
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
+  return names;
+}
+
 /// What is no number, list or truth value stays text, and the decoder says what it expected.
 json value_of(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
+  if (kind == Kind::names) return names_of(text);
   if (kind == Kind::list && text.find_first_not_of("0123456789+-.eE, ") != std::string::npos) return text;
   json value = json::parse(kind == Kind::list ? "[" + text + "]" : text, nullptr, false);
   const bool fits = kind == Kind::number ? value.is_number()

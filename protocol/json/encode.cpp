@@ -18,6 +18,12 @@ std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::erro
 Json list(glm::dvec2 v) { return Json::array({v.x, v.y}); }
 Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 
+Json list(const std::vector<FrameLayer>& layers) {
+  Json names = Json::array();
+  for (const FrameLayer layer : layers) names.push_back(text_of(json_names::frame_layers, layer));
+  return names;
+}
+
 Json colour(glm::vec3 linear) {
   if (const auto text = text_of_colour(linear)) return *text;
   return list(glm::dvec3(linear));
@@ -330,9 +336,14 @@ std::string encode(const FrameRequest& request) {
                {"height", request.height},
                {"camera", json_of(request.camera)},
                {"quality", json_of(request.knobs)},
-               {"background", "transparent"},
+               {"background", request.background == Background::studio ? "studio" : "transparent"},
                {"exposure", request.exposure},
-               {"tone_map", text_of(json_names::tone_maps, request.tone_map)}};
+               {"tone_map", text_of(json_names::tone_maps, request.tone_map)},
+               {"format", text_of(json_names::frame_formats, request.format)},
+               {"jpeg_quality", request.jpeg_quality},
+               {"exr_type", text_of(json_names::exr_types, request.exr_type)},
+               {"overlay", text_of(json_names::overlays, request.overlay)}};
+  if (request.format == FrameFormat::exr) json["layers"] = list(request.layers);
   if (request.background == Background::colour) json["background"] = colour(request.background_colour);
   if (request.look) json["look"] = json_of(*request.look);
   if (!request.view.empty()) json["view"] = request.view;

@@ -61,6 +61,26 @@ inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
 inline constexpr std::array<Name<Accumulation>, 2> accumulations{
     {{"half", Accumulation::half}, {"full", Accumulation::full}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
+inline constexpr std::array<Name<FrameFormat>, 4> frame_formats{{{"png", FrameFormat::png},
+                                                                {"png16", FrameFormat::png16},
+                                                                {"jpeg", FrameFormat::jpeg},
+                                                                {"exr", FrameFormat::exr}}};
+inline constexpr std::array<Name<ExrType>, 2> exr_types{{{"half", ExrType::half}, {"float", ExrType::single}}};
+inline constexpr std::array<Name<FrameLayer>, 10> frame_layers{{{"beauty", FrameLayer::beauty},
+                                                                {"alpha", FrameLayer::alpha},
+                                                                {"depth", FrameLayer::depth},
+                                                                {"position", FrameLayer::position},
+                                                                {"normal", FrameLayer::normal},
+                                                                {"tangent", FrameLayer::tangent},
+                                                                {"albedo", FrameLayer::albedo},
+                                                                {"direct", FrameLayer::direct},
+                                                                {"shadow", FrameLayer::shadow},
+                                                                {"layer_count", FrameLayer::layer_count}}};
+inline constexpr std::array<Name<Overlay>, 5> overlays{{{"none", Overlay::none},
+                                                        {"direction", Overlay::direction},
+                                                        {"strokes", Overlay::strokes},
+                                                        {"length", Overlay::length},
+                                                        {"layer_count", Overlay::layer_count}}};
 inline constexpr std::array<Name<Builtin>, 6> builtins{{{"torus", Builtin::torus},
                                                         {"knot", Builtin::knot},
                                                         {"sphere", Builtin::sphere},

@@ -1,9 +1,11 @@
 #include "renderer/frame/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/passes/draw/draw_state.h"
@@ -40,7 +42,18 @@ std::string variant_of(const FurFrame& frame) {
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
 
+Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
+
 }  // namespace
+
+struct Renderer::Prepared {
+  const CoatTextures& coat;
+  ModelBuffers& model;
+  ModelBuffers::DrawLists lists;
+  std::string variant;
+
+  FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
+};
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
   std::unique_ptr<Renderer> renderer(new Renderer(gl));
@@ -54,6 +67,8 @@ Renderer::Renderer(const Gl& gl)
       shadows_(gl),
       ground_(gl),
       eyes_(gl),
+      layers_(gl),
+      overlay_(gl),
       resolve_(gl),
       pattern_(gl),
       scattering_(gl),
@@ -61,8 +76,8 @@ Renderer::Renderer(const Gl& gl)
       fragments_(gl) {}
 
 Status Renderer::programs() const {
-  const std::string log =
-      fur_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() + resolve_.failure();
+  const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() +
+                          layers_.failure() + overlay_.failure() + resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
@@ -94,7 +109,7 @@ const CoatTextures& Renderer::textures_of(const Coat& coat) {
   return coats_.emplace_front(gl_, coat, count);
 }
 
-Status Renderer::prepare_targets(const FurFrame& frame) {
+Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
   const GLenum colour = frame.knobs.accumulation == Accumulation::half ? GL_RGBA16F : GL_RGBA32F;
   const int samples = frame.knobs.samples;
@@ -106,13 +121,19 @@ Status Renderer::prepare_targets(const FurFrame& frame) {
   };
   bool complete = need(drawn_, colour, width, height, samples, true);
   if (samples > 1) complete = complete && need(single_, colour, width, height, 1, false);
-  complete = complete && need(picture_, GL_RGBA8, frame.width, frame.height, 1, false);
+  complete = complete && need(picture_, picture, frame.width, frame.height, 1, false);
   if (complete) return {};
-  drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
-  return failure(Code::too_large, "no memory for a frame of this size", "/width");
+  give_back_targets();
+  return no_memory();
 }
 
-void Renderer::draw_scene(const FurFrame& frame, const CoatTextures& coat, ModelBuffers& model, DrawTimes& times) {
+void Renderer::give_back_targets() { drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget(); }
+
+Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& times) {
+  const auto found = models_.find(frame.model);
+  assert(found != models_.end());
+  ModelBuffers& model = found->second;
+  const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch making;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
   const auto lists = model.sort_for(gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy});
@@ -125,56 +146,71 @@ void Renderer::draw_scene(const FurFrame& frame, const CoatTextures& coat, Model
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
   scattering_.prepare(gl_, frame);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
+  return {coat, model, lists, variant_of(frame)};
+}
+
+void Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   set_draw_state(gl_, drawn_);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, drawn_, {});
-  const std::string variant = variant_of(frame);
-  if (frame.ground) ground_.draw(gl_, frame, variant);
-  fur_.bind(gl_, model, coat);
-  fur_.draw_skin(gl_, variant, lists);
-  if (!frame.eyes.empty()) {
-    eyes_.draw(gl_, frame, drawn_);
-    fur_.bind(gl_, model, coat);
+  if (frame.ground) ground_.draw(gl_, frame, scene.variant);
+  const FurDrawing drawing = scene.drawing(frame);
+  fur_.draw_skin(gl_, drawing);
+  if (!frame.eyes.empty()) eyes_.draw(gl_, frame, drawn_);
+  fur_.draw_averted(gl_, drawing);
+  fur_.draw_facing(gl_, drawing);
+  if (frame.knobs.samples == 1) return;
+  gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
+                           drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepared& scene) {
+  RenderTarget overlay;
+  if (frame.overlay == Overlay::none) return overlay;
+  if (frame.overlay == Overlay::layer_count) {
+    const LayerTarget counts(gl_, std::array{FrameLayer::layer_count}, drawn_.width(), drawn_.height());
+    if (!counts.complete()) return no_memory();
+    layers_.draw(gl_, fur_, scene.drawing(frame), counts);
+    const float scale = static_cast<float>(drawn_.height()) / static_cast<float>(frame.height);
+    overlay = overlay_.draw_count(gl_, frame, counts.texture(FrameLayer::layer_count), scale);
+  } else {
+    overlay = overlay_.draw_field(gl_, frame, scene.model, scene.lists.all);
   }
-  fur_.draw_fur(gl_, variant, frame.knobs, lists);
+  if (!overlay.complete()) return no_memory();
+  return overlay;
 }
 
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
-  const auto model = models_.find(frame.model);
-  assert(model != models_.end());
-  const Status status = prepare_targets(frame);
-  if (!status.ok()) return status;
-  const CoatTextures& coat = textures_of(frame.coat);
+  return draw_picture<Image>(frame, GL_RGBA8, GL_UNSIGNED_BYTE, 255, times);
+}
+
+Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times) {
+  return draw_picture<Image16>(frame, GL_RGBA16, GL_UNSIGNED_SHORT, 65535, times);
+}
+
+template <class Picture>
+Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
+                                       DrawTimes* times) {
+  if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const Stopwatch drawing;
   DrawTimes taken;
   fragments_.begin();
-  draw_scene(frame, coat, model->second, taken);
+  const Prepared scene = prepare_scene(frame, taken);
+  draw_light(frame, scene);
   fragments_.end();
+  const Result<RenderTarget> overlay = draw_overlay(frame, scene);
+  if (!overlay) return overlay.status();
+  resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay->texture());
   if (const Status built = programs(); !built.ok()) return built;
-  if (frame.knobs.samples > 1) {
-    gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
-                             drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  }
-  resolve_.draw(gl_, frame, frame.knobs.samples > 1 ? single_ : drawn_, picture_);
-  if (const Status drawn = finish(); !drawn.ok()) return drawn;
+  if (const Status answer = wait(); !answer.ok()) return answer;
   taken.draw = drawing.milliseconds() - taken.shadow;
   const Stopwatch reading;
-  Result<Image> image = read_back(frame);
+  Result<Picture> image = read_back<Picture>(frame, type);
   taken.read = reading.milliseconds();
   taken.counters = take_counters();
   if (times) *times = taken;
-  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) {
-    drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
-  }
+  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
   return image;
-}
-
-Status Renderer::finish() const {
-  const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
-  gl_.DeleteSync(fence);
-  const bool done = answer != GL_TIMEOUT_EXPIRED && answer != GL_WAIT_FAILED;
-  return done ? Status{} : failure(Code::unavailable, "the GL does not answer");
 }
 
 FrameCounters Renderer::take_counters() const {
@@ -186,12 +222,69 @@ FrameCounters Renderer::take_counters() const {
           .fragments = fragments_.result()};
 }
 
-Result<Image> Renderer::read_back(const FurFrame& frame) {
-  Image image{frame.width, frame.height, {}};
+Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
+                                                      DrawTimes* times) {
+  if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
+  const Stopwatch drawing;
+  DrawTimes taken;
+  fragments_.begin();
+  const Prepared scene = prepare_scene(frame, taken);
+  draw_light(frame, scene);
+  fragments_.end();
+  std::optional<LayerTarget> target;
+  if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
+    target.emplace(gl_, layers, drawn_.width(), drawn_.height());
+    if (!target->complete()) return no_memory();
+    layers_.draw(gl_, fur_, scene.drawing(frame), *target);
+  }
+  std::vector<FloatImage> images;
+  for (const FrameLayer layer : layers) {
+    Result<FloatImage> image = draw_layer(frame, scene, layer, target ? &*target : nullptr);
+    if (!image) return image.status();
+    images.push_back(std::move(image).value());
+  }
+  if (const Status built = programs(); !built.ok()) return built;
+  taken.draw = drawing.milliseconds() - taken.shadow;
+  taken.counters = take_counters();
+  if (times) *times = taken;
+  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
+  return images;
+}
+
+Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
+                                        const LayerTarget* target) {
+  RenderTarget distance;
+  GLuint source = light(frame).texture();
+  if (layer == FrameLayer::depth) {
+    distance = RenderTarget(gl_, GL_R32F, drawn_.width(), drawn_.height(), 1, true);
+    const RenderTarget covered(gl_, GL_RG32F, drawn_.width(), drawn_.height(), 1, true);
+    if (!distance.complete() || !covered.complete()) return no_memory();
+    layers_.draw_distance(gl_, fur_, scene.drawing(frame), distance, covered);
+    source = distance.texture();
+  } else if (LayerTarget::holds(layer)) {
+    source = target->texture(layer);
+  }
+  layers_.gather(gl_, layer, source, static_cast<float>(drawn_.height()) / static_cast<float>(frame.height), picture_);
+  if (const Status answer = wait(); !answer.ok()) return answer;
+  return read_back<FloatImage>(frame, GL_FLOAT);
+}
+
+Status Renderer::wait() const {
+  const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
+  gl_.DeleteSync(fence);
+  const bool given_up = answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED;
+  return given_up ? failure(Code::unavailable, "the GL does not answer") : Status{};
+}
+
+template <class Picture>
+Result<Picture> Renderer::read_back(const FurFrame& frame, GLenum type) {
+  Picture image;
+  image.width = frame.width, image.height = frame.height;
   image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  gl_.ReadPixels(0, 0, frame.width, frame.height, GL_RGBA, type, image.rgba.data());
   if (gl_.GetError() != GL_NO_ERROR) return failure(Code::internal, "a GL error while drawing");
   return image;
 }

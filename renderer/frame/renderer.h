@@ -5,17 +5,22 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "renderer/frame/shadow_maps.h"
 #include "renderer/gl/fragment_counter.h"
 #include "renderer/gl/render_target.h"
+#include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/eye/eye_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
+#include "renderer/passes/layers/layers_pass.h"
+#include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
@@ -45,24 +50,44 @@ class Renderer {
   /// Draws a model that it has. Fails with unavailable when the GL does not answer within a minute,
   /// and with too_large when there is no memory for the size.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// The same picture with 16 bits.
+  Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// Light and what is asked for beside it, one picture for each layer, in internal coordinates: without exposure, tone
+  /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
+  /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
+  Result<std::vector<FloatImage>> draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
+                                              DrawTimes* times = nullptr);
 
   void forget(std::uint64_t model);
 
  private:
   explicit Renderer(const Gl& gl);
   Status programs() const;  // whether all programs so far were built
-  Status prepare_targets(const FurFrame& frame);
+  Status prepare_targets(const FurFrame& frame, GLenum picture);
+  void give_back_targets();
   const CoatTextures& textures_of(const Coat& coat);
-  void draw_scene(const FurFrame& frame, const CoatTextures& coat, ModelBuffers& model, DrawTimes& times);
-  Status finish() const;  // waits for the GL
   FrameCounters take_counters() const;
-  Result<Image> read_back(const FurFrame& frame);
+  /// What a frame draws, with its blocks and maps bound.
+  struct Prepared;
+  Prepared prepare_scene(const FurFrame& frame, DrawTimes& times);
+  void draw_light(const FurFrame& frame, const Prepared& scene);
+  const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? single_ : drawn_; }
+  Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
+  template <class Picture>
+  Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times);
+  Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
+                                const LayerTarget* target);
+  Status wait() const;
+  template <class Picture>
+  Result<Picture> read_back(const FurFrame& frame, GLenum type);
 
   const Gl& gl_;
   FurPass fur_;
   ShadowMaps shadows_;
   GroundPass ground_;
   EyePass eyes_;
+  LayersPass layers_;
+  OverlayPass overlay_;
   ResolvePass resolve_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first

@@ -115,6 +115,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(LinkProgram, "glLinkProgram");
   get(counted_.NamedBufferData, "glNamedBufferData");
   get(counted_.NamedBufferSubData, "glNamedBufferSubData");
+  get(NamedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers");
   get(NamedFramebufferRenderbuffer, "glNamedFramebufferRenderbuffer");
   get(NamedFramebufferTexture, "glNamedFramebufferTexture");
   get(NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");

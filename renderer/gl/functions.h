@@ -70,6 +70,7 @@ struct Gl {
   PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
   PFNGLGETSTRINGPROC GetString = nullptr;
   PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
+  PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC NamedFramebufferDrawBuffers = nullptr;
   PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer = nullptr;
   PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture = nullptr;
   PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample = nullptr;

@@ -112,6 +112,7 @@ struct FurFrame {
   glm::vec3 background_colour{0};  // linear
   double exposure = 0;             // stops
   ToneMap tone_map = ToneMap::filmic;
+  Overlay overlay = Overlay::none;
 };
 
 }  // namespace pelage

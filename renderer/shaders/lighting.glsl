@@ -47,6 +47,17 @@ vec3 scatter_again(vec3 tangent, vec3 to_light, vec3 colour) {
   return 0.55 * scattering.weights.x * colour * sqrt(max(0.0, 1.0 - along * along));
 }
 
+#ifdef LAYERS
+vec3 direct_light = vec3(0.0);  // of lamps alone, summed up by what lights a fragment
+vec2 light_share = vec2(0.0);   // luminance of that light, and what it would be without shadows
+
+void keep_direct(vec3 kept, vec3 whole) {
+  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+  direct_light += kept;
+  light_share += vec2(dot(kept, luminance), dot(whole, luminance));
+}
+#endif
+
 struct Fibre {
   vec3 place, normal, tangent, to_eye;
   vec3 colour;    // C
@@ -65,6 +76,9 @@ vec3 fibre_light(Fibre fibre) {
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
     float depth = frame.exponents.w * fibre.depth / max(facing, 0.3);
+#ifdef LAYERS
+    vec3 unshadowed = radiance;
+#endif
 #ifdef SHADOW_MAPS
     depth = layer_depth(i, fibre.place, fibre.height, facing, depth);
     radiance *= cast_light(i, fibre.place);
@@ -75,6 +89,10 @@ vec3 fibre_light(Fibre fibre) {
     }
     sum += radiance * scattered * transmittance(depth, fibre.colour) *
            light_behind(SHADING_MODEL, facing, frame.exponents.z);
+#ifdef LAYERS
+    vec3 arriving = scattered * light_behind(SHADING_MODEL, facing, frame.exponents.z);
+    keep_direct(radiance * arriving * transmittance(depth, fibre.colour), unshadowed * arriving);
+#endif
   }
   return sum;
 }

@@ -60,9 +60,10 @@ class ModelBuffers {
   struct DrawList {
     GLsizei first = 0, count = 0;
   };
+  using ListsOfSets = std::array<DrawList, layer_sets>;
   struct DrawLists {
     DrawList all;
-    std::array<DrawList, layer_sets> facing, averted;
+    ListsOfSets facing, averted;
   };
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);

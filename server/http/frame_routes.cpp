@@ -102,7 +102,7 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   response.set_header("Pelage-Counters", encode(frame->counters));
   response.set_header("Server-Timing", server_timing(frame->timings));
   response.set_header("Cache-Control", "no-cache");
-  response.set_content(std::move(frame->png), "image/png");
+  response.set_content(std::move(frame->octets), frame->content_type);
 }
 
 void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
@@ -128,6 +128,13 @@ Query frame_query_of(const Request& request) {
   return query;
 }
 
+/// The request of frame.png, which gives PNG.
+Result<FrameRequest> png_request_of(const Request& request) {
+  const auto wanted = decode_frame_query(frame_query_of(request));
+  if (!wanted || wanted->format == FrameFormat::png || wanted->format == FrameFormat::png16) return wanted;
+  return failure(Code::invalid, "The address of a PNG; POST frames gives other formats.", "/format", "png | png16");
+}
+
 void pick(const Scene& scene, const Request& request, Response& response) {
   const auto wanted = decode_pick(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
@@ -148,7 +155,7 @@ void add_frame_routes(httplib::Server& server, Service& service) {
   });
   server.Get("/v1/scenes/([^/]+)/frame.png", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) {
-      answer_frame(service, scene, decode_frame_query(frame_query_of(request)), request, response);
+      answer_frame(service, scene, png_request_of(request), request, response);
     });
   });
   add_post(server, "/v1/scenes/([^/]+)/pick", [&](const Request& request, Response& response) {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "renderer/frame/renderer.h"
-#include "renderer/image/image.h"
+#include "server/scene/frame_file.h"
 #include "server/scene/fur_view.h"
 
 namespace pelage {
@@ -25,7 +25,8 @@ double milliseconds_since(Clock::time_point start) {
 }
 
 struct DrawnFrame {
-  Image image;
+  DrawnPicture picture;
+  ModelPlacement placement;
   Revision revision = 0;
   FrameTimings timings;
   FrameCounters counters;
@@ -102,20 +103,22 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   job.scene->read_for_drawing([&](const SceneView& scene, const std::vector<VertexRange>& dirty) {
     frame.revision = scene.revision;
     fur = make_frame(scene, job.request);
+    const Mesh& mesh = scene.model.surface.mesh();
+    frame.placement = {mesh.centre, mesh.size};
     sync_scene(renderer, scene, dirty);
   });
   frame.timings.upload = milliseconds_since(start);
   DrawTimes times;
-  Result<Image> image = renderer.draw(fur, &times);
+  Result<DrawnPicture> picture = draw_for_format(renderer, fur, job.request, times);
   seconds = seconds + milliseconds_since(start) / 1e3;
   ++drawn;
-  if (!image) {
-    if (image.status().code == Code::unavailable) healthy = false;
-    return image.status();
+  if (!picture) {
+    if (picture.status().code == Code::unavailable) healthy = false;
+    return picture.status();
   }
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.counters = times.counters;
-  frame.image = std::move(image).value();
+  frame.picture = std::move(picture).value();
   return frame;
 }
 
@@ -160,11 +163,15 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   auto job = std::make_unique<Job>(Job{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
   std::future<Result<DrawnFrame>> answer = job->answer.get_future();
   impl_->add(std::move(job));
-  const Result<DrawnFrame> drawn = answer.get();
+  Result<DrawnFrame> drawn = answer.get();
   if (!drawn) return drawn.status();
   const Clock::time_point start = Clock::now();
-  FrameAnswer result{.png = encode_png(drawn->image, request.background == Background::transparent),
-                     .revision = drawn->revision, .knobs = request.knobs, .timings = drawn->timings, .counters = drawn->counters};
+  FrameAnswer result{.octets = encode_frame(std::move(drawn->picture), request, drawn->placement),
+                     .content_type = content_type_of(request.format),
+                     .revision = drawn->revision,
+                     .knobs = request.knobs,
+                     .timings = drawn->timings,
+                     .counters = drawn->counters};
   result.timings.encode = milliseconds_since(start);
   return result;
 }

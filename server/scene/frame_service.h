@@ -18,7 +18,8 @@ struct FrameTimings {
 };
 
 struct FrameAnswer {
-  std::string png;
+  std::string octets;
+  const char* content_type = "";
   Revision revision = 0;
   Knobs knobs;  // as used
   FrameTimings timings;

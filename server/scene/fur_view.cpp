@@ -83,6 +83,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   frame.knobs = request.knobs;
   frame.background = request.background, frame.background_colour = request.background_colour;
   frame.exposure = request.exposure, frame.tone_map = request.tone_map;
+  frame.overlay = request.overlay;
   return frame;
 }
 

@@ -132,7 +132,6 @@ class BadFrames(ServedTest):
 
     def test_what_is_not_built(self):
         self.assert_problem(self.scene.post("frames", {"budget_ms": 40}), 422, "/budget_ms")
-        self.assert_problem(self.scene.post("frames", {"format": "exr"}), 422, "/format")
         self.assert_problem(self.scene.post("frames", {"quality": "reference"}), 422, "/quality")
 
     def test_extremes_give_a_picture(self):

@@ -147,7 +147,9 @@ class Requests(ServedTest):
         frame = {"width": 8, "height": 8, "camera": {"eye": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
                  "quality": {"shells": 4, "shell_policy": "uniform", "samples": 1, "steps": 2, "scale": 1.0, "eye_steps": 2, "self_shadow": True, "accumulation": "half"},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
-        for variation in self.variations(frame):
+        exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "layers": ["depth", "beauty"], "overlay": "none"}
+        jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
+        for variation in (v for request in (frame, exr, jpeg) for v in self.variations(request)):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):

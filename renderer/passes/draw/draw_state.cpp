@@ -5,8 +5,12 @@
 namespace pelage {
 
 void set_draw_state(const Gl& gl, const RenderTarget& target) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-  gl.Viewport(0, 0, target.width(), target.height());
+  set_draw_state(gl, target.framebuffer(), target.width(), target.height());
+}
+
+void set_draw_state(const Gl& gl, GLuint framebuffer, int width, int height) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.Viewport(0, 0, width, height);
   gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);  // rows from the top, depth as reversed floats want it
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_GEQUAL);

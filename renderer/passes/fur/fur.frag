@@ -6,6 +6,9 @@
 #include "pattern.glsl"
 #endif
 #include "slab.glsl"
+#ifdef LAYERS
+#include "layers.glsl"
+#endif
 
 layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square root), number
 
@@ -23,6 +26,10 @@ in vec3 base_colour;
 in float density_share;
 #ifdef LENGYEL
 in vec3 vertex_light;  // for fur of colour 1
+#ifdef LAYERS
+in vec3 vertex_direct;
+in vec2 vertex_share;
+#endif
 #endif
 
 uniform int step_count;  // texture steps inside the slab
@@ -50,6 +57,13 @@ void main() {
   vec3 light = colour * vertex_light;
 #else
   vec3 light = fibre_light(fibre);
+#endif
+#ifdef LAYERS
+#ifdef LENGYEL
+  direct_light = colour * vertex_direct;
+  light_share = vertex_share;
+#endif
+  write_layers(place, normal, tangent, colour, 1.0, slab.opacity);
 #endif
   result = vec4(light * slab.opacity, slab.opacity);
 }

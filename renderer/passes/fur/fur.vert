@@ -42,6 +42,10 @@ out vec3 base_uv;
 out vec3 base_colour;
 #ifdef LENGYEL
 out vec3 vertex_light;   // the baseline of GPU fur: light at the vertices, for fur of colour 1
+#ifdef LAYERS
+out vec3 vertex_direct;  // the part of it that comes from lamps
+out vec2 vertex_share;
+#endif
 #endif
 out float density_share; // of the optical depth that this piece and this set draw
 
@@ -86,6 +90,10 @@ void main() {
   float depth = frame.depth_above[above / 4][above % 4];
   const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
   vertex_light = fibre_light(Fibre(place, normal, normalize(fibre_tangent), to_eye, vec3(grey), s, depth, 0.5)) / grey;
+#ifdef LAYERS
+  vertex_direct = direct_light / grey;
+  vertex_share = light_share;
+#endif
 #endif
   base_uv = image_uv;
   base_colour = colour;

@@ -31,15 +31,31 @@ FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
 
 FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
 
-std::vector<FurPass::Layer> FurPass::layers_of(const Knobs& knobs) {
-  std::vector<Layer> layers;
+namespace {
+
+/// Of all sets, inside out.
+std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const ModelBuffers::ListsOfSets& lists, int side) {
+  std::vector<FurPass::Shell> result;
   for (int set = 0; set < layer_sets; ++set) {
-    const int shells = shells_of_set(knobs.shells, set);
-    for (int shell = 0; shell < shells; ++shell) layers.push_back({set, shell, shells, steps_of_set(knobs.steps, set)});
+    const int shells = shells_of_set(knobs.shells, set), steps = steps_of_set(knobs.steps, set);
+    const ModelBuffers::DrawList& list = lists[static_cast<std::size_t>(set)];
+    for (int shell = 0; shell < shells; ++shell) result.push_back({set, shell, shells, steps, list, side});
   }
-  std::stable_sort(layers.begin(), layers.end(),
-                   [](const Layer& a, const Layer& b) { return a.height() < b.height(); });
-  return layers;
+  const auto height = [](const FurPass::Shell& s) { return (s.shell + 0.5) / s.shells; };
+  std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
+  return result;
+}
+
+}  // namespace
+
+std::vector<FurPass::Shell> FurPass::averted_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists) {
+  std::vector<Shell> shells = shells_of(knobs, lists.averted, -1);
+  std::reverse(shells.begin(), shells.end());
+  return shells;
+}
+
+std::vector<FurPass::Shell> FurPass::facing_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists) {
+  return shells_of(knobs, lists.facing, 1);
 }
 
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
@@ -48,55 +64,66 @@ const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& var
   return place->second;
 }
 
-void FurPass::bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat) const {
-  gl.BindVertexArray(model.vertex_array());
-  gl.BindTextureUnit(0, coat.shapes());
-  gl.BindTextureUnit(1, coat.colours());
-  gl.BindTextureUnit(2, model.base_images());
+void FurPass::bind(const Gl& gl, const FurDrawing& drawing) {
+  gl.BindVertexArray(drawing.model.vertex_array());
+  gl.BindTextureUnit(0, drawing.coat.shapes());
+  gl.BindTextureUnit(1, drawing.coat.colours());
+  gl.BindTextureUnit(2, drawing.model.base_images());
 }
 
-void FurPass::draw_skin(const Gl& gl, const std::string& variant, const ModelBuffers::DrawLists& lists) {
-  const Shading& shading = shading_of(gl, variant);
+void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
+  bind(gl, drawing);
+  const Shading& shading = shading_of(gl, drawing.variant);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   shading.skin.use();
-  draw_list(gl, lists.all);
+  draw_list(gl, drawing.lists.all);
+  draw_dense(gl, shading.solid, drawing);
+}
+
+void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  shading.solid.use();
-  shading.solid.set("push", solid_push);
-  shading.solid.set("layer_set", -1);
+  draw_skin(gl, drawing);
+}
+
+void FurPass::draw_dense(const Gl& gl, const Program& solid, const FurDrawing& drawing) const {
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  solid.use();
+  solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_layer(gl, shading.solid, lists.all, {0, shell, solid_shells, 4}, 1);
+    draw_shell(gl, solid, {-1, shell, solid_shells, 4, drawing.lists.all, 1});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void FurPass::draw_fur(const Gl& gl, const std::string& variant, const Knobs& knobs,
-                       const ModelBuffers::DrawLists& lists) {
-  const Program& fur = shading_of(gl, variant).fur;
+void FurPass::draw_averted(const Gl& gl, const FurDrawing& drawing) {
+  draw_fur(gl, drawing, averted_shells(drawing.knobs, drawing.lists));
+}
+
+void FurPass::draw_facing(const Gl& gl, const FurDrawing& drawing) {
+  draw_fur(gl, drawing, facing_shells(drawing.knobs, drawing.lists));
+}
+
+void FurPass::draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells) {
+  bind(gl, drawing);
+  const Program& fur = shading_of(gl, drawing.variant).fur;
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  const std::vector<Layer> layers = layers_of(knobs);
-  const auto draw = [&](const Layer& layer, const auto& of_sets, int side) {
-    fur.set("layer_set", layer.set);
-    draw_layer(gl, fur, of_sets[static_cast<std::size_t>(layer.set)], layer, side);
-  };
   fur.use();
   fur.set("push", 0.0f);
-  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) draw(*layer, lists.averted, -1);
-  for (const Layer& layer : layers) draw(layer, lists.facing, 1);
+  for (const Shell& shell : shells) draw_shell(gl, fur, shell);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
 }
 
-void FurPass::draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
-                         int side) const {
-  if (list.count == 0) return;
-  program.set("shell_count", layer.shells);
-  program.set("shell", layer.shell);
-  program.set("shell_side", side);
-  program.set("step_count", layer.steps);
-  draw_list(gl, list);
+void FurPass::draw_shell(const Gl& gl, const Program& program, const Shell& shell) {
+  if (shell.list.count == 0) return;
+  program.set("layer_set", shell.set);
+  program.set("shell_count", shell.shells);
+  program.set("shell", shell.shell);
+  program.set("shell_side", shell.side);
+  program.set("step_count", shell.steps);
+  draw_list(gl, shell.list);
 }
 
 }  // namespace pelage

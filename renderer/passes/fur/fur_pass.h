@@ -13,7 +13,17 @@
 
 namespace pelage {
 
-/// Reads a model's buffers and a coat's textures, writes premultiplied linear light and reversed depth.
+/// What is drawn of a frame: the parts that every pass over the fur needs.
+struct FurDrawing {
+  const Knobs& knobs;
+  const std::string& variant;  // #define lines of what the frame uses (SHADOW_MAPS: the maps are bound)
+  const ModelBuffers& model;
+  const ModelBuffers::DrawLists& lists;  // of the frame's view
+  const CoatTextures& coat;
+};
+
+/// Reads a model's buffers and a coat's textures, writes premultiplied linear light and reversed depth. Before each
+/// draw the target is bound and cleared, and the frame's block and what the variant reads are bound.
 class FurPass {
  public:
   explicit FurPass(const Gl& gl);
@@ -21,29 +31,36 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Binds a model and its coat, for both draws. `variant` below are the #define lines of what the frame uses; the
-  /// target is bound and cleared, and so are the frame's block and what the variant reads.
-  void bind(const Gl& gl, const ModelBuffers& model, const CoatTextures& coat) const;
   /// The skin, and the depth of dense fur.
-  void draw_skin(const Gl& gl, const std::string& variant, const ModelBuffers::DrawLists& lists);
-  /// Fur turned away from the eye, outside in; fur that faces it, inside out.
-  void draw_fur(const Gl& gl, const std::string& variant, const Knobs& knobs, const ModelBuffers::DrawLists& lists);
+  void draw_skin(const Gl& gl, const FurDrawing& drawing);
+  /// Fur turned away from the eye, outside in.
+  void draw_averted(const Gl& gl, const FurDrawing& drawing);
+  /// Fur that faces the eye, inside out. What is drawn between the two lies behind it.
+  void draw_facing(const Gl& gl, const FurDrawing& drawing);
+  /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
+  void draw_depth(const Gl& gl, const FurDrawing& drawing);
+
+  /// One shell of one set of layers: the triangles, and from which side of the slab the ray comes (1 or -1).
+  struct Shell {
+    int set, shell, shells, steps;
+    ModelBuffers::DrawList list;
+    int side;
+  };
+  /// In the order of blending: turned away outside in; facing inside out.
+  static std::vector<Shell> averted_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists);
+  static std::vector<Shell> facing_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists);
+  /// With a program of fur.vert and slab.glsl, in use.
+  static void draw_shell(const Gl& gl, const Program& program, const Shell& shell);
+  static void bind(const Gl& gl, const FurDrawing& drawing);
 
  private:
-  /// One shell of one set of layers.
-  struct Layer {
-    int set, shell, shells, steps;
-    double height() const { return (shell + 0.5) / shells; }
-  };
-  static std::vector<Layer> layers_of(const Knobs& knobs);  // of all sets, inside out
-
   /// The programs that shade: a scene pays only for the variant that it needs.
   struct Shading {
     Shading(const Gl& gl, const std::string& defines);
     Program skin, solid, fur;
   };
-  void draw_layer(const Gl& gl, const Program& program, const ModelBuffers::DrawList& list, const Layer& layer,
-                  int side) const;
+  void draw_dense(const Gl& gl, const Program& solid, const FurDrawing& drawing) const;
+  void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 
   const Shading& shading_of(const Gl& gl, const std::string& variant);
 

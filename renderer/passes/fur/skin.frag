@@ -6,6 +6,12 @@
 #include "pattern.glsl"
 #endif
 
+#ifdef LAYERS
+#include "layers.glsl"
+
+in vec3 root_tangent;
+#endif
+
 in vec3 place;
 in vec3 skin_normal;
 in vec3 base_uv;
@@ -38,11 +44,20 @@ void main() {
     float facing = dot(normal, to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, furred);
     float to_skin = depth / max(facing, 0.3);
+#ifdef LAYERS
+    vec3 unshadowed = radiance;
+#endif
 #ifdef SHADOW_MAPS
     to_skin = layer_depth(i, place, 0.0, facing, to_skin);
     radiance *= cast_light(i, place);
 #endif
     sum += radiance * colour * lit * transmittance(to_skin, colour);
+#ifdef LAYERS
+    keep_direct(radiance * colour * lit * transmittance(to_skin, colour), unshadowed * colour * lit);
+#endif
   }
+#ifdef LAYERS
+  write_layers(place, normal, root_tangent, colour, 0.0, 1.0);
+#endif
   result = vec4(sum, 1.0);
 }

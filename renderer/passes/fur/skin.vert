@@ -16,6 +16,18 @@ out float fur_length;
 layout(location = 10) in vec4 variation;
 out vec4 varied;
 #endif
+#ifdef LAYERS
+layout(location = 2) in vec3 tangent;
+out vec3 root_tangent;  // of the fur where it leaves the skin; 0 where there is none
+
+vec3 fur_at_root() {
+  float inclination = min(length(groom.xy), 1.0);
+  vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
+  float angle = frame.counts.w * inclination * 1.57079632679;
+  vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
+  return groom.z > 0.0 ? lean * sin(angle) + normal * cos(angle) : vec3(0.0);
+}
+#endif
 
 void main() {
   place = position;
@@ -25,6 +37,9 @@ void main() {
   fur_length = groom.z;
 #ifdef PATTERN
   varied = variation;
+#endif
+#ifdef LAYERS
+  root_tangent = fur_at_root();
 #endif
   gl_Position = frame.world_to_clip * vec4(position, 1.0);
 }

@@ -1,7 +1,6 @@
 #version 450 core
 // From premultiplied linear light to the picture: size, exposure, tone map, background, sRGB.
-
-layout(binding = 0) uniform sampler2D drawn;
+#include "gather.glsl"
 
 uniform float exposure;     // factor
 uniform int filmic;         // 1: the filmic curve
@@ -9,7 +8,12 @@ uniform int transparent;    // 1: straight alpha instead of a background
 uniform float background_r; // linear
 uniform float background_g;
 uniform float background_b;
-uniform float scale;        // drawn size over picture size
+#ifdef STUDIO
+uniform vec3 picture_size;  // pixels; the third is the largest value of a channel
+#endif
+#ifdef OVERLAY
+layout(binding = 1) uniform sampler2D overlay;  // sRGB, straight alpha, of the picture's size
+#endif
 
 layout(location = 0) out vec4 result;
 
@@ -24,27 +28,21 @@ vec3 film(vec3 x) {
   return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 
-// Mean of the drawn pixels that a picture's pixel covers; bilinear where it was drawn smaller.
-vec4 gather(ivec2 pixel) {
-  ivec2 size = textureSize(drawn, 0);
-  if (scale == 1.0) return texelFetch(drawn, pixel, 0);
-  vec2 low = vec2(pixel) * scale, high = low + scale;
-  if (scale < 1.0) {
-    vec2 at = (vec2(pixel) + 0.5) * scale - 0.5;
-    low = at, high = at + 1.0;
-  }
-  vec4 sum = vec4(0.0);
-  float total = 0.0;
-  for (int y = int(floor(low.y)); y < int(ceil(high.y)); ++y) {
-    for (int x = int(floor(low.x)); x < int(ceil(high.x)); ++x) {
-      float weight = max(0.0, min(high.x, float(x) + 1.0) - max(low.x, float(x))) *
-                     max(0.0, min(high.y, float(y) + 1.0) - max(low.y, float(y)));
-      sum += weight * texelFetch(drawn, clamp(ivec2(x, y), ivec2(0), size - 1), 0);
-      total += weight;
-    }
-  }
-  return sum / total;
+#ifdef STUDIO
+// A sheet of paper, lit from above: darker towards the top and the corners. Linear.
+vec3 studio() {
+  vec2 at = gl_FragCoord.xy / picture_size.xy;
+  vec2 off = (at - vec2(0.5, 0.55)) * vec2(1.1, 1.0);
+  vec3 sheet = mix(vec3(0.30, 0.315, 0.335), vec3(0.62, 0.615, 0.60), smoothstep(-0.1, 1.0, at.y));
+  return sheet * (1.0 - 0.55 * smoothstep(0.1, 1.0, 1.6 * dot(off, off)));
 }
+
+// Within half a step of a channel, so that the gradient has no bands: interleaved gradient noise (Jimenez 2014).
+float dither() {
+  float noise = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
+  return (noise - 0.5) * 0.98 / picture_size.z;
+}
+#endif
 
 void main() {
   vec4 pixel = gather(ivec2(gl_FragCoord.xy));
@@ -52,5 +50,15 @@ void main() {
   vec3 colour = alpha > 0.0 ? pixel.rgb / alpha * exposure : vec3(0.0);
   colour = filmic == 1 ? film(min(colour, 1e4)) : clamp(colour, 0.0, 1.0);
   vec3 background = vec3(background_r, background_g, background_b);
+#ifdef STUDIO
+  background = studio();
+#endif
   result = transparent == 1 ? vec4(to_srgb(colour), alpha) : vec4(to_srgb(mix(background, colour, alpha)), 1.0);
+#ifdef STUDIO
+  result.rgb += dither() * (1.0 - alpha);
+#endif
+#ifdef OVERLAY
+  vec4 over = texelFetch(overlay, ivec2(gl_FragCoord.xy), 0);
+  result.rgb = mix(result.rgb, over.rgb, over.a);
+#endif
 }

@@ -1,6 +1,7 @@
-// From light to a picture: size, exposure, tone map, background and sRGB.
+// From light to a picture: size, exposure, tone map, background, sRGB and overlay.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "renderer/gl/program.h"
@@ -13,13 +14,19 @@ class ResolvePass {
  public:
   explicit ResolvePass(const Gl& gl);
 
-  std::string failure() const { return program_.log(); }
+  std::string failure() const { return failure_; }
 
-  /// `drawn` has one sample and holds premultiplied linear light; `picture` is 8-bit RGBA of the asked size.
-  void draw(const Gl& gl, const FurFrame& frame, const RenderTarget& drawn, const RenderTarget& picture);
+  /// `drawn` has one sample and holds premultiplied linear light; `picture` is RGBA of the asked size, and `largest`
+  /// the largest value of its channels (255 or 65535). Where the frame has an overlay, `overlay` is it: a texture of
+  /// the picture's size, sRGB with straight alpha.
+  void draw(const Gl& gl, const FurFrame& frame, const RenderTarget& drawn, const RenderTarget& picture, int largest,
+            GLuint overlay);
 
  private:
-  Program program_;
+  const Program& program_of(const Gl& gl, const FurFrame& frame);
+
+  std::map<std::string, Program> programs_;  // by variant, made when first used
+  std::string failure_;
   VertexArray nothing_;
 };
 

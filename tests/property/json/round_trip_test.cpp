@@ -349,7 +349,15 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .shadow_maps = *rc::gen::arbitrary<bool>(),
                   .shadow_resolution = *rc::gen::inRange(1, 4097),
                   .accumulation = one_of(Accumulation::full)};
-  before.background = one_of(Background::transparent);
+  before.format = one_of(FrameFormat::exr);
+  before.background = before.format == FrameFormat::jpeg ? Background::studio : one_of(Background::studio);
+  before.jpeg_quality = *rc::gen::inRange(1, 101);
+  before.exr_type = one_of(ExrType::single);
+  if (before.format == FrameFormat::exr) {
+    if (*rc::gen::arbitrary<bool>()) before.layers = {one_of(FrameLayer::layer_count)};
+  } else {
+    before.overlay = one_of(Overlay::layer_count);
+  }
   before.background_colour = colour();
   before.exposure = number(-20, 20);
   before.tone_map = one_of(ToneMap::filmic);
@@ -358,6 +366,8 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
   RC_ASSERT(after->knobs == before.knobs);
   RC_ASSERT(encode(*after) == encode(before));
+  RC_ASSERT(after->format == before.format && after->layers == before.layers && after->overlay == before.overlay);
+  RC_ASSERT(after->background == before.background && after->exr_type == before.exr_type);
 }
 
 RC_GTEST_PROP(Json, AnyOctetsGiveACommandOrARefusal, (const std::string& octets)) {

@@ -271,8 +271,31 @@ TEST(DecodeFrame, SizesAndWhatIsNotBuilt) {
   for (const char* size : {"0", "-1", "8193", "1e9", "1.5", "\"512\""}) {
     EXPECT_EQ(decode_frame_request(std::string(R"({"width": )") + size + "}").status().pointer, "/width") << size;
   }
-  EXPECT_EQ(decode_frame_request(R"({"format": "exr"})").status().limit, "png");
   EXPECT_EQ(decode_frame_request(R"({"budget_ms": 40})").status().pointer, "/budget_ms");
+}
+
+TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
+  const auto exr = decode_frame_request(R"({"format": "exr", "exr_type": "float", "layers": ["depth", "beauty"]})");
+  ASSERT_TRUE(exr.ok()) << exr.status().message;
+  EXPECT_EQ(exr->exr_type, ExrType::single);
+  EXPECT_EQ(exr->layers, (std::vector{FrameLayer::depth, FrameLayer::beauty}));
+  EXPECT_EQ(decode_frame_request(R"({"background": "studio"})")->background, Background::studio);
+  const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
+  EXPECT_EQ(pointer_of(R"({"layers": ["beauty"]})"), "/layers");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "layers": []})"), "/layers");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "layers": ["depth", "depth"]})"), "/layers/1");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "overlay": "strokes"})"), "/overlay");
+  EXPECT_EQ(pointer_of(R"({"format": "jpeg", "background": "transparent"})"), "/background");
+  EXPECT_EQ(pointer_of(R"({"jpeg_quality": 101})"), "/jpeg_quality");
+  EXPECT_EQ(decode_frame_request(R"({"format": "tiff"})").status().limit, "png | png16 | jpeg | exr");
+}
+
+TEST(DecodeFrame, LayersTogetherHaveALimit) {
+  const auto with = [](const char* more) {
+    return decode_frame_request(std::string(R"({"format": "exr", "width": 8192, "height": 4096, "quality": {"scale": 1}, )") + more + "}");
+  };
+  EXPECT_TRUE(with(R"("layers": ["beauty", "depth"])").ok());
+  EXPECT_EQ(with(R"("layers": ["beauty", "depth", "normal"])").status().pointer, "/layers");
 }
 
 TEST(DecodeFrame, ScaleCountsForTheSize) {

@@ -1,0 +1,66 @@
+#include "renderer/passes/layers/layer_target.h"
+
+#include <cassert>
+
+namespace pelage {
+
+namespace {
+
+/// Location in renderer/shaders/layers.glsl; 0 for layers that are not written there.
+std::size_t place_of(FrameLayer layer) {
+  switch (layer) {
+    case FrameLayer::beauty:
+    case FrameLayer::alpha:
+    case FrameLayer::depth: return 0;
+    case FrameLayer::position: return 1;
+    case FrameLayer::normal: return 2;
+    case FrameLayer::tangent: return 3;
+    case FrameLayer::albedo: return 4;
+    case FrameLayer::direct: return 5;
+    case FrameLayer::shadow: return 6;
+    case FrameLayer::layer_count: return 7;
+  }
+  assert(false);
+  return 0;
+}
+
+}  // namespace
+
+LayerTarget::LayerTarget(const Gl& gl, std::span<const FrameLayer> layers, int width, int height)
+    : width_(width), height_(height), framebuffer_(gl), depth_(gl) {
+  std::array<GLenum, places> buffers{};
+  for (const FrameLayer layer : layers) {
+    const std::size_t place = place_of(layer);
+    if (place == 0) continue;
+    Texture texture(gl, GLenum{GL_TEXTURE_2D});
+    gl.TextureStorage2D(texture.id(), 1, GL_RGBA32F, width, height);
+    gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    buffers[place] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(place);
+    gl.NamedFramebufferTexture(framebuffer_.id(), buffers[place], texture.id(), 0);
+    textures_[place] = std::move(texture);
+  }
+  gl.NamedRenderbufferStorageMultisample(depth_.id(), 0, GL_DEPTH_COMPONENT32F, width, height);
+  gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  gl.NamedFramebufferDrawBuffers(framebuffer_.id(), static_cast<GLsizei>(places), buffers.data());
+  complete_ = gl.GetError() == GL_NO_ERROR &&
+              gl.CheckNamedFramebufferStatus(framebuffer_.id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+GLuint LayerTarget::texture(FrameLayer layer) const {
+  assert(textures_[place_of(layer)]);
+  return textures_[place_of(layer)].id();
+}
+
+bool LayerTarget::holds(FrameLayer layer) { return place_of(layer) != 0; }
+
+void LayerTarget::clear(const Gl& gl) const {
+  const std::array<float, 4> nothing{};
+  for (std::size_t place = 0; place < places; ++place) {
+    if (textures_[place])
+      gl.ClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, static_cast<GLint>(place), nothing.data());
+  }
+  gl.ClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, nothing.data());
+}
+
+}  // namespace pelage

@@ -1,0 +1,14 @@
+#version 450 core
+// The count of shells as colour, sRGB with straight alpha.
+#include "gather.glsl"
+#include "colour_maps.glsl"
+
+uniform float most;      // shells
+uniform float strength;  // alpha
+
+layout(location = 0) out vec4 result;
+
+void main() {
+  float count = gather(ivec2(gl_FragCoord.xy)).r;
+  result = vec4(ramp_of(count / most), count > 0.0 ? strength : 0.0);
+}

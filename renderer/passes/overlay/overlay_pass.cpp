@@ -1,0 +1,91 @@
+#include "renderer/passes/overlay/overlay_pass.h"
+
+#include <cassert>
+
+#include "renderer/passes/draw/draw_state.h"
+
+namespace pelage {
+
+namespace shaders {
+extern const char* const whole_target_vert;
+extern const char* const field_vert;
+extern const char* const field_frag;
+extern const char* const strokes_frag;
+extern const char* const count_frag;
+}  // namespace shaders
+
+namespace {
+
+constexpr float strength = 0.6f;     // of colours over the frame
+constexpr float full_layers = 2.0f;  // times the shells: what the end of the ramp stands for
+
+enum class FieldKind { direction, strokes, length };  // numbers of field.frag
+
+FieldKind kind_of(Overlay overlay) {
+  assert(overlay != Overlay::none && overlay != Overlay::layer_count);
+  if (overlay == Overlay::direction) return FieldKind::direction;
+  return overlay == Overlay::strokes ? FieldKind::strokes : FieldKind::length;
+}
+
+}  // namespace
+
+OverlayPass::Programs::Programs(const Gl& gl)
+    : field(gl, shaders::field_vert, shaders::field_frag),
+      strokes(gl, shaders::whole_target_vert, shaders::strokes_frag),
+      count(gl, shaders::whole_target_vert, shaders::count_frag) {}
+
+const OverlayPass::Programs& OverlayPass::programs(const Gl& gl) {
+  if (!programs_) programs_.emplace(gl);
+  return *programs_;
+}
+
+std::string OverlayPass::failure() const {
+  return programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() : "";
+}
+
+RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
+                                     const ModelBuffers::DrawList& triangles) {
+  RenderTarget field(gl, GL_RGBA16F, frame.width, frame.height, 1, true);
+  if (!field.complete()) return field;
+  set_draw_state(gl, field);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  clear_target(gl, field, {});
+  gl.BindVertexArray(model.vertex_array());
+  const Programs& with = programs(gl);
+  with.field.use();
+  with.field.set("aspect", static_cast<float>(frame.width) / static_cast<float>(frame.height));
+  with.field.set("kind", static_cast<int>(kind_of(frame.overlay)));
+  with.field.set("longest", model.longest_fur());
+  with.field.set("strength", strength);
+  draw_list(gl, triangles);
+  if (frame.overlay != Overlay::strokes) return field;
+  RenderTarget lines(gl, GL_RGBA16F, frame.width, frame.height, 1, false);
+  if (!lines.complete()) return lines;
+  with.strokes.use();
+  draw_whole(gl, lines, field.texture());
+  return lines;
+}
+
+RenderTarget OverlayPass::draw_count(const Gl& gl, const FurFrame& frame, GLuint counts, float scale) {
+  RenderTarget colours(gl, GL_RGBA16F, frame.width, frame.height, 1, false);
+  if (!colours.complete()) return colours;
+  const Program& count = programs(gl).count;
+  count.use();
+  count.set("scale", scale);
+  count.set("most", full_layers * static_cast<float>(frame.knobs.shells));
+  count.set("strength", strength);
+  draw_whole(gl, colours, counts);
+  return colours;
+}
+
+void OverlayPass::draw_whole(const Gl& gl, const RenderTarget& target, GLuint source) const {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  gl.Viewport(0, 0, target.width(), target.height());
+  gl.Disable(GL_DEPTH_TEST);
+  gl.BindTextureUnit(0, source);
+  gl.BindVertexArray(nothing_.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace pelage

@@ -1,0 +1,41 @@
+// Fields and costs over a frame, for inspection.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/gl/program.h"
+#include "renderer/gl/render_target.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/upload/model_buffers.h"
+
+namespace pelage {
+
+/// Fields lie on the skin: where only tips reach, the frame shows as it is.
+class OverlayPass {
+ public:
+  explicit OverlayPass(const Gl& gl) : nothing_(gl) {}
+
+  /// "" when the programs so far were built.
+  std::string failure() const;
+
+  /// A field of the model, not the count. Writes sRGB with straight alpha into a new target of the frame's size; the
+  /// frame's block is bound.
+  RenderTarget draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
+                          const ModelBuffers::DrawList& triangles);
+  /// The count of shells: a texture with counts in its first channel, drawn at `scale` times the frame's size.
+  RenderTarget draw_count(const Gl& gl, const FurFrame& frame, GLuint counts, float scale);
+
+ private:
+  struct Programs {
+    explicit Programs(const Gl& gl);
+    Program field, strokes, count;
+  };
+  const Programs& programs(const Gl& gl);
+  void draw_whole(const Gl& gl, const RenderTarget& target, GLuint source) const;
+
+  std::optional<Programs> programs_;  // made when first used
+  VertexArray nothing_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,33 @@
+// The file of a frame: what is drawn for each format, and how it is encoded.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "protocol/commands/frame.h"
+#include "renderer/frame/renderer.h"
+
+namespace pelage {
+
+/// What the renderer gave for a format: 8 bit, 16 bit, or the layers that were asked for.
+using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
+
+/// On the render thread.
+Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
+                                     DrawTimes& times);
+
+/// From the renderer's coordinates to the model's own: internal * size + centre.
+struct ModelPlacement {
+  glm::dvec3 centre{0};
+  double size = 1;
+};
+
+/// The picture as a file of the asked format; the same picture gives the same octets. EXR: the channels are R, G, B and A
+/// of beauty, A of alpha, Z of depth, and LAYER.X, .Y, .Z (position, normal, tangent), LAYER.R, .G, .B (albedo, direct)
+/// or LAYER.Y (shadow, layer_count) of the others.
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement);
+
+const char* content_type_of(FrameFormat format);
+
+}  // namespace pelage

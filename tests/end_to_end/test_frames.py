@@ -1,0 +1,149 @@
+"""Formats, layers and overlays, read by programs that are not ours."""
+
+import io
+import subprocess
+import unittest
+
+import numpy
+from PIL import Image
+
+from support.server import BIN, ServedTest
+
+CAMERA = {"eye": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
+NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "layer_count")
+
+
+class Frames(ServedTest):
+    arguments = {"gl": "osmesa"}
+
+    def exr(self, scene, **request):
+        answer = scene.frame(format="exr", camera=CAMERA, **request)
+        self.assertEqual(answer.headers["content-type"], "image/x-exr")
+        path = self.server.folder / "frame.exr"
+        path.write_bytes(answer.body)
+        return path
+
+    def channels(self, path, prefix, names):
+        """Rows x columns x names, as oiiotool reads them."""
+        planes = []
+        for name in names:
+            plane = path.with_suffix(".tif")
+            subprocess.run(["oiiotool", path, "--ch", prefix + name, "-d", "float", "--compression", "none", "-o", plane], check=True)
+            with Image.open(plane) as image:
+                planes.append(numpy.array(image, dtype=numpy.float64))
+        return numpy.stack(planes, axis=-1)
+
+    def described(self, path):
+        return subprocess.run(["oiiotool", "--info", "-v", path], check=True, capture_output=True, text=True).stdout
+
+    def test_layers_agree_with_a_pick(self):
+        scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
+        path = self.exr(scene, layers=list(NAMES))
+        said = self.described(path)
+        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "layer_count.Y", "Z"):
+            self.assertIn(name, said)
+        depth, alpha = self.channels(path, "", "Z")[..., 0], self.channels(path, "", "A")[..., 0]
+        position, normal = self.channels(path, "position.", "XYZ"), self.channels(path, "normal.", "XYZ")
+        eye = numpy.array(CAMERA["eye"], dtype=float)
+        forward = -eye / numpy.linalg.norm(eye)
+        size = numpy.linalg.norm(numpy.subtract(scene.info()["bounds"]["max"], scene.info()["bounds"]["min"]))
+        hits, close = 0, 0
+        for x in range(4, 128, 6):
+            for y in range(4, 128, 6):
+                at = {"view": {"camera": CAMERA, "width": 128, "height": 128}, "pixel": [x + 0.5, y + 0.5]}
+                pick = scene.post("pick", at).json
+                if not pick["hit"]:
+                    continue
+                hits += 1
+                self.assertEqual(alpha[y, x], 1)
+                there = numpy.dot(numpy.subtract(pick["position"], eye), forward)
+                close += (-0.05 * size < depth[y, x] - there < 0.002 * size and
+                          numpy.linalg.norm(position[y, x] - pick["position"]) < 0.05 * size and
+                          numpy.dot(normal[y, x], pick["normal"]) > 0.9)
+        self.assertGreater(hits, 50)
+        self.assertGreater(close, 0.95 * hits, f"{close} of {hits}")
+        self.assertTrue(numpy.isinf(depth[0, 0]))
+        self.assertEqual(alpha[0, 0], 0)
+        shadow = self.channels(path, "shadow.", "Y")
+        self.assertTrue(((shadow >= 0) & (shadow <= 1)).all())
+        self.assertLess(shadow.min(), 0.9)
+
+    def test_alpha_and_light_are_those_of_the_picture(self):
+        scene = self.server.new_scene("sphere", 1000)
+        request = {"background": "transparent", "tone_map": "none"}
+        png = scene.frame(camera=CAMERA, **request).image.astype(float) / 255
+        path = self.exr(scene, exr_type="float", exposure=5, **request)
+        self.assertIn("float", self.described(path).split("channel list")[0])
+        light = self.channels(path, "", "RGBA")
+        self.assertLess(numpy.abs(light[..., 3] - png[..., 3]).max(), 0.003)
+        covered = light[..., 3] > 0.99
+        linear = numpy.clip(light[covered][..., :3] / light[covered][..., 3:], 0, 1)
+        srgb = numpy.where(linear < 0.0031308, 12.92 * linear, 1.055 * numpy.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055)
+        self.assertLess(numpy.abs(srgb - png[covered][..., :3]).max(), 0.004)
+
+    def test_half_is_smaller_and_default(self):
+        scene = self.server.new_scene("sphere", 1000)
+        half, single = self.exr(scene).stat().st_size, self.exr(scene, exr_type="float").stat().st_size
+        self.assertLess(half, 0.7 * single)
+        self.assertIn("half", self.described(self.exr(scene)))
+
+    def test_sixteen_bits(self):
+        scene = self.server.new_scene("creature", 2000)
+        answer = scene.frame(format="png16", background="studio")
+        self.assertEqual(answer.headers["content-type"], "image/png")
+        path, plain = self.server.folder / "deep.png", self.server.folder / "deep.tif"
+        path.write_bytes(answer.body)
+        self.assertIn("uint16", self.described(path))
+        subprocess.run(["oiiotool", path, "--ch", "R", "--compression", "none", "-o", plain], check=True)
+        with Image.open(plain) as image:
+            self.assertGreater(len(numpy.unique(numpy.array(image))), 256)
+
+    def test_jpeg(self):
+        scene = self.server.new_scene("creature", 2000)
+        png = scene.frame(background="studio").image.astype(float)
+        sizes = []
+        for quality in (5, 60, 98):
+            answer = scene.frame(format="jpeg", jpeg_quality=quality, background="studio")
+            self.assertEqual(answer.headers["content-type"], "image/jpeg")
+            with Image.open(io.BytesIO(answer.body)) as image:
+                self.assertEqual(image.format, "JPEG")
+            sizes.append(len(answer.body))
+        self.assertEqual(sizes, sorted(sizes))
+        self.assertLess(numpy.abs(answer.image.astype(float) - png[..., :3]).mean(), 3)
+
+    def test_same_request_same_octets(self):
+        scene = self.server.new_scene("torus", 1000)
+        for request in ({"format": "exr", "layers": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"},
+                        {"overlay": "strokes"}, {"overlay": "layer_count"}):
+            self.assertEqual(scene.frame(**request).body, scene.frame(**request).body, request)
+
+    def test_refusals(self):
+        scene = self.server.new_scene("sphere", 500)
+        for request, pointer in (({"layers": ["depth"]}, "/layers"), ({"layers": ["beauty"], "format": "jpeg"}, "/layers"),
+                                 ({"format": "exr", "layers": []}, "/layers"), ({"format": "exr", "layers": ["depht"]}, "/layers/0"),
+                                 ({"format": "exr", "layers": ["depth", "depth"]}, "/layers/1"),
+                                 ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "density"}, "/overlay"),
+                                 ({"format": "jpeg", "background": "transparent"}, "/background"),
+                                 ({"format": "jpeg", "jpeg_quality": 0}, "/jpeg_quality"), ({"format": "tiff"}, "/format"),
+                                 ({"format": "exr", "width": 8192, "height": 8192, "layers": ["beauty", "depth"]}, "/layers")):
+            self.assert_problem(scene.post("frames", request), 422, pointer)
+        self.assert_problem(self.server.get(f"{scene.path}/frame.png?format=exr"), 422, "/format")
+
+    def test_the_client_goes_by_the_ending(self):
+        scene = self.server.new_scene("sphere", 500)
+
+        def draw(name, *arguments):
+            path = self.server.folder / name
+            subprocess.run([BIN / "pelage", "--server", self.server.address, "frame", scene.id, "-o", path, "--width", "32",
+                            "--height", "32", *arguments], check=True, capture_output=True)
+            return path.read_bytes()
+
+        self.assertTrue(draw("a.png").startswith(b"\x89PNG"))
+        self.assertTrue(draw("a.JPG").startswith(b"\xff\xd8"))
+        self.assertTrue(draw("a.exr", "--layers", "beauty,depth,normal").startswith(b"\x76\x2f\x31\x01"))
+        self.assertIn("normal.X", self.described(self.server.folder / "a.exr"))
+        self.assertTrue(draw("b.exr", "--format", "png", "--overlay", "strokes").startswith(b"\x89PNG"))
+
+
+if __name__ == "__main__":
+    unittest.main()

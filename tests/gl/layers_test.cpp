@@ -1,0 +1,217 @@
+// What an EXR holds beside colour, 16 bits, the studio and the overlays.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "renderer/frame/renderer.h"
+#include "server/scene/fur_view.h"
+#include "tests/gl/backends.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+namespace {
+
+class Layers : public OnBackend {
+ protected:
+  void SetUp() override {
+    OnBackend::SetUp();
+    if (!context) return;
+    Result<std::unique_ptr<Renderer>> made = Renderer::create(gl());
+    ASSERT_TRUE(made.ok()) << made.status().message;
+    renderer = std::move(made).value();
+  }
+  void TearDown() override {
+    renderer.reset();
+    OnBackend::TearDown();
+  }
+
+  std::vector<FloatImage> layers_of(const FurredModel& model, const FrameRequest& request, std::vector<FrameLayer> layers) {
+    const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
+    sync_scene(*renderer, model.view(), {all});
+    Result<std::vector<FloatImage>> images = renderer->draw_layers(make_frame(model.view(), request), layers);
+    EXPECT_TRUE(images.ok()) << images.status().message;
+    return std::move(images).value();
+  }
+
+  std::unique_ptr<Renderer> renderer;
+};
+
+glm::vec3 pixel(const FloatImage& image, std::size_t i) {
+  return {image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]};
+}
+
+float luminance(glm::vec3 c) { return glm::dot(c, {0.2126f, 0.7152f, 0.0722f}); }
+
+TEST_P(Layers, DepthIsWhereOpacityCrossesHalf) {
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
+  FrameRequest request = small_frame();
+  for (const int shells : {4, 16, 40}) {
+    request.knobs.shells = shells;
+    const auto images = layers_of(model, request, {FrameLayer::beauty, FrameLayer::depth});
+    int near_edge = 0, wrong = 0, partial = 0;
+    for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
+      const float alpha = images[0].rgba[4 * i + 3];
+      const bool there = images[1].rgba[4 * i] > 0;
+      partial += alpha > 0.05f && alpha < 0.95f;
+      if (std::abs(alpha - 0.5f) < 0.02f) ++near_edge;
+      else if (there != (alpha > 0.5f)) ++wrong;
+    }
+    EXPECT_GT(partial, 100) << shells;
+    EXPECT_EQ(wrong, 0) << shells << " shells, " << near_edge << " near half";
+  }
+}
+
+TEST_P(Layers, DenseShortFurLiesOnTheSphere) {
+  const FurredModel model = furred({Builtin::sphere, 4000}, {.length = 0.004, .inclination = 0});
+  const FrameRequest request = small_frame();
+  const FurFrame frame = make_frame(model.view(), request);
+  const auto images = layers_of(model, request, {FrameLayer::depth, FrameLayer::position, FrameLayer::normal, FrameLayer::tangent});
+  const double radius = 0.5 / std::sqrt(3.0);  // the box's diagonal is 1
+  int seen = 0;
+  for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
+    if (images[1].rgba[4 * i + 3] < 1) continue;
+    const glm::vec3 place = pixel(images[1], i), normal = pixel(images[2], i), tangent = pixel(images[3], i);
+    if (glm::dot(glm::normalize(place), -frame.camera.forward) < 0.5f) continue;  // the edge has what lies behind in it
+    ++seen;
+    EXPECT_NEAR(glm::length(place), radius, 0.006);
+    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.eye, frame.camera.forward), 0.006);
+    EXPECT_GT(glm::dot(normal, glm::normalize(place)), 0.99f);
+    EXPECT_GT(glm::dot(tangent, normal), 0.8f);  // upright
+    EXPECT_NEAR(glm::length(normal), 1, 1e-5);
+  }
+  EXPECT_GT(seen, 2000);
+}
+
+TEST_P(Layers, WithoutAmbientAllLightIsDirect) {
+  FurredModel model = furred({Builtin::torus, 1000});
+  FrameRequest request = small_frame();
+  request.knobs.accumulation = Accumulation::full;
+  for (const ShadingModel shading : {ShadingModel::kajiya, ShadingModel::lengyel, ShadingModel::marschner}) {
+    model.settings.look.shading = shading;
+    model.settings.look.ambient = 0;
+    const auto dark = layers_of(model, request, {FrameLayer::beauty, FrameLayer::direct});
+    model.settings.look.ambient = 1;
+    const auto lit = layers_of(model, request, {FrameLayer::beauty, FrameLayer::direct});
+    float ambient = 0;
+    for (std::size_t i = 0; i < dark[0].rgba.size() / 4; ++i) {
+      ASSERT_LT(glm::distance(pixel(dark[0], i), pixel(dark[1], i)), 1e-4f) << static_cast<int>(shading);
+      ASSERT_LT(glm::distance(pixel(lit[1], i), pixel(dark[1], i)), 1e-4f);
+      ambient = std::max(ambient, glm::distance(pixel(lit[0], i), pixel(lit[1], i)));
+    }
+    EXPECT_GT(ambient, 0.05f);
+  }
+}
+
+TEST_P(Layers, ShadowIsTheShareOfLightThatIsLeft) {
+  FurredModel model = furred({Builtin::torus, 1000});
+  FrameRequest request = small_frame();
+  request.knobs.accumulation = Accumulation::full;
+  request.knobs.self_shadow = true;
+  const auto shadowed = layers_of(model, request, {FrameLayer::direct, FrameLayer::shadow});
+  request.knobs.self_shadow = false;
+  const auto open = layers_of(model, request, {FrameLayer::direct, FrameLayer::shadow});
+  double shares = 0, count = 0;
+  for (std::size_t i = 0; i < open[0].rgba.size() / 4; ++i) {
+    ASSERT_NEAR(open[1].rgba[4 * i], 1, 1e-4);
+    const float kept = luminance(pixel(shadowed[0], i)), whole = luminance(pixel(open[0], i));
+    if (whole < 0.05f) continue;
+    ASSERT_NEAR(shadowed[1].rgba[4 * i], kept / whole, 0.01);
+    shares += shadowed[1].rgba[4 * i], ++count;
+  }
+  EXPECT_GT(count, 500);
+  EXPECT_LT(shares / count, 0.95);
+}
+
+TEST_P(Layers, CountsTheShells) {
+  const FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0});
+  FrameRequest request = small_frame(AutoView::top);
+  request.knobs.shell_policy = ShellPolicy::uniform;
+  const auto mean = [&](int shells) {
+    request.knobs.shells = shells;
+    const FloatImage count = layers_of(model, request, {FrameLayer::layer_count})[0];
+    double sum = 0;
+    for (std::size_t i = 0; i < count.rgba.size(); i += 4) sum += double{count.rgba[i]};
+    return sum / static_cast<double>(count.rgba.size() / 4);
+  };
+  const double few = mean(4), many = mean(8);
+  EXPECT_GT(few, 0.5);
+  EXPECT_GT(many, 1.4 * few);
+  EXPECT_LT(many, 2.2 * few);
+}
+
+TEST_P(Layers, BeautyIsTheSameWithAndWithoutOthers) {
+  const FurredModel model = furred({Builtin::creature, 2000});
+  FrameRequest request = small_frame();
+  request.knobs = knobs_of(Tier::draft);
+  const auto alone = layers_of(model, request, {FrameLayer::beauty});
+  const Image before = draw(*renderer, model, request);
+  const auto together = layers_of(model, request, {FrameLayer::position, FrameLayer::beauty, FrameLayer::depth, FrameLayer::layer_count});
+  EXPECT_EQ(alone[0].rgba, together[1].rgba);
+  EXPECT_EQ(before.rgba, draw(*renderer, model, request).rgba);
+  for (const FloatImage& image : together) {
+    EXPECT_TRUE(std::all_of(image.rgba.begin(), image.rgba.end(), [](float v) { return std::isfinite(v); }));
+  }
+}
+
+TEST_P(Layers, SixteenBitsAreTheSamePictureWithMoreSteps) {
+  const FurredModel model = furred({Builtin::creature, 2000});
+  const FrameRequest request = small_frame();
+  const Image image = draw(*renderer, model, request);
+  const Result<Image16> deep = renderer->draw_deep(make_frame(model.view(), request));
+  ASSERT_TRUE(deep.ok());
+  std::set<std::uint16_t> levels(deep->rgba.begin(), deep->rgba.end());
+  EXPECT_GT(levels.size(), 1000u);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) ASSERT_NEAR(deep->rgba[i] / 257.0, image.rgba[i], 0.51);
+}
+
+TEST_P(Layers, TheStudioIsDarkerInTheCornersAndHasNoBands) {
+  const FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.02});
+  FrameRequest request = small_frame(AutoView::front, 256);
+  request.background = Background::studio;
+  const Image image = draw(*renderer, model, request);
+  const auto at = [&](int x, int y) { return int{image.rgba[4 * static_cast<std::size_t>(y * 256 + x)]}; };
+  EXPECT_LT(at(2, 2), at(128, 6) - 5);
+  EXPECT_LT(at(2, 253), at(128, 250) - 5);
+  EXPECT_LT(at(128, 6), at(128, 250) - 20);
+  int changes = 0, steps = 0;
+  for (int x = 1; x < 256; ++x) {
+    changes += at(x, 8) != at(x - 1, 8);
+    steps = std::max(steps, std::abs(at(x, 8) - at(x - 1, 8)));
+  }
+  EXPECT_GT(changes, 60);  // bands would change only some tens of times along a row
+  EXPECT_LE(steps, 2);
+  EXPECT_EQ(image.rgba, draw(*renderer, model, request).rgba);
+}
+
+TEST_P(Layers, OverlaysShowOnTheSkinAlone) {
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.04, .inclination = 0.8});
+  FrameRequest request = small_frame();
+  const Image plain = draw(*renderer, model, request);
+  std::set<std::vector<std::uint8_t>> pictures{plain.rgba};
+  for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::layer_count}) {
+    request.overlay = overlay;
+    const Image image = draw(*renderer, model, request);
+    EXPECT_GT(mean_difference(image, plain), 1) << static_cast<int>(overlay);
+    EXPECT_EQ(image.rgba[3], 0) << "alpha of the corner";
+    EXPECT_EQ(image.rgba, draw(*renderer, model, request).rgba);
+    pictures.insert(image.rgba);
+  }
+  EXPECT_EQ(pictures.size(), 5u);
+}
+
+TEST_P(Layers, HueFollowsTheDirection) {
+  const FurredModel lying = furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 1});
+  const FurredModel standing = furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 0});
+  FrameRequest request = small_frame(AutoView::top);
+  request.overlay = Overlay::direction;
+  request.background = Background::colour;
+  const glm::dvec3 first = mean_colour(draw(*renderer, lying, request));
+  const glm::dvec3 upright = mean_colour(draw(*renderer, standing, request));
+  const auto spread = [](glm::dvec3 c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); };
+  EXPECT_GT(spread(first), spread(upright) + 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Layers, all_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing
