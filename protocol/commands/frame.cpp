@@ -10,7 +10,14 @@ Knobs knobs_of(Tier tier) {
       return {.shells = 8, .samples = 1, .steps = 3, .scale = 0.75, .eye_steps = 1, .self_shadow = false};
     case Tier::interactive: return {};
     case Tier::detailed:
-      return {.shells = 48, .steps = 3, .scale = 2, .eye_steps = 16, .shadow_maps = true, .shadow_resolution = 1024};
+      return {.shells = 48,
+              .steps = 3,
+              .scale = 2,
+              .eye_steps = 16,
+              .shadow_maps = true,
+              .shadow_resolution = 1024,
+              .fins = true,
+              .guard_hairs = 20000};
   }
   assert(false);
   return {};

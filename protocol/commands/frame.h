@@ -49,6 +49,8 @@ struct Knobs {
   bool shadow_maps = false;                       // draw the shadows that lights ask for
   int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
   Accumulation accumulation = Accumulation::half;
+  bool fins = false;                              // side views of the fur on edges at outlines
+  int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near outlines
 
   bool operator==(const Knobs&) const = default;
 };

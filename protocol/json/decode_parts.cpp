@@ -225,6 +225,8 @@ Knobs quality(const Value& value) {
   object.boolean("shadow_maps", result.shadow_maps);
   object.integer("shadow_resolution", result.shadow_resolution, {1, 4096});
   object.name("accumulation", result.accumulation, json_names::accumulations);
+  object.boolean("fins", result.fins);
+  object.integer("guard_hairs", result.guard_hairs, {0, 100'000});
   object.finish();
   return result;
 }

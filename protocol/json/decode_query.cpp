@@ -22,7 +22,7 @@ struct Parameter {
   Kind kind;
 };
 
-constexpr std::array<Parameter, 27> frame_parameters{{{"width", "/width", Kind::number},
+constexpr std::array<Parameter, 29> frame_parameters{{{"width", "/width", Kind::number},
                                                       {"height", "/height", Kind::number},
                                                       {"camera", "/camera/auto", Kind::text},
                                                       {"eye", "/camera/eye", Kind::list},
@@ -40,6 +40,8 @@ constexpr std::array<Parameter, 27> frame_parameters{{{"width", "/width", Kind::
                                                       {"shadow_resolution", "/quality/shadow_resolution", Kind::number},
                                                       {"shell_policy", "/quality/shell_policy", Kind::text},
                                                       {"accumulation", "/quality/accumulation", Kind::text},
+                                                      {"fins", "/quality/fins", Kind::boolean},
+                                                      {"guard_hairs", "/quality/guard_hairs", Kind::number},
                                                       {"background", "/background", Kind::text},
                                                       {"exposure", "/exposure", Kind::number},
                                                       {"tone_map", "/tone_map", Kind::text},

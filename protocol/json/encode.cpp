@@ -309,6 +309,8 @@ Json json_of(const Knobs& knobs) {
           {"self_shadow", knobs.self_shadow},
           {"shadow_maps", knobs.shadow_maps},
           {"shadow_resolution", knobs.shadow_resolution},
+          {"fins", knobs.fins},
+          {"guard_hairs", knobs.guard_hairs},
           {"shell_policy", text_of(json_names::shell_policies, knobs.shell_policy)},
           {"accumulation", text_of(json_names::accumulations, knobs.accumulation)}};
 }

@@ -64,6 +64,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
 Renderer::Renderer(const Gl& gl)
     : gl_(gl),
       fur_(gl),
+      fins_(gl),
       shadows_(gl),
       ground_(gl),
       eyes_(gl),
@@ -76,7 +77,7 @@ Renderer::Renderer(const Gl& gl)
       fragments_(gl) {}
 
 Status Renderer::programs() const {
-  const std::string log = fur_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() +
+  const std::string log = fur_.failure() + fins_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() +
                           layers_.failure() + overlay_.failure() + resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
@@ -158,7 +159,9 @@ void Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   fur_.draw_skin(gl_, drawing);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, drawn_);
   fur_.draw_averted(gl_, drawing);
+  if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
   fur_.draw_facing(gl_, drawing);
+  if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
   if (frame.knobs.samples == 1) return;
   gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                            drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -17,6 +17,7 @@
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/eye/eye_pass.h"
+#include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
 #include "renderer/passes/layers/layers_pass.h"
@@ -83,6 +84,7 @@ class Renderer {
 
   const Gl& gl_;
   FurPass fur_;
+  FinsPass fins_;
   ShadowMaps shadows_;
   GroundPass ground_;
   EyePass eyes_;

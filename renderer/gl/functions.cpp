@@ -41,6 +41,12 @@ void Gl::NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, con
   counted_.NamedBufferSubData(buffer, offset, size, data);
 }
 
+void Gl::TextureSubImage2D(GLuint texture, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                           GLenum type, const void* pixels) const {
+  counts_.bytes += static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * texel_bytes(format, type);
+  counted_.TextureSubImage2D(texture, level, x, y, width, height, format, type, pixels);
+}
+
 void Gl::TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                            GLsizei depth, GLenum format, GLenum type, const void* pixels) const {
   counts_.bytes += static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
@@ -125,6 +131,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(TextureParameteri, "glTextureParameteri");
   get(TextureStorage2D, "glTextureStorage2D");
   get(TextureStorage3D, "glTextureStorage3D");
+  get(counted_.TextureSubImage2D, "glTextureSubImage2D");
   get(counted_.TextureSubImage3D, "glTextureSubImage3D");
   get(GenerateTextureMipmap, "glGenerateTextureMipmap");
   get(Uniform1f, "glUniform1f");

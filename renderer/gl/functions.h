@@ -99,6 +99,8 @@ struct Gl {
   void NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const;
   void NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, const void* data) const;
   /// Of 1, 2 or 4 channels (GL_RED, GL_RG, GL_RGBA) in octets or floats.
+  void TextureSubImage2D(GLuint texture, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                         GLenum type, const void* pixels) const;
   void TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                          GLsizei depth, GLenum format, GLenum type, const void* pixels) const;
   void UseProgram(GLuint program) const;
@@ -117,6 +119,7 @@ struct Gl {
     PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
     PFNGLNAMEDBUFFERDATAPROC NamedBufferData = nullptr;
     PFNGLNAMEDBUFFERSUBDATAPROC NamedBufferSubData = nullptr;
+    PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = nullptr;
     PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
     PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   };

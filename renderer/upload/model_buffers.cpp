@@ -177,6 +177,13 @@ void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> value
   gl.NamedBufferData(variation_.id(), static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
 }
 
+void ModelBuffers::bind_storage(const Gl& gl) const {
+  static_assert(sizeof(RenderVertex) == 21 * sizeof(float), "strand.glsl reads vertices as 21 floats");
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, fixed_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, groom_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, variation_.id());
+}
+
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {
   for (std::size_t i = 0; i < levels_.size(); ++i)
     levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});

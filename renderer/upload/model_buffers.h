@@ -53,6 +53,11 @@ class ModelBuffers {
   std::span<const glm::vec3> positions() const { return positions_; }  // of render vertices
   std::span<const glm::vec3> normals() const { return normals_; }
   std::span<const glm::uvec3> triangles() const { return triangles_; }
+  /// The model's vertex of each render vertex.
+  std::span<const std::uint32_t> welded() const { return welded_; }
+  /// Leaves the vertices, the fields and the variation at the storage bindings 0 to 2, as renderer/shaders/strand.glsl
+  /// reads them.
+  void bind_storage(const Gl& gl) const;
   /// Slow changes of the fur at each render vertex (renderer/pattern); read by programs with a pattern only.
   void send_variation(const Gl& gl, std::span<const glm::vec4> values);
 

@@ -1,6 +1,7 @@
 // The skin with its undercoat, then the fur as shells.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>

@@ -348,7 +348,9 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .self_shadow = *rc::gen::arbitrary<bool>(),
                   .shadow_maps = *rc::gen::arbitrary<bool>(),
                   .shadow_resolution = *rc::gen::inRange(1, 4097),
-                  .accumulation = one_of(Accumulation::full)};
+                  .accumulation = one_of(Accumulation::full),
+                  .fins = *rc::gen::arbitrary<bool>(),
+                  .guard_hairs = *rc::gen::inRange(0, 100'001)};
   before.format = one_of(FrameFormat::exr);
   before.background = before.format == FrameFormat::jpeg ? Background::studio : one_of(Background::studio);
   before.jpeg_quality = *rc::gen::inRange(1, 101);
