@@ -78,7 +78,7 @@ Image NaiveRenderer::draw() {
     gl_.DrawElements(GL_TRIANGLES, lists.all.count, GL_UNSIGNED_INT, nullptr);
   }
   gl_.Disable(GL_BLEND);
-  resolve_.draw(gl_, frame_, drawn_, picture_);
+  resolve_.draw(gl_, frame_, drawn_, picture_, 255, 0);
   Image image{frame_.width, frame_.height, {}};
   image.rgba.resize(4 * static_cast<std::size_t>(frame_.width) * static_cast<std::size_t>(frame_.height));
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
