@@ -57,7 +57,8 @@ void main() {
 #endif
   }
 #ifdef LAYERS
-  write_layers(place, normal, root_tangent, colour, 0.0, 1.0);
+  clear_layers();
+  add_layers(place, normal, root_tangent, colour, 1.0);
 #endif
   result = vec4(sum, 1.0);
 }
