@@ -49,10 +49,10 @@ CurveGroup whiskers(const std::vector<Hair>& row, double side, const Surface& su
 
 /// Eight whiskers: four in an upper row and four in a lower one, the longest behind.
 void add_whiskers(double side, const Surface& surface, std::vector<CurveGroup>& groups) {
-  const std::vector<Hair> upper{{{.046, .803, .630}, {1, .30, .42}, .17, {-.02, -.20, -.24}},
-                                {{.074, .802, .572}, {1, .22, .02}, .25, {-.02, -.26, -.26}}};
-  const std::vector<Hair> lower{{{.050, .778, .622}, {1, -.02, .36}, .15, {-.02, -.20, -.22}},
-                                {{.076, .780, .570}, {1, .06, -.04}, .22, {-.02, -.26, -.24}}};
+  const std::vector<Hair> upper{{{.050, .796, .614}, {1, .24, .46}, .17, {-.02, -.20, -.26}},
+                                {{.077, .808, .560}, {1, .56, .04}, .25, {-.02, -.30, -.22}}};
+  const std::vector<Hair> lower{{{.052, .777, .610}, {1, -.26, .38}, .14, {-.02, -.20, -.22}},
+                                {{.079, .786, .553}, {1, .14, -.04}, .24, {-.02, -.24, -.20}}};
   groups.push_back(whiskers(upper, side, surface));
   groups.push_back(whiskers(lower, side, surface));
 }
@@ -84,9 +84,9 @@ CurveGroup lashes(const Eye& eye, const Mesh& mesh) {
   const FurLids lids = make_eye(eye, mesh).lids.value_or(FurLids{});
   const double side = eye.position.x > 0 ? 1 : -1;
   CurveGroup group;
-  for (const double across : {-0.72, -0.36, 0.0, 0.36, 0.72})
+  for (const double across : {-0.72, -0.54, -0.36, -0.18, 0.0, 0.18, 0.36, 0.54, 0.72})
     group.curves.push_back(lash(eye, lids, across, side, mesh.size));
-  group.fill = 5;
+  group.fill = 2;
   group.spread = 0.3;
   group.seed = side > 0 ? 1 : 2;
   group.width_root = 0.0007, group.width_tip = 0.0001;
