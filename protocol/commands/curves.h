@@ -11,7 +11,8 @@ namespace pelage {
 /// Points in model coordinates, root first, 2 to 32. The curve passes through them (Catmull and Rom 1974).
 using GuideCurve = std::vector<glm::dvec3>;
 
-/// Curves of one kind. Guides are drawn as they are given; between each two that follow each other `fill` more are mixed.
+/// Curves of one kind. Guides are drawn as they are given; between each two that follow each other `fill` more are
+/// mixed.
 struct CurveGroup {
   std::vector<GuideCurve> curves;             // 1 to 4096 guides
   double width_root = 0.0008;                 // sizes, [0, 0.1]

@@ -29,7 +29,8 @@ Curve evaluated(const FurGuide& guide) {
 }
 
 Curve mixed(const Curve& a, const Curve& b, double at) {
-  Curve curve{{}, glm::mix(a.skin, b.skin, at), glm::mix(a.normal, b.normal, at), glm::mix(a.fur_height, b.fur_height, at)};
+  Curve curve{{}, glm::mix(a.skin, b.skin, at), glm::mix(a.normal, b.normal, at),
+              glm::mix(a.fur_height, b.fur_height, at)};
   for (std::size_t i = 0; i < places_of_curve; ++i) curve.places.push_back(glm::mix(a.places[i], b.places[i], at));
   const double length = glm::length(curve.normal);
   curve.normal = length > 1e-9 ? curve.normal / length : a.normal;
@@ -38,7 +39,8 @@ Curve mixed(const Curve& a, const Curve& b, double at) {
 
 /// Turned by `angle` around a unit axis (Rodrigues).
 glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
-  return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - std::cos(angle)));
+  const double c = std::cos(angle);
+  return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
 }
 
 /// Longer or shorter and turned around its root, which stays.

@@ -77,8 +77,8 @@ Renderer::Renderer(const Gl& gl)
       fragments_(gl) {}
 
 Status Renderer::programs() const {
-  const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() +
-                          layers_.failure() + overlay_.failure() + resolve_.failure();
+  const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
+                          ground_.failure() + eyes_.failure() + layers_.failure() + overlay_.failure() + resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 

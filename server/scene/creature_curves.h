@@ -10,7 +10,8 @@
 
 namespace pelage {
 
-/// Two rows of whiskers and a few brow hairs on each side, rooted in the skin, and lashes along the upper lids of `eyes`.
+/// Two rows of whiskers and a few brow hairs on each side, rooted in the skin, and lashes along the upper lids of the
+/// eyes.
 std::vector<CurveGroup> creature_curves(const Surface& surface, std::span<const Eye> eyes);
 
 }  // namespace pelage

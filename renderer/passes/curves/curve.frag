@@ -20,5 +20,6 @@ void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
   if (opacity < least_opacity) discard;
   vec3 to_eye = unit_or_zero(frame.eye.xyz - place);
-  result = vec4(fibre_light(Fibre(place, normal, unit_or_zero(tangent), to_eye, colour, 1.0, 0.0, number)) * opacity, opacity);
+  Fibre fibre = Fibre(place, normal, unit_or_zero(tangent), to_eye, colour, 1.0, 0.0, number);
+  result = vec4(fibre_light(fibre) * opacity, opacity);
 }
