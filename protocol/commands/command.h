@@ -11,6 +11,7 @@
 
 #include "protocol/commands/camera.h"
 #include "protocol/commands/coat.h"
+#include "protocol/commands/curves.h"
 #include "protocol/commands/eye.h"
 #include "protocol/commands/look.h"
 
@@ -96,9 +97,10 @@ struct SetLights { std::vector<Light> lights; };  // at most 8
 struct SetEnvironment { Environment environment; };
 struct SetGround { Ground ground; };
 struct SetEyes { std::vector<Eye> eyes; };        // at most 8
+struct SetCurves { std::vector<CurveGroup> groups; };  // at most 16, and 4096 curves in all
 
 using Command =
-    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes>;
+    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

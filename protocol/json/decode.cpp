@@ -116,16 +116,23 @@ Command set_eyes(Object& object) {
   return result;
 }
 
+Command set_curves(Object& object) {
+  SetCurves result;
+  object.required("groups", [&](const Value& list) { result.groups = curve_groups(list); });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 9> command_readers{{{"comb", comb},
-                                                                          {"blow", blow},
-                                                                          {"attract", attract},
-                                                                          {"set_coat", set_coat},
-                                                                          {"set_look", set_look},
-                                                                          {"set_lights", set_lights},
-                                                                          {"set_environment", set_environment},
-                                                                          {"set_ground", set_ground},
-                                                                          {"set_eyes", set_eyes}}};
+constexpr std::array<json_names::Name<CommandReader>, 10> command_readers{{{"comb", comb},
+                                                                           {"blow", blow},
+                                                                           {"attract", attract},
+                                                                           {"set_coat", set_coat},
+                                                                           {"set_look", set_look},
+                                                                           {"set_lights", set_lights},
+                                                                           {"set_environment", set_environment},
+                                                                           {"set_ground", set_ground},
+                                                                           {"set_eyes", set_eyes},
+                                                                           {"set_curves", set_curves}}};
 
 Command command(const Value& value) {
   Object object(value);

@@ -216,6 +216,22 @@ Json json_of(const Eye& eye) {
   return json;
 }
 
+Json json_of(const CurveGroup& group) {
+  Json curves = Json::array();
+  for (const GuideCurve& curve : group.curves) {
+    Json& points = curves.emplace_back(Json::array());
+    for (const glm::dvec3& point : curve) points.push_back(list(point));
+  }
+  return {{"curves", std::move(curves)},
+          {"width_root", group.width_root},
+          {"width_tip", group.width_tip},
+          {"root_colour", colour(group.root_colour)},
+          {"tip_colour", colour(group.tip_colour)},
+          {"fill", group.fill},
+          {"spread", group.spread},
+          {"seed", group.seed}};
+}
+
 Json json_of(const Light& light) {
   return {{"kind", text_of(json_names::light_kinds, light.kind)},
           {"direction", list(light.direction)},
@@ -292,6 +308,11 @@ void add_members(Json& json, const SetGround& command) { json["ground"] = json_o
 void add_members(Json& json, const SetEyes& command) {
   json["eyes"] = Json::array();
   for (const Eye& eye : command.eyes) json["eyes"].push_back(json_of(eye));
+}
+
+void add_members(Json& json, const SetCurves& command) {
+  json["groups"] = Json::array();
+  for (const CurveGroup& group : command.groups) json["groups"].push_back(json_of(group));
 }
 
 Json json_of(const Command& command) {

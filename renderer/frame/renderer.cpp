@@ -77,8 +77,8 @@ Renderer::Renderer(const Gl& gl)
       fragments_(gl) {}
 
 Status Renderer::programs() const {
-  const std::string log = fur_.failure() + fins_.failure() + shadows_.failure() + ground_.failure() + eyes_.failure() +
-                          layers_.failure() + overlay_.failure() + resolve_.failure();
+  const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
+                          ground_.failure() + eyes_.failure() + layers_.failure() + overlay_.failure() + resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
@@ -162,6 +162,7 @@ void Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
   fur_.draw_facing(gl_, drawing);
   if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
+  if (!frame.curves.empty()) curves_.draw(gl_, frame, scene.variant);
   if (frame.knobs.samples == 1) return;
   gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                            drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -16,6 +16,7 @@
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/passes/curves/curves_pass.h"
 #include "renderer/passes/eye/eye_pass.h"
 #include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
@@ -85,6 +86,7 @@ class Renderer {
   const Gl& gl_;
   FurPass fur_;
   FinsPass fins_;
+  CurvesPass curves_;
   ShadowMaps shadows_;
   GroundPass ground_;
   EyePass eyes_;

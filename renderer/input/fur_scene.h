@@ -85,6 +85,28 @@ struct FurEye {
   double bulge = 0.5, refraction = 1.376, wetness = 1;
 };
 
+/// A curve that is given: where it goes, and the fur that its root stands in.
+struct FurGuide {
+  std::vector<glm::dvec3> points;  // at least 2, root first
+  glm::dvec3 skin{0};              // nearest place on the skin to the root
+  glm::dvec3 normal{0, 1, 0};      // of the skin there, unit
+  double fur_height = 0;           // how far the tips of the fur stand above it, sizes
+
+  bool operator==(const FurGuide&) const = default;
+};
+
+/// Curves of one kind, as in CurveGroup (protocol/commands/curves.h).
+struct FurCurves {
+  std::vector<FurGuide> guides;
+  double width_root = 0, width_tip = 0;        // sizes
+  glm::vec3 root_colour{1}, tip_colour{1};     // linear
+  int fill = 0;
+  double spread = 0;
+  std::uint32_t seed = 1;
+
+  bool operator==(const FurCurves&) const = default;
+};
+
 struct FurCamera {
   glm::vec3 eye{0, 0, 1}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // unit and orthogonal
   float tan_half_fov = 0.3f;                                               // vertical
@@ -105,6 +127,7 @@ struct FurFrame {
   Environment environment;
   std::optional<FurGround> ground;
   std::vector<FurEye> eyes;      // at most 8
+  std::vector<FurCurves> curves; // at most 16, and 4096 curves in all
   FurCamera camera;
   int width = 0, height = 0;
   Knobs knobs;

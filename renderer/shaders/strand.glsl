@@ -1,5 +1,7 @@
 // A strand that grows from the model, read from the buffers of renderer/upload/model_buffers.h: the same places as those
 // that shells interpolate. After frame.glsl and lean.glsl.
+#include "unit.glsl"
+
 layout(std430, binding = 0) readonly buffer VertexBuffer { float values[]; } vertex_buffer;
 layout(std430, binding = 1) readonly buffer GroomBuffer { float values[]; } groom_buffer;
 #ifdef PATTERN
@@ -44,9 +46,6 @@ Strand strand_at(uint vertex, float s, float stretch) {
                 lean * sin(curve.z) + normal * cos(curve.z), vertex_vec2(vertex, 9), vertex_vec3(vertex, 14),
                 vertex_vec3(vertex, 17), fur_length, varied);
 }
-
-// Unit, or 0 for what has no direction.
-vec3 safe_unit(vec3 v) { return v / max(length(v), 1e-20); }
 
 // As skin.frag: no fur below a length.
 float furred(float fur_length) { return smoothstep(0.0, 0.008, fur_length); }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -98,6 +99,19 @@ struct CheckTool {
       const std::string pointer = "/eyes/" + std::to_string(k);
       if (!reachable(mesh.to_internal(eye.position))) return out_of_reach(pointer + "/position");
       if (eye.look_at && !reachable(mesh.to_internal(*eye.look_at))) return out_of_reach(pointer + "/look_at");
+    }
+    return {};
+  }
+  Status operator()(const SetCurves& command) const {
+    for (std::size_t g = 0; g < command.groups.size(); ++g) {
+      const std::vector<GuideCurve>& curves = command.groups[g].curves;
+      for (std::size_t c = 0; c < curves.size(); ++c) {
+        const auto far = std::find_if(curves[c].begin(), curves[c].end(),
+                                      [&](glm::dvec3 point) { return !reachable(mesh.to_internal(point)); });
+        if (far == curves[c].end()) continue;
+        return out_of_reach("/groups/" + std::to_string(g) + "/curves/" + std::to_string(c) + "/" +
+                            std::to_string(far - curves[c].begin()));
+      }
     }
     return {};
   }

@@ -1,5 +1,6 @@
 #include "server/scene/first_settings.h"
 
+#include "server/scene/creature_curves.h"
 #include "server/surface/creature.h"
 
 namespace pelage {
@@ -26,7 +27,9 @@ std::vector<Eye> creature_eyes(const Mesh& mesh) {
 
 SceneSettings first_settings(const SceneModel& model) {
   SceneSettings settings;
-  if (model.name == "creature") settings.eyes = creature_eyes(model.surface.mesh());
+  if (model.name != "creature") return settings;
+  settings.eyes = creature_eyes(model.surface.mesh());
+  settings.curves = creature_curves(model.surface, settings.eyes);
   return settings;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "server/groom/evaluate.h"
+#include "server/scene/curve_view.h"
 #include "server/scene/eye_view.h"
 
 namespace pelage {
@@ -76,6 +77,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   if (scene.settings.ground.visible) frame.ground = make_ground(scene.settings.ground, mesh);
   for (const Light& light : scene.settings.lights) frame.lights.push_back(make_light(light, mesh));
   for (const Eye& eye : scene.settings.eyes) frame.eyes.push_back(make_eye(eye, mesh));
+  for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
   frame.camera = {glm::vec3(camera.eye), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),
                   static_cast<float>(camera.tan_half_fov)};

@@ -50,7 +50,7 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "Eye", "Iris", "Pupil",
+                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
@@ -72,6 +72,10 @@ class Document(unittest.TestCase):
         self.assertIn(f"at most {limits['dabs_per_stroke']} dabs", SCHEMAS["Brush"]["properties"]["spacing"]["description"])
         self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
         self.assertEqual(SCHEMAS["SetEyes"]["properties"]["eyes"]["maxItems"], limits["eyes"])
+        self.assertEqual(SCHEMAS["SetCurves"]["properties"]["groups"]["maxItems"], limits["curve_groups"])
+        self.assertIn(f"At most {limits['curves']} curves", SCHEMAS["SetCurves"]["description"])
+        guides = SCHEMAS["CurveGroup"]["properties"]["curves"]
+        self.assertEqual((guides["maxItems"], guides["items"]["maxItems"]), (limits["curves"], limits["curve_points"]))
         self.assertEqual(SCHEMAS["Eye"]["properties"]["radius"]["minimum"], limits["least_eye_radius"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
@@ -137,6 +141,10 @@ class Requests(ServedTest):
                                          "pupil": {"shape": "slit", "size": 0.25}, "refraction": 1.5, "wetness": 0.25,
                                          "lids": {"facing": [0, 0, 1], "width_degrees": 60, "upper_degrees": 20}},
                                         {"position": [0, 1, 0], "radius": 0.02, "look_at": [0, 1, 1], "pupil": {"size": "automatic"}}]},
+            {"op": "set_curves", "groups": [{"curves": [[[0, 1, 0], [1, 1, 0]], [[0, 2, 0], [1, 2, 0], [1, 3, 0]]], "width_root": 0.05,
+                                             "width_tip": 0.01, "root_colour": "#ffffff", "tip_colour": [0.5, 0.5, 0.5], "fill": 3,
+                                             "spread": 0.25, "seed": 7}]},
+            {"op": "set_curves", "groups": []},
         ]
         for body in bodies:
             for variation in self.variations(body):
@@ -193,10 +201,11 @@ class Defaults(ServedTest):
         answer = scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=1.0), {"op": "blow", "source": [0, 0, 1], "direction": [0, 0, -1]},
                            {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
                            {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]},
-                           {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]})
+                           {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]},
+                           {"op": "set_curves", "groups": [{"curves": [[[0, 0, 1], [0, 0, 2]]]}]})
         self.assertEqual(answer.status, 200, answer)
         commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
-        combed, blown, attracted, coat, look, lights, eyes = commands
+        combed, blown, attracted, coat, look, lights, eyes, curves = commands
         self.assert_defaults("Comb", combed)
         self.assert_defaults("Stroke", combed["stroke"])
         self.assert_defaults("Brush", combed["brush"], given=["radius"])
@@ -209,6 +218,7 @@ class Defaults(ServedTest):
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
         self.assert_defaults("Eye", eyes["eyes"][0])
+        self.assert_defaults("CurveGroup", curves["groups"][0])
         for schema, part in (("Iris", "iris"), ("Pupil", "pupil"), ("Lids", "lids")):
             self.assert_defaults(schema, eyes["eyes"][0][part])
 

@@ -87,6 +87,23 @@ class Tools(ServedTest):
     def test_koala(self):
         self.check_file(shared_folder() / "meshes" / "koala.ply", "format=ply")
 
+    def test_curves_come_and_go(self):
+        scene = self.server.new_scene("creature", 3000)
+        whiskered = scene.frame(**FRAME)
+        self.assertEqual(scene.run({"op": "set_curves", "groups": []}).status, 200)
+        bare = scene.frame(**FRAME)
+        self.assertNotEqual(whiskered.body, bare.body)
+        self.assertLess(self.share_changed(whiskered.image, bare.image), 0.1)
+        group = {"curves": [[[0, 1.3, 0], [0, 1.6, 0]], [[0.2, 1.3, 0], [0.2, 1.6, 0]]], "fill": 10, "width_root": 0.005,
+                 "width_tip": 0.005, "root_colour": "#ff0000", "tip_colour": "#ff0000"}
+        self.assertEqual(scene.run({"op": "set_curves", "groups": [group]}).status, 200)
+        red = scene.frame(**FRAME).image
+        shown = (red[..., 3] > 127) & (red[..., 0] > 2 * red[..., 1].astype(int)) & (red[..., 0] > 2 * red[..., 2].astype(int))
+        self.assertGreater(shown.sum(), 20)
+        for body in (bare.body, whiskered.body):
+            self.assertEqual(scene.post("undo", {}).status, 200)
+            self.assertEqual(scene.frame(**FRAME).body, body)
+
     def test_horse(self):
         self.check_file(pathlib.Path("/usr/share/glmark2/models/horse.3ds"), "format=3ds&up=y&front=z")
 

@@ -5,6 +5,7 @@
 
 #include "renderer/coat/side_view.h"
 #include "renderer/coat/strand_tile.h"
+#include "renderer/passes/draw/strips.h"
 
 namespace pelage {
 
@@ -18,7 +19,6 @@ extern const char* const hair_frag;
 namespace {
 
 constexpr int fin_segments = 6, hair_segments = 10;
-constexpr float opaque = 0.9f, visible = 0.004f;  // opacities
 constexpr int side_view_levels = 8;
 constexpr GLuint side_view_unit = 11;  // as fin.frag
 
@@ -31,12 +31,6 @@ void send(const Gl& gl, const Buffer& buffer, const std::vector<Strip>& strips) 
   gl.NamedBufferData(buffer.id(), static_cast<GLsizeiptr>(strips.size() * sizeof(Strip)), strips.data(),
                      GL_STREAM_DRAW);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, buffer.id());
-}
-
-void draw_strips(const Gl& gl, int segments, std::size_t count) {
-  if (count == 0) return;
-  gl.DrawElementsInstanced(GL_TRIANGLE_STRIP, 2 * (segments + 1), GL_UNSIGNED_INT, nullptr,
-                           static_cast<GLsizei>(count));
 }
 
 }  // namespace
@@ -124,31 +118,7 @@ void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing&
   const Program& hair = programs_of(gl, drawing.variant).hair;
   hair.use();
   set_hair(hair, frame.coat);
-  draw_four_passes(gl, hair, shown.averted, shown.strips.size());
-}
-
-void FinsPass::draw_four_passes(const Gl& gl, const Program& hair, std::size_t averted, std::size_t count) const {
-  const auto draw = [&](std::size_t first, std::size_t number, float least_opacity) {
-    hair.set("first", static_cast<int>(first));
-    hair.set("least_opacity", least_opacity);
-    draw_strips(gl, hair_segments, number);
-  };
-  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl.Disable(GL_BLEND);
-  gl.DepthMask(GL_TRUE);
-  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  draw(0, count, opaque);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.DepthMask(GL_FALSE);
-  gl.DepthFunc(GL_EQUAL);
-  gl.Enable(GL_BLEND);
-  draw(0, count, opaque);
-  gl.DepthFunc(GL_GREATER);
-  draw(0, averted, visible);
-  gl.DepthMask(GL_TRUE);
-  draw(averted, count - averted, visible);
-  gl.DepthFunc(GL_GEQUAL);
-  gl.Disable(GL_BLEND);
+  draw_four_passes(gl, hair, hair_segments, shown.averted, shown.strips.size());
 }
 
 }  // namespace pelage

@@ -28,9 +28,7 @@ class FinsPass {
   /// beyond the outline has only fins in it, and on the body fur covers them. The frame's block is bound.
   void draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
-  /// Guard hairs near the outline, after all other fur, in four passes (character rendering; Scheuermann 2004): depth
-  /// of opaque hair; opaque hair at equal depth; blended hair on surface turned away; blended hair on surface that
-  /// faces the eye, with depth.
+  /// Guard hairs near the outline, after all other fur, in four passes (draw_four_passes).
   void draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
  private:
@@ -51,7 +49,6 @@ class FinsPass {
   void send_side_view(const Gl& gl, const Coat& coat);
   void bind(const Gl& gl, const FurDrawing& drawing) const;
   void set_hair(const Program& hair, const Coat& coat) const;
-  void draw_four_passes(const Gl& gl, const Program& hair, std::size_t averted, std::size_t count) const;
 
   VertexArray array_;
   Buffer elements_, strips_;

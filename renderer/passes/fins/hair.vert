@@ -2,6 +2,7 @@
 #include "frame.glsl"
 #include "lean.glsl"
 #include "strand.glsl"
+#include "ribbon.glsl"
 
 struct HairRoot {
   uvec3 corners;
@@ -48,15 +49,6 @@ Strand mixed(HairRoot hair, float s, float stretch) {
 
 float number_of(uint bits, int shift) { return float((bits >> shift) & 1023u) / 1023.0; }
 
-// Share of what a hair shows at height s that the fur before it lets through to the eye: hairs are drawn after the
-// shells, and without it their roots would lie over the fur.
-float seen_through(float s, float facing) {
-  float slice = clamp(s * float(slice_count) - 0.5, 0.0, float(slice_count - 1));
-  int low = int(slice), high = min(low + 1, slice_count - 1);
-  float depth = mix(frame.depth_above[low / 4][low % 4], frame.depth_above[high / 4][high % 4], fract(slice));
-  return exp(-depth / max(facing, 0.2));
-}
-
 // One hair for each instance: pairs of vertices from the root up, spread across the view.
 void main() {
   HairRoot hair = hairs[first + gl_InstanceID];
@@ -81,14 +73,11 @@ void main() {
   tile = strand.tile_uv * frame.tile.x;
   lightness = exp2(2.0 * spread * (2.0 * number_of(hair.bits, 20) - 1.0));
 
-  // Thinner than a pixel it is drawn a pixel wide and lets more through.
-  vec3 to_eye = frame.eye.xyz - place;
-  float pixel = frame.eye.w * length(to_eye), width = mix(width_root, width_tip, s) / max(pixel, 1e-20);
-  reach = 0.5 * max(width, 1.0);
-  across = side * (reach + 0.5);
+  Ribbon ribbon = ribbon_at(place, fibre_tangent, mix(width_root, width_tip, s), side);
+  across = ribbon.across;
+  reach = ribbon.reach;
   float facing = abs(dot(safe_unit(frame.eye.xyz - strand.root), normal));
-  strength = min(width, 1.0) * furred(strand.fur_length) * (1.0 - smoothstep(0.4 * limit, limit, facing)) *
+  strength = ribbon.strength * furred(strand.fur_length) * (1.0 - smoothstep(0.4 * limit, limit, facing)) *
              seen_through(height, facing);
-  vec3 spread_to = safe_unit(cross(safe_unit(fibre_tangent), safe_unit(to_eye)));
-  gl_Position = frame.world_to_clip * vec4(place + spread_to * (across * pixel), 1.0);
+  gl_Position = ribbon.clip;
 }

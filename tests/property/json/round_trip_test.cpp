@@ -275,8 +275,32 @@ Command set_eyes() {
   return result;
 }
 
+CurveGroup curve_group() {
+  CurveGroup group{.curves = {},
+                   .width_root = number(0, 0.1),
+                   .width_tip = number(0, 0.1),
+                   .root_colour = colour(),
+                   .tip_colour = colour(),
+                   .fill = *rc::gen::inRange(0, 100),
+                   .spread = number(0, 1),
+                   .seed = *rc::gen::arbitrary<std::uint32_t>()};
+  const int count = *rc::gen::inRange(1, 3);
+  for (int i = 0; i < count; ++i) {
+    GuideCurve& curve = group.curves.emplace_back(*rc::gen::inRange<std::size_t>(2, 6));
+    for (glm::dvec3& point : curve) point = place();
+  }
+  return group;
+}
+
+Command set_curves() {
+  SetCurves result;
+  const int count = *rc::gen::inRange(0, 17);
+  for (int i = 0; i < count; ++i) result.groups.push_back(curve_group());
+  return result;
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 9)) {
+  switch (*rc::gen::inRange(0, 10)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
@@ -285,6 +309,7 @@ Command command() {
     case 5: return SetEnvironment{{colour(), colour(), colour(), number(0, 100)}};
     case 6: return set_ground();
     case 7: return set_eyes();
+    case 8: return set_curves();
     default: return set_lights();
   }
 }

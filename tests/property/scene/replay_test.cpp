@@ -81,7 +81,7 @@ class Script {
             .invert = chance(0.2)};
   }
   Command tool() {
-    const int kind = below(4);
+    const int kind = below(5);
     if (kind == 0) {
       Blow blow;
       blow.source = 3.0 * places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
@@ -126,6 +126,11 @@ class Script {
       eyes.eyes[0].radius = random_.uniform(0.01, 0.1);
       return eyes;
     }
+    if (kind == 3) {
+      SetCurves curves;
+      curves.groups.push_back({.curves = {{places_[0], 1.1 * places_[0]}}, .spread = random_.uniform()});
+      return curves;
+    }
     SetLights lights;
     lights.lights = default_lights();
     lights.lights[0].intensity = random_.uniform(0, 10);
@@ -162,7 +167,8 @@ std::string settings_text(const Scene& scene) {
   std::string text;
   scene.read([&](const SceneView& view) {
     text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
-                                       SetLights{view.settings.lights}, SetEyes{view.settings.eyes}});
+                                       SetLights{view.settings.lights}, SetEyes{view.settings.eyes},
+                                       SetCurves{view.settings.curves}});
   });
   return text;
 }

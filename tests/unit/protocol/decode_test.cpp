@@ -192,6 +192,42 @@ TEST(Decode, EyesHaveLimits) {
   EXPECT_EQ(refusal(eye(R"("iris": {"color": "#ffffff"})")).nearest, "colour");
 }
 
+TEST(Decode, CurvesHaveLimits) {
+  const auto groups = [](const std::string& list) { return R"({"op": "set_curves", "groups": [)" + list + "]}"; };
+  const auto group = [&](const std::string& curves, const std::string& members = "") {
+    return groups(R"({"curves": [)" + curves + "]" + (members.empty() ? "" : ", " + members) + "}");
+  };
+  const std::string line = "[[0, 0, 0], [0, 1, 0]]";
+  EXPECT_TRUE(refusal(groups("")).ok());
+  EXPECT_TRUE(refusal(group(line)).ok());
+  EXPECT_TRUE(refusal(group("[" + repeated("[0, 0, 0]", limits::curve_points) + "]")).ok());
+  expect_refusal(group("[" + repeated("[0, 0, 0]", limits::curve_points + 1) + "]"), Code::invalid, "/groups/0/curves/0");
+  expect_refusal(group("[[0, 0, 0]]"), Code::invalid, "/groups/0/curves/0");
+  expect_refusal(group(line + ", [[0, 0, 0], [0, 1]]"), Code::invalid, "/groups/0/curves/1/1");
+  expect_refusal(group(""), Code::invalid, "/groups/0/curves");
+  expect_refusal(groups("{}"), Code::invalid, "/groups/0/curves");
+  EXPECT_TRUE(refusal(group(repeated(line, limits::curves))).ok());
+  expect_refusal(group(repeated(line, limits::curves + 1)), Code::invalid, "/groups/0/curves");
+  expect_refusal(group(line, R"("width_root": 0.2)"), Code::invalid, "/groups/0/width_root");
+  expect_refusal(group(line, R"("width_tip": -1)"), Code::invalid, "/groups/0/width_tip");
+  expect_refusal(group(line, R"("spread": 1.5)"), Code::invalid, "/groups/0/spread");
+  expect_refusal(group(line, R"("fill": 0.5)"), Code::invalid, "/groups/0/fill");
+  expect_refusal(group(line, R"("fill": 4096)"), Code::invalid, "/groups/0/fill");
+  expect_refusal(group(line, R"("root_color": "#ffffff")"), Code::invalid, "/groups/0/root_color");
+}
+
+TEST(Decode, CurvesAreCountedWithWhatIsFilledIn) {
+  const auto pair = [](int fill) {
+    return R"({"curves": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]], "fill": )" + std::to_string(fill) + "}";
+  };
+  const auto groups = [](const std::string& list) { return R"({"op": "set_curves", "groups": [)" + list + "]}"; };
+  EXPECT_TRUE(refusal(groups(pair(limits::curves - 2))).ok());
+  expect_refusal(groups(pair(limits::curves - 1)), Code::invalid, "/groups/0");
+  EXPECT_TRUE(refusal(groups(repeated(pair(limits::curves / 16 - 2), limits::curve_groups))).ok());
+  expect_refusal(groups(repeated(pair(limits::curves / 16 - 2), 15) + "," + pair(limits::curves / 16 - 1)), Code::invalid, "/groups/15");
+  expect_refusal(groups(repeated(pair(0), limits::curve_groups + 1)), Code::invalid, "/groups");
+}
+
 TEST(Decode, BatchesNameTheCommand) {
   expect_refusal(R"({"commands": [)" + comb_text + R"(, {"op": "comb", "brush": {"radius": -1}}]})", Code::invalid,
                  "/commands/1/brush/radius");

@@ -100,6 +100,49 @@ TEST_F(SceneStoreTest, EyesFarFromTheModelAreRefused) {
   EXPECT_EQ(refused.status().pointer, "/eyes/1/position");
 }
 
+std::vector<CurveGroup> curves_of(const Scene& scene) {
+  std::vector<CurveGroup> groups;
+  scene.read([&](const SceneView& view) { groups = view.settings.curves; });
+  return groups;
+}
+
+TEST_F(SceneStoreTest, ACreatureHasWhiskersThatARestartKeeps) {
+  const std::string creature = make(Builtin::creature)->id(), torus = make()->id();
+  const auto find = [&](const std::string& id) { return *store_->find(id); };
+  EXPECT_TRUE(curves_of(*find(torus)).empty());
+  const std::vector<CurveGroup> first = curves_of(*find(creature));
+  EXPECT_EQ(first.size(), 8u);  // two rows of whiskers, a brow and lashes on each side
+  open();
+  EXPECT_EQ(curves_of(*find(creature)), first);
+  execute(*find(creature), {SetCurves{{first[0]}}});
+  open();
+  EXPECT_EQ(curves_of(*find(creature)), std::vector<CurveGroup>{first[0]});
+  move(*find(creature), Undo{});
+  EXPECT_EQ(curves_of(*find(creature)), first);
+}
+
+TEST_F(SceneStoreTest, ACreaturesWhiskersStandOutOfItsSkin) {
+  const auto creature = make(Builtin::creature);
+  creature->read([](const SceneView& view) {
+    const Surface& surface = view.model.surface;
+    for (const CurveGroup& group : view.settings.curves) {
+      for (const GuideCurve& curve : group.curves) {
+        const glm::dvec3 root = surface.mesh().to_internal(curve.front()), tip = surface.mesh().to_internal(curve.back());
+        EXPECT_LT(glm::distance(root, surface.position(surface.nearest(root))), 0.02);
+        EXPECT_GT(glm::dot(tip - root, surface.normal(surface.nearest(root))), 0);
+      }
+    }
+  });
+}
+
+TEST_F(SceneStoreTest, CurvesFarFromTheModelAreRefused) {
+  const auto scene = make();
+  const CurveGroup near{.curves = {{{0, 1, 0}, {0, 2, 0}}}}, far{.curves = {{{0, 1, 0}, {0, 2, 0}}, {{0, 1, 0}, {0, 1e20, 0}}}};
+  const auto refused = scene->execute({SetCurves{{near, far}}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().pointer, "/groups/1/curves/1/1");
+}
+
 TEST_F(SceneStoreTest, WhatWasAnsweredIsOnDiskWhenTheServerIsKilled) {
   const auto scene = make();
   for (std::size_t i = 0; i < 20; ++i) execute(*scene, {comb_at(*scene, 10 * i)});

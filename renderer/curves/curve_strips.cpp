@@ -1,0 +1,114 @@
+#include "renderer/curves/curve_strips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "protocol/base/random.h"
+#include "renderer/curves/spline.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t places_of_curve = curve_segments + 1;
+constexpr double most_turn = std::numbers::pi / 6, most_growth = 0.5;  // of filled curves at a spread of 1
+
+/// A guide evaluated, or a mix of two.
+struct Curve {
+  std::vector<glm::dvec3> places;
+  glm::dvec3 skin, normal;
+  double fur_height;
+};
+
+Curve evaluated(const FurGuide& guide) {
+  Curve curve{{}, guide.skin, guide.normal, guide.fur_height};
+  for (std::size_t i = 0; i < places_of_curve; ++i)
+    curve.places.push_back(spline_point(guide.points, static_cast<double>(i) / curve_segments));
+  return curve;
+}
+
+Curve mixed(const Curve& a, const Curve& b, double at) {
+  Curve curve{{}, glm::mix(a.skin, b.skin, at), glm::mix(a.normal, b.normal, at),
+              glm::mix(a.fur_height, b.fur_height, at)};
+  for (std::size_t i = 0; i < places_of_curve; ++i) curve.places.push_back(glm::mix(a.places[i], b.places[i], at));
+  const double length = glm::length(curve.normal);
+  curve.normal = length > 1e-9 ? curve.normal / length : a.normal;
+  return curve;
+}
+
+/// Turned by `angle` around a unit axis (Rodrigues).
+glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
+  const double c = std::cos(angle);
+  return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
+}
+
+/// Longer or shorter and turned around its root, which stays.
+void stray(Curve& curve, double spread, Random& random) {
+  const double growth = 1 + most_growth * spread * random.uniform(-1, 1), angle = most_turn * spread * random.uniform();
+  const glm::dvec3 any(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  const glm::dvec3 root = curve.places.front(), across = glm::cross(curve.places.back() - root, any);
+  const double length = glm::length(across);
+  const glm::dvec3 axis = length > 1e-30 ? across / length : glm::dvec3(0, 1, 0);
+  for (glm::dvec3& place : curve.places) place = root + growth * turned(place - root, axis, angle);
+}
+
+float height_in_fur(const Curve& curve, glm::dvec3 place) {
+  const double height = glm::dot(place - curve.skin, curve.normal);
+  return static_cast<float>(std::clamp(height / std::max(curve.fur_height, 1e-9), 0.0, 2.0));
+}
+
+void append(const Curve& curve, const FurCurves& group, double number, CurveStrips& strips) {
+  for (const glm::dvec3& place : curve.places) strips.points.push_back({glm::vec3(place), height_in_fur(curve, place)});
+  strips.styles.push_back({glm::vec4(group.root_colour, group.width_root), glm::vec4(group.tip_colour, group.width_tip),
+                           glm::vec4(glm::vec3(curve.normal), number)});
+}
+
+void append_group(const FurCurves& group, CurveStrips& strips) {
+  std::uint64_t number = 0;
+  for (std::size_t g = 0; g < group.guides.size(); ++g) {
+    const Curve guide = evaluated(group.guides[g]);
+    append(guide, group, Random(group.seed, number++).uniform(), strips);
+    if (g + 1 == group.guides.size()) break;
+    const Curve next = group.fill > 0 ? evaluated(group.guides[g + 1]) : guide;
+    for (int k = 1; k <= group.fill; ++k) {
+      Random random(group.seed, number++);
+      const double own = random.uniform(), aside = group.spread * random.uniform(-0.5, 0.5);
+      Curve curve = mixed(guide, next, (k + aside) / (group.fill + 1));
+      stray(curve, group.spread, random);
+      append(curve, group, own, strips);
+    }
+  }
+}
+
+}  // namespace
+
+CurveStrips make_strips(std::span<const FurCurves> groups) {
+  CurveStrips strips;
+  for (const FurCurves& group : groups) append_group(group, strips);
+  return strips;
+}
+
+CurveOrder order_strips(const CurveStrips& strips, glm::vec3 eye) {
+  struct Seen {
+    bool facing;
+    float distance;
+    std::uint32_t curve;
+  };
+  std::vector<Seen> seen;
+  CurveOrder order;
+  for (std::uint32_t i = 0; i < strips.styles.size(); ++i) {
+    const std::size_t root = i * places_of_curve;
+    const glm::vec3 to_eye = eye - strips.points[root].place;
+    const bool facing = glm::dot(to_eye, glm::vec3(strips.styles[i].normal)) >= 0;
+    seen.push_back({facing, glm::distance(eye, strips.points[root + curve_segments / 2].place), i});
+    if (!facing) ++order.averted;
+  }
+  std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
+    return a.facing != b.facing ? b.facing : a.distance > b.distance;
+  });
+  for (const Seen& one : seen) order.curves.push_back(one.curve);
+  return order;
+}
+
+}  // namespace pelage

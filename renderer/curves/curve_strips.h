@@ -1,0 +1,49 @@
+// Groups of guided curves as strips that a shader widens: guides are evaluated and others filled in between them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "renderer/input/fur_scene.h"
+
+namespace pelage {
+
+inline constexpr int curve_segments = 48;
+
+/// A place on a curve. curve.vert mirrors it.
+struct CurvePoint {
+  glm::vec3 place{0};
+  float fur = 0;  // height above the skin at the root, in heights of the fur there, [0, 2]
+  bool operator==(const CurvePoint&) const = default;
+};
+static_assert(sizeof(CurvePoint) == 16);
+
+/// What a curve looks like. curve.vert mirrors it.
+struct CurveStyle {
+  glm::vec4 root{0}, tip{0};  // colour, linear; width, sizes
+  glm::vec4 normal{0};        // of the skin at the root, unit; a random number in [0, 1)
+  bool operator==(const CurveStyle&) const = default;
+};
+static_assert(sizeof(CurveStyle) == 48);
+
+struct CurveStrips {
+  std::vector<CurvePoint> points;  // curve_segments + 1 for each curve, root first
+  std::vector<CurveStyle> styles;  // for each curve
+};
+
+/// In the order of the groups and their guides. Guides are taken as they are; what is filled in between two of them is
+/// their mix, and strays by the group's spread in place (half of the way to the next curve), length (by a half) and
+/// direction (30 degrees around its root). Deterministic.
+CurveStrips make_strips(std::span<const FurCurves> groups);
+
+/// Numbers of the curves for a view, far ones first; the first `averted` grow from skin turned away from the eye.
+struct CurveOrder {
+  std::vector<std::uint32_t> curves;
+  std::size_t averted = 0;
+};
+CurveOrder order_strips(const CurveStrips& strips, glm::vec3 eye);
+
+}  // namespace pelage

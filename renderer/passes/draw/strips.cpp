@@ -1,0 +1,41 @@
+#include "renderer/passes/draw/strips.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float opaque = 0.9f, visible = 0.004f;  // opacities
+
+}  // namespace
+
+void draw_strips(const Gl& gl, int segments, std::size_t count) {
+  if (count == 0) return;
+  gl.DrawElementsInstanced(GL_TRIANGLE_STRIP, 2 * (segments + 1), GL_UNSIGNED_INT, nullptr,
+                           static_cast<GLsizei>(count));
+}
+
+void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t averted, std::size_t count) {
+  const auto draw = [&](std::size_t first, std::size_t number, float least_opacity) {
+    program.set("first", static_cast<int>(first));
+    program.set("least_opacity", least_opacity);
+    draw_strips(gl, segments, number);
+  };
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl.Disable(GL_BLEND);
+  gl.DepthMask(GL_TRUE);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw(0, count, opaque);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthMask(GL_FALSE);
+  gl.DepthFunc(GL_EQUAL);
+  gl.Enable(GL_BLEND);
+  draw(0, count, opaque);
+  gl.DepthFunc(GL_GREATER);
+  draw(0, averted, visible);
+  gl.DepthMask(GL_TRUE);
+  draw(averted, count - averted, visible);
+  gl.DepthFunc(GL_GEQUAL);
+  gl.Disable(GL_BLEND);
+}
+
+}  // namespace pelage

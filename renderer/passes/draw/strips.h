@@ -1,0 +1,19 @@
+// Strips: one for each instance, pairs of vertices from one end to the other.
+#pragma once
+
+#include <cstddef>
+
+#include "renderer/gl/program.h"
+
+namespace pelage {
+
+/// Elements that count from 0 to at least 2 (segments + 1) are bound. Draws nothing when the count is 0.
+void draw_strips(const Gl& gl, int segments, std::size_t count);
+
+/// Hairs that are blended, far ones first, in four passes (character rendering; Scheuermann 2004): depth of opaque
+/// hair; opaque hair at equal depth; blended hair on surface turned away, which is the first `averted`; blended hair on
+/// surface that faces the eye, with depth. The program is in use; it draws from its uniform `first` on and discards
+/// what is under its uniform `least_opacity`. Leaves blending off and depth as set_draw_state wants it.
+void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t averted, std::size_t count);
+
+}  // namespace pelage

@@ -1,0 +1,29 @@
+// Ribbons that face the eye: what guard hairs and guided curves share. After frame.glsl.
+#include "unit.glsl"
+
+// Share of what a hair shows at height s that the fur before it lets through to the eye: hairs are drawn after the
+// shells, and without it their roots would lie over the fur.
+float seen_through(float s, float facing) {
+  float slice = clamp(s * float(slice_count) - 0.5, 0.0, float(slice_count - 1));
+  int low = int(slice), high = min(low + 1, slice_count - 1);
+  float depth = mix(frame.depth_above[low / 4][low % 4], frame.depth_above[high / 4][high % 4], fract(slice));
+  return exp(-depth / max(facing, 0.2));
+}
+
+struct Ribbon {
+  vec4 clip;
+  float across;    // from the middle of the ribbon, pixels
+  float reach;     // half of the drawn width, pixels
+  float strength;  // opacity in the middle
+};
+
+// A vertex on one side (-1 or 1) of a ribbon; width in sizes. Thinner than a pixel it is drawn a pixel wide and lets
+// more through.
+Ribbon ribbon_at(vec3 place, vec3 tangent, float width, float side) {
+  vec3 to_eye = frame.eye.xyz - place;
+  float pixel = frame.eye.w * length(to_eye), pixels = width / max(pixel, 1e-20);
+  float reach = 0.5 * max(pixels, 1.0), across = side * (reach + 0.5);
+  vec3 spread_to = safe_unit(cross(safe_unit(tangent), safe_unit(to_eye)));
+  vec4 clip = frame.world_to_clip * vec4(place + spread_to * (across * pixel), 1.0);
+  return Ribbon(clip, across, reach, min(pixels, 1.0));
+}
