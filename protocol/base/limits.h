@@ -25,6 +25,8 @@ inline constexpr std::int64_t layer_pixels = 67'108'864;  // drawn pixels times 
 inline constexpr std::size_t lights = 8;
 inline constexpr std::size_t eyes = 8;
 inline constexpr double least_eye_radius = 1e-6;         // sizes
+inline constexpr std::size_t skin_regions = 64;
+inline constexpr double least_skin_radius = 1e-6;        // sizes
 inline constexpr std::size_t ramp_stops = 4;
 inline constexpr double wait_seconds = 25.0;
 

@@ -12,6 +12,7 @@
 #include "protocol/commands/camera.h"
 #include "protocol/commands/coat.h"
 #include "protocol/commands/eye.h"
+#include "protocol/commands/skin.h"
 #include "protocol/commands/look.h"
 
 namespace pelage {
@@ -96,9 +97,11 @@ struct SetLights { std::vector<Light> lights; };  // at most 8
 struct SetEnvironment { Environment environment; };
 struct SetGround { Ground ground; };
 struct SetEyes { std::vector<Eye> eyes; };        // at most 8
+struct SetSkin { std::vector<SkinRegion> regions; };  // at most 64
 
 using Command =
-    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes>;
+    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes,
+                 SetSkin>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

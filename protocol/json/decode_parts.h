@@ -22,6 +22,7 @@ Light light(const Value& value);
 Environment environment(const Value& value);
 Ground ground(const Value& value);
 Eye eye(const Value& value);
+SkinRegion skin_region(const Value& value);
 Brush brush(const Value& value);
 Stroke stroke(const Value& value);
 FirstGroom fur(const Value& value);

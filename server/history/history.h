@@ -21,6 +21,7 @@ struct SceneSettings {
   Environment environment;
   Ground ground;
   std::vector<Eye> eyes;
+  std::vector<SkinRegion> skin;
 };
 
 /// The settings with a command that sets one of them carried out; none for other commands.

@@ -1,5 +1,6 @@
 #include "server/scene/first_settings.h"
 
+#include "server/scene/creature_skin.h"
 #include "server/surface/creature.h"
 
 namespace pelage {
@@ -26,7 +27,10 @@ std::vector<Eye> creature_eyes(const Mesh& mesh) {
 
 SceneSettings first_settings(const SceneModel& model) {
   SceneSettings settings;
-  if (model.name == "creature") settings.eyes = creature_eyes(model.surface.mesh());
+  if (model.name == "creature") {
+    settings.eyes = creature_eyes(model.surface.mesh());
+    settings.skin = creature_skin(model.surface.mesh());
+  }
   return settings;
 }
 

@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-/// The default coat, look and lights; the built-in creature has two eyes.
+/// The default coat, look and lights; the built-in creature has two eyes and bare skin.
 SceneSettings first_settings(const SceneModel& model);
 
 }  // namespace pelage

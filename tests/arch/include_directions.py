@@ -27,6 +27,7 @@ ALLOWED = {
     "renderer/pattern": ["protocol/base", "protocol/commands", "renderer/coat"],
     "renderer/shading": ["protocol/base", "protocol/commands"],
     "renderer/eye": ["protocol/base", "protocol/commands", "renderer/input", "renderer/shading"],
+    "renderer/skin": ["protocol/base", "protocol/commands", "renderer/input"],
     "renderer/image": ["protocol/base"],
     "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
