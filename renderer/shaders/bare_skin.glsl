@@ -68,10 +68,10 @@ vec4 leather(vec3 at) {
       second = apart;
     }
   }
-  const float crease = 0.4;
+  const float crease = 0.55;
   float x = clamp((length(second) - length(first)) / crease, 0.0, 1.0);
   vec3 away = second / max(length(second), 1e-6) - first / max(length(first), 1e-6);
-  return vec4(away * (6.0 * x * (1.0 - x) / crease) - 1.2 * first, x * x * (3.0 - 2.0 * x));
+  return vec4(away * (6.0 * x * (1.0 - x) / crease) - 2.0 * first, x * x * (3.0 - 2.0 * x));
 }
 
 // Blinn's highlight, its energy the same at any width, and Schlick's reflectance. A lamp is not a point, so that no
@@ -98,26 +98,29 @@ struct SkinPoint {
   vec3 place, to_eye, normal, film;  // normals of the relief, and of the wet film that partly fills it
   vec3 colour;
   float open;                        // 0 in the depth of a crease
+  float roughness, film_roughness;
 };
 
 SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
   vec3 to_eye = normalize(frame.eye.xyz - place);
   float size = max(bare.finish.w, 1e-4), pixel = frame.eye.w * distance(frame.eye.xyz, place);
-  float seen = smoothstep(1.0, 3.0, size / max(pixel, 1e-9));  // cells of a pixel would flicker
-  float steep = seen * min(bare.finish.z / size, 4.0);
+  float seen = smoothstep(2.0, 6.0, size / max(pixel, 1e-9));  // cells of a pixel would sparkle: they widen highlights
+  float whole = min(bare.finish.z / size, 4.0), steep = seen * whole;
   vec4 relief = steep > 0.0 ? leather(place / size) : vec4(0.0, 0.0, 0.0, 1.0);
   vec3 slope = relief.xyz - dot(relief.xyz, normal) * normal;
   vec3 bumped = normalize(normal - steep * slope);
   float open = mix(1.0, relief.w, min(2.0 * steep, 0.6));
   vec3 colour = bare.colour.rgb * (1.0 - 0.4 * bare.finish.y);
-  return SkinPoint(place, to_eye, bumped, normalize(normal - (1.0 - 0.6 * bare.finish.y) * steep * slope), colour, open);
+  float filled = 1.0 - 0.6 * bare.finish.y, lost = whole - steep;
+  return SkinPoint(place, to_eye, bumped, normalize(normal - filled * steep * slope), colour, open,
+                   min(bare.finish.x + lost, 1.0), min(0.2 + filled * lost, 1.0));
 }
 
 vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
   vec3 wrap = bare.scatter * vec3(0.45, 0.20, 0.14);
   vec3 diffuse = frame.weights.y * point.open * point.colour * max((dot(point.normal, to_light) + wrap) / (1.0 + wrap), 0.0);
-  float skin = highlight(point.normal, to_light, point.to_eye, 0.08 * bare.colour.w, bare.finish.x);
-  float film = highlight(point.film, to_light, point.to_eye, 0.03, 0.2);
+  float skin = highlight(point.normal, to_light, point.to_eye, 0.08 * bare.colour.w, point.roughness);
+  float film = highlight(point.film, to_light, point.to_eye, 0.03, point.film_roughness);
   return diffuse + point.open * mix(bare.colour.w > 0.0 ? skin : 0.0, film, bare.finish.y);
 }
 
@@ -125,8 +128,8 @@ vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
 vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
   SkinPoint point = skin_point(bare, place, normal);
   vec3 sum = frame.weights.x * point.open * point.colour * environment_light(point.normal);
-  vec3 dry = bare.colour.w > 0.0 ? mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, bare.finish.x) : vec3(0.0);
-  sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, 0.2), bare.finish.y);
+  vec3 dry = bare.colour.w > 0.0 ? mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.roughness) : vec3(0.0);
+  sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.film_roughness), bare.finish.y);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);

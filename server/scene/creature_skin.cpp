@@ -6,7 +6,8 @@ namespace pelage {
 
 namespace {
 
-constexpr glm::vec3 black{0.016f, 0.014f, 0.014f}, pad_grey{0.045f, 0.034f, 0.032f}, pink{0.52f, 0.25f, 0.20f};
+constexpr glm::vec3 black{0.016f, 0.014f, 0.014f}, hole{0.003f, 0.002f, 0.002f}, pad_grey{0.10f, 0.068f, 0.062f};
+constexpr glm::vec3 pink{0.44f, 0.22f, 0.175f}, deep_red{0.27f, 0.10f, 0.078f};
 
 /// `centre` and `radii` in the model's own units, on the +X side where it is one of a pair.
 SkinRegion region(glm::dvec3 centre, glm::dvec3 radii, const Mesh& mesh) {
@@ -18,7 +19,17 @@ SkinRegion nose(const Mesh& mesh) {
   result.softness = 0.35;
   result.colour = black;
   result.shine = 0.6, result.roughness = 0.4, result.wetness = 0.75, result.scatter = 0.3;
-  result.bumps = {.height = 0.0005, .size = 0.0024};
+  result.bumps = {.height = 0.0003, .size = 0.0019};
+  return result;
+}
+
+SkinRegion nostril(double side, const Mesh& mesh) {
+  SkinRegion result = region(creature::kNose + glm::dvec3(side * .018, -.005, .022), {.0075, .0042, .016}, mesh);
+  result.turn_degrees = side * 32;
+  result.softness = 0.9;
+  result.colour = hole;
+  result.shine = 0, result.scatter = 0;
+  result.bumps.height = 0;
   return result;
 }
 
@@ -26,7 +37,7 @@ SkinRegion nose(const Mesh& mesh) {
 std::vector<SkinRegion> lips(const Mesh& mesh) {
   std::vector<SkinRegion> result;
   SkinRegion cleft = region({0, .770, .655}, {.0035, .026, .03}, mesh);
-  SkinRegion mouth = region({.028, .748, .612}, {.034, .0045, .045}, mesh);
+  SkinRegion mouth = region({.028, .748, .612}, {.034, .006, .045}, mesh);
   mouth.turn_degrees = 14;
   for (SkinRegion* part : {&cleft, &mouth}) {
     part->softness = 0.8;
@@ -43,17 +54,27 @@ std::vector<SkinRegion> lips(const Mesh& mesh) {
   return result;
 }
 
-SkinRegion ear(double side, const Mesh& mesh) {
+/// On the hollow's floor: pink, and red where the ear is deep.
+std::vector<SkinRegion> ear(double side, const Mesh& mesh) {
   const glm::dvec3 mirrored(side, 1, 1);
-  const glm::dvec3 middle = glm::mix(creature::kEarHollowBase, creature::kEarHollowTip, 0.40);
-  SkinRegion result = region(middle * mirrored, {.052, .062, .105}, mesh);
-  result.axis = (creature::kEarHollowTip - creature::kEarHollowBase) * mirrored;
-  result.softness = 0.5;
-  result.facing = SkinFacing{.direction = creature::kEarFront * mirrored, .angle_degrees = 62, .fade_degrees = 25};
-  result.colour = pink;
-  result.shine = 0.35, result.roughness = 0.6, result.scatter = 1;
-  result.bumps = {.height = 0.0001, .size = 0.003};
-  return result;
+  const auto on_floor = [&](double t) {
+    const double radius = glm::mix(creature::kEarHollowBaseRadius, creature::kEarHollowTipRadius, t);
+    return (glm::mix(creature::kEarHollowBase, creature::kEarHollowTip, t) - radius * creature::kEarFront) * mirrored;
+  };
+  SkinRegion whole = region(on_floor(0.47), {.036, .088, .05}, mesh);
+  whole.axis = creature::kEarFront * mirrored;
+  whole.turn_degrees = side * -28;  // along the ear
+  whole.softness = 0.7;
+  whole.facing = SkinFacing{.direction = creature::kEarFront * mirrored, .angle_degrees = 68, .fade_degrees = 30};
+  whole.colour = pink;
+  whole.shine = 0.3, whole.roughness = 0.6, whole.scatter = 1;
+  whole.bumps.height = 0;
+  SkinRegion deep = whole;
+  deep.centre = on_floor(0.08);
+  deep.radii = glm::dvec3(.010, .024, .03) / mesh.size;
+  deep.softness = 5;
+  deep.colour = deep_red;
+  return {whole, deep};
 }
 
 /// One large pad and four small ones under a paw.
@@ -61,18 +82,18 @@ std::vector<SkinRegion> pads(glm::dvec3 paw, double side, const Mesh& mesh) {
   struct Pad {
     glm::dvec3 at, radii;
   };
-  const Pad parts[] = {{{0, -.036, .004}, {.026, .020, .022}},
-                       {{-.019, -.030, .054}, {.013, .014, .019}},
-                       {{.021, -.030, .054}, {.013, .014, .019}},
-                       {{-.049, -.030, .027}, {.012, .014, .018}},
-                       {{.051, -.030, .027}, {.012, .014, .018}}};
+  const Pad parts[] = {{{0, -.040, -.004}, {.036, .022, .026}},
+                       {{-.020, -.034, .053}, {.016, .018, .022}},
+                       {{.022, -.034, .053}, {.016, .018, .022}},
+                       {{-.051, -.034, .026}, {.015, .018, .020}},
+                       {{.053, -.034, .026}, {.015, .018, .020}}};
   std::vector<SkinRegion> result;
   for (const Pad& pad : parts) {
     SkinRegion made = region((paw + pad.at) * glm::dvec3(side, 1, 1), pad.radii, mesh);
     made.softness = 0.5;
     made.colour = pad_grey;
     made.roughness = 0.6, made.scatter = 0.3;
-    made.bumps = {.height = 0.0005, .size = 0.003};
+    made.bumps = {.height = 0.0004, .size = 0.0024};
     result.push_back(made);
   }
   return result;
@@ -84,7 +105,9 @@ std::vector<SkinRegion> creature_skin(const Mesh& mesh) {
   std::vector<SkinRegion> result = lips(mesh);
   result.push_back(nose(mesh));
   for (const double side : {1.0, -1.0}) {
-    result.push_back(ear(side, mesh));
+    result.push_back(nostril(side, mesh));
+    const std::vector<SkinRegion> of_ear = ear(side, mesh);
+    result.insert(result.end(), of_ear.begin(), of_ear.end());
     for (const glm::dvec3& paw : {creature::kForepaw, creature::kHindPaw}) {
       const std::vector<SkinRegion> of_paw = pads(paw, side, mesh);
       result.insert(result.end(), of_paw.begin(), of_paw.end());

@@ -53,7 +53,7 @@ out float density_share; // of the optical depth that this piece and this set dr
 float set_share(float level, int set) { return clamp(6.0 * (1.0 - abs(level - float(set))) - 2.5, 0.0, 1.0); }
 
 // Fur of no length is no fur, or it would lie as a fog on bare skin.
-float grown(float fur_length) { return smoothstep(0.0, 0.001, fur_length); }
+float grown(float fur_length) { return smoothstep(0.0, 0.002, fur_length); }
 
 void main() {
   float s = (float(shell) + 0.5) / float(shell_count);

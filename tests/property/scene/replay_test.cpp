@@ -108,7 +108,7 @@ class Script {
     return comb;
   }
   Command setting() {
-    const int kind = below(4);
+    const int kind = below(5);
     if (kind == 0) {
       SetCoat coat;
       coat.coat.curl = random_.uniform(0, 0.5);
@@ -125,6 +125,12 @@ class Script {
       eyes.eyes.resize(1 + static_cast<std::size_t>(below(2)));
       eyes.eyes[0].radius = random_.uniform(0.01, 0.1);
       return eyes;
+    }
+    if (kind == 3) {
+      SetSkin skin;
+      skin.regions.resize(1 + static_cast<std::size_t>(below(3)));
+      skin.regions[0].softness = random_.uniform(0, 2);
+      return skin;
     }
     SetLights lights;
     lights.lights = default_lights();
@@ -162,7 +168,8 @@ std::string settings_text(const Scene& scene) {
   std::string text;
   scene.read([&](const SceneView& view) {
     text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
-                                       SetLights{view.settings.lights}, SetEyes{view.settings.eyes}});
+                                       SetLights{view.settings.lights}, SetEyes{view.settings.eyes},
+                                       SetSkin{view.settings.skin}});
   });
   return text;
 }
