@@ -104,7 +104,7 @@ struct SkinPoint {
 SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
   vec3 to_eye = normalize(frame.eye.xyz - place);
   float size = max(bare.finish.w, 1e-4), pixel = frame.eye.w * distance(frame.eye.xyz, place);
-  float seen = smoothstep(2.0, 6.0, size / max(pixel, 1e-9));  // cells of a pixel would sparkle: they widen highlights
+  float seen = smoothstep(3.0, 8.0, size / max(pixel, 1e-9));  // cells of a pixel would sparkle: they widen highlights
   float whole = min(bare.finish.z / size, 4.0), steep = seen * whole;
   vec4 relief = steep > 0.0 ? leather(place / size) : vec4(0.0, 0.0, 0.0, 1.0);
   vec3 slope = relief.xyz - dot(relief.xyz, normal) * normal;
