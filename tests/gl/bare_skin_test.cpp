@@ -83,6 +83,10 @@ TEST_P(BareSkinFrames, FacesADirection) {
   const auto from = [&](AutoView view) { return draw(*renderer, model, small_frame(view)); };
   EXPECT_EQ(middle_of(from(AutoView::front)).x, 0);
   EXPECT_GT(middle_of(from(AutoView::back)).x, 20);
+  model = ball(0);  // the colour too, where no fur hides it
+  model.settings.skin = {front};
+  EXPECT_EQ(middle_of(from(AutoView::front)).x, 0);
+  EXPECT_GT(middle_of(from(AutoView::back)).x, 20);
 }
 
 TEST_P(BareSkinFrames, HasTheSameShapeInShadersAndOnVertices) {
