@@ -94,11 +94,13 @@ vec3 mirrored_sky(vec3 normal, vec3 to_eye, float f0, float roughness) {
   return frame.weights.x * environment_light(way) * sky * (f0 + max(1.0 - roughness - f0, 0.0) * pow(1.0 - facing, 5.0));
 }
 
+const float film_roughness = 0.28;  // of the wet film: glints, not sparks
+
 struct SkinPoint {
   vec3 place, to_eye, normal, film;  // normals of the relief, and of the wet film that partly fills it
   vec3 colour;
   float open;                        // 0 in the depth of a crease
-  float roughness, film_roughness;
+  float dry_roughness, wet_roughness;
 };
 
 SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
@@ -111,16 +113,16 @@ SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
   vec3 bumped = normalize(normal - steep * slope);
   float open = mix(1.0, relief.w, min(2.0 * steep, 0.6));
   vec3 colour = bare.colour.rgb * (1.0 - 0.4 * bare.finish.y);
-  float filled = 1.0 - 0.6 * bare.finish.y, lost = whole - steep;
-  return SkinPoint(place, to_eye, bumped, normalize(normal - filled * steep * slope), colour, open,
-                   min(bare.finish.x + lost, 1.0), min(0.2 + filled * lost, 1.0));
+  float uneven = 1.0 - 0.7 * bare.finish.y, lost = whole - steep;
+  return SkinPoint(place, to_eye, bumped, normalize(normal - uneven * steep * slope), colour, open,
+                   min(bare.finish.x + lost, 1.0), min(film_roughness + uneven * lost, 1.0));
 }
 
 vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
   vec3 wrap = bare.scatter * vec3(0.45, 0.20, 0.14);
   vec3 diffuse = frame.weights.y * point.open * point.colour * max((dot(point.normal, to_light) + wrap) / (1.0 + wrap), 0.0);
-  float skin = highlight(point.normal, to_light, point.to_eye, 0.08 * bare.colour.w, point.roughness);
-  float film = highlight(point.film, to_light, point.to_eye, 0.03, point.film_roughness);
+  float skin = highlight(point.normal, to_light, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
+  float film = highlight(point.film, to_light, point.to_eye, 0.03, point.wet_roughness);
   return diffuse + point.open * mix(bare.colour.w > 0.0 ? skin : 0.0, film, bare.finish.y);
 }
 
@@ -128,8 +130,8 @@ vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
 vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
   SkinPoint point = skin_point(bare, place, normal);
   vec3 sum = frame.weights.x * point.open * point.colour * environment_light(point.normal);
-  vec3 dry = bare.colour.w > 0.0 ? mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.roughness) : vec3(0.0);
-  sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.film_roughness), bare.finish.y);
+  vec3 dry = bare.colour.w > 0.0 ? mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness) : vec3(0.0);
+  sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.wet_roughness), bare.finish.y);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
