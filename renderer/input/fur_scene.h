@@ -54,7 +54,7 @@ struct FurSkinRegion {
   glm::dmat3 to_unit{1};     // from a place relative to the centre to where the region is the unit ball
   double softness = 0.5;     // radii beyond it over which fur grows to its length
   glm::dvec3 facing{0, 0, 1};                  // unit
-  double cosine_whole = -2, cosine_none = -3;  // of the angle to the normal: whole above the first, none below the second
+  double cosine_whole = -2, cosine_none = -3;  // to the normal: whole above the first, none below the second
   glm::vec3 colour{1};       // linear
   double shine = 0.5, roughness = 0.5, wetness = 0, scatter = 0;
   SkinBumps bumps;

@@ -40,7 +40,8 @@ Bare bare_at(vec3 place, vec3 normal) {
     bare.share = 1.0 - (1.0 - bare.share) * (1.0 - share);
     float over = share / bare.share;
     bare.colour = mix(bare.colour, region.colour, over);
-    bare.finish = vec4(mix(bare.finish.xyz, region.finish.xyz, over), over >= 0.5 ? region.finish.w : bare.finish.w);
+    bare.finish.xyz = mix(bare.finish.xyz, region.finish.xyz, over);
+    bare.finish.w = over >= 0.5 ? region.finish.w : bare.finish.w;
     bare.scatter = mix(bare.scatter, region.centre.w, over);
   }
   return bare;
@@ -54,8 +55,8 @@ vec3 point_in_cell(ivec3 cell) {  // pcg3d (Jarzynski and Olano 2020)
   return vec3(v >> 8u) / 16777216.0;
 }
 
-// Leather of domed cells with creases between them (Worley 1996: where the two nearest points are as near). Slope in xyz,
-// in cells; in w how far the crease is left behind, 0 at its bottom.
+// Leather of domed cells with creases between them, where the two nearest points are as near (Worley 1996). Slope in
+// xyz, in cells; in w how far the crease is left behind, 0 at its bottom.
 vec4 leather(vec3 at) {
   ivec3 middle = ivec3(floor(at));
   vec3 first = vec3(9.0), second = vec3(9.0);
@@ -91,7 +92,8 @@ vec3 mirrored_sky(vec3 normal, vec3 to_eye, float f0, float roughness) {
   vec3 way = 2.0 * facing * normal - to_eye;
   float spread = mix(0.25, 1.5, roughness);
   float sky = mix(0.25, 1.15, smoothstep(-spread, spread, way.y));
-  return frame.weights.x * environment_light(way) * sky * (f0 + max(1.0 - roughness - f0, 0.0) * pow(1.0 - facing, 5.0));
+  float mirrored = f0 + max(1.0 - roughness - f0, 0.0) * pow(1.0 - facing, 5.0);
+  return frame.weights.x * environment_light(way) * sky * mirrored;
 }
 
 const float film_roughness = 0.28;  // of the wet film: glints, not sparks
@@ -120,7 +122,8 @@ SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
 
 vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
   vec3 wrap = bare.scatter * vec3(0.45, 0.20, 0.14);
-  vec3 diffuse = frame.weights.y * point.open * point.colour * max((dot(point.normal, to_light) + wrap) / (1.0 + wrap), 0.0);
+  vec3 wrapped = max((dot(point.normal, to_light) + wrap) / (1.0 + wrap), 0.0);
+  vec3 diffuse = frame.weights.y * point.open * point.colour * wrapped;
   float skin = highlight(point.normal, to_light, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
   float film = highlight(point.film, to_light, point.to_eye, 0.03, point.wet_roughness);
   return diffuse + point.open * mix(bare.colour.w > 0.0 ? skin : 0.0, film, bare.finish.y);
@@ -130,7 +133,8 @@ vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
 vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
   SkinPoint point = skin_point(bare, place, normal);
   vec3 sum = frame.weights.x * point.open * point.colour * environment_light(point.normal);
-  vec3 dry = bare.colour.w > 0.0 ? mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness) : vec3(0.0);
+  vec3 dry = vec3(0.0);
+  if (bare.colour.w > 0.0) dry = mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
   sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.wet_roughness), bare.finish.y);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;

@@ -40,7 +40,7 @@ class ModelBuffers {
   /// Sends the whole model and its fields.
   ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count);
 
-  /// Sends the vertices in `fields.dirty` only; all of them where other skin is bare. Lengths are sent as bare skin leaves
+  /// Sends the vertices in `fields.dirty` only, or all when other skin is bare. Lengths are sent as bare skin leaves
   /// them, so that no shader has to know.
   void update(const Gl& gl, const FurFields& fields, UploadCount& count);
 

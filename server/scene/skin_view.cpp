@@ -19,7 +19,7 @@ FurSkinRegion make_region(const SkinRegion& region, const Mesh& mesh) {
   if (region.facing) {
     const SkinFacing& facing = *region.facing;
     made.facing = glm::normalize(facing.direction);
-    made.cosine_whole = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // a rounded normal is whole at 180 degrees
+    made.cosine_whole = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // whole at 180 degrees after rounding
     made.cosine_none = std::cos(glm::radians(std::min(180.0, facing.angle_degrees + facing.fade_degrees)));
   }
   made.colour = region.colour;

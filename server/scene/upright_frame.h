@@ -5,7 +5,8 @@
 
 namespace pelage {
 
-/// Columns right, up and forward, unit and orthogonal; upright unless `forward`, of any length but 0, is nearly vertical.
+/// Columns right, up and forward, unit and orthogonal; upright unless `forward` (of any length but 0) is nearly
+/// vertical.
 glm::dmat3 upright_frame(glm::dvec3 forward);
 
 /// Turned around its third column, counter-clockwise as seen from its tip. Radians.

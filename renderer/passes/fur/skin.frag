@@ -26,7 +26,8 @@ in vec4 varied;
 
 layout(location = 0) out vec4 result;
 
-// Skin without fur is lit as a matt surface; regions of bare skin have a look of their own. Under fur lies an undercoat: the colour of the roots in the light that gets there.
+// Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
+// Under fur lies an undercoat: the colour of the roots in the light that gets there.
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;

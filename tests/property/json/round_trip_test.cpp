@@ -279,7 +279,8 @@ Command set_skin() {
   SetSkin result;
   const int count = *rc::gen::inRange(0, 5);
   for (int i = 0; i < count; ++i) {
-    SkinRegion region{.centre = place(), .radii = {number(1e-6, 1e6), number(1e-6, 1), number(1, 1e6)}, .axis = direction()};
+    SkinRegion region{.centre = place(), .radii = {number(1e-6, 1e6), number(1e-6, 1), number(1, 1e6)}};
+    region.axis = direction();
     region.turn_degrees = number(-180, 180), region.softness = number(0, 10);
     if (*rc::gen::arbitrary<bool>()) region.facing = SkinFacing{direction(), number(0, 180), number(0, 180)};
     region.colour = colour();
