@@ -10,6 +10,7 @@ struct SkinRegion {
 
 layout(std140, binding = 5) uniform SkinBlock {
   uvec4 count;
+  vec4 balls[64];          // around all that a region colours: centre, square of the radius
   SkinRegion regions[64];
 } bare_skin;
 
@@ -20,11 +21,12 @@ struct Bare {
   float share;   // of what is seen here that is bare
 };
 
-// The colour ends where fur has about half of its length, or within two pixels where that is sharper.
+// The colour ends where fur has about half of its length, or within two pixels where that is sharper, and within twice the
+// region's radii where that is smaller than pixels.
 float bare_share(SkinRegion region, vec3 place, vec3 normal, float pixel) {
   vec3 apart = place - region.centre.xyz;
   float off = length(vec3(dot(region.across.xyz, apart), dot(region.up.xyz, apart), dot(region.along.xyz, apart)));
-  float edge = max(0.5 * region.across.w, 2.0 * pixel * region.up.w + 1e-6);
+  float edge = max(0.5 * region.across.w, min(2.0 * pixel * region.up.w + 1e-6, 1.0));
   return (1.0 - smoothstep(1.0, 1.0 + edge, off)) *
          smoothstep(region.facing.w, region.along.w, dot(normal, region.facing.xyz));
 }
@@ -34,6 +36,8 @@ Bare bare_at(vec3 place, vec3 normal) {
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   Bare bare = Bare(vec4(0.0), vec4(0.0), 0.0, 0.0);
   for (uint i = 0u; i < bare_skin.count.x; ++i) {
+    vec3 apart = place - bare_skin.balls[i].xyz;
+    if (dot(apart, apart) > bare_skin.balls[i].w) continue;  // so that most of the body costs little
     SkinRegion region = bare_skin.regions[i];
     float share = bare_share(region, place, normal, pixel);
     if (share <= 0.0) continue;

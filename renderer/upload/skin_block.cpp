@@ -21,6 +21,14 @@ SkinEntry make_entry(const FurSkinRegion& region) {
   return entry;
 }
 
+/// Twice the largest radius, or to where the colour ends beyond that; a little more for rounding.
+glm::vec4 ball_around(const FurSkinRegion& region) {
+  const glm::dmat3 rows = glm::transpose(region.to_unit);
+  const double flattest = std::min({glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])});
+  const double radius = 1.001 * (1 + std::max(1.0, 0.5 * region.softness)) / flattest;
+  return glm::vec4(region.centre, radius * radius);
+}
+
 }  // namespace
 
 SkinBlock make_skin_block(std::span<const FurSkinRegion> regions) {
@@ -28,6 +36,7 @@ SkinBlock make_skin_block(std::span<const FurSkinRegion> regions) {
   SkinBlock block;
   block.count.x = static_cast<glm::uint>(regions.size());
   std::transform(regions.begin(), regions.end(), block.regions.begin(), make_entry);
+  std::transform(regions.begin(), regions.end(), block.balls.begin(), ball_around);
   return block;
 }
 

@@ -21,9 +21,10 @@ struct SkinEntry {
 
 struct SkinBlock {
   glm::uvec4 count{0};
+  std::array<glm::vec4, limits::skin_regions> balls{};  // around all that a region colours: centre, square of the radius
   std::array<SkinEntry, limits::skin_regions> regions{};
 };
-static_assert(sizeof(SkinBlock) == 16 * (1 + 64 * 7));
+static_assert(sizeof(SkinBlock) == 16 * (1 + 64 * 8));
 
 /// At most 64 regions.
 SkinBlock make_skin_block(std::span<const FurSkinRegion> regions);
