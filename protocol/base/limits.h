@@ -28,6 +28,8 @@ inline constexpr double least_eye_radius = 1e-6;         // sizes
 inline constexpr std::size_t curve_groups = 16;
 inline constexpr std::size_t curves = 4096;              // of all groups, filled ones too
 inline constexpr std::size_t curve_points = 32;
+inline constexpr std::size_t skin_regions = 64;
+inline constexpr double least_skin_radius = 1e-6;        // sizes
 inline constexpr std::size_t ramp_stops = 4;
 inline constexpr double wait_seconds = 25.0;
 

@@ -13,6 +13,7 @@
 #include "protocol/commands/coat.h"
 #include "protocol/commands/curves.h"
 #include "protocol/commands/eye.h"
+#include "protocol/commands/skin.h"
 #include "protocol/commands/look.h"
 
 namespace pelage {
@@ -98,9 +99,10 @@ struct SetEnvironment { Environment environment; };
 struct SetGround { Ground ground; };
 struct SetEyes { std::vector<Eye> eyes; };        // at most 8
 struct SetCurves { std::vector<CurveGroup> groups; };  // at most 16, and 4096 curves in all
+struct SetSkin { std::vector<SkinRegion> regions; };  // at most 64
 
-using Command =
-    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves>;
+using Command = std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes,
+                             SetCurves, SetSkin>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

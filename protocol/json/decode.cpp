@@ -122,8 +122,16 @@ Command set_curves(Object& object) {
   return result;
 }
 
+Command set_skin(Object& object) {
+  SetSkin result;
+  object.required("regions", [&](const Value& list) {
+    for (const Value& member : list.list(0, limits::skin_regions)) result.regions.push_back(skin_region(member));
+  });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 10> command_readers{{{"comb", comb},
+constexpr std::array<json_names::Name<CommandReader>, 11> command_readers{{{"comb", comb},
                                                                            {"blow", blow},
                                                                            {"attract", attract},
                                                                            {"set_coat", set_coat},
@@ -132,7 +140,8 @@ constexpr std::array<json_names::Name<CommandReader>, 10> command_readers{{{"com
                                                                            {"set_environment", set_environment},
                                                                            {"set_ground", set_ground},
                                                                            {"set_eyes", set_eyes},
-                                                                           {"set_curves", set_curves}}};
+                                                                           {"set_curves", set_curves},
+                                                                           {"set_skin", set_skin}}};
 
 Command command(const Value& value) {
   Object object(value);

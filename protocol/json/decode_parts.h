@@ -23,6 +23,7 @@ Environment environment(const Value& value);
 Ground ground(const Value& value);
 Eye eye(const Value& value);
 std::vector<CurveGroup> curve_groups(const Value& list);
+SkinRegion skin_region(const Value& value);
 Brush brush(const Value& value);
 Stroke stroke(const Value& value);
 FirstGroom fur(const Value& value);

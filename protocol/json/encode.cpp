@@ -232,6 +232,28 @@ Json json_of(const CurveGroup& group) {
           {"seed", group.seed}};
 }
 
+Json json_of(const SkinFacing& facing) {
+  return {{"direction", list(facing.direction)},
+          {"angle_degrees", facing.angle_degrees},
+          {"fade_degrees", facing.fade_degrees}};
+}
+
+Json json_of(const SkinRegion& region) {
+  Json json = {{"centre", list(region.centre)},
+               {"radii", list(region.radii)},
+               {"axis", list(region.axis)},
+               {"turn_degrees", region.turn_degrees},
+               {"softness", region.softness},
+               {"colour", colour(region.colour)},
+               {"shine", region.shine},
+               {"roughness", region.roughness},
+               {"wetness", region.wetness},
+               {"scatter", region.scatter},
+               {"bumps", {{"height", region.bumps.height}, {"size", region.bumps.size}}}};
+  if (region.facing) json["facing"] = json_of(*region.facing);
+  return json;
+}
+
 Json json_of(const Light& light) {
   return {{"kind", text_of(json_names::light_kinds, light.kind)},
           {"direction", list(light.direction)},
@@ -313,6 +335,11 @@ void add_members(Json& json, const SetEyes& command) {
 void add_members(Json& json, const SetCurves& command) {
   json["groups"] = Json::array();
   for (const CurveGroup& group : command.groups) json["groups"].push_back(json_of(group));
+}
+
+void add_members(Json& json, const SetSkin& command) {
+  json["regions"] = Json::array();
+  for (const SkinRegion& region : command.regions) json["regions"].push_back(json_of(region));
 }
 
 Json json_of(const Command& command) {

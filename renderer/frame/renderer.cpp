@@ -10,6 +10,7 @@
 #include "renderer/coat/strand_tile.h"
 #include "renderer/passes/draw/draw_state.h"
 #include "renderer/pattern/pattern_block.h"
+#include "renderer/upload/skin_block.h"
 
 namespace pelage {
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::size_t kept_coats = 3;               // 90 MB each
 constexpr std::int64_t kept_pixels = 2048 * 2048;   // targets of a larger frame are given back after it
+constexpr GLuint skin_binding = 5;                  // as in bare_skin.glsl
 constexpr std::uint64_t patience = 60'000'000'000;  // nanoseconds until a GL that does not answer is given up
 
 class Stopwatch {
@@ -36,6 +38,7 @@ std::string variant_of(const FurFrame& frame) {
       light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
+         (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
          (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
@@ -74,6 +77,7 @@ Renderer::Renderer(const Gl& gl)
       pattern_(gl),
       scattering_(gl),
       frame_block_(gl),
+      skin_block_(gl),
       fragments_(gl) {}
 
 Status Renderer::programs() const {
@@ -145,6 +149,11 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
   gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
+  if (!frame.skin.empty()) {
+    const SkinBlock skin = make_skin_block(frame.skin);
+    gl_.NamedBufferData(skin_block_.id(), sizeof(SkinBlock), &skin, GL_STREAM_DRAW);
+    gl_.BindBufferBase(GL_UNIFORM_BUFFER, skin_binding, skin_block_.id());
+  }
   scattering_.prepare(gl_, frame);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
   return {coat, model, lists, variant_of(frame)};

@@ -97,7 +97,7 @@ class Renderer {
   std::list<CoatTextures> coats_;  // most recently used first
   PatternTextures pattern_;
   ScatteringTextures scattering_;
-  Buffer frame_block_;
+  Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
   RenderTarget drawn_, single_, picture_;
 };

@@ -13,6 +13,7 @@
 #include "protocol/commands/eye.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/look.h"
+#include "protocol/commands/skin.h"
 
 namespace pelage {
 
@@ -47,10 +48,25 @@ struct DirtyRange {
   std::uint32_t begin = 0, end = 0;
 };
 
+/// A region of bare skin. Its look is as in the command.
+struct FurSkinRegion {
+  glm::dvec3 centre{0};
+  glm::dmat3 to_unit{1};     // from a place relative to the centre to where the region is the unit ball
+  double softness = 0.5;     // radii beyond it over which fur grows to its length
+  glm::dvec3 facing{0, 0, 1};                  // unit
+  double cosine_whole = -2, cosine_none = -3;  // to the normal: whole above the first, none below the second
+  glm::vec3 colour{1};       // linear
+  double shine = 0.5, roughness = 0.5, wetness = 0, scatter = 0;
+  SkinBumps bumps;
+
+  bool operator==(const FurSkinRegion&) const = default;
+};
+
 struct FurFields {
   std::span<const glm::vec2> direction;  // for each vertex, in (tangent, bitangent); length is the inclination [0, 1]
   std::span<const float> length;         // sizes
   std::span<const DirtyRange> dirty;
+  std::span<const FurSkinRegion> skin = {};  // at most 64; fur is shorter there
 };
 
 struct FurLight {
@@ -128,6 +144,7 @@ struct FurFrame {
   std::optional<FurGround> ground;
   std::vector<FurEye> eyes;      // at most 8
   std::vector<FurCurves> curves; // at most 16, and 4096 curves in all
+  std::vector<FurSkinRegion> skin;  // at most 64, those of the last sync
   FurCamera camera;
   int width = 0, height = 0;
   Knobs knobs;

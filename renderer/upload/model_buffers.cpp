@@ -7,6 +7,8 @@
 #include <cstring>
 #include <numeric>
 
+#include "renderer/skin/bare.h"
+
 namespace pelage {
 
 struct RenderVertex {
@@ -63,7 +65,7 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
                      GL_DYNAMIC_DRAW);
   count.bytes += bytes, count.buffers += 1;
   const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};
-  update(gl, {fields.direction, fields.length, {&all, 1}}, count);
+  update(gl, {fields.direction, fields.length, {&all, 1}, fields.skin}, count);
   make_vertex_array(gl);
   send_images(gl, model, count);
 }
@@ -154,17 +156,28 @@ float ModelBuffers::longest_fur() const {
   return lengths_.empty() ? 0 : *std::max_element(lengths_.begin(), lengths_.end());
 }
 
+bool ModelBuffers::set_skin(std::span<const FurSkinRegion> skin) {
+  if (std::equal(skin.begin(), skin.end(), skin_.begin(), skin_.end())) return false;
+  skin_.assign(skin.begin(), skin.end());
+  kept_.resize(skin.empty() ? 0 : positions_.size());
+  for (std::size_t i = 0; i < kept_.size(); ++i)
+    kept_[i] = static_cast<float>(fur_kept(skin_, positions_[i], normals_[i]));
+  return true;
+}
+
 void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& count) {
-  if (!fields.dirty.empty()) ++version_;
+  const DirtyRange all{0, static_cast<std::uint32_t>(first_.size() - 1)};
+  const std::span<const DirtyRange> dirty = set_skin(fields.skin) ? std::span(&all, 1) : fields.dirty;
+  if (!dirty.empty()) ++version_;
   std::vector<glm::vec3> values;
-  for (const DirtyRange& range : fields.dirty) {
+  for (const DirtyRange& range : dirty) {
     assert(range.begin <= range.end && range.end < first_.size());
     const std::uint32_t begin = first_[range.begin], end = first_[range.end];
     if (begin == end) continue;
     values.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
-      values.emplace_back(fields.direction[welded_[i]], fields.length[welded_[i]]);
-      lengths_[i] = values.back().z;
+      lengths_[i] = fields.length[welded_[i]] * (kept_.empty() ? 1 : kept_[i]);
+      values.emplace_back(fields.direction[welded_[i]], lengths_[i]);
     }
     const auto bytes = static_cast<GLsizeiptr>(values.size() * sizeof(glm::vec3));
     gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, values.data());

@@ -40,7 +40,8 @@ class ModelBuffers {
   /// Sends the whole model and its fields.
   ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count);
 
-  /// Sends the vertices in `fields.dirty` only.
+  /// Sends the vertices in `fields.dirty` only, or all when other skin is bare. Lengths are sent as bare skin leaves
+  /// them, so that no shader has to know.
   void update(const Gl& gl, const FurFields& fields, UploadCount& count);
 
   GLuint vertex_array() const { return vertex_array_.id(); }
@@ -48,7 +49,7 @@ class ModelBuffers {
   bool has_colours() const { return has_colours_; }
   /// Counts the changes of the fields.
   std::uint64_t version() const { return version_; }
-  float longest_fur() const;  // sizes
+  float longest_fur() const;  // sizes, beside bare skin
 
   std::span<const glm::vec3> positions() const { return positions_; }  // of render vertices
   std::span<const glm::vec3> normals() const { return normals_; }
@@ -75,6 +76,7 @@ class ModelBuffers {
 
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
+  bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 
@@ -89,6 +91,8 @@ class ModelBuffers {
   std::vector<glm::vec3> centroids_, face_normals_;
   std::vector<glm::vec3> positions_, normals_;  // of render vertices
   std::vector<float> lengths_;                  // of render vertices
+  std::vector<FurSkinRegion> skin_;             // bare regions
+  std::vector<float> kept_;                     // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;               // of the skin at render vertices, 1 / sizes
   std::vector<float> levels_;                   // of the last view
 };

@@ -115,6 +115,13 @@ struct CheckTool {
     }
     return {};
   }
+  Status operator()(const SetSkin& command) const {
+    for (std::size_t k = 0; k < command.regions.size(); ++k) {
+      if (!reachable(mesh.to_internal(command.regions[k].centre)))
+        return out_of_reach("/regions/" + std::to_string(k) + "/centre");
+    }
+    return {};
+  }
   template <class Other>
   Status operator()(const Other&) const {
     return {};

@@ -55,6 +55,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.eyes = eyes->eyes;
   else if (const auto* curves = std::get_if<SetCurves>(&command))
     settings.curves = curves->groups;
+  else if (const auto* skin = std::get_if<SetSkin>(&command))
+    settings.skin = skin->regions;
   else
     return std::nullopt;
   return settings;
@@ -64,7 +66,8 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
   return {SetCoat{settings.coat},     SetLook{settings.look},
           SetLights{settings.lights}, SetEnvironment{settings.environment},
           SetGround{settings.ground}, SetEyes{settings.eyes},
-          SetCurves{settings.curves}};
+          SetCurves{settings.curves},
+          SetSkin{settings.skin}};
 }
 
 const char* name_of(EntryKind kind) {

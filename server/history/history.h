@@ -22,6 +22,7 @@ struct SceneSettings {
   Ground ground;
   std::vector<Eye> eyes;
   std::vector<CurveGroup> curves;
+  std::vector<SkinRegion> skin;
 };
 
 /// The settings with a command that sets one of them carried out; none for other commands.

@@ -1,6 +1,7 @@
 #include "server/scene/first_settings.h"
 
 #include "server/scene/creature_curves.h"
+#include "server/scene/creature_skin.h"
 #include "server/surface/creature.h"
 
 namespace pelage {
@@ -30,6 +31,7 @@ SceneSettings first_settings(const SceneModel& model) {
   if (model.name != "creature") return settings;
   settings.eyes = creature_eyes(model.surface.mesh());
   settings.curves = creature_curves(model.surface, settings.eyes);
+  settings.skin = creature_skin(model.surface.mesh());
   return settings;
 }
 

@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-/// The default coat, look and lights; the built-in creature has two eyes, whiskers, lashes and brows.
+/// The default coat, look and lights; the built-in creature has two eyes, whiskers, lashes, brows and bare skin.
 SceneSettings first_settings(const SceneModel& model);
 
 }  // namespace pelage

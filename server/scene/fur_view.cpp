@@ -6,6 +6,7 @@
 #include "server/groom/evaluate.h"
 #include "server/scene/curve_view.h"
 #include "server/scene/eye_view.h"
+#include "server/scene/skin_view.h"
 
 namespace pelage {
 
@@ -56,9 +57,10 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches) {
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty) {
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
-  const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges};
-  if (renderer.has(scene.model.id)) return renderer.update(scene.model.id, fields);
   const Mesh& mesh = scene.model.surface.mesh();
+  const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
+  const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges, skin};
+  if (renderer.has(scene.model.id)) return renderer.update(scene.model.id, fields);
   const FurPieces pieces = make_pieces(mesh, scene.model.patches);
   std::vector<ImageView> images;
   for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
@@ -78,6 +80,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   for (const Light& light : scene.settings.lights) frame.lights.push_back(make_light(light, mesh));
   for (const Eye& eye : scene.settings.eyes) frame.eyes.push_back(make_eye(eye, mesh));
   for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
+  frame.skin = make_skin(scene.settings.skin, mesh);
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
   frame.camera = {glm::vec3(camera.eye), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),
                   static_cast<float>(camera.tan_half_fov)};

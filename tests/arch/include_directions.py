@@ -28,6 +28,7 @@ ALLOWED = {
     "renderer/shading": ["protocol/base", "protocol/commands"],
     "renderer/eye": ["protocol/base", "protocol/commands", "renderer/input", "renderer/shading"],
     "renderer/curves": ["protocol/base", "protocol/commands", "renderer/input"],
+    "renderer/skin": ["protocol/base", "protocol/commands", "renderer/input"],
     "renderer/image": ["protocol/base"],
     "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/gl": ["protocol/base", "renderer/gl"],

@@ -51,6 +51,7 @@ class Document(unittest.TestCase):
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
+                    "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
@@ -77,6 +78,8 @@ class Document(unittest.TestCase):
         guides = SCHEMAS["CurveGroup"]["properties"]["curves"]
         self.assertEqual((guides["maxItems"], guides["items"]["maxItems"]), (limits["curves"], limits["curve_points"]))
         self.assertEqual(SCHEMAS["Eye"]["properties"]["radius"]["minimum"], limits["least_eye_radius"])
+        self.assertEqual(SCHEMAS["SetSkin"]["properties"]["regions"]["maxItems"], limits["skin_regions"])
+        self.assertEqual(SCHEMAS["SkinRegion"]["properties"]["radii"]["items"]["minimum"], limits["least_skin_radius"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
@@ -145,6 +148,10 @@ class Requests(ServedTest):
                                              "width_tip": 0.01, "root_colour": "#ffffff", "tip_colour": [0.5, 0.5, 0.5], "fill": 3,
                                              "spread": 0.25, "seed": 7}]},
             {"op": "set_curves", "groups": []},
+            {"op": "set_skin", "regions": [{"centre": [0, 1, 0], "radii": [0.1, 0.2, 0.3], "axis": [0, 0, 1], "turn_degrees": 20,
+                                            "softness": 0.25, "facing": {"direction": [0, 0, 1], "angle_degrees": 60, "fade_degrees": 5},
+                                            "colour": "#101010", "shine": 0.5, "roughness": 0.25, "wetness": 0.5, "scatter": 0.5,
+                                            "bumps": {"height": 0.001, "size": 0.01}}]},
         ]
         for body in bodies:
             for variation in self.variations(body):
@@ -202,10 +209,12 @@ class Defaults(ServedTest):
                            {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
                            {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]},
                            {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]},
-                           {"op": "set_curves", "groups": [{"curves": [[[0, 0, 1], [0, 0, 2]]]}]})
+                           {"op": "set_curves", "groups": [{"curves": [[[0, 0, 1], [0, 0, 2]]]}]},
+                           {"op": "set_skin", "regions": [{"centre": [0, 0, 1], "radii": [0.1, 0.1, 0.1],
+                                                           "facing": {"direction": [0, 0, 1]}}]})
         self.assertEqual(answer.status, 200, answer)
         commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
-        combed, blown, attracted, coat, look, lights, eyes, curves = commands
+        combed, blown, attracted, coat, look, lights, eyes, curves, skin = commands
         self.assert_defaults("Comb", combed)
         self.assert_defaults("Stroke", combed["stroke"])
         self.assert_defaults("Brush", combed["brush"], given=["radius"])
@@ -221,6 +230,9 @@ class Defaults(ServedTest):
         self.assert_defaults("CurveGroup", curves["groups"][0])
         for schema, part in (("Iris", "iris"), ("Pupil", "pupil"), ("Lids", "lids")):
             self.assert_defaults(schema, eyes["eyes"][0][part])
+        for schema, taken in (("SkinRegion", skin["regions"][0]), ("SkinFacing", skin["regions"][0]["facing"]),
+                              ("SkinBumps", skin["regions"][0]["bumps"])):
+            self.assert_defaults(schema, taken)
 
     def test_frames(self):
         scene = self.server.new_scene("sphere", 500)

@@ -35,6 +35,19 @@ class FirstLight:
         self.assertEqual(undone.json["revision"], 2)
         self.assertEqual(scene.frame(camera={"auto": "left"}).body, before.body)
 
+    def test_bare_skin_and_back(self):
+        scene = self.server.new_scene("sphere", 2000)
+        before = scene.frame(camera={"auto": "front"})
+        region = {"centre": [0, 0, 1], "radii": [0.2, 0.2, 0.2], "colour": "#0000ff", "shine": 0, "scatter": 0}
+        self.assertEqual(scene.run({"op": "set_skin", "regions": [region]}).json["revision"], 1)
+        after = scene.frame(camera={"auto": "front"})
+        middle = after.image[after.image.shape[0] // 2, after.image.shape[1] // 2]
+        self.assertGreater(int(middle[2]), 2 * int(middle[0]))
+        self.assertEqual(scene.post("undo").json["revision"], 2)
+        self.assertEqual(scene.frame(camera={"auto": "front"}).body, before.body)
+        self.assertEqual(scene.post("redo").json["revision"], 3)
+        self.assertEqual(scene.frame(camera={"auto": "front"}).body, after.body)
+
     def test_the_knobs_that_were_used_draw_the_frame_again(self):
         import json
         scene = self.server.new_scene("torus")

@@ -52,6 +52,9 @@ out float density_share; // of the optical depth that this piece and this set dr
 // As set_share in renderer/upload/layer_sets.cpp.
 float set_share(float level, int set) { return clamp(6.0 * (1.0 - abs(level - float(set))) - 2.5, 0.0, 1.0); }
 
+// Fur of no length is no fur, or it would lie as a fog on bare skin.
+float grown(float fur_length) { return smoothstep(0.0, 0.002, fur_length); }
+
 void main() {
   float s = (float(shell) + 0.5) / float(shell_count);
   bool root_curve = frame.tile.z > 0.5;
@@ -83,7 +86,7 @@ void main() {
   slant = sqrt(1.0 + lateral * lateral);
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
-  density_share = weight * (layer_set < 0 ? 1.0 : set_share(layer_level, layer_set));
+  density_share = weight * grown(groom.z) * (layer_set < 0 ? 1.0 : set_share(layer_level, layer_set));
   tile_u = tile_axis;
 #ifdef LENGYEL
   int above = int(s * float(slice_count));

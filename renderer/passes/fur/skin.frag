@@ -5,6 +5,9 @@
 #ifdef PATTERN
 #include "pattern.glsl"
 #endif
+#ifdef BARE_SKIN
+#include "bare_skin.glsl"
+#endif
 
 #ifdef LAYERS
 #include "layers.glsl"
@@ -23,7 +26,8 @@ in vec4 varied;
 
 layout(location = 0) out vec4 result;
 
-// Bare skin is lit as a matt surface. Under fur lies an undercoat: the colour of the roots in the light that gets there.
+// Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
+// Under fur lies an undercoat: the colour of the roots in the light that gets there.
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;
@@ -56,6 +60,16 @@ void main() {
     keep_direct(radiance * colour * lit * transmittance(to_skin, colour), unshadowed * colour * lit);
 #endif
   }
+#ifdef BARE_SKIN
+  Bare region = bare_at(place, normal);
+  if (region.share > 0.0) {
+#ifdef LAYERS
+    direct_light *= 1.0 - region.share, light_share *= 1.0 - region.share;
+#endif
+    sum = mix(sum, bare_light(region, place, normal), region.share);
+    colour = mix(colour, region.colour.rgb, region.share);
+  }
+#endif
 #ifdef LAYERS
   clear_layers();
   add_layers(place, normal, root_tangent, colour, 1.0);

@@ -299,8 +299,25 @@ Command set_curves() {
   return result;
 }
 
+Command set_skin() {
+  SetSkin result;
+  const int count = *rc::gen::inRange(0, 5);
+  for (int i = 0; i < count; ++i) {
+    SkinRegion region{.centre = place(), .radii = {number(1e-6, 1e6), number(1e-6, 1), number(1, 1e6)}};
+    region.axis = direction();
+    region.turn_degrees = number(-180, 180), region.softness = number(0, 10);
+    if (*rc::gen::arbitrary<bool>()) region.facing = SkinFacing{direction(), number(0, 180), number(0, 180)};
+    region.colour = colour();
+    region.shine = number(0, 1), region.roughness = number(0.02, 1), region.wetness = number(0, 1);
+    region.scatter = number(0, 1);
+    region.bumps = {.height = number(0, 0.1), .size = number(1e-4, 1)};
+    result.regions.push_back(region);
+  }
+  return result;
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 10)) {
+  switch (*rc::gen::inRange(0, 11)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
@@ -310,6 +327,7 @@ Command command() {
     case 6: return set_ground();
     case 7: return set_eyes();
     case 8: return set_curves();
+    case 9: return set_skin();
     default: return set_lights();
   }
 }

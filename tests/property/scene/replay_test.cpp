@@ -81,7 +81,7 @@ class Script {
             .invert = chance(0.2)};
   }
   Command tool() {
-    const int kind = below(5);
+    const int kind = below(6);
     if (kind == 0) {
       Blow blow;
       blow.source = 3.0 * places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
@@ -108,7 +108,7 @@ class Script {
     return comb;
   }
   Command setting() {
-    const int kind = below(4);
+    const int kind = below(5);
     if (kind == 0) {
       SetCoat coat;
       coat.coat.curl = random_.uniform(0, 0.5);
@@ -130,6 +130,12 @@ class Script {
       SetCurves curves;
       curves.groups.push_back({.curves = {{places_[0], 1.1 * places_[0]}}, .spread = random_.uniform()});
       return curves;
+    }
+    if (kind == 4) {
+      SetSkin skin;
+      skin.regions.resize(1 + static_cast<std::size_t>(below(3)));
+      skin.regions[0].softness = random_.uniform(0, 2);
+      return skin;
     }
     SetLights lights;
     lights.lights = default_lights();
@@ -168,7 +174,8 @@ std::string settings_text(const Scene& scene) {
   scene.read([&](const SceneView& view) {
     text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
                                        SetLights{view.settings.lights}, SetEyes{view.settings.eyes},
-                                       SetCurves{view.settings.curves}});
+                                       SetCurves{view.settings.curves},
+                                       SetSkin{view.settings.skin}});
   });
   return text;
 }

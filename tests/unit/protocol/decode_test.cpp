@@ -170,6 +170,29 @@ TEST(Decode, CountsAreLimited) {
                  "/lights");
 }
 
+TEST(Decode, BareSkinHasLimits) {
+  const auto regions = [](const std::string& list) { return R"({"op": "set_skin", "regions": [)" + list + "]}"; };
+  const auto region = [&](const std::string& members) {
+    return regions(R"({"centre": [0, 1, 0], "radii": [0.1, 0.2, 0.3])" + (members.empty() ? "" : ", " + members) + "}");
+  };
+  const std::string one = R"({"centre": [0, 0, 0], "radii": [1, 1, 1]})";
+  EXPECT_TRUE(refusal(regions("")).ok());
+  EXPECT_TRUE(refusal(region(R"("softness": 0, "facing": {"direction": [0, 1, 0]}, "bumps": {})")).ok());
+  EXPECT_TRUE(refusal(region(R"("softness": 10, "colour": "#ffffff", "wetness": 1)")).ok());
+  EXPECT_TRUE(refusal(regions(repeated(one, limits::skin_regions))).ok());
+  expect_refusal(regions(repeated(one, limits::skin_regions + 1)), Code::invalid, "/regions");
+  expect_refusal(regions(R"({"centre": [0, 0, 0]})"), Code::invalid, "/regions/0/radii");
+  expect_refusal(regions(R"({"centre": [0, 0, 0], "radii": [1, 0, 1]})"), Code::invalid, "/regions/0/radii/1");
+  expect_refusal(region(R"("softness": -0.1)"), Code::invalid, "/regions/0/softness");
+  expect_refusal(region(R"("axis": [0, 0, 0])"), Code::invalid, "/regions/0/axis");
+  expect_refusal(region(R"("facing": {})"), Code::invalid, "/regions/0/facing/direction");
+  expect_refusal(region(R"("facing": {"direction": [0, 0, 1], "angle_degrees": 181})"), Code::invalid,
+                 "/regions/0/facing/angle_degrees");
+  expect_refusal(region(R"("roughness": 0)"), Code::invalid, "/regions/0/roughness");
+  expect_refusal(region(R"("bumps": {"size": 0})"), Code::invalid, "/regions/0/bumps/size");
+  expect_refusal(region(R"("color": "#ffffff")"), Code::invalid, "/regions/0/color");
+}
+
 TEST(Decode, EyesHaveLimits) {
   const auto eyes = [](const std::string& list) { return R"({"op": "set_eyes", "eyes": [)" + list + "]}"; };
   const auto eye = [&](const std::string& members) {

@@ -143,6 +143,34 @@ TEST_F(SceneStoreTest, CurvesFarFromTheModelAreRefused) {
   EXPECT_EQ(refused.status().pointer, "/groups/1/curves/1/1");
 }
 
+std::size_t bare_regions_of(const Scene& scene) {
+  std::size_t count = 0;
+  scene.read([&](const SceneView& view) { count = view.settings.skin.size(); });
+  return count;
+}
+
+TEST_F(SceneStoreTest, ACreatureHasBareSkinThatUndoGivesBack) {
+  const std::string creature = make(Builtin::creature)->id(), torus = make()->id();
+  const auto find = [&](const std::string& id) { return *store_->find(id); };
+  const std::size_t first = bare_regions_of(*find(creature));
+  EXPECT_GT(first, 20u);
+  EXPECT_EQ(bare_regions_of(*find(torus)), 0u);
+  execute(*find(creature), {SetSkin{}});
+  execute(*find(torus), {SetSkin{{SkinRegion{}, SkinRegion{.centre = {0, 0.1, 0}}}}});
+  open();
+  EXPECT_EQ(bare_regions_of(*find(creature)), 0u);
+  EXPECT_EQ(bare_regions_of(*find(torus)), 2u);
+  move(*find(creature), Undo{});
+  EXPECT_EQ(bare_regions_of(*find(creature)), first);
+}
+
+TEST_F(SceneStoreTest, BareSkinFarFromTheModelIsRefused) {
+  const auto scene = make();
+  const auto refused = scene->execute({SetSkin{{SkinRegion{}, SkinRegion{.centre = {0, 1e20, 0}}}}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().pointer, "/regions/1/centre");
+}
+
 TEST_F(SceneStoreTest, WhatWasAnsweredIsOnDiskWhenTheServerIsKilled) {
   const auto scene = make();
   for (std::size_t i = 0; i < 20; ++i) execute(*scene, {comb_at(*scene, 10 * i)});

@@ -1,0 +1,28 @@
+#include "renderer/skin/bare.h"
+
+namespace pelage {
+
+namespace {
+
+/// Smooth from 0 at `low` to 1 at `high`; a step where they are the same.
+double rise(double low, double high, double x) {
+  if (high <= low) return x >= high ? 1 : 0;
+  return glm::smoothstep(low, high, x);
+}
+
+}  // namespace
+
+double bare_share(const FurSkinRegion& region, glm::dvec3 place, glm::dvec3 normal) {
+  const double radii_off = glm::length(region.to_unit * (place - region.centre));
+  if (radii_off > 1 + region.softness) return 0;
+  const double inside = radii_off <= 1 ? 1 : 1 - rise(1, 1 + region.softness, radii_off);
+  return inside * rise(region.cosine_none, region.cosine_whole, glm::dot(normal, region.facing));
+}
+
+double fur_kept(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::dvec3 normal) {
+  double kept = 1;
+  for (const FurSkinRegion& region : regions) kept *= 1 - bare_share(region, place, normal);
+  return kept;
+}
+
+}  // namespace pelage
