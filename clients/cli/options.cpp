@@ -73,6 +73,14 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   load->add_option("--front", options.front, "Axis of the file that the model faces")->capture_default_str();
   add_fur(load, options);
 
+  CLI::App* environment = add_action(app, options, Action::environment, "environment",
+                                     "Light a scene from all around with a picture: EXR or HDR, as wide as 360 degrees");
+  add_scene(environment, options);
+  environment->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")->required();
+  environment->add_option("--intensity", options.intensity, "Factor on its light, 0 to 100")->capture_default_str();
+  environment->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")
+      ->capture_default_str();
+
   add_action(app, options, Action::list, "list", "List the scenes");
   add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);
   add_scene(add_action(app, options, Action::remove, "rm", "Remove a scene"), options);

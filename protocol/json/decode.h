@@ -30,6 +30,9 @@ Result<FrameRequest> decode_frame_query(const Query& query);
 /// How to read a model's octets: format (required), up, front, length, inclination.
 Result<ImportOptions> decode_import_query(const Query& query);
 
+/// What comes with the octets of an environment's picture: intensity and turn_degrees.
+Result<Environment> decode_environment_query(const Query& query);
+
 struct PickRequest {
   View view;
   glm::dvec2 pixel{0};  // origin top left

@@ -63,6 +63,11 @@ constexpr auto import_parameters = std::to_array<Parameter>({
     {"inclination", "/inclination", Kind::number},
 });
 
+constexpr auto environment_parameters = std::to_array<Parameter>({
+    {"intensity", "/intensity", Kind::number},
+    {"turn_degrees", "/turn_degrees", Kind::number},
+});
+
 json names_of(const std::string& text) {
   json names = json::array();
   std::istringstream stream(text);
@@ -128,6 +133,18 @@ Result<FrameRequest> decode_frame_query(const Query& query) {
   const auto document = document_of(query, frame_parameters);
   if (!document) return document.status();
   return decode_frame_request(document->dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+Result<Environment> decode_environment_query(const Query& query) {
+  const auto document = document_of(query, environment_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  Environment environment;
+  object.number("intensity", environment.intensity, {0, 100});
+  object.number("turn_degrees", environment.turn_degrees, {-360, 360});
+  if (!first_failure.ok()) return first_failure;
+  return environment;
 }
 
 Result<ImportOptions> decode_import_query(const Query& query) {

@@ -230,6 +230,13 @@ Json json_of(const Light& light) {
 }
 
 Json json_of(const Environment& environment) {
+  if (environment.harmonics) {
+    Json harmonics = Json::array();
+    for (const glm::dvec3& coefficient : *environment.harmonics) harmonics.push_back(list(coefficient));
+    return {{"harmonics", harmonics},
+            {"turn_degrees", environment.turn_degrees},
+            {"intensity", environment.intensity}};
+  }
   return {{"sky", colour(environment.sky)},
           {"horizon", colour(environment.horizon)},
           {"ground", colour(environment.ground)},

@@ -46,6 +46,10 @@ Status full() {
                  "at most " + std::to_string(limits::scenes) + " scenes");
 }
 
+Status too_many_imports() {
+  return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
+}
+
 FieldDelta groom_of(const Scene& scene) {
   FieldDelta groom;
   scene.read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
@@ -160,7 +164,7 @@ std::vector<SceneSummary> SceneStore::list() const {
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> octets, const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
-  if (!slot.has()) return failure(Code::busy, "the server is reading other models", {}, "two models at a time");
+  if (!slot.has()) return too_many_imports();
   const Result<RawModel> raw = import_model(impl_->worker, options.format, octets);
   if (!raw) return raw.status();
   StoredModel how{name_of(options.format), options.up, options.front, raw->is_32_bit, {}};
@@ -168,6 +172,16 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
   if (!model) return model.status();
   how.raw = encode_raw_model(*raw);
   return scene.replace_model(*model, options.fur, std::move(how), execute);
+}
+
+Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
+                                                   const ExecuteOptions& execute) {
+  const Slot slot(impl_->imports, imports_at_a_time);
+  if (!slot.has()) return too_many_imports();
+  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, octets);
+  if (!harmonics) return harmonics.status();
+  how.harmonics = *harmonics;
+  return scene.execute({SetEnvironment{how}}, execute);
 }
 
 }  // namespace pelage

@@ -32,6 +32,11 @@ class SceneStore {
   Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> octets,
                                   const ExecuteOptions& execute = {});
 
+  /// Reads a picture of all directions through the worker and sets the scene's environment to `how` with its light: a
+  /// set_environment with harmonics, which needs no picture when it is run again. Counts as an import.
+  Result<CommandAnswer> load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
+                                         const ExecuteOptions& execute = {});
+
  private:
   struct Impl;
   explicit SceneStore(std::unique_ptr<Impl> impl);

@@ -7,6 +7,7 @@ import unittest
 import jsonschema
 import yaml
 
+from support.pictures import hdr
 from support.server import REPOSITORY, ServedTest, comb, flood
 
 CONTRACT = yaml.safe_load((REPOSITORY / "protocol" / "openapi" / "openapi.yaml").read_text())
@@ -71,6 +72,8 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Stroke"]["properties"]["samples"]["maxItems"], limits["samples_per_stroke"])
         self.assertIn(f"at most {limits['dabs_per_stroke']} dabs", SCHEMAS["Brush"]["properties"]["spacing"]["description"])
         self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
+        self.assertEqual(SCHEMAS["Harmonics"]["items"]["items"]["maximum"], limits["harmonic"])
+        self.assertIn(f"{limits['picture_pixels']} pixels on a side", whole)
         self.assertEqual(SCHEMAS["SetEyes"]["properties"]["eyes"]["maxItems"], limits["eyes"])
         self.assertEqual(SCHEMAS["Eye"]["properties"]["radius"]["minimum"], limits["least_eye_radius"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
@@ -81,7 +84,7 @@ class Document(unittest.TestCase):
         builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
         self.assertEqual(builtin["triangles"]["maximum"], limits["builtin_triangles"])
         self.assertEqual(CONTRACT["components"]["parameters"]["Wait"]["schema"]["maximum"], limits["wait_seconds"])
-        for name in ("command_body_bytes", "model_bytes", "model_triangles"):
+        for name in ("command_body_bytes", "model_bytes", "model_triangles", "picture_bytes"):
             self.assertIn(str(limits[name]), whole, name)
         self.assertIn(f"{limits['json_depth']} levels", whole)
         self.assertIn(f"{int(limits['command_coordinate_sizes'])} sizes", whole)
@@ -131,6 +134,8 @@ class Requests(ServedTest):
                                         "odd_hairs": {"share": 0.1, "colour": [1, 1, 1]},
                                         "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
+            {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
+            {"op": "set_environment", "environment": {"harmonics": [[1, 2, 3]] * 9, "turn_degrees": 30, "intensity": 2}},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2}]},
             {"op": "set_eyes", "eyes": [{"position": [0, 1, 0], "radius": 0.02, "gaze": [0, 0, 1], "sclera": "#ffffff", "bulge": 0.25,
                                          "iris": {"colour": "#806020", "size": 0.5, "depth": 0.25, "relief": 0.1, "limbal_ring": 0.25},
@@ -253,7 +258,7 @@ class Answers(ServedTest):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1},
                 "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
-        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "environment": hdr([[[1, 1, 1]]])}
         seen = 0
         for path, method, _ in operations():
             name = path.rsplit("/", 1)[1]
@@ -261,7 +266,7 @@ class Answers(ServedTest):
                 continue
             address = path.replace("{id}", scene.id) + {"model": "?format=obj", "frame.png": "?width=16&height=16"}.get(name, "")
             body["revert"] = {"revision": scene.info()["revision"]}
-            sent = None if method == "get" else model if method == "put" else body.get(path, body.get(name))
+            sent = None if method == "get" else files[name] if method == "put" else body.get(path, body.get(name))
             with self.subTest(f"{method} {path}"):
                 answer = self.server.call(method.upper(), address, sent)
                 self.assertLess(answer.status, 400, answer)
@@ -270,7 +275,7 @@ class Answers(ServedTest):
                     self.check(path, method, self.server.call("POST", address, "{"))
                 self.check(path, method, self.server.call(method.upper(), address, sent, headers={"Host": "evil.example"}))
                 seen += 1
-        self.assertGreaterEqual(seen, 16)
+        self.assertGreaterEqual(seen, 17)
         self.check("/v1/scenes/{id}/log", "get", self.server.get(f"{scene.path}/log?format=jsonl"))
         self.check("/v1/scenes/{id}/pick", "post", scene.post("pick", {"pixel": [0, 0]}))
         self.check("/v1/scenes/{id}", "delete", self.server.call("DELETE", scene.path))

@@ -275,6 +275,19 @@ Command set_eyes() {
   return result;
 }
 
+Command set_environment() {
+  if (*rc::gen::arbitrary<bool>()) {
+    return SetEnvironment{
+        {.sky = colour(), .horizon = colour(), .ground = colour(), .harmonics = {}, .intensity = number(0, 100)}};
+  }
+  SphericalHarmonics harmonics;
+  for (glm::dvec3& v : harmonics) v = {number(-1e6, 1e6), number(-1, 1), number(-1e6, 1e6)};
+  Environment environment;
+  environment.harmonics = harmonics;
+  environment.turn_degrees = number(-360, 360), environment.intensity = number(0, 100);
+  return SetEnvironment{environment};
+}
+
 Command command() {
   switch (*rc::gen::inRange(0, 9)) {
     case 0: return comb();
@@ -282,7 +295,7 @@ Command command() {
     case 2: return attract();
     case 3: return set_coat();
     case 4: return SetLook{look()};
-    case 5: return SetEnvironment{{colour(), colour(), colour(), number(0, 100)}};
+    case 5: return set_environment();
     case 6: return set_ground();
     case 7: return set_eyes();
     default: return set_lights();
@@ -333,6 +346,15 @@ RC_GTEST_PROP(Json, CoatsKeepEveryBit, ()) {
   const Coat before = std::get<SetCoat>(set_coat()).coat;
   const Coat after = std::get<SetCoat>(decode_commands(encode(Command(SetCoat{before})))->front()).coat;
   RC_ASSERT(after == before);
+}
+
+RC_GTEST_PROP(Json, EnvironmentsKeepEveryBit, ()) {
+  const Environment before = std::get<SetEnvironment>(set_environment()).environment;
+  const auto decoded = decode_commands(encode(Command(SetEnvironment{before})));
+  const Environment after = std::get<SetEnvironment>(decoded->front()).environment;
+  RC_ASSERT(after.harmonics == before.harmonics);
+  RC_ASSERT(after.turn_degrees == before.turn_degrees && after.intensity == before.intensity);
+  RC_ASSERT(after.sky == before.sky && after.horizon == before.horizon && after.ground == before.ground);
 }
 
 RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {

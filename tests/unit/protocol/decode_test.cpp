@@ -389,5 +389,29 @@ TEST(SplitSteps, LinesArraysAndDocuments) {
   EXPECT_NE(split_steps("{}\n{]\n").status().message.find("Line 2"), std::string::npos);
 }
 
+std::string environment_with(const std::string& members) {
+  return R"({"op": "set_environment", "environment": {)" + members + "}}";
+}
+
+TEST(Decode, EnvironmentsAreAGradientOrHarmonics) {
+  const std::string nine = R"("harmonics": [)" + repeated("[1, -2, 1e6]", 9) + "]";
+  EXPECT_TRUE(refusal(environment_with("")).ok());
+  EXPECT_TRUE(refusal(environment_with(nine + R"(, "turn_degrees": -360, "intensity": 2)")).ok());
+  const std::string at = "/environment/";
+  expect_refusal(environment_with(nine + R"(, "ground": [1, 1, 1])"), Code::invalid, at + "harmonics");
+  expect_refusal(environment_with(R"("turn_degrees": 3)"), Code::invalid, at + "turn_degrees");
+  expect_refusal(environment_with(nine + R"(, "turn_degrees": 361)"), Code::invalid, at + "turn_degrees");
+  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + "]"), Code::invalid, at + "harmonics");
+  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + ", [0, 1.1e6, 0]]"), Code::invalid,
+                 at + "harmonics/8/1");
+}
+
+TEST(Decode, EnvironmentQueries) {
+  EXPECT_EQ(decode_environment_query({})->intensity, 1);
+  EXPECT_EQ(decode_environment_query({{"turn_degrees", "-90"}, {"intensity", "2"}})->turn_degrees, -90);
+  EXPECT_EQ(decode_environment_query({{"intensity", "-1"}}).status().pointer, "/intensity");
+  EXPECT_EQ(decode_environment_query({{"intensiti", "1"}}).status().nearest, "intensity");
+}
+
 }  // namespace
 }  // namespace pelage
