@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-enum class Action { create, load, environment, run, frame, undo, redo, revert, log, pick, list, remove, info, compare };
+enum class Action { create, load, environment, base_picture, run, frame, undo, redo, revert, log, pick, list, remove, info, compare };
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
@@ -27,7 +27,8 @@ struct Options {
   // create and load
   double length = 0.03;  // sizes
   double inclination = 0.45;
-  // load, environment and run; "-" is standard input
+  std::string fur_patches = "overlapping";
+  // load, environment, base_picture and run; "-" is standard input
   std::string file;
   std::string format;  // "" for the file's ending
   std::string up = "y", front = "z";

@@ -17,9 +17,9 @@ namespace pelage {
 namespace {
 
 std::string request_of(const Options& options) {
-  return fmt::format(R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}}}})",
+  return fmt::format(R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}},"fur_patches":{}}})",
                      json_text(options.name), json_text(options.builtin), options.triangles, options.length,
-                     options.inclination);
+                     options.inclination, json_text(options.fur_patches));
 }
 
 /// "obj" of "spot.OBJ".
@@ -35,7 +35,8 @@ Query import_query(const Options& options) {
           {"up", options.up},
           {"front", options.front},
           {"length", fmt::format("{}", options.length)},
-          {"inclination", fmt::format("{}", options.inclination)}};
+          {"inclination", fmt::format("{}", options.inclination)},
+          {"fur_patches", options.fur_patches}};
 }
 
 /// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.
@@ -101,6 +102,10 @@ ExitCode load_environment(Session& session) {
                        {"turn_degrees", fmt::format("{}", options.turn_degrees)}};
   if (const auto checked = decode_environment_query(query); !checked) return report(checked.status());
   return print_change(session, put_file(session, "environment", query, limits::picture_bytes));
+}
+
+ExitCode load_base_picture(Session& session) {
+  return print_change(session, put_file(session, "base_picture", {}, limits::picture_bytes));
 }
 
 ExitCode list_scenes(Session& session) {

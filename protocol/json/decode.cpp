@@ -116,8 +116,23 @@ Command set_eyes(Object& object) {
   return result;
 }
 
+bool is_picture_name(const std::string& text) {
+  return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+Command set_base_picture(Object& object) {
+  SetBasePicture result;
+  object.required("picture", [&](const Value& v) {
+    const std::string name = v.text(1, 32);
+    if (name == "own") return;
+    if (!is_picture_name(name)) v.refuse("This names no picture.", "own, or 32 hex digits in lower case");
+    result.picture = name;
+  });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 9> command_readers{{{"comb", comb},
+constexpr std::array<json_names::Name<CommandReader>, 10> command_readers{{{"comb", comb},
                                                                           {"blow", blow},
                                                                           {"attract", attract},
                                                                           {"set_coat", set_coat},
@@ -125,7 +140,8 @@ constexpr std::array<json_names::Name<CommandReader>, 9> command_readers{{{"comb
                                                                           {"set_lights", set_lights},
                                                                           {"set_environment", set_environment},
                                                                           {"set_ground", set_ground},
-                                                                          {"set_eyes", set_eyes}}};
+                                                                          {"set_eyes", set_eyes},
+                                                                          {"set_base_picture", set_base_picture}}};
 
 Command command(const Value& value) {
   Object object(value);
@@ -231,6 +247,7 @@ Result<NewScene> decode_new_scene(std::string_view text) {
       model.finish();
     });
     object.optional("fur", [&](const Value& v) { result.fur = fur(v); });
+    object.name("fur_patches", result.fur_patches, json_names::fur_patches);
     object.finish();
     return result;
   });

@@ -301,6 +301,10 @@ void add_members(Json& json, const SetEyes& command) {
   for (const Eye& eye : command.eyes) json["eyes"].push_back(json_of(eye));
 }
 
+void add_members(Json& json, const SetBasePicture& command) {
+  json["picture"] = command.picture.empty() ? "own" : command.picture;
+}
+
 Json json_of(const Command& command) {
   Json json = {{"op", op_of(command)}};
   std::visit([&](const auto& c) { add_members(json, c); }, command);
@@ -337,7 +341,8 @@ std::string encode(const NewScene& request) {
   const Json model = {{"builtin", text_of(json_names::builtins, request.model.shape)},
                       {"triangles", request.model.triangles}};
   const Json fur = {{"length", request.fur.length}, {"inclination", request.fur.inclination}};
-  return line({{"name", request.name}, {"model", model}, {"fur", fur}});
+  return line({{"name", request.name}, {"model", model}, {"fur", fur},
+               {"fur_patches", text_of(json_names::fur_patches, request.fur_patches)}});
 }
 
 std::string encode(const FrameRequest& request) {

@@ -96,7 +96,9 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   return count;
 }
 
-void Renderer::forget(std::uint64_t model) { models_.erase(model); }
+void Renderer::forget(std::uint64_t original) {
+  std::erase_if(models_, [&](const auto& model) { return model.second.original() == original; });
+}
 
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
   const auto found =

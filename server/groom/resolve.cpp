@@ -4,6 +4,7 @@
 #include "protocol/base/limits.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "server/surface/patches.h"
 
 namespace pelage {
 
@@ -100,6 +101,10 @@ struct CheckTool {
       if (eye.look_at && !reachable(mesh.to_internal(*eye.look_at))) return out_of_reach(pointer + "/look_at");
     }
     return {};
+  }
+  Status operator()(const SetBasePicture& command) const {
+    if (command.picture.empty() || has_own_uvs(mesh)) return {};
+    return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture", "own");
   }
   template <class Other>
   Status operator()(const Other&) const {

@@ -53,6 +53,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.ground = ground->ground;
   else if (const auto* eyes = std::get_if<SetEyes>(&command))
     settings.eyes = eyes->eyes;
+  else if (const auto* base = std::get_if<SetBasePicture>(&command))
+    settings.base_picture = base->picture;
   else
     return std::nullopt;
   return settings;
@@ -61,7 +63,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
 std::vector<Command> commands_of(const SceneSettings& settings) {
   return {SetCoat{settings.coat},     SetLook{settings.look},
           SetLights{settings.lights}, SetEnvironment{settings.environment},
-          SetGround{settings.ground}, SetEyes{settings.eyes}};
+          SetGround{settings.ground}, SetEyes{settings.eyes},
+          SetBasePicture{settings.base_picture}};
 }
 
 const char* name_of(EntryKind kind) {

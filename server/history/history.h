@@ -21,6 +21,7 @@ struct SceneSettings {
   Environment environment;
   Ground ground;
   std::vector<Eye> eyes;
+  std::string base_picture;  // "" for the model's own colours
 };
 
 /// The settings with a command that sets one of them carried out; none for other commands.

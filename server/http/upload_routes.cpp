@@ -38,6 +38,15 @@ void load_environment(Service& service, Scene& scene, const Request& request, Re
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
+void load_base_picture(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+  const auto if_match = if_match_of(request);
+  if (!if_match) return reply_problem(response, if_match.status());
+  const auto answer = service.scenes.load_base_picture(scene, octets, {.if_match = *if_match});
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer), answer->revision);
+}
+
 /// One kind of upload.
 struct Kind {
   std::size_t most_octets;
@@ -90,6 +99,7 @@ void put(httplib::Server& server, Service& service, const char* name, Kind kind)
 void add_upload_routes(httplib::Server& server, Service& service) {
   put(server, service, "model", {limits::model_bytes, load_model});
   put(server, service, "environment", {limits::picture_bytes, load_environment});
+  put(server, service, "base_picture", {limits::picture_bytes, load_base_picture});
 }
 
 }  // namespace pelage

@@ -37,6 +37,12 @@ class SceneStore {
   Result<CommandAnswer> load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
                                          const ExecuteOptions& execute = {});
 
+  /// Reads a PNG or JPEG through the worker and lays it on the scene's model. Counts as an import.
+  Result<CommandAnswer> load_base_picture(Scene& scene, std::span<const std::byte> octets,
+                                          const ExecuteOptions& execute = {});
+  /// Keeps the picture and names it in a set_base_picture. Refused as that command is.
+  Result<CommandAnswer> lay_base_picture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
+
  private:
   struct Impl;
   explicit SceneStore(std::unique_ptr<Impl> impl);
