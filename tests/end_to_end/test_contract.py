@@ -7,7 +7,7 @@ import unittest
 import jsonschema
 import yaml
 
-from support.pictures import hdr
+from support.pictures import hdr, png
 from support.server import REPOSITORY, ServedTest, comb, flood
 
 CONTRACT = yaml.safe_load((REPOSITORY / "protocol" / "openapi" / "openapi.yaml").read_text())
@@ -51,7 +51,7 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "Eye", "Iris", "Pupil",
+                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "Eye", "Iris", "Pupil",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
@@ -136,6 +136,7 @@ class Requests(ServedTest):
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
             {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
             {"op": "set_environment", "environment": {"harmonics": [[1, 2, 3]] * 9, "turn_degrees": 30, "intensity": 2}},
+            {"op": "set_base_picture", "picture": "own"},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2}]},
             {"op": "set_eyes", "eyes": [{"position": [0, 1, 0], "radius": 0.02, "gaze": [0, 0, 1], "sclera": "#ffffff", "bulge": 0.25,
                                          "iris": {"colour": "#806020", "size": 0.5, "depth": 0.25, "relief": 0.1, "limbal_ring": 0.25},
@@ -162,7 +163,7 @@ class Requests(ServedTest):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
 
     def test_new_scenes(self):
-        body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}}
+        body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}, "fur_patches": "hard"}
 
         def create(request):
             answer = self.server.post("/v1/scenes", request)
@@ -198,10 +199,11 @@ class Defaults(ServedTest):
         answer = scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=1.0), {"op": "blow", "source": [0, 0, 1], "direction": [0, 0, -1]},
                            {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
                            {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]},
+                           {"op": "set_environment", "environment": {"harmonics": [[1, 1, 1]] * 9, "intensity": 1}},
                            {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]})
         self.assertEqual(answer.status, 200, answer)
         commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
-        combed, blown, attracted, coat, look, lights, eyes = commands
+        combed, blown, attracted, coat, look, lights, environment, eyes = commands
         self.assert_defaults("Comb", combed)
         self.assert_defaults("Stroke", combed["stroke"])
         self.assert_defaults("Brush", combed["brush"], given=["radius"])
@@ -213,6 +215,7 @@ class Defaults(ServedTest):
             self.assert_defaults(schema, coat["coat"][part])
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
+        self.assert_defaults("Environment", environment["environment"], given=["harmonics"])
         self.assert_defaults("Eye", eyes["eyes"][0])
         for schema, part in (("Iris", "iris"), ("Pupil", "pupil"), ("Lids", "lids")):
             self.assert_defaults(schema, eyes["eyes"][0][part])
@@ -229,7 +232,8 @@ class Defaults(ServedTest):
         plain = self.server.post("/v1/scenes", {}).json
         said = {"name": SCHEMAS["NewScene"]["properties"]["name"]["default"],
                 "model": {k: v["default"] for k, v in SCHEMAS["NewScene"]["properties"]["model"]["properties"].items()},
-                "fur": {k: v["default"] for k, v in SCHEMAS["FirstGroom"]["properties"].items()}}
+                "fur": {k: v["default"] for k, v in SCHEMAS["FirstGroom"]["properties"].items()},
+                "fur_patches": SCHEMAS["FurPatches"]["default"]}
         same = self.server.post("/v1/scenes", said).json
         for key in ("name", "model", "triangles", "fields_hash"):
             self.assertEqual(plain[key], same[key])
@@ -258,7 +262,8 @@ class Answers(ServedTest):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1},
                 "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
-        files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "environment": hdr([[[1, 1, 1]]])}
+        files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
+                 "environment": hdr([[[1, 1, 1]]]), "base_picture": png([[[1, 2, 3]]])}
         seen = 0
         for path, method, _ in operations():
             name = path.rsplit("/", 1)[1]
@@ -275,7 +280,7 @@ class Answers(ServedTest):
                     self.check(path, method, self.server.call("POST", address, "{"))
                 self.check(path, method, self.server.call(method.upper(), address, sent, headers={"Host": "evil.example"}))
                 seen += 1
-        self.assertGreaterEqual(seen, 17)
+        self.assertGreaterEqual(seen, 18)
         self.check("/v1/scenes/{id}/log", "get", self.server.get(f"{scene.path}/log?format=jsonl"))
         self.check("/v1/scenes/{id}/pick", "post", scene.post("pick", {"pixel": [0, 0]}))
         self.check("/v1/scenes/{id}", "delete", self.server.call("DELETE", scene.path))

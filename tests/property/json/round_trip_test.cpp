@@ -288,8 +288,13 @@ Command set_environment() {
   return SetEnvironment{environment};
 }
 
+Command set_base_picture() {
+  if (*rc::gen::arbitrary<bool>()) return SetBasePicture{};
+  return SetBasePicture{*rc::gen::container<std::string>(32, rc::gen::elementOf(std::string("0123456789abcdef")))};
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 9)) {
+  switch (*rc::gen::inRange(0, 10)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
@@ -298,6 +303,7 @@ Command command() {
     case 5: return set_environment();
     case 6: return set_ground();
     case 7: return set_eyes();
+    case 8: return set_base_picture();
     default: return set_lights();
   }
 }
@@ -355,6 +361,24 @@ RC_GTEST_PROP(Json, EnvironmentsKeepEveryBit, ()) {
   RC_ASSERT(after.harmonics == before.harmonics);
   RC_ASSERT(after.turn_degrees == before.turn_degrees && after.intensity == before.intensity);
   RC_ASSERT(after.sky == before.sky && after.horizon == before.horizon && after.ground == before.ground);
+}
+
+RC_GTEST_PROP(Json, PicturesOfModelsComeBack, ()) {
+  const Command before = set_base_picture();
+  const auto after = decode_commands(encode(before));
+  RC_ASSERT(after.ok());
+  RC_ASSERT(std::get<SetBasePicture>(after->front()).picture == std::get<SetBasePicture>(before).picture);
+}
+
+RC_GTEST_PROP(Json, NewScenesComeBack, ()) {
+  const NewScene before{.name = "a",
+                        .model = {one_of(Builtin::creature), *rc::gen::inRange(2, 1'000'001)},
+                        .fur = {number(0, 10), number(0, 1)},
+                        .fur_patches = one_of(FurPatches::own_uvs)};
+  const auto after = decode_new_scene(encode(before));
+  RC_ASSERT(after.ok());
+  RC_ASSERT(after->fur_patches == before.fur_patches && after->model.shape == before.model.shape);
+  RC_ASSERT(after->fur.length == before.fur.length && after->model.triangles == before.model.triangles);
 }
 
 RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {

@@ -413,5 +413,24 @@ TEST(Decode, EnvironmentQueries) {
   EXPECT_EQ(decode_environment_query({{"intensiti", "1"}}).status().nearest, "intensity");
 }
 
+TEST(Decode, PicturesAreNamedByHexDigits) {
+  const auto named = [](const std::string& name) { return R"({"op": "set_base_picture", "picture": ")" + name + "\"}"; };
+  EXPECT_TRUE(refusal(named("own")).ok());
+  EXPECT_TRUE(refusal(named("0123456789abcdef0123456789abcdef")).ok());
+  for (const std::string bad : {"", "Own", "0123456789abcdef0123456789abcde", "0123456789ABCDEF0123456789abcdef",
+                                "0123456789abcdef0123456789abcdef0"}) {
+    expect_refusal(named(bad), Code::invalid, "/picture");
+  }
+  expect_refusal(R"({"op": "set_base_picture"})", Code::invalid, "/picture");
+}
+
+TEST(Decode, HowFurIsLaid) {
+  EXPECT_EQ(decode_new_scene("{}")->fur_patches, FurPatches::overlapping);
+  EXPECT_EQ(decode_new_scene(R"({"fur_patches": "hard"})")->fur_patches, FurPatches::hard);
+  EXPECT_EQ(decode_new_scene(R"({"fur_patches": "own_uv"})").status().nearest, "own_uvs");
+  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"fur_patches", "own_uvs"}})->fur_patches, FurPatches::own_uvs);
+  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"fur_patches", "soft"}}).status().pointer, "/fur_patches");
+}
+
 }  // namespace
 }  // namespace pelage
