@@ -5,28 +5,12 @@
 #include <string>
 
 #include "protocol/base/limits.h"
+#include "tests/unit/protocol/refusals.h"
 
 namespace pelage {
 namespace {
 
 const std::string comb_text = R"({"op": "comb", "stroke": {"samples": [{"position": [0, 0.2, 0.5]}]}})";
-
-std::string repeated(const std::string& text, std::size_t times) {
-  std::string all;
-  for (std::size_t i = 0; i < times; ++i) all += (i ? "," : "") + text;
-  return all;
-}
-
-Status refusal(std::string_view text) {
-  const auto decoded = decode_commands(text);
-  return decoded.ok() ? Status{} : decoded.status();
-}
-
-void expect_refusal(std::string_view text, Code code, std::string_view pointer) {
-  const Status status = refusal(text);
-  EXPECT_EQ(status.code, code) << text << "\n" << status.message;
-  EXPECT_EQ(status.pointer, pointer) << text << "\n" << status.message;
-}
 
 TEST(Decode, CombWithDefaults) {
   const auto commands = decode_commands(comb_text);
@@ -387,49 +371,6 @@ TEST(SplitSteps, LinesArraysAndDocuments) {
   EXPECT_EQ(split_steps("{\n\"op\":\n\"a\"}")->size(), 1u);
   EXPECT_FALSE(split_steps("").ok());
   EXPECT_NE(split_steps("{}\n{]\n").status().message.find("Line 2"), std::string::npos);
-}
-
-std::string environment_with(const std::string& members) {
-  return R"({"op": "set_environment", "environment": {)" + members + "}}";
-}
-
-TEST(Decode, EnvironmentsAreAGradientOrHarmonics) {
-  const std::string nine = R"("harmonics": [)" + repeated("[1, -2, 1e6]", 9) + "]";
-  EXPECT_TRUE(refusal(environment_with("")).ok());
-  EXPECT_TRUE(refusal(environment_with(nine + R"(, "turn_degrees": -360, "intensity": 2)")).ok());
-  const std::string at = "/environment/";
-  expect_refusal(environment_with(nine + R"(, "ground": [1, 1, 1])"), Code::invalid, at + "harmonics");
-  expect_refusal(environment_with(R"("turn_degrees": 3)"), Code::invalid, at + "turn_degrees");
-  expect_refusal(environment_with(nine + R"(, "turn_degrees": 361)"), Code::invalid, at + "turn_degrees");
-  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + "]"), Code::invalid, at + "harmonics");
-  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + ", [0, 1.1e6, 0]]"), Code::invalid,
-                 at + "harmonics/8/1");
-}
-
-TEST(Decode, EnvironmentQueries) {
-  EXPECT_EQ(decode_environment_query({})->intensity, 1);
-  EXPECT_EQ(decode_environment_query({{"turn_degrees", "-90"}, {"intensity", "2"}})->turn_degrees, -90);
-  EXPECT_EQ(decode_environment_query({{"intensity", "-1"}}).status().pointer, "/intensity");
-  EXPECT_EQ(decode_environment_query({{"intensiti", "1"}}).status().nearest, "intensity");
-}
-
-TEST(Decode, PicturesAreNamedByHexDigits) {
-  const auto named = [](const std::string& name) { return R"({"op": "set_base_picture", "picture": ")" + name + "\"}"; };
-  EXPECT_TRUE(refusal(named("own")).ok());
-  EXPECT_TRUE(refusal(named("0123456789abcdef0123456789abcdef")).ok());
-  for (const std::string bad : {"", "Own", "0123456789abcdef0123456789abcde", "0123456789ABCDEF0123456789abcdef",
-                                "0123456789abcdef0123456789abcdef0"}) {
-    expect_refusal(named(bad), Code::invalid, "/picture");
-  }
-  expect_refusal(R"({"op": "set_base_picture"})", Code::invalid, "/picture");
-}
-
-TEST(Decode, HowFurIsLaid) {
-  EXPECT_EQ(decode_new_scene("{}")->fur_patches, FurPatches::overlapping);
-  EXPECT_EQ(decode_new_scene(R"({"fur_patches": "hard"})")->fur_patches, FurPatches::hard);
-  EXPECT_EQ(decode_new_scene(R"({"fur_patches": "own_uv"})").status().nearest, "own_uvs");
-  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"fur_patches", "own_uvs"}})->fur_patches, FurPatches::own_uvs);
-  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"fur_patches", "soft"}}).status().pointer, "/fur_patches");
 }
 
 }  // namespace
