@@ -15,6 +15,7 @@ namespace pelage {
 /// Names on the wire: "creature", "3ds".
 std::string name_of(Builtin shape);
 std::string name_of(ModelFormat format);
+std::string name_of(FurPatches how);
 
 /// Prepares a model as `how` says (its octets are not looked at) and lays its patches. Fails as prepare does, and
 /// (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.

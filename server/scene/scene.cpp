@@ -10,6 +10,7 @@
 #include "server/history/journal.h"
 #include "server/scene/batch.h"
 #include "server/scene/first_settings.h"
+#include "server/scene/model.h"
 #include "server/scene/pick.h"
 #include "server/surface/import.h"
 
@@ -231,6 +232,7 @@ SceneSummary Scene::describe() const {
           name_,
           history_.revision(),
           model_->name,
+          name_of(model_->fur_patches),
           model_->surface.mesh().report,
           fields_.hash(),
           history_.undo_steps(),

@@ -28,6 +28,7 @@ struct SceneModel {
   PatchMap patches;
   std::uint64_t id = 0;  // unique in the process: what the renderer caches by
   std::string name;      // "creature", "obj", ...
+  FurPatches fur_patches = FurPatches::overlapping;
 };
 
 /// What drawing needs to read, under the scene's lock, for as long as the callback of Scene::read runs.

@@ -109,7 +109,7 @@ class FurPatches(ServedTest):
         frames = {}
         for how in ("overlapping", "hard", "own_uvs"):
             scene = self.server.new_scene("plane", 2)
-            self.assertEqual(self.load(scene, how).status, 200)
+            self.assertEqual(self.load(scene, how).json["fur_patches"], how)
             frames[how] = (scene, scene.frame().body)
         self.assertNotEqual(frames["overlapping"][1], frames["own_uvs"][1])
         self.server.terminate()

@@ -177,6 +177,7 @@ TEST_F(BasePictureTest, FurIsLaidAsTheModelWasAskedFor) {
     const std::string id = scene->id();
     open();
     EXPECT_EQ(pieces_of(**store_->find(id)), pieces) << "after a restart";
+    EXPECT_EQ((*store_->find(id))->summary().fur_patches, name_of(how));
   }
 }
 
