@@ -24,8 +24,9 @@ void add_fur(CLI::App* command, Options& options) {
       ->capture_default_str();
   command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")
       ->capture_default_str();
-  command->add_option("--fur-patches", options.fur_patches,
-                      "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")
+  command
+      ->add_option("--fur-patches", options.fur_patches,
+                   "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")
       ->capture_default_str();
 }
 
@@ -76,12 +77,15 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   load->add_option("--front", options.front, "Axis of the file that the model faces")->capture_default_str();
   add_fur(load, options);
 
-  CLI::App* environment = add_action(app, options, Action::environment, "environment",
-                                     "Light a scene from all around with a picture: EXR or HDR, as wide as 360 degrees");
+  CLI::App* environment =
+      add_action(app, options, Action::environment, "environment",
+                 "Light a scene from all around with a picture: EXR or HDR, as wide as 360 degrees");
   add_scene(environment, options);
-  environment->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")->required();
+  environment->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")
+      ->required();
   environment->add_option("--intensity", options.intensity, "Factor on its light, 0 to 100")->capture_default_str();
-  environment->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")
+  environment
+      ->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")
       ->capture_default_str();
 
   CLI::App* base = add_action(app, options, Action::base_picture, "base-picture",

@@ -9,7 +9,23 @@
 
 namespace pelage {
 
-enum class Action { create, load, environment, base_picture, run, frame, undo, redo, revert, log, pick, list, remove, info, compare };
+enum class Action {
+  create,
+  load,
+  environment,
+  base_picture,
+  run,
+  frame,
+  undo,
+  redo,
+  revert,
+  log,
+  pick,
+  list,
+  remove,
+  info,
+  compare
+};
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 

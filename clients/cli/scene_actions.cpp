@@ -17,9 +17,10 @@ namespace pelage {
 namespace {
 
 std::string request_of(const Options& options) {
-  return fmt::format(R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}},"fur_patches":{}}})",
-                     json_text(options.name), json_text(options.builtin), options.triangles, options.length,
-                     options.inclination, json_text(options.fur_patches));
+  return fmt::format(
+      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}},"fur_patches":{}}})",
+      json_text(options.name), json_text(options.builtin), options.triangles, options.length, options.inclination,
+      json_text(options.fur_patches));
 }
 
 /// "obj" of "spot.OBJ".

@@ -97,12 +97,14 @@ struct SetEnvironment { Environment environment; };
 struct SetGround { Ground ground; };
 struct SetEyes { std::vector<Eye> eyes; };        // at most 8
 
-/// Lays a picture on the model by its texture coordinates, in place of all colours of its own. It is named by the 32 hex
-/// digits that its upload answered with; "" takes it off again.
-struct SetBasePicture { std::string picture; };
+/// Lays a picture on the model by its texture coordinates, in place of all colours of its own. It is named by the 32
+/// hex digits that its upload answered with; "" takes it off again.
+struct SetBasePicture {
+  std::string picture;
+};
 
-using Command = std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes,
-                             SetBasePicture>;
+using Command =
+    std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetBasePicture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

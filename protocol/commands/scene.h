@@ -15,8 +15,8 @@ struct FirstGroom {
   double inclination = 0.45; // [0, 1]
 };
 
-/// How the sample tile is laid on the surface: lapped patches with soft overlaps, the same with hard borders (each place
-/// drawn once), or the model's own texture coordinates. Roots never move, so it is chosen with the model.
+/// How the sample tile is laid on the surface: lapped patches with soft overlaps, the same with hard borders (each
+/// place drawn once), or the model's own texture coordinates. Roots never move, so it is chosen with the model.
 enum class FurPatches { overlapping, hard, own_uvs };
 
 struct BuiltinModel {

@@ -133,15 +133,15 @@ Command set_base_picture(Object& object) {
 
 using CommandReader = Command (*)(Object&);
 constexpr std::array<json_names::Name<CommandReader>, 10> command_readers{{{"comb", comb},
-                                                                          {"blow", blow},
-                                                                          {"attract", attract},
-                                                                          {"set_coat", set_coat},
-                                                                          {"set_look", set_look},
-                                                                          {"set_lights", set_lights},
-                                                                          {"set_environment", set_environment},
-                                                                          {"set_ground", set_ground},
-                                                                          {"set_eyes", set_eyes},
-                                                                          {"set_base_picture", set_base_picture}}};
+                                                                           {"blow", blow},
+                                                                           {"attract", attract},
+                                                                           {"set_coat", set_coat},
+                                                                           {"set_look", set_look},
+                                                                           {"set_lights", set_lights},
+                                                                           {"set_environment", set_environment},
+                                                                           {"set_ground", set_ground},
+                                                                           {"set_eyes", set_eyes},
+                                                                           {"set_base_picture", set_base_picture}}};
 
 Command command(const Value& value) {
   Object object(value);

@@ -233,9 +233,7 @@ Json json_of(const Environment& environment) {
   if (environment.harmonics) {
     Json harmonics = Json::array();
     for (const glm::dvec3& coefficient : *environment.harmonics) harmonics.push_back(list(coefficient));
-    return {{"harmonics", harmonics},
-            {"turn_degrees", environment.turn_degrees},
-            {"intensity", environment.intensity}};
+    return {{"harmonics", harmonics}, {"turn_degrees", environment.turn_degrees}, {"intensity", environment.intensity}};
   }
   return {{"sky", colour(environment.sky)},
           {"horizon", colour(environment.horizon)},
@@ -341,7 +339,9 @@ std::string encode(const NewScene& request) {
   const Json model = {{"builtin", text_of(json_names::builtins, request.model.shape)},
                       {"triangles", request.model.triangles}};
   const Json fur = {{"length", request.fur.length}, {"inclination", request.fur.inclination}};
-  return line({{"name", request.name}, {"model", model}, {"fur", fur},
+  return line({{"name", request.name},
+               {"model", model},
+               {"fur", fur},
                {"fur_patches", text_of(json_names::fur_patches, request.fur_patches)}});
 }
 

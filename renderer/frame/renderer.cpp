@@ -32,8 +32,8 @@ class Stopwatch {
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame) {
   const Environment& light = frame.environment;
-  const bool constant =
-      !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
+  const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
+                        light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
          (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +

@@ -15,8 +15,8 @@ namespace pelage {
 
 namespace {
 
-// A direction is (h X, y, h Z): h and y are the sine and the cosine of the polar angle, X and Z belong to the longitude.
-// Every basis function is a sum of products of both, and so are its integrals over a pixel.
+// A direction is (h X, y, h Z): h and y are the sine and the cosine of the polar angle, X and Z belong to the
+// longitude. Every basis function is a sum of products of both, and so are its integrals over a pixel.
 
 /// Integrals over the longitudes of a column.
 struct ColumnMoments {

@@ -29,7 +29,8 @@ SphericalHarmonics irradiance_of(const SphericalHarmonics& radiance);
 
 glm::dvec3 evaluate(const SphericalHarmonics& coefficients, glm::dvec3 direction);
 
-/// What comes from a direction then comes from that direction turned about +y, counter-clockwise seen from above. Exact.
+/// What comes from a direction then comes from that direction turned about +y, counter-clockwise seen from above.
+/// Exact.
 SphericalHarmonics turned(const SphericalHarmonics& coefficients, double radians);
 
 /// Radiance of the environment, turned and times its intensity.

@@ -61,9 +61,12 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
 }
 
 std::vector<Command> commands_of(const SceneSettings& settings) {
-  return {SetCoat{settings.coat},     SetLook{settings.look},
-          SetLights{settings.lights}, SetEnvironment{settings.environment},
-          SetGround{settings.ground}, SetEyes{settings.eyes},
+  return {SetCoat{settings.coat},
+          SetLook{settings.look},
+          SetLights{settings.lights},
+          SetEnvironment{settings.environment},
+          SetGround{settings.ground},
+          SetEyes{settings.eyes},
           SetBasePicture{settings.base_picture}};
 }
 

@@ -64,8 +64,10 @@ Status check_schema(Database& database) {
   if (!version) return version.status();
   const Result<std::uint64_t> tables = number_of(database, "SELECT count(*) FROM sqlite_master");
   if (!tables) return tables.status();
-  if (*version > schema_version) return failure(Code::internal, "the journal comes from a newer version of this program");
-  if (*version == 0 && *tables > 0) return failure(Code::internal, "the file in the journal's place is another database");
+  if (*version > schema_version)
+    return failure(Code::internal, "the journal comes from a newer version of this program");
+  if (*version == 0 && *tables > 0)
+    return failure(Code::internal, "the file in the journal's place is another database");
   return database.transaction([&]() -> Status {
     if (*version < 1) {
       if (Status made = database.execute(first_schema); !made.ok()) return made;
@@ -246,8 +248,11 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
   Result<FieldDelta> first_groom = decode_delta(row.blob_at(6));
   if (!first_groom) return first_groom.status();
   const std::span<const std::byte> raw = row.blob_at(7);
-  StoredModel model{row.text_at(1), static_cast<Axis>(row.number_at(2)), static_cast<Axis>(row.number_at(3)),
-                    row.number_at(4) != 0, std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
+  StoredModel model{row.text_at(1),
+                    static_cast<Axis>(row.number_at(2)),
+                    static_cast<Axis>(row.number_at(3)),
+                    row.number_at(4) != 0,
+                    std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
                     static_cast<FurPatches>(row.number_at(8))};
   return StoredScene{id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom)};
 }

@@ -35,8 +35,8 @@ Result<std::string> read_base(std::string octets) {
 
 Job job_of(std::string_view name) {
   static constexpr std::array<Job, worker_format_names.size()> models = {
-      read_model<ModelFormat::obj>,  read_model<ModelFormat::ply>, read_model<ModelFormat::stl>,
-      read_model<ModelFormat::off>,  read_model<ModelFormat::gltf>, read_model<ModelFormat::glb>,
+      read_model<ModelFormat::obj>, read_model<ModelFormat::ply>,  read_model<ModelFormat::stl>,
+      read_model<ModelFormat::off>, read_model<ModelFormat::gltf>, read_model<ModelFormat::glb>,
       read_model<ModelFormat::tds>};
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (name == worker_format_names[i]) return models[i];

@@ -27,7 +27,8 @@ Result<SphericalHarmonics> read_environment(const std::string& octets) {
   read_exr_without_threads();
   const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(octets)), most_pixels);
   if (!image.ok()) return image.status();
-  if (image->display_referred) return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
+  if (image->display_referred)
+    return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   return project_equirectangular(image->width, image->height, image->rgba);
 }

@@ -55,7 +55,7 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_pictur
     for (std::size_t k = 0; k < 3; ++k) {
       const PatchPoint& point = patches.points[piece.points[static_cast<int>(k)]];
       corners[k].tile_uv = point.uv, corners[k].tile_axis = point.axis, corners[k].weight = point.weight;
-      const LookCorner look = has_picture ? LookCorner{mesh.texture_uv[piece.triangle][k], glm::vec3(1), 0}
+      const LookCorner look = has_picture            ? LookCorner{mesh.texture_uv[piece.triangle][k], glm::vec3(1), 0}
                               : mesh.corners.empty() ? LookCorner{}
                                                      : mesh.corners[piece.triangle][k];
       corners[k].image_uv = look.uv, corners[k].colour = look.colour, corners[k].image = look.image;

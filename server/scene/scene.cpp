@@ -184,9 +184,7 @@ Status Scene::take_up_picture() {
   return {};
 }
 
-SceneView Scene::view() const {
-  return {*model_, fields_, history_.settings(), history_.revision(), picture_.get()};
-}
+SceneView Scene::view() const { return {*model_, fields_, history_.settings(), history_.revision(), picture_.get()}; }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   Entry entry;

@@ -25,7 +25,8 @@ std::string program_folder();
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> octets,
                               const ImportLimits& limits = {});
 
-/// The same for a picture of all directions (EXR or HDR; renderer/light/equirectangular.h): the light that it stands for.
+/// The same for a picture of all directions (EXR or HDR; renderer/light/equirectangular.h): the light that it stands
+/// for.
 Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> octets,
                                               const ImportLimits& limits = {});
 

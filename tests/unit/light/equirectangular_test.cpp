@@ -52,7 +52,8 @@ TEST(Equirectangular, UniformLightIsUniformAtAnySize) {
 /// Every coefficient, against the quadrature over directions, which is the coarser one; the sign of each axis is in it.
 TEST(Equirectangular, AgreesWithTheProjectionOfTheSameFunction) {
   const auto radiance = [](glm::dvec3 d) {
-    return 3 + d.x - 0.5 * d.y + 0.7 * d.z + 0.4 * d.x * d.y - 0.6 * d.y * d.z + d.x * d.z + d.z * d.z - 0.3 * d.x * d.x;
+    return 3 + d.x - 0.5 * d.y + 0.7 * d.z + 0.4 * d.x * d.y - 0.6 * d.y * d.z + d.x * d.z + d.z * d.z -
+           0.3 * d.x * d.x;
   };
   const SphericalHarmonics light = sampled(400, 200, radiance).light().value();
   const SphericalHarmonics expected = project([&](glm::dvec3 d) { return radiance(d) * glm::dvec3(1, 2, 0); });
@@ -83,7 +84,8 @@ TEST(Equirectangular, TheMiddleLooksAlongMinusZAndTheRightQuarterAlongX) {
 
 TEST(Equirectangular, RowsCountByTheirArea) {
   Picture picture = uniform(4, 3, glm::vec3(0));
-  for (std::size_t i = 0; i < 16; ++i) picture.rgba[i] = 1;  // the upper third of the angles: (1 - cos 60) / 2 of the sphere
+  for (std::size_t i = 0; i < 16; ++i)
+    picture.rgba[i] = 1;  // the upper third of the angles: (1 - cos 60) / 2 of the sphere
   EXPECT_NEAR(picture.light().value()[0].x * harmonic_scale::constant, 0.25, 1e-12);
 }
 

@@ -105,9 +105,11 @@ TEST(SphericalHarmonics, AnEnvironmentIsTurnedAndScaled) {
 }
 
 TEST(SphericalHarmonics, AGradientIsBrightWhereItsColourIs) {
-  const Environment environment{.sky = {1, 0, 0}, .horizon = {0, 1, 0}, .ground = {0, 0, 1}, .harmonics = {}, .intensity = 2};
+  const Environment environment{
+      .sky = {1, 0, 0}, .horizon = {0, 1, 0}, .ground = {0, 0, 1}, .harmonics = {}, .intensity = 2};
   const SphericalHarmonics light = harmonics_of(environment);
-  const glm::dvec3 above = evaluate(light, {0, 1, 0}), beside = evaluate(light, {1, 0, 0}), below = evaluate(light, {0, -1, 0});
+  const glm::dvec3 above = evaluate(light, {0, 1, 0}), beside = evaluate(light, {1, 0, 0}),
+                   below = evaluate(light, {0, -1, 0});
   EXPECT_GT(above.x, beside.x + 0.3);
   EXPECT_GT(beside.x, below.x + 0.1);
   EXPECT_GT(beside.y, above.y + 0.3);

@@ -16,7 +16,8 @@ TEST(Decode, EnvironmentsAreAGradientOrHarmonics) {
   expect_refusal(environment_with(nine + R"(, "ground": [1, 1, 1])"), Code::invalid, at + "harmonics");
   expect_refusal(environment_with(R"("turn_degrees": 3)"), Code::invalid, at + "turn_degrees");
   expect_refusal(environment_with(nine + R"(, "turn_degrees": 361)"), Code::invalid, at + "turn_degrees");
-  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + "]"), Code::invalid, at + "harmonics");
+  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + "]"), Code::invalid,
+                 at + "harmonics");
   expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + ", [0, 1.1e6, 0]]"), Code::invalid,
                  at + "harmonics/8/1");
 }
@@ -29,7 +30,9 @@ TEST(Decode, EnvironmentQueries) {
 }
 
 TEST(Decode, PicturesAreNamedByHexDigits) {
-  const auto named = [](const std::string& name) { return R"({"op": "set_base_picture", "picture": ")" + name + "\"}"; };
+  const auto named = [](const std::string& name) {
+    return R"({"op": "set_base_picture", "picture": ")" + name + "\"}";
+  };
   EXPECT_TRUE(refusal(named("own")).ok());
   EXPECT_TRUE(refusal(named("0123456789abcdef0123456789abcdef")).ok());
   for (const std::string bad : {"", "Own", "0123456789abcdef0123456789abcde", "0123456789ABCDEF0123456789abcdef",

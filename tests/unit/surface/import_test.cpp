@@ -148,7 +148,8 @@ TEST_F(Import, OtherFormatsAreNotGuessed) {
 }
 
 TEST_F(Import, AnEnvironmentIsReadAsLight) {
-  const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\x00\x81\x80\x40\x00\x81", 8);
+  const std::string hdr =
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\x00\x81\x80\x40\x00\x81", 8);
   const Result<SphericalHarmonics> light = import_environment(PELAGE_IMPORT, octets_of(hdr));
   ASSERT_TRUE(light.ok()) << light.status().message;
   EXPECT_NEAR((*light)[0].x, 3.5449, 0.02);
