@@ -6,6 +6,8 @@ ExitCode perform(Session& session) {
   switch (session.options().action) {
     case Action::create: return create_scene(session);
     case Action::load: return load_model(session);
+    case Action::environment: return load_environment(session);
+    case Action::base_picture: return load_base_picture(session);
     case Action::run: return run_file(session);
     case Action::frame: return draw_frame(session);
     case Action::undo:

@@ -9,6 +9,8 @@ ExitCode perform(Session& session);
 
 ExitCode create_scene(Session& session);
 ExitCode load_model(Session& session);
+ExitCode load_environment(Session& session);
+ExitCode load_base_picture(Session& session);
 ExitCode list_scenes(Session& session);
 ExitCode describe_scene(Session& session);
 ExitCode remove_scene(Session& session);

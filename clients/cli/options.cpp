@@ -24,6 +24,10 @@ void add_fur(CLI::App* command, Options& options) {
       ->capture_default_str();
   command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")
       ->capture_default_str();
+  command
+      ->add_option("--fur-patches", options.fur_patches,
+                   "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")
+      ->capture_default_str();
 }
 
 /// Options that are handed on under the name that frame.png knows them by.
@@ -72,6 +76,22 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z")->capture_default_str();
   load->add_option("--front", options.front, "Axis of the file that the model faces")->capture_default_str();
   add_fur(load, options);
+
+  CLI::App* environment =
+      add_action(app, options, Action::environment, "environment",
+                 "Light a scene from all around with a picture: EXR or HDR, as wide as 360 degrees");
+  add_scene(environment, options);
+  environment->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")
+      ->required();
+  environment->add_option("--intensity", options.intensity, "Factor on its light, 0 to 100")->capture_default_str();
+  environment
+      ->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")
+      ->capture_default_str();
+
+  CLI::App* base = add_action(app, options, Action::base_picture, "base-picture",
+                              "Lay a PNG or JPEG on a model by its texture coordinates");
+  add_scene(base, options);
+  base->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")->required();
 
   add_action(app, options, Action::list, "list", "List the scenes");
   add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);

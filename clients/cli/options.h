@@ -9,7 +9,23 @@
 
 namespace pelage {
 
-enum class Action { create, load, run, frame, undo, redo, revert, log, pick, list, remove, info, compare };
+enum class Action {
+  create,
+  load,
+  environment,
+  base_picture,
+  run,
+  frame,
+  undo,
+  redo,
+  revert,
+  log,
+  pick,
+  list,
+  remove,
+  info,
+  compare
+};
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
@@ -27,10 +43,13 @@ struct Options {
   // create and load
   double length = 0.03;  // sizes
   double inclination = 0.45;
-  // load and run; "-" is standard input
+  std::string fur_patches = "overlapping";
+  // load, environment, base_picture and run; "-" is standard input
   std::string file;
   std::string format;  // "" for the file's ending
   std::string up = "y", front = "z";
+  // environment
+  double intensity = 1, turn_degrees = 0;
   // run
   bool dry_run = false;
   std::optional<std::uint64_t> if_match;

@@ -14,8 +14,8 @@ std::string shortened(const std::string& text) { return text.size() <= 60 ? text
 
 void print(const SceneSummary& summary) {
   const ModelReport& report = summary.report;
-  fmt::print("id          {}\nname        {}\nrevision    {}\nmodel       {}\n", summary.id, summary.name,
-             summary.revision, summary.model);
+  fmt::print("id          {}\nname        {}\nrevision    {}\nmodel       {}\nfur patches {}\n", summary.id,
+             summary.name, summary.revision, summary.model, summary.fur_patches);
   fmt::print("vertices    {} (of {} in the source)\n", report.vertices, report.source_vertices);
   fmt::print("triangles   {} (of {} faces in the source)\nparts       {}\n", report.triangles, report.source_faces,
              report.parts);

@@ -17,9 +17,10 @@ namespace pelage {
 namespace {
 
 std::string request_of(const Options& options) {
-  return fmt::format(R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}}}})",
-                     json_text(options.name), json_text(options.builtin), options.triangles, options.length,
-                     options.inclination);
+  return fmt::format(
+      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}},"fur_patches":{}}})",
+      json_text(options.name), json_text(options.builtin), options.triangles, options.length, options.inclination,
+      json_text(options.fur_patches));
 }
 
 /// "obj" of "spot.OBJ".
@@ -35,7 +36,31 @@ Query import_query(const Options& options) {
           {"up", options.up},
           {"front", options.front},
           {"length", fmt::format("{}", options.length)},
-          {"inclination", fmt::format("{}", options.inclination)}};
+          {"inclination", fmt::format("{}", options.inclination)},
+          {"fur_patches", options.fur_patches}};
+}
+
+/// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.
+Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t most_bytes) {
+  const auto octets = read_file(session.options().file, most_bytes);
+  if (!octets) return octets.status();
+  const auto path = session.scene_path();
+  if (!path) return path.status();
+  std::string address = *path + "/" + name;
+  char separator = '?';
+  for (const auto& [parameter, value] : query) address += std::exchange(separator, '&') + parameter + "=" + value;
+  return Session::accepted(session.connection().put_octets(address, *octets));
+}
+
+ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer) {
+  if (!answer) return report(answer.status(), session.options().file);
+  const auto result = decode_command_answer(answer->body);
+  if (!result) return report(result.status());
+  if (session.options().json)
+    fmt::print("{}\n", answer->body);
+  else
+    print(*result);
+  return done;
 }
 
 ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {
@@ -67,17 +92,21 @@ ExitCode load_model(Session& session) {
   const Options& options = session.options();
   const Query query = import_query(options);
   if (const auto checked = decode_import_query(query); !checked) return report(checked.status());
-  const auto octets = read_file(options.file, limits::model_bytes);
-  if (!octets) return report(octets.status());
-  const auto path = session.scene_path();
-  if (!path) return report(path.status());
-  std::string address = *path + "/model";
-  char separator = '?';
-  // The decoder took every value, so that none needs escaping.
-  for (const auto& [name, value] : query) address += std::exchange(separator, '&') + name + "=" + value;
-  const auto answer = Session::accepted(session.connection().put_octets(address, *octets));
+  const auto answer = put_file(session, "model", query, limits::model_bytes);
   if (!answer) return report(answer.status(), options.file);
   return print_summary(session, answer);
+}
+
+ExitCode load_environment(Session& session) {
+  const Options& options = session.options();
+  const Query query = {{"intensity", fmt::format("{}", options.intensity)},
+                       {"turn_degrees", fmt::format("{}", options.turn_degrees)}};
+  if (const auto checked = decode_environment_query(query); !checked) return report(checked.status());
+  return print_change(session, put_file(session, "environment", query, limits::picture_bytes));
+}
+
+ExitCode load_base_picture(Session& session) {
+  return print_change(session, put_file(session, "base_picture", {}, limits::picture_bytes));
 }
 
 ExitCode list_scenes(Session& session) {

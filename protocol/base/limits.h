@@ -9,6 +9,9 @@ namespace pelage::limits {
 inline constexpr std::size_t command_body_bytes = std::size_t{1} << 20;
 inline constexpr std::size_t model_bytes = std::size_t{256} << 20;
 inline constexpr std::size_t model_triangles = 2'000'000;
+inline constexpr std::size_t picture_bytes = std::size_t{128} << 20;  // of an uploaded picture
+inline constexpr int picture_pixels = 4096;                           // its width and height, each
+inline constexpr double harmonic = 1e6;                               // an environment's coefficient, either sign
 inline constexpr std::size_t builtin_triangles = 1'000'000;
 inline constexpr std::size_t commands_per_batch = 1'000;
 inline constexpr std::size_t samples_per_stroke = 10'000;

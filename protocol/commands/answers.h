@@ -76,6 +76,7 @@ struct SceneSummary {
   std::string name;
   Revision revision = 0;
   std::string model;  // "creature" or "obj", ...
+  std::string fur_patches = "overlapping";
   ModelReport report;
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // that can be undone

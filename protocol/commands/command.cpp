@@ -12,9 +12,9 @@ constexpr bool has_stroke = requires(C command) { command.stroke; };
 }  // namespace
 
 const char* op_of(const Command& command) {
-  static constexpr const char* names[] = {"comb",      "blow",       "attract",         "set_coat", "set_look",
-                                          "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves",
-                                          "set_skin"};
+  static constexpr const char* names[] = {
+      "comb",       "blow",     "attract",    "set_coat", "set_look",        "set_lights", "set_environment",
+      "set_ground", "set_eyes", "set_curves", "set_skin", "set_base_picture"};
   static_assert(std::size(names) == std::variant_size_v<Command>);
   return names[command.index()];
 }

@@ -101,8 +101,14 @@ struct SetEyes { std::vector<Eye> eyes; };        // at most 8
 struct SetCurves { std::vector<CurveGroup> groups; };  // at most 16, and 4096 curves in all
 struct SetSkin { std::vector<SkinRegion> regions; };  // at most 64
 
+/// Lays a picture on the model by its texture coordinates, in place of all colours of its own. It is named by the 32
+/// hex digits that its upload answered with; "" takes it off again.
+struct SetBasePicture {
+  std::string picture;
+};
+
 using Command = std::variant<Comb, Blow, Attract, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes,
-                             SetCurves, SetSkin>;
+                             SetCurves, SetSkin, SetBasePicture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

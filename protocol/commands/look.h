@@ -1,10 +1,10 @@
 // How a groomed model is lit and shaded: part of the scene, set by commands and logged.
 #pragma once
 
+#include <array>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 namespace pelage {
 
@@ -79,11 +79,19 @@ struct Light {
   double shadow_scale = 10;      // Cscale of GPU fur 4: larger is a narrower penumbra, [0, 1000]
 };
 
-/// Light from all around, as colours of a gradient: straight above, at the horizon, straight below. White everywhere is
-/// the constant ambient light of GPU fur eq 1. It scales the look's `ambient`.
+/// Radiance from all directions in the nine real spherical harmonics of bands 0 to 2, in the order of Ramamoorthi and
+/// Hanrahan 2001, eq 3: 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2, each times its constant. One vector of linear red,
+/// green and blue for each.
+using SphericalHarmonics = std::array<glm::dvec3, 9>;
+
+/// Light from all around, in one of two forms: colours of a gradient (straight above, at the horizon, straight below),
+/// or spherical harmonics, in whose place the gradient is not looked at. White everywhere is the constant ambient light
+/// of GPU fur eq 1. It scales the look's `ambient`.
 struct Environment {
-  glm::vec3 sky{1}, horizon{1}, ground{1};  // linear
-  double intensity = 1;                     // [0, 100]
+  glm::vec3 sky{1}, horizon{1}, ground{1};      // linear
+  std::optional<SphericalHarmonics> harmonics;  // radiance; each number finite, in [-1e6, 1e6]
+  double turn_degrees = 0;  // of the harmonics about +y, counter-clockwise seen from above, [-360, 360]
+  double intensity = 1;     // [0, 100]
 };
 
 /// A level ground that catches the shadow of the model. It shows nothing else: the background stays what it is.

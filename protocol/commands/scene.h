@@ -15,6 +15,10 @@ struct FirstGroom {
   double inclination = 0.45; // [0, 1]
 };
 
+/// How the sample tile is laid on the surface: lapped patches with soft overlaps, the same with hard borders (each
+/// place drawn once), or the model's own texture coordinates. Roots never move, so it is chosen with the model.
+enum class FurPatches { overlapping, hard, own_uvs };
+
 struct BuiltinModel {
   Builtin shape = Builtin::creature;
   int triangles = 5000;  // wished for; [2, 1000000]
@@ -24,6 +28,7 @@ struct NewScene {
   std::string name = "scene";  // 1 to 200 bytes
   BuiltinModel model;
   FirstGroom fur;
+  FurPatches fur_patches = FurPatches::overlapping;
 };
 
 /// Parameters of PUT model: how to read the octets that come with it. `up` and `front` say which of the file's axes
@@ -33,6 +38,7 @@ struct ImportOptions {
   Axis up = Axis::plus_y;
   Axis front = Axis::plus_z;
   FirstGroom fur;
+  FurPatches fur_patches = FurPatches::overlapping;
 };
 
 }  // namespace pelage

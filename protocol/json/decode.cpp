@@ -130,8 +130,23 @@ Command set_skin(Object& object) {
   return result;
 }
 
+bool is_picture_name(const std::string& text) {
+  return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+Command set_base_picture(Object& object) {
+  SetBasePicture result;
+  object.required("picture", [&](const Value& v) {
+    const std::string name = v.text(1, 32);
+    if (name == "own") return;
+    if (!is_picture_name(name)) v.refuse("This names no picture.", "own, or 32 hex digits in lower case");
+    result.picture = name;
+  });
+  return result;
+}
+
 using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 11> command_readers{{{"comb", comb},
+constexpr std::array<json_names::Name<CommandReader>, 12> command_readers{{{"comb", comb},
                                                                            {"blow", blow},
                                                                            {"attract", attract},
                                                                            {"set_coat", set_coat},
@@ -141,7 +156,8 @@ constexpr std::array<json_names::Name<CommandReader>, 11> command_readers{{{"com
                                                                            {"set_ground", set_ground},
                                                                            {"set_eyes", set_eyes},
                                                                            {"set_curves", set_curves},
-                                                                           {"set_skin", set_skin}}};
+                                                                           {"set_skin", set_skin},
+                                                                           {"set_base_picture", set_base_picture}}};
 
 Command command(const Value& value) {
   Object object(value);
@@ -247,6 +263,7 @@ Result<NewScene> decode_new_scene(std::string_view text) {
       model.finish();
     });
     object.optional("fur", [&](const Value& v) { result.fur = fur(v); });
+    object.name("fur_patches", result.fur_patches, json_names::fur_patches);
     object.finish();
     return result;
   });

@@ -68,6 +68,7 @@ SceneSummary summary_of(const json& value) {
           .name = value.at("name"),
           .revision = value.at("revision"),
           .model = value.at("model"),
+          .fur_patches = value.at("fur_patches"),
           .report = report,
           .fields_hash = hash_of(value.at("fields_hash")),
           .undo_steps = value.at("undo_steps"),

@@ -147,14 +147,30 @@ Light light(const Value& value) {
   return result;
 }
 
+SphericalHarmonics harmonics(const Value& value) {
+  SphericalHarmonics result{};
+  const std::vector<Value> members = value.list(result.size(), result.size());
+  for (std::size_t i = 0; i < members.size(); ++i) result[i] = members[i].triple({-limits::harmonic, limits::harmonic});
+  return result;
+}
+
 Environment environment(const Value& value) {
   Object object(value);
   Environment result;
   object.colour("sky", result.sky);
   object.colour("horizon", result.horizon);
   object.colour("ground", result.ground);
+  object.optional("harmonics", [&](const Value& v) { result.harmonics = harmonics(v); });
+  object.number("turn_degrees", result.turn_degrees, {-360, 360});
   object.number("intensity", result.intensity, {0, 100});
   object.finish();
+  const bool gradient = object.has("sky") || object.has("horizon") || object.has("ground");
+  if (result.harmonics && gradient) {
+    value.refuse_below("harmonics", "Harmonics and the colours of a gradient exclude each other.",
+                       "harmonics, or sky, horizon and ground");
+  } else if (!result.harmonics && object.has("turn_degrees")) {
+    value.refuse_below("turn_degrees", "A gradient is the same however it is turned.", "with harmonics only");
+  }
   return result;
 }
 

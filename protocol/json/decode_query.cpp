@@ -61,6 +61,12 @@ constexpr auto import_parameters = std::to_array<Parameter>({
     {"front", "/front", Kind::text},
     {"length", "/length", Kind::number},
     {"inclination", "/inclination", Kind::number},
+    {"fur_patches", "/fur_patches", Kind::text},
+});
+
+constexpr auto environment_parameters = std::to_array<Parameter>({
+    {"intensity", "/intensity", Kind::number},
+    {"turn_degrees", "/turn_degrees", Kind::number},
 });
 
 json names_of(const std::string& text) {
@@ -130,6 +136,18 @@ Result<FrameRequest> decode_frame_query(const Query& query) {
   return decode_frame_request(document->dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
+Result<Environment> decode_environment_query(const Query& query) {
+  const auto document = document_of(query, environment_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  Environment environment;
+  object.number("intensity", environment.intensity, {0, 100});
+  object.number("turn_degrees", environment.turn_degrees, {-360, 360});
+  if (!first_failure.ok()) return first_failure;
+  return environment;
+}
+
 Result<ImportOptions> decode_import_query(const Query& query) {
   const auto document = document_of(query, import_parameters);
   if (!document) return document.status();
@@ -141,6 +159,7 @@ Result<ImportOptions> decode_import_query(const Query& query) {
   object.name("front", options.front, json_names::axes);
   object.number("length", options.fur.length, {0, 10});
   object.number("inclination", options.fur.inclination, {0, 1});
+  object.name("fur_patches", options.fur_patches, json_names::fur_patches);
   const int up_line = static_cast<int>(options.up) / 2;  // x, y or z, whatever the sign
   const int front_line = static_cast<int>(options.front) / 2;
   if (up_line == front_line) {

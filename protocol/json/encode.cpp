@@ -268,6 +268,11 @@ Json json_of(const Light& light) {
 }
 
 Json json_of(const Environment& environment) {
+  if (environment.harmonics) {
+    Json harmonics = Json::array();
+    for (const glm::dvec3& coefficient : *environment.harmonics) harmonics.push_back(list(coefficient));
+    return {{"harmonics", harmonics}, {"turn_degrees", environment.turn_degrees}, {"intensity", environment.intensity}};
+  }
   return {{"sky", colour(environment.sky)},
           {"horizon", colour(environment.horizon)},
           {"ground", colour(environment.ground)},
@@ -342,6 +347,10 @@ void add_members(Json& json, const SetSkin& command) {
   for (const SkinRegion& region : command.regions) json["regions"].push_back(json_of(region));
 }
 
+void add_members(Json& json, const SetBasePicture& command) {
+  json["picture"] = command.picture.empty() ? "own" : command.picture;
+}
+
 Json json_of(const Command& command) {
   Json json = {{"op", op_of(command)}};
   std::visit([&](const auto& c) { add_members(json, c); }, command);
@@ -378,7 +387,10 @@ std::string encode(const NewScene& request) {
   const Json model = {{"builtin", text_of(json_names::builtins, request.model.shape)},
                       {"triangles", request.model.triangles}};
   const Json fur = {{"length", request.fur.length}, {"inclination", request.fur.inclination}};
-  return line({{"name", request.name}, {"model", model}, {"fur", fur}});
+  return line({{"name", request.name},
+               {"model", model},
+               {"fur", fur},
+               {"fur_patches", text_of(json_names::fur_patches, request.fur_patches)}});
 }
 
 std::string encode(const FrameRequest& request) {

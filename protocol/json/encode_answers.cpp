@@ -37,6 +37,7 @@ Json json_of(const SceneSummary& summary) {
           {"name", summary.name},
           {"revision", summary.revision},
           {"model", summary.model},
+          {"fur_patches", summary.fur_patches},
           {"source_vertices", report.source_vertices},
           {"source_faces", report.source_faces},
           {"vertices", report.vertices},

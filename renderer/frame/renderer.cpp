@@ -34,8 +34,8 @@ class Stopwatch {
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame) {
   const Environment& light = frame.environment;
-  const bool constant =
-      light.sky == glm::vec3(1) && light.horizon == light.sky && light.ground == light.sky && light.intensity == 1;
+  const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
+                        light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
          (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
@@ -100,7 +100,9 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   return count;
 }
 
-void Renderer::forget(std::uint64_t model) { models_.erase(model); }
+void Renderer::forget(std::uint64_t original) {
+  std::erase_if(models_, [&](const auto& model) { return model.second.original() == original; });
+}
 
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
   const auto found =

@@ -60,7 +60,8 @@ class Renderer {
   Result<std::vector<FloatImage>> draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
                                               DrawTimes* times = nullptr);
 
-  void forget(std::uint64_t model);
+  /// Drops all copies of a model (FurModel::original).
+  void forget(std::uint64_t original);
 
  private:
   explicit Renderer(const Gl& gl);

@@ -102,6 +102,8 @@ FloatImage linear_image(const Image& image) {
   return linear;
 }
 
+void read_exr_without_threads() { OIIO::attribute("exr_threads", -1); }
+
 Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels) {
   const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
   const PictureFormat format = format_of(text);

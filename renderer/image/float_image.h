@@ -29,6 +29,9 @@ FloatImage linear_image(const Image& image);
 /// and infinity stay. Refused (invalid) when it is none of these, broken, without colour, or over `max_pixels`.
 Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels);
 
+/// Makes the library of EXR do without threads from here on, for a process that may start none.
+void read_exr_without_threads();
+
 enum class ExrSample { half, single };
 
 /// One channel of an EXR: the value of pixel i, rows from the top, is values[offset + i * stride].

@@ -32,7 +32,8 @@ struct FurCorner {
   float weight = 1;       // [0, 1], share of the fur's optical depth; over all pieces of a triangle they sum to 1
 };
 
-/// Constant for a model. `id` is what GPU copies are kept by. Triangles are pieces: one of the surface comes once for
+/// Constant for a model in its colours. `id` is what a GPU copy is kept by, `original` what all copies of one model,
+/// which differ in colours, are forgotten by; 0 for the same. Triangles are pieces: one of the surface comes once for
 /// each patch of fur that covers it.
 struct FurModel {
   std::uint64_t id = 0;
@@ -40,7 +41,8 @@ struct FurModel {
   std::span<const glm::uvec3> triangles;
   std::span<const std::array<FurCorner, 3>> corners;        // for each triangle
   std::span<const ImageView> images;
-  bool has_colours = false;                                 // whether corners carry the model's own colours
+  bool has_colours = false;  // whether corners carry colours or a picture
+  std::uint64_t original = 0;
 };
 
 /// Half-open range of vertices whose fields changed since the last call for this model.

@@ -9,18 +9,26 @@ namespace {
 
 constexpr int latitudes = 64;
 
+/// Radiance of the gradient from a direction, +y up.
+glm::dvec3 gradient(const Environment& environment, glm::dvec3 direction) {
+  const double up = direction.y;
+  const glm::dvec3 end(up >= 0 ? environment.sky : environment.ground);
+  return glm::mix(glm::dvec3(environment.horizon), end, std::sqrt(std::abs(up)));
+}
+
 }  // namespace
 
 std::array<double, 9> harmonics_basis(glm::dvec3 d) {
-  return {0.28209479177387814,
-          0.4886025119029199 * d.y,
-          0.4886025119029199 * d.z,
-          0.4886025119029199 * d.x,
-          1.0925484305920792 * d.x * d.y,
-          1.0925484305920792 * d.y * d.z,
-          0.31539156525252005 * (3 * d.z * d.z - 1),
-          1.0925484305920792 * d.x * d.z,
-          0.5462742152960396 * (d.x * d.x - d.y * d.y)};
+  namespace scale = harmonic_scale;
+  return {scale::constant,
+          scale::linear * d.y,
+          scale::linear * d.z,
+          scale::linear * d.x,
+          scale::product * d.x * d.y,
+          scale::product * d.y * d.z,
+          scale::polar * (3 * d.z * d.z - 1),
+          scale::product * d.x * d.z,
+          scale::difference * (d.x * d.x - d.y * d.y)};
 }
 
 SphericalHarmonics project(const std::function<glm::dvec3(glm::dvec3 direction)>& radiance) {
@@ -53,10 +61,30 @@ glm::dvec3 evaluate(const SphericalHarmonics& coefficients, glm::dvec3 direction
   return sum;
 }
 
-glm::dvec3 radiance_of(const Environment& environment, glm::dvec3 direction) {
-  const double up = direction.y;
-  const glm::dvec3 end(up >= 0 ? environment.sky : environment.ground);
-  return environment.intensity * glm::mix(glm::dvec3(environment.horizon), end, std::sqrt(std::abs(up)));
+SphericalHarmonics turned(const SphericalHarmonics& from, double radians) {
+  const double c = std::cos(radians), s = std::sin(radians), c2 = std::cos(2 * radians), s2 = std::sin(2 * radians);
+  const double half_root = std::numbers::sqrt3 / 2;
+  SphericalHarmonics to = from;
+  to[2] = c * from[2] - s * from[3];
+  to[3] = c * from[3] + s * from[2];
+  to[4] = c * from[4] + s * from[5];
+  to[5] = c * from[5] - s * from[4];
+  // 3z^2 - 1 and x^2 - y^2 in terms of 3y^2 - 1, which stays, and z^2 - x^2, which turns with xz at twice the angle.
+  const glm::dvec3 stays = -0.5 * from[6] - half_root * from[8];
+  const glm::dvec3 turns = half_root * from[6] - 0.5 * from[8];
+  const glm::dvec3 after = c2 * turns - s2 * from[7];
+  to[7] = c2 * from[7] + s2 * turns;
+  to[6] = half_root * after - 0.5 * stays;
+  to[8] = -half_root * stays - 0.5 * after;
+  return to;
+}
+
+SphericalHarmonics harmonics_of(const Environment& environment) {
+  SphericalHarmonics result = environment.harmonics
+                                  ? turned(*environment.harmonics, glm::radians(environment.turn_degrees))
+                                  : project([&](glm::dvec3 direction) { return gradient(environment, direction); });
+  for (glm::dvec3& coefficient : result) coefficient *= environment.intensity;
+  return result;
 }
 
 }  // namespace pelage

@@ -9,7 +9,14 @@
 
 namespace pelage {
 
-using SphericalHarmonics = std::array<glm::dvec3, 9>;
+/// The constants of the basis: 1; y, z and x; xy, yz and xz; 3z^2 - 1; x^2 - y^2.
+namespace harmonic_scale {
+inline constexpr double constant = 0.28209479177387814;
+inline constexpr double linear = 0.4886025119029199;
+inline constexpr double product = 1.0925484305920792;
+inline constexpr double polar = 0.31539156525252005;
+inline constexpr double difference = 0.5462742152960396;
+}  // namespace harmonic_scale
 
 /// The nine real basis functions at a unit direction.
 std::array<double, 9> harmonics_basis(glm::dvec3 direction);
@@ -22,7 +29,11 @@ SphericalHarmonics irradiance_of(const SphericalHarmonics& radiance);
 
 glm::dvec3 evaluate(const SphericalHarmonics& coefficients, glm::dvec3 direction);
 
-/// Radiance of the gradient from a direction, +y up.
-glm::dvec3 radiance_of(const Environment& environment, glm::dvec3 direction);
+/// What comes from a direction then comes from that direction turned about +y, counter-clockwise seen from above.
+/// Exact.
+SphericalHarmonics turned(const SphericalHarmonics& coefficients, double radians);
+
+/// Radiance of the environment, turned and times its intensity.
+SphericalHarmonics harmonics_of(const Environment& environment);
 
 }  // namespace pelage

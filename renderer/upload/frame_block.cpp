@@ -72,8 +72,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
     block.depth_above[i / 4][static_cast<int>(i % 4)] = slices.depth_above[i];
   block.ramp_root = {ramp_colour(coat, 0), 1};
   std::transform(frame.lights.begin(), frame.lights.end(), block.lights.begin(), light_block);
-  const SphericalHarmonics light =
-      irradiance_of(project([&](glm::dvec3 direction) { return radiance_of(frame.environment, direction); }));
+  const SphericalHarmonics light = irradiance_of(harmonics_of(frame.environment));
   for (std::size_t i = 0; i < light.size(); ++i) block.environment[i] = glm::vec4(glm::vec3(light[i]), 0);
   return block;
 }

@@ -56,6 +56,7 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
       level_(gl),
       variation_(gl),
       elements_(gl),
+      original_(model.original ? model.original : model.id),
       has_colours_(model.has_colours) {
   std::vector<RenderVertex> vertices;
   split(model, vertices);

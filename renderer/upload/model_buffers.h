@@ -46,6 +46,7 @@ class ModelBuffers {
 
   GLuint vertex_array() const { return vertex_array_.id(); }
   GLuint base_images() const { return images_.id(); }
+  std::uint64_t original() const { return original_; }  // FurModel::original, or its id
   bool has_colours() const { return has_colours_; }
   /// Counts the changes of the fields.
   std::uint64_t version() const { return version_; }
@@ -83,6 +84,7 @@ class ModelBuffers {
   VertexArray vertex_array_;
   Buffer fixed_, groom_, level_, variation_, elements_;
   Texture images_;
+  std::uint64_t original_ = 0;
   bool has_colours_ = false;
   std::uint64_t version_ = 0;
   std::vector<std::uint32_t> welded_;  // the model's vertex of each render vertex, rising

@@ -5,6 +5,7 @@
 #include "protocol/base/limits.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "server/surface/patches.h"
 
 namespace pelage {
 
@@ -121,6 +122,10 @@ struct CheckTool {
         return out_of_reach("/regions/" + std::to_string(k) + "/centre");
     }
     return {};
+  }
+  Status operator()(const SetBasePicture& command) const {
+    if (command.picture.empty() || has_own_uvs(mesh)) return {};
+    return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture", "own");
   }
   template <class Other>
   Status operator()(const Other&) const {

@@ -57,17 +57,23 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.curves = curves->groups;
   else if (const auto* skin = std::get_if<SetSkin>(&command))
     settings.skin = skin->regions;
+  else if (const auto* base = std::get_if<SetBasePicture>(&command))
+    settings.base_picture = base->picture;
   else
     return std::nullopt;
   return settings;
 }
 
 std::vector<Command> commands_of(const SceneSettings& settings) {
-  return {SetCoat{settings.coat},     SetLook{settings.look},
-          SetLights{settings.lights}, SetEnvironment{settings.environment},
-          SetGround{settings.ground}, SetEyes{settings.eyes},
+  return {SetCoat{settings.coat},
+          SetLook{settings.look},
+          SetLights{settings.lights},
+          SetEnvironment{settings.environment},
+          SetGround{settings.ground},
+          SetEyes{settings.eyes},
           SetCurves{settings.curves},
-          SetSkin{settings.skin}};
+          SetSkin{settings.skin},
+          SetBasePicture{settings.base_picture}};
 }
 
 const char* name_of(EntryKind kind) {

@@ -23,6 +23,7 @@ struct SceneSettings {
   std::vector<Eye> eyes;
   std::vector<CurveGroup> curves;
   std::vector<SkinRegion> skin;
+  std::string base_picture;  // "" for the model's own colours
 };
 
 /// The settings with a command that sets one of them carried out; none for other commands.

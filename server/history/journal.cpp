@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t schema_version = 1;
+constexpr std::uint64_t schema_version = 2;
 
 // Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
 constexpr const char* how_to_keep = R"(
@@ -22,7 +22,7 @@ constexpr const char* how_to_keep = R"(
   BEGIN IMMEDIATE; COMMIT;
 )";
 
-constexpr const char* schema = R"(
+constexpr const char* first_schema = R"(
   CREATE TABLE scenes(
     number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
     model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
@@ -35,20 +35,45 @@ constexpr const char* schema = R"(
   PRAGMA user_version = 1;
 )";
 
+// Pictures on models, which scenes use which, and how fur is laid.
+constexpr const char* second_schema = R"(
+  ALTER TABLE scenes ADD COLUMN fur_patches INTEGER NOT NULL DEFAULT 0;
+  CREATE TABLE pictures(name TEXT PRIMARY KEY, octets BLOB NOT NULL);
+  CREATE TABLE picture_uses(
+    scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
+    PRIMARY KEY(scene, picture));
+  PRAGMA user_version = 2;
+)";
+
+// What no log names any more; at the start also what was uploaded and never used.
+constexpr const char* drop_unused_pictures =
+    "DELETE FROM pictures WHERE name NOT IN (SELECT picture FROM picture_uses)";
+
 Status damaged(const char* what) { return failure(Code::internal, std::string("the journal is damaged: ") + what); }
 
-/// Makes the tables of a new journal, and refuses what is none or too new.
+Result<std::uint64_t> number_of(Database& database, const char* question) {
+  Statement statement = database.prepare(question);
+  const Result<bool> row = statement.step();
+  if (!row) return row.status();
+  return statement.number_at(0);
+}
+
+/// Makes the tables of a new journal, brings an older one up to date, and refuses what is none or too new.
 Status check_schema(Database& database) {
-  Statement version = database.prepare("PRAGMA user_version");
-  Statement tables = database.prepare("SELECT count(*) FROM sqlite_master");
-  for (Statement* question : {&version, &tables}) {
-    if (const Result<bool> row = question->step(); !row) return row.status();
-  }
-  const std::uint64_t found = version.number_at(0);
-  if (found == schema_version) return {};
-  if (found > schema_version) return failure(Code::internal, "the journal comes from a newer version of this program");
-  if (tables.number_at(0) > 0) return failure(Code::internal, "the file in the journal's place is another database");
-  return database.transaction([&database] { return database.execute(schema); });
+  const Result<std::uint64_t> version = number_of(database, "PRAGMA user_version");
+  if (!version) return version.status();
+  const Result<std::uint64_t> tables = number_of(database, "SELECT count(*) FROM sqlite_master");
+  if (!tables) return tables.status();
+  if (*version > schema_version)
+    return failure(Code::internal, "the journal comes from a newer version of this program");
+  if (*version == 0 && *tables > 0)
+    return failure(Code::internal, "the file in the journal's place is another database");
+  return database.transaction([&]() -> Status {
+    if (*version < 1) {
+      if (Status made = database.execute(first_schema); !made.ok()) return made;
+    }
+    return *version < 2 ? database.execute(second_schema) : database.execute(drop_unused_pictures);
+  });
 }
 
 std::string settings_text(const SceneSettings& settings) {
@@ -72,8 +97,26 @@ Status run_with_model(Statement statement, const StoredScene& scene, const std::
       .number(scene.first_revision)
       .blob(first_groom)
       .blob(scene.model.raw)
+      .number(static_cast<std::uint64_t>(scene.model.fur_patches))
       .text(scene.id)
       .run();
+}
+
+/// The scene's log no longer names pictures; those that only it named go.
+Status leave_pictures(Database& database, const std::string& scene) {
+  constexpr const char* only_here =
+      "SELECT picture FROM picture_uses GROUP BY picture HAVING min(scene) = ?1 AND max(scene) = ?1";
+  std::vector<std::string> names;
+  Statement rows = database.prepare(only_here);
+  rows.text(scene);
+  Result<bool> row = rows.step();
+  for (; row && *row; row = rows.step()) names.push_back(rows.text_at(0));
+  if (!row) return row.status();
+  Status left = database.prepare("DELETE FROM picture_uses WHERE scene = ?").text(scene).run();
+  for (std::size_t i = 0; left.ok() && i < names.size(); ++i) {
+    left = database.prepare("DELETE FROM pictures WHERE name = ?").text(names[i]).run();
+  }
+  return left;
 }
 
 Result<Entry> read_entry(const Statement& row) {
@@ -114,7 +157,7 @@ Status Journal::add_scene(const StoredScene& scene) {
   const std::lock_guard lock(mutex_);
   Statement insert = database_->prepare(
       "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
-      " first_groom, raw, id) VALUES(?,?,?,?,?,?,?,?,?)");
+      " first_groom, raw, fur_patches, id) VALUES(?,?,?,?,?,?,?,?,?,?)");
   insert.text(scene.name);
   return run_with_model(std::move(insert), scene, first_groom);
 }
@@ -125,28 +168,60 @@ Status Journal::replace_model(const StoredScene& scene) {
   return database_->transaction([&] {
     Status cleared = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!cleared.ok()) return cleared;
+    if (Status unused = leave_pictures(*database_, scene.id); !unused.ok()) return unused;
     return run_with_model(database_->prepare("UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?,"
-                                             " first_revision = ?, first_groom = ?, raw = ? WHERE id = ?"),
+                                             " first_revision = ?, first_groom = ?, raw = ?, fur_patches = ?"
+                                             " WHERE id = ?"),
                           scene, first_groom);
   });
 }
 
 Status Journal::remove_scene(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  return database_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
+  return database_->transaction([&] {
+    if (Status unused = leave_pictures(*database_, id); !unused.ok()) return unused;
+    return database_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
+  });
 }
 
 Status Journal::append(const std::string& scene, const Entry& entry) {
   const std::string delta = encode_delta(entry.delta);
   const std::lock_guard lock(mutex_);
-  Statement insert = database_->prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
-  insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
-  insert.text(entry.commands);
-  if (entry.settings)
-    insert.text(settings_text(*entry.settings));
-  else
-    insert.null();
-  return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
+  return database_->transaction([&] {
+    if (entry.settings && !entry.settings->base_picture.empty()) {
+      Statement use = database_->prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
+      if (Status kept = use.text(scene).text(entry.settings->base_picture).run(); !kept.ok()) return kept;
+    }
+    Statement insert = database_->prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
+    insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
+    insert.text(entry.commands);
+    if (entry.settings)
+      insert.text(settings_text(*entry.settings));
+    else
+      insert.null();
+    return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
+  });
+}
+
+Status Journal::add_picture(const std::string& name, const std::string& octets) {
+  const std::lock_guard lock(mutex_);
+  return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(octets).run();
+}
+
+bool Journal::has_picture(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  const Result<bool> found = database_->prepare("SELECT 1 FROM pictures WHERE name = ?").text(name).step();
+  return found && *found;
+}
+
+Result<std::string> Journal::picture(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  Statement row = database_->prepare("SELECT octets FROM pictures WHERE name = ?");
+  const Result<bool> found = row.text(name).step();
+  if (!found) return found.status();
+  if (!*found) return damaged("a picture is missing");
+  const std::span<const std::byte> octets = row.blob_at(0);
+  return std::string(reinterpret_cast<const char*>(octets.data()), octets.size());
 }
 
 Result<std::vector<std::string>> Journal::scene_ids() const {
@@ -162,18 +237,23 @@ Result<std::vector<std::string>> Journal::scene_ids() const {
 Result<StoredScene> Journal::scene(const std::string& id) const {
   const std::lock_guard lock(mutex_);
   Statement row = database_->prepare(
-      "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw"
+      "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches"
       " FROM scenes WHERE id = ?");
   const Result<bool> found = row.text(id).step();
   if (!found) return found.status();
   if (!*found) return failure(Code::not_found, "the journal has no such scene");
   constexpr auto last_axis = static_cast<std::uint64_t>(Axis::minus_z);
   if (row.number_at(2) > last_axis || row.number_at(3) > last_axis) return damaged("axes of a model");
+  if (row.number_at(8) > static_cast<std::uint64_t>(FurPatches::own_uvs)) return damaged("patches of a model");
   Result<FieldDelta> first_groom = decode_delta(row.blob_at(6));
   if (!first_groom) return first_groom.status();
   const std::span<const std::byte> raw = row.blob_at(7);
-  StoredModel model{row.text_at(1), static_cast<Axis>(row.number_at(2)), static_cast<Axis>(row.number_at(3)),
-                    row.number_at(4) != 0, std::string(reinterpret_cast<const char*>(raw.data()), raw.size())};
+  StoredModel model{row.text_at(1),
+                    static_cast<Axis>(row.number_at(2)),
+                    static_cast<Axis>(row.number_at(3)),
+                    row.number_at(4) != 0,
+                    std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
+                    static_cast<FurPatches>(row.number_at(8))};
   return StoredScene{id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom)};
 }
 

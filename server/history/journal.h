@@ -21,6 +21,7 @@ struct StoredModel {
   Axis up = Axis::plus_y, front = Axis::plus_z;
   bool source_is_32_bit = false;
   std::string raw;  // encode_raw_model
+  FurPatches fur_patches = FurPatches::overlapping;
 };
 
 struct StoredScene {
@@ -43,7 +44,14 @@ class Journal {
   /// Puts a new model in place of the old one and its log.
   Status replace_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
+  /// Fails when the entry's settings name a picture that the journal does not have.
   Status append(const std::string& scene, const Entry& entry);
+
+  /// Keeps a picture (encode_raw_image) under its name, for as long as a scene's log names it. One that is known stays.
+  Status add_picture(const std::string& name, const std::string& octets);
+  bool has_picture(const std::string& name) const;
+  /// Fails (internal) when there is none of that name.
+  Result<std::string> picture(const std::string& name) const;
 
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;

@@ -73,11 +73,11 @@ std::optional<Refusal> refused_body(const Request& request) {
   if (length == 0) return {};
   if (request.method == "PUT") {
     if (length > limits::model_bytes) {
-      return refuse(413, Code::too_large, fmt::format("The model has {} octets.", length),
+      return refuse(413, Code::too_large, fmt::format("The upload has {} octets.", length),
                     fmt::format("at most {} octets", limits::model_bytes));
     }
     if (type.starts_with("multipart/") || type.starts_with("application/x-www-form-urlencoded")) {
-      return refuse(415, Code::unsupported, "A model comes as plain octets, not as a form.",
+      return refuse(415, Code::unsupported, "An upload comes as plain octets, not as a form.",
                     "application/octet-stream");
     }
     return {};

@@ -18,6 +18,12 @@ void with_scene(Service& service, const httplib::Request& request, httplib::Resp
   use(*scene);
 }
 
+std::uint64_t model_id_of(const Scene& scene) {
+  std::uint64_t id = 0;
+  scene.read([&](const SceneView& view) { id = view.model.id; });
+  return id;
+}
+
 void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler) {
   server.Post(pattern, [handler](const httplib::Request& request, httplib::Response& response) {
     if (request.body.size() <= limits::command_body_bytes) return handler(request, response);
@@ -41,9 +47,11 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
 }
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 15> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 17> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
+                                                {"/v1/scenes/{id}/environment", "PUT"},
+                                                {"/v1/scenes/{id}/base_picture", "PUT"},
                                                 {"/v1/scenes/{id}/commands", "POST"},
                                                 {"/v1/scenes/{id}/undo", "POST"},
                                                 {"/v1/scenes/{id}/redo", "POST"},

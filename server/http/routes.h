@@ -26,7 +26,7 @@ struct Service {
   Metrics metrics;
   IdempotencyCache idempotency;
   Gate waiting{worker_threads / 4};  // each holds a thread for seconds
-  Gate uploads{4};                   // each holds a model in memory
+  Gate uploads{4};                   // each holds a file in memory
   Gate large_frames{1};
   std::atomic<bool> draining{false};
 
@@ -35,6 +35,7 @@ struct Service {
 };
 
 void add_scene_routes(httplib::Server& server, Service& service);
+void add_upload_routes(httplib::Server& server, Service& service);
 void add_command_routes(httplib::Server& server, Service& service);
 void add_frame_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
@@ -42,6 +43,9 @@ void add_status_routes(httplib::Server& server, Service& service);
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
 void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
                 const std::function<void(const std::shared_ptr<Scene>&)>& use);
+
+/// What the renderer keeps the scene's model by.
+std::uint64_t model_id_of(const Scene& scene);
 
 /// A POST; bodies over the limit of commands are refused (413).
 void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler);

@@ -1,5 +1,5 @@
-// pelage-import FORMAT SECONDS BYTES: reads a model on standard input, writes polygons on standard output. Started by
-// the server for each upload; server/surface/worker_contract.h has the contract.
+// pelage-import JOB SECONDS BYTES: reads a model or a picture on standard input, writes what the job makes of it on
+// standard output. Started by the server for each upload; server/surface/worker_contract.h has the contract.
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,24 +7,15 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <optional>
 #include <string_view>
 
 #include "server/import_worker/confine.h"
-#include "server/import_worker/parse.h"
-#include "server/surface/import.h"
+#include "server/import_worker/job.h"
 #include "server/surface/worker_contract.h"
 
 namespace {
 
 using namespace pelage;
-
-std::optional<ModelFormat> to_format(std::string_view name) {
-  for (std::size_t i = 0; i < worker_format_names.size(); ++i) {
-    if (name == worker_format_names[i]) return static_cast<ModelFormat>(i);
-  }
-  return std::nullopt;
-}
 
 bool read_all(std::string& octets) {
   static char buffer[1 << 16];
@@ -53,22 +44,22 @@ int complain(std::string message, int code) {
   return code;
 }
 
-int convert(ModelFormat format) {
+int convert(Job job) {
   std::string octets;
   if (!read_all(octets)) return complain("The input cannot be read.", worker_exit::bad_input);
-  const Result<RawModel> model = parse_model(format, std::move(octets));
-  if (!model.ok()) return complain(model.status().message, worker_exit::bad_input);
-  return write_all(STDOUT_FILENO, encode_raw_model(*model)) ? worker_exit::done : worker_exit::bad_input;
+  const Result<std::string> answer = job(std::move(octets));
+  if (!answer.ok()) return complain(answer.status().message, worker_exit::bad_input);
+  return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
 }
 
 /// Memory that is not there and whatever else the libraries throw become exit codes.
 int run(int argc, char** argv) {
-  const std::optional<ModelFormat> format = argc == 4 ? to_format(argv[1]) : std::nullopt;
-  if (!format) return complain("usage: pelage-import FORMAT SECONDS BYTES", worker_exit::usage);
+  const Job job = argc == 4 ? job_of(argv[1]) : nullptr;
+  if (!job) return complain("usage: pelage-import JOB SECONDS BYTES", worker_exit::usage);
   try {
     const Status confined = confine(std::atof(argv[2]), std::strtoull(argv[3], nullptr, 10));
     if (!confined.ok()) return complain(confined.message, worker_exit::not_confined);
-    return convert(*format);
+    return convert(job);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", worker_exit::out_of_memory);
   } catch (const std::exception& error) {

@@ -1,8 +1,10 @@
 #include "server/scene/fur_view.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
+#include "protocol/base/random.h"
 #include "server/groom/evaluate.h"
 #include "server/scene/curve_view.h"
 #include "server/scene/eye_view.h"
@@ -34,9 +36,18 @@ FurGround make_ground(const Ground& ground, const Mesh& mesh) {
   return {static_cast<float>(height), static_cast<float>(ground.shadow), static_cast<float>(ground.contact)};
 }
 
+/// What the renderer keeps the model in its present colours by.
+std::uint64_t copy_id(const SceneView& scene) {
+  if (!scene.base_picture) return scene.model.id;
+  std::uint64_t picture = 0;
+  const char* digits = scene.settings.base_picture.data();
+  std::from_chars(digits, digits + 16, picture, 16);
+  return mix_bits(scene.model.id ^ picture);
+}
+
 }  // namespace
 
-FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches) {
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture) {
   FurPieces pieces;
   pieces.triangles.reserve(patches.pieces.size());
   pieces.corners.reserve(patches.pieces.size());
@@ -46,8 +57,9 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PatchPoint& point = patches.points[piece.points[static_cast<int>(k)]];
       corners[k].tile_uv = point.uv, corners[k].tile_axis = point.axis, corners[k].weight = point.weight;
-      if (mesh.corners.empty()) continue;
-      const LookCorner& look = mesh.corners[piece.triangle][k];
+      const LookCorner look = has_picture            ? LookCorner{mesh.texture_uv[piece.triangle][k], glm::vec3(1), 0}
+                              : mesh.corners.empty() ? LookCorner{}
+                                                     : mesh.corners[piece.triangle][k];
       corners[k].image_uv = look.uv, corners[k].colour = look.colour, corners[k].image = look.image;
     }
   }
@@ -60,19 +72,26 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   const Mesh& mesh = scene.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
   const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges, skin};
-  if (renderer.has(scene.model.id)) return renderer.update(scene.model.id, fields);
-  const FurPieces pieces = make_pieces(mesh, scene.model.patches);
+  const std::uint64_t copy = copy_id(scene);
+  if (renderer.has(copy)) return renderer.update(copy, fields);
+  renderer.forget(scene.model.id);  // in other colours
+  const RawImage* picture = scene.base_picture;
+  const FurPieces pieces = make_pieces(mesh, scene.model.patches, picture != nullptr);
   std::vector<ImageView> images;
-  for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
-  return renderer.add({scene.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners,
-                       images, !mesh.corners.empty()},
+  if (picture) {
+    images.push_back({picture->width, picture->height, picture->rgba});
+  } else {
+    for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
+  }
+  return renderer.add({copy, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, images,
+                       picture || !mesh.corners.empty(), scene.model.id},
                       fields);
 }
 
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   const Mesh& mesh = scene.model.surface.mesh();
   FurFrame frame;
-  frame.model = scene.model.id;
+  frame.model = copy_id(scene);
   frame.coat = scene.settings.coat;
   frame.look = request.look.value_or(scene.settings.look);
   frame.environment = scene.settings.environment;

@@ -11,8 +11,8 @@
 
 namespace pelage {
 
-/// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have, else the
-/// dirty vertex ranges.
+/// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have in these
+/// colours, else the dirty vertex ranges.
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty);
 
 /// What is drawn of a model: its triangles as patches have them, with the place of each corner on the sample tile, the
@@ -21,7 +21,8 @@ struct FurPieces {
   std::vector<glm::uvec3> triangles;
   std::vector<std::array<FurCorner, 3>> corners;
 };
-FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches);
+/// With `has_picture`, corners carry the model's texture coordinates and name image 0 in place of the model's own look.
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture = false);
 
 /// A frame in internal coordinates, with the scene's coat, look and lights.
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request);

@@ -4,6 +4,20 @@
 
 namespace pelage {
 
+namespace {
+
+Result<PatchMap> lay(const Mesh& mesh, FurPatches how) {
+  if (how == FurPatches::own_uvs) {
+    Result<PatchMap> own = own_uv_patches(mesh);
+    if (own) return own;
+    return failure(own.status().code, own.status().message, "/fur_patches", "overlapping | hard");
+  }
+  PatchMap patches = lay_patches(mesh);
+  return how == FurPatches::hard ? hard_pieces(patches) : std::move(patches);
+}
+
+}  // namespace
+
 std::string name_of(Builtin shape) {
   switch (shape) {
     case Builtin::torus: return "torus";
@@ -31,12 +45,23 @@ std::string name_of(ModelFormat format) {
   return {};
 }
 
+std::string name_of(FurPatches how) {
+  switch (how) {
+    case FurPatches::overlapping: return "overlapping";
+    case FurPatches::hard: return "hard";
+    case FurPatches::own_uvs: return "own_uvs";
+  }
+  assert(false);
+  return {};
+}
+
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
   Result<Mesh> mesh = prepare(raw, how.up, how.front, how.source_is_32_bit);
   if (!mesh) return mesh.status();
-  PatchMap patches = lay_patches(*mesh);
+  Result<PatchMap> patches = lay(*mesh, how.fur_patches);
+  if (!patches) return patches.status();
   return std::shared_ptr<const SceneModel>(
-      new SceneModel{Surface(std::move(*mesh)), std::move(patches), id, how.name});
+      new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name, how.fur_patches});
 }
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <utility>
 
 #include "protocol/json/encode.h"
@@ -9,7 +10,9 @@
 #include "server/history/journal.h"
 #include "server/scene/batch.h"
 #include "server/scene/first_settings.h"
+#include "server/scene/model.h"
 #include "server/scene/pick.h"
+#include "server/surface/import.h"
 
 namespace pelage {
 
@@ -68,7 +71,7 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first, const std::
     if (fields_.hash() != entry.fields_hash) return damaged();
     history_.record(entry);
   }
-  return {};
+  return take_up_picture();
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
@@ -130,6 +133,7 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Result<Command> command = resolve(commands[k], model_->surface);
     if (!command) return in_batch(command.status(), k, commands.size());
+    if (Status missing = check_picture(*command); !missing.ok()) return in_batch(missing, k, commands.size());
     const Stroke* stroke = stroke_of(*command);
     if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
       Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
@@ -154,8 +158,33 @@ Status Scene::commit(const Entry& entry) {
   dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
   if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_), dirty_gap);
   changed_.notify_all();
+  return take_up_picture();
+}
+
+Status Scene::check_picture(const Command& command) const {
+  const auto* base = std::get_if<SetBasePicture>(&command);
+  if (base == nullptr || base->picture.empty() || journal_.has_picture(base->picture)) return {};
+  return failure(Code::invalid, "there is no such picture here; upload it first", "/picture");
+}
+
+/// The journal keeps the pictures that logs name, so that undo and redo find them.
+Status Scene::take_up_picture() {
+  const std::string& name = history_.settings().base_picture;
+  if (name == picture_name_) return {};
+  std::shared_ptr<const RawImage> picture;
+  if (!name.empty()) {
+    const Result<std::string> octets = journal_.picture(name);
+    if (!octets) return octets.status();
+    Result<RawImage> image = decode_raw_image(std::as_bytes(std::span(*octets)));
+    if (!image) return damaged();
+    picture = std::make_shared<const RawImage>(std::move(*image));
+  }
+  picture_ = std::move(picture);
+  picture_name_ = name;
   return {};
 }
+
+SceneView Scene::view() const { return {*model_, fields_, history_.settings(), history_.revision(), picture_.get()}; }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   Entry entry;
@@ -201,6 +230,7 @@ SceneSummary Scene::describe() const {
           name_,
           history_.revision(),
           model_->name,
+          name_of(model_->fur_patches),
           model_->surface.mesh().report,
           fields_.hash(),
           history_.undo_steps(),
@@ -229,13 +259,13 @@ Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
 
 void Scene::read(const std::function<void(const SceneView&)>& use) const {
   const std::lock_guard lock(mutex_);
-  use({*model_, fields_, history_.settings(), history_.revision()});
+  use(view());
 }
 
 void Scene::read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use) {
   const std::lock_guard lock(mutex_);
   const std::vector<VertexRange> dirty = merge_ranges(std::exchange(dirty_, {}), dirty_gap);
-  use({*model_, fields_, history_.settings(), history_.revision()}, dirty);
+  use(view(), dirty);
 }
 
 Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
@@ -251,6 +281,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   model_ = std::move(model);
   fields_ = std::move(first);
   history_ = History(revision, first_settings(*model_));
+  picture_.reset(), picture_name_.clear();
   live_.end();
   dirty_ = whole_range(fields_.size());
   changed_.notify_all();

@@ -28,6 +28,7 @@ struct SceneModel {
   PatchMap patches;
   std::uint64_t id = 0;  // unique in the process: what the renderer caches by
   std::string name;      // "creature", "obj", ...
+  FurPatches fur_patches = FurPatches::overlapping;
 };
 
 /// What drawing needs to read, under the scene's lock, for as long as the callback of Scene::read runs.
@@ -36,6 +37,7 @@ struct SceneView {
   const FieldSet& fields;
   const SceneSettings& settings;
   Revision revision;
+  const RawImage* base_picture = nullptr;  // that the settings name; null for the model's own colours
 };
 
 struct ExecuteOptions {
@@ -111,6 +113,9 @@ class Scene {
   Status commit(const Entry& entry);
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldDelta> way_back(Revision revision) const;
+  Status check_picture(const Command& command) const;
+  Status take_up_picture();
+  SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
   SceneSummary describe() const;
 
@@ -122,6 +127,8 @@ class Scene {
   FieldSet fields_;
   History history_;
   LiveStroke live_;
+  std::shared_ptr<const RawImage> picture_;  // that the settings name
+  std::string picture_name_;
   std::vector<VertexRange> dirty_;  // since the last frame
   bool removed_ = false;
 };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <random>
 
 #include "protocol/base/limits.h"
+#include "protocol/base/random.h"
 #include "server/history/journal.h"
 #include "server/scene/model.h"
 #include "server/surface/builtin.h"
@@ -44,6 +46,22 @@ class Slot {
 Status full() {
   return failure(Code::busy, "there are as many scenes as the server holds", {},
                  "at most " + std::to_string(limits::scenes) + " scenes");
+}
+
+Status too_many_imports() {
+  return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
+}
+
+/// 32 hex digits that follow from the octets alone, so that a log finds its picture on another server too.
+std::string name_of_picture(std::string_view octets) {
+  FieldsHash hash{octets.size(), ~octets.size()};
+  for (std::size_t at = 0; at < octets.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, octets.data() + at, std::min<std::size_t>(8, octets.size() - at));
+    hash.low = mix_bits(hash.low ^ word);
+    hash.high = mix_bits(hash.high + mix_bits(~word));
+  }
+  return to_hex(hash);
 }
 
 FieldDelta groom_of(const Scene& scene) {
@@ -122,7 +140,8 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
 Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
   if (!impl_->has_room()) return full();
   const RawModel raw = make_builtin(request.model);
-  StoredModel how{.name = name_of(request.model.shape), .raw = encode_raw_model(raw)};
+  StoredModel how{
+      .name = name_of(request.model.shape), .raw = encode_raw_model(raw), .fur_patches = request.fur_patches};
   auto model = build_model(raw, how, ++impl_->last_model);
   if (!model) return model.status();
   return impl_->add({random_id(), request.name, std::move(how), 0, {}}, *model, request.fur);
@@ -160,14 +179,41 @@ std::vector<SceneSummary> SceneStore::list() const {
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> octets, const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
-  if (!slot.has()) return failure(Code::busy, "the server is reading other models", {}, "two models at a time");
+  if (!slot.has()) return too_many_imports();
   const Result<RawModel> raw = import_model(impl_->worker, options.format, octets);
   if (!raw) return raw.status();
-  StoredModel how{name_of(options.format), options.up, options.front, raw->is_32_bit, {}};
+  StoredModel how{name_of(options.format), options.up, options.front, raw->is_32_bit, {}, options.fur_patches};
   auto model = build_model(*raw, how, ++impl_->last_model);
   if (!model) return model.status();
   how.raw = encode_raw_model(*raw);
   return scene.replace_model(*model, options.fur, std::move(how), execute);
+}
+
+Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
+                                                   const ExecuteOptions& execute) {
+  const Slot slot(impl_->imports, imports_at_a_time);
+  if (!slot.has()) return too_many_imports();
+  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, octets);
+  if (!harmonics) return harmonics.status();
+  how.harmonics = *harmonics;
+  return scene.execute({SetEnvironment{how}}, execute);
+}
+
+Result<CommandAnswer> SceneStore::load_base_picture(Scene& scene, std::span<const std::byte> octets,
+                                                    const ExecuteOptions& execute) {
+  const Slot slot(impl_->imports, imports_at_a_time);
+  if (!slot.has()) return too_many_imports();
+  const Result<RawImage> picture = import_picture(impl_->worker, octets);
+  if (!picture) return picture.status();
+  return lay_base_picture(scene, *picture, execute);
+}
+
+Result<CommandAnswer> SceneStore::lay_base_picture(Scene& scene, const RawImage& picture,
+                                                   const ExecuteOptions& execute) {
+  const std::string octets = encode_raw_image(picture);
+  const std::string name = name_of_picture(octets);
+  if (Status kept = impl_->journal->add_picture(name, octets); !kept.ok()) return kept;
+  return scene.execute({SetBasePicture{name}}, execute);
 }
 
 }  // namespace pelage

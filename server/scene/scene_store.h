@@ -32,6 +32,17 @@ class SceneStore {
   Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> octets,
                                   const ExecuteOptions& execute = {});
 
+  /// Reads a picture of all directions through the worker and sets the scene's environment to `how` with its light: a
+  /// set_environment with harmonics, which needs no picture when it is run again. Counts as an import.
+  Result<CommandAnswer> load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
+                                         const ExecuteOptions& execute = {});
+
+  /// Reads a PNG or JPEG through the worker and lays it on the scene's model. Counts as an import.
+  Result<CommandAnswer> load_base_picture(Scene& scene, std::span<const std::byte> octets,
+                                          const ExecuteOptions& execute = {});
+  /// Keeps the picture and names it in a set_base_picture. Refused as that command is.
+  Result<CommandAnswer> lay_base_picture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
+
  private:
   struct Impl;
   explicit SceneStore(std::unique_ptr<Impl> impl);

@@ -1,10 +1,11 @@
-// Reading an uploaded model through the confined worker pelage-import.
+// Reading uploaded models and pictures through the confined worker pelage-import.
 #pragma once
 
 #include <span>
 #include <string>
 
 #include "protocol/base/status.h"
+#include "protocol/commands/look.h"
 #include "protocol/commands/scene.h"
 #include "server/surface/raw_model.h"
 
@@ -24,8 +25,24 @@ std::string program_folder();
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> octets,
                               const ImportLimits& limits = {});
 
+/// The same for a picture of all directions (EXR or HDR; renderer/light/equirectangular.h): the light that it stands
+/// for.
+Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> octets,
+                                              const ImportLimits& limits = {});
+
+/// The same for a picture that is laid on a model (PNG or JPEG).
+Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> octets,
+                                const ImportLimits& limits = {});
+
 /// The worker's wire format, also what the journal stores. decode checks every count and index. Native byte order.
 std::string encode_raw_model(const RawModel& model);
 Result<RawModel> decode_raw_model(std::span<const std::byte> octets);
+
+/// The worker's answers for pictures; decoding refuses (invalid) numbers beyond limits::harmonic, sizes beyond
+/// limits::picture_pixels and octets that do not fit them.
+std::string encode_harmonics(const SphericalHarmonics& harmonics);
+Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> octets);
+std::string encode_raw_image(const RawImage& image);
+Result<RawImage> decode_raw_image(std::span<const std::byte> octets);
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "server/surface/adjacency.h"
@@ -96,21 +97,27 @@ double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, d
   return (usable ? scale : usual) * (signed_area < 0 ? -1 : 1);
 }
 
-}  // namespace
-
-Result<PatchMap> own_uv_patches(const Mesh& mesh) {
+/// Size of a unit of texture coordinates over the whole model; none where they span no area.
+std::optional<double> usual_scale(const Mesh& mesh) {
   double area = 0, uv_area = 0;
   for (std::uint32_t t = 0; !mesh.texture_uv.empty() && t < mesh.triangles.size(); ++t) {
     area += twice_area(mesh, t);
     uv_area += std::abs(twice_uv_area(mesh, t));
   }
-  const double usual = std::sqrt(area / uv_area);
-  if (!(uv_area > 0) || !std::isfinite(usual) || !(usual > 0)) {
-    return failure(Code::invalid, "the model has no texture coordinates of its own");
-  }
+  const double scale = std::sqrt(area / uv_area);
+  return uv_area > 0 && std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
+}  // namespace
+
+bool has_own_uvs(const Mesh& mesh) { return usual_scale(mesh).has_value(); }
+
+Result<PatchMap> own_uv_patches(const Mesh& mesh) {
+  const std::optional<double> usual = usual_scale(mesh);
+  if (!usual) return failure(Code::invalid, "the model has no texture coordinates of its own");
   PatchMap map;
   for (const std::vector<std::uint32_t>& triangles : islands_of(mesh)) {
-    const double scale = scale_of(mesh, triangles, usual);
+    const double scale = scale_of(mesh, triangles, *usual);
     const FlatPatch flat = flat_island(mesh, triangles, std::abs(scale), scale < 0);
     const auto first = static_cast<std::uint32_t>(map.points.size());
     for (PatchPoint point : make_points(mesh, flat, map.patches)) {

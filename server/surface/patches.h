@@ -45,6 +45,9 @@ PatchMap lay_patches(const Mesh& mesh);
 /// The same map with hard borders: each triangle keeps the piece with the largest mean weight, at weight 1.
 PatchMap hard_pieces(const PatchMap& map);
 
+/// Whether the model has texture coordinates that span an area.
+bool has_own_uvs(const Mesh& mesh);
+
 /// The map that the model's own texture coordinates make: a patch for each of their islands, at the scale that keeps
 /// the island's area; mirrored islands are turned over. One piece for each triangle, weight 1. Refused (invalid) when
 /// the model has no texture coordinates that span an area.

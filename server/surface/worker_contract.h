@@ -1,4 +1,5 @@
-// What the server and pelage-import agree on: `pelage-import FORMAT SECONDS BYTES`, octets in, encode_raw_model out.
+// What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES`, octets in. The job is a model's format
+// (encode_raw_model out), "environment" (encode_harmonics out) or "picture" (encode_raw_image out).
 #pragma once
 
 #include <array>
@@ -7,6 +8,9 @@ namespace pelage {
 
 /// By ModelFormat.
 inline constexpr std::array<const char*, 7> worker_format_names = {"obj", "ply", "stl", "off", "gltf", "glb", "3ds"};
+
+inline constexpr const char* worker_environment = "environment";
+inline constexpr const char* worker_picture = "picture";
 
 /// How the worker ends. The reason for bad_input is the last line on its standard error.
 namespace worker_exit {

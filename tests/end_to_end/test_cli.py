@@ -1,22 +1,14 @@
 """A walk through the command-line client."""
 
 import json
-import os
-import subprocess
 import unittest
 
 from PIL import Image
 
-from support.server import BIN, ServedTest, comb, flood, shared_folder
+from support.server import ServedTest, comb, flood, shared_folder
 
 
 class Client(ServedTest):
-    def pelage(self, *arguments, code=0, text="", environment=None):
-        run = subprocess.run([BIN / "pelage", *map(str, arguments)], input=text, capture_output=True, text=True, timeout=120,
-                             env={**os.environ, "PELAGE_SERVER": self.server.address, **(environment or {})})
-        self.assertEqual(run.returncode, code, run)
-        return run
-
     def new(self, *arguments):
         return self.pelage("new", *arguments).stdout.strip()
 

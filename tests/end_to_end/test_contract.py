@@ -7,6 +7,7 @@ import unittest
 import jsonschema
 import yaml
 
+from support.pictures import hdr, png
 from support.server import REPOSITORY, ServedTest, comb, flood
 
 CONTRACT = yaml.safe_load((REPOSITORY / "protocol" / "openapi" / "openapi.yaml").read_text())
@@ -50,7 +51,7 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
+                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
@@ -72,6 +73,8 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Stroke"]["properties"]["samples"]["maxItems"], limits["samples_per_stroke"])
         self.assertIn(f"at most {limits['dabs_per_stroke']} dabs", SCHEMAS["Brush"]["properties"]["spacing"]["description"])
         self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
+        self.assertEqual(SCHEMAS["Harmonics"]["items"]["items"]["maximum"], limits["harmonic"])
+        self.assertIn(f"{limits['picture_pixels']} pixels on a side", whole)
         self.assertEqual(SCHEMAS["SetEyes"]["properties"]["eyes"]["maxItems"], limits["eyes"])
         self.assertEqual(SCHEMAS["SetCurves"]["properties"]["groups"]["maxItems"], limits["curve_groups"])
         self.assertIn(f"At most {limits['curves']} curves", SCHEMAS["SetCurves"]["description"])
@@ -88,7 +91,7 @@ class Document(unittest.TestCase):
         builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
         self.assertEqual(builtin["triangles"]["maximum"], limits["builtin_triangles"])
         self.assertEqual(CONTRACT["components"]["parameters"]["Wait"]["schema"]["maximum"], limits["wait_seconds"])
-        for name in ("command_body_bytes", "model_bytes", "model_triangles"):
+        for name in ("command_body_bytes", "model_bytes", "model_triangles", "picture_bytes"):
             self.assertIn(str(limits[name]), whole, name)
         self.assertIn(f"{limits['json_depth']} levels", whole)
         self.assertIn(f"{int(limits['command_coordinate_sizes'])} sizes", whole)
@@ -138,6 +141,9 @@ class Requests(ServedTest):
                                         "odd_hairs": {"share": 0.1, "colour": [1, 1, 1]},
                                         "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
+            {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
+            {"op": "set_environment", "environment": {"harmonics": [[1, 2, 3]] * 9, "turn_degrees": 30, "intensity": 2}},
+            {"op": "set_base_picture", "picture": "own"},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2}]},
             {"op": "set_eyes", "eyes": [{"position": [0, 1, 0], "radius": 0.02, "gaze": [0, 0, 1], "sclera": "#ffffff", "bulge": 0.25,
                                          "iris": {"colour": "#806020", "size": 0.5, "depth": 0.25, "relief": 0.1, "limbal_ring": 0.25},
@@ -172,7 +178,7 @@ class Requests(ServedTest):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
 
     def test_new_scenes(self):
-        body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}}
+        body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}, "fur_patches": "hard"}
 
         def create(request):
             answer = self.server.post("/v1/scenes", request)
@@ -208,13 +214,14 @@ class Defaults(ServedTest):
         answer = scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=1.0), {"op": "blow", "source": [0, 0, 1], "direction": [0, 0, -1]},
                            {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
                            {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]},
+                           {"op": "set_environment", "environment": {"harmonics": [[1, 1, 1]] * 9, "intensity": 1}},
                            {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]},
                            {"op": "set_curves", "groups": [{"curves": [[[0, 0, 1], [0, 0, 2]]]}]},
                            {"op": "set_skin", "regions": [{"centre": [0, 0, 1], "radii": [0.1, 0.1, 0.1],
                                                            "facing": {"direction": [0, 0, 1]}}]})
         self.assertEqual(answer.status, 200, answer)
         commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
-        combed, blown, attracted, coat, look, lights, eyes, curves, skin = commands
+        combed, blown, attracted, coat, look, lights, environment, eyes, curves, skin = commands
         self.assert_defaults("Comb", combed)
         self.assert_defaults("Stroke", combed["stroke"])
         self.assert_defaults("Brush", combed["brush"], given=["radius"])
@@ -226,6 +233,7 @@ class Defaults(ServedTest):
             self.assert_defaults(schema, coat["coat"][part])
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
+        self.assert_defaults("Environment", environment["environment"], given=["harmonics"])
         self.assert_defaults("Eye", eyes["eyes"][0])
         self.assert_defaults("CurveGroup", curves["groups"][0])
         for schema, part in (("Iris", "iris"), ("Pupil", "pupil"), ("Lids", "lids")):
@@ -246,7 +254,8 @@ class Defaults(ServedTest):
         plain = self.server.post("/v1/scenes", {}).json
         said = {"name": SCHEMAS["NewScene"]["properties"]["name"]["default"],
                 "model": {k: v["default"] for k, v in SCHEMAS["NewScene"]["properties"]["model"]["properties"].items()},
-                "fur": {k: v["default"] for k, v in SCHEMAS["FirstGroom"]["properties"].items()}}
+                "fur": {k: v["default"] for k, v in SCHEMAS["FirstGroom"]["properties"].items()},
+                "fur_patches": SCHEMAS["FurPatches"]["default"]}
         same = self.server.post("/v1/scenes", said).json
         for key in ("name", "model", "triangles", "fields_hash"):
             self.assertEqual(plain[key], same[key])
@@ -275,7 +284,8 @@ class Answers(ServedTest):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1},
                 "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
-        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
+                 "environment": hdr([[[1, 1, 1]]]), "base_picture": png([[[1, 2, 3]]])}
         seen = 0
         for path, method, _ in operations():
             name = path.rsplit("/", 1)[1]
@@ -283,7 +293,7 @@ class Answers(ServedTest):
                 continue
             address = path.replace("{id}", scene.id) + {"model": "?format=obj", "frame.png": "?width=16&height=16"}.get(name, "")
             body["revert"] = {"revision": scene.info()["revision"]}
-            sent = None if method == "get" else model if method == "put" else body.get(path, body.get(name))
+            sent = None if method == "get" else files[name] if method == "put" else body.get(path, body.get(name))
             with self.subTest(f"{method} {path}"):
                 answer = self.server.call(method.upper(), address, sent)
                 self.assertLess(answer.status, 400, answer)
@@ -292,7 +302,7 @@ class Answers(ServedTest):
                     self.check(path, method, self.server.call("POST", address, "{"))
                 self.check(path, method, self.server.call(method.upper(), address, sent, headers={"Host": "evil.example"}))
                 seen += 1
-        self.assertGreaterEqual(seen, 16)
+        self.assertGreaterEqual(seen, 18)
         self.check("/v1/scenes/{id}/log", "get", self.server.get(f"{scene.path}/log?format=jsonl"))
         self.check("/v1/scenes/{id}/pick", "post", scene.post("pick", {"pixel": [0, 0]}))
         self.check("/v1/scenes/{id}", "delete", self.server.call("DELETE", scene.path))

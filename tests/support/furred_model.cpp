@@ -15,8 +15,6 @@
 
 namespace pelage::testing {
 
-namespace {
-
 FurredModel furred(const RawModel& raw, FirstGroom fur) {
   static std::uint64_t last_id = 0;  // ids are unique in a process
   Result<Mesh> mesh = prepare(raw, Axis::plus_y, Axis::plus_z, raw.is_32_bit);
@@ -25,8 +23,6 @@ FurredModel furred(const RawModel& raw, FirstGroom fur) {
   FieldSet fields = first_groom(*mesh, fur);
   return {{Surface(std::move(mesh).value()), std::move(patches), ++last_id, "test"}, std::move(fields), {}};
 }
-
-}  // namespace
 
 FurredModel furred(BuiltinModel model, FirstGroom fur) { return furred(make_builtin(model), fur); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "protocol/commands/frame.h"
@@ -14,9 +15,13 @@ struct FurredModel {
   SceneModel model;
   FieldSet fields;
   SceneSettings settings;
+  std::optional<RawImage> base_picture = {};  // named by settings.base_picture
 
-  SceneView view() const { return {model, fields, settings, 0}; }
+  SceneView view() const { return {model, fields, settings, 0, base_picture ? &*base_picture : nullptr}; }
 };
+
+/// A model, prepared as the server does it.
+FurredModel furred(const RawModel& raw, FirstGroom fur = {});
 
 /// A built-in, prepared as the server does it.
 FurredModel furred(BuiltinModel model, FirstGroom fur = {});

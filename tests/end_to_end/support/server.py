@@ -192,6 +192,13 @@ class ServedTest(unittest.TestCase):
         except OSError as error:
             self.fail(f"the server is gone: {error}; it printed {self.server.printed()}")
 
+    def pelage(self, *arguments, code=0, text="", environment=None):
+        """Runs the command-line client, which has to end with `code`."""
+        run = subprocess.run([BIN / "pelage", *map(str, arguments)], input=text, capture_output=True, text=True, timeout=120,
+                             env={**os.environ, "PELAGE_SERVER": self.server.address, **(environment or {})})
+        self.assertEqual(run.returncode, code, run)
+        return run
+
     def assert_problem(self, answer, status, pointer=None):
         self.assertEqual(answer.status, status, answer)
         self.assertEqual(answer.headers["content-type"], "application/problem+json")

@@ -316,18 +316,37 @@ Command set_skin() {
   return result;
 }
 
+Command set_environment() {
+  if (*rc::gen::arbitrary<bool>()) {
+    return SetEnvironment{
+        {.sky = colour(), .horizon = colour(), .ground = colour(), .harmonics = {}, .intensity = number(0, 100)}};
+  }
+  SphericalHarmonics harmonics;
+  for (glm::dvec3& v : harmonics) v = {number(-1e6, 1e6), number(-1, 1), number(-1e6, 1e6)};
+  Environment environment;
+  environment.harmonics = harmonics;
+  environment.turn_degrees = number(-360, 360), environment.intensity = number(0, 100);
+  return SetEnvironment{environment};
+}
+
+Command set_base_picture() {
+  if (*rc::gen::arbitrary<bool>()) return SetBasePicture{};
+  return SetBasePicture{*rc::gen::container<std::string>(32, rc::gen::elementOf(std::string("0123456789abcdef")))};
+}
+
 Command command() {
-  switch (*rc::gen::inRange(0, 11)) {
+  switch (*rc::gen::inRange(0, 12)) {
     case 0: return comb();
     case 1: return blow();
     case 2: return attract();
     case 3: return set_coat();
     case 4: return SetLook{look()};
-    case 5: return SetEnvironment{{colour(), colour(), colour(), number(0, 100)}};
+    case 5: return set_environment();
     case 6: return set_ground();
     case 7: return set_eyes();
     case 8: return set_curves();
     case 9: return set_skin();
+    case 10: return set_base_picture();
     default: return set_lights();
   }
 }
@@ -376,6 +395,33 @@ RC_GTEST_PROP(Json, CoatsKeepEveryBit, ()) {
   const Coat before = std::get<SetCoat>(set_coat()).coat;
   const Coat after = std::get<SetCoat>(decode_commands(encode(Command(SetCoat{before})))->front()).coat;
   RC_ASSERT(after == before);
+}
+
+RC_GTEST_PROP(Json, EnvironmentsKeepEveryBit, ()) {
+  const Environment before = std::get<SetEnvironment>(set_environment()).environment;
+  const auto decoded = decode_commands(encode(Command(SetEnvironment{before})));
+  const Environment after = std::get<SetEnvironment>(decoded->front()).environment;
+  RC_ASSERT(after.harmonics == before.harmonics);
+  RC_ASSERT(after.turn_degrees == before.turn_degrees && after.intensity == before.intensity);
+  RC_ASSERT(after.sky == before.sky && after.horizon == before.horizon && after.ground == before.ground);
+}
+
+RC_GTEST_PROP(Json, PicturesOfModelsComeBack, ()) {
+  const Command before = set_base_picture();
+  const auto after = decode_commands(encode(before));
+  RC_ASSERT(after.ok());
+  RC_ASSERT(std::get<SetBasePicture>(after->front()).picture == std::get<SetBasePicture>(before).picture);
+}
+
+RC_GTEST_PROP(Json, NewScenesComeBack, ()) {
+  const NewScene before{.name = "a",
+                        .model = {one_of(Builtin::creature), *rc::gen::inRange(2, 1'000'001)},
+                        .fur = {number(0, 10), number(0, 1)},
+                        .fur_patches = one_of(FurPatches::own_uvs)};
+  const auto after = decode_new_scene(encode(before));
+  RC_ASSERT(after.ok());
+  RC_ASSERT(after->fur_patches == before.fur_patches && after->model.shape == before.model.shape);
+  RC_ASSERT(after->fur.length == before.fur.length && after->model.triangles == before.model.triangles);
 }
 
 RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {

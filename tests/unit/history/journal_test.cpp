@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "protocol/json/encode.h"
+#include "server/history/delta_codec.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {
@@ -40,7 +41,7 @@ class JournalTest : public ::testing::Test {
   static StoredScene scene(std::string id) {
     return {std::move(id),
             "fox \"1\"",
-            {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3)},
+            {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3), FurPatches::hard},
             3,
             {{2}, {{}}, {{{0.5f, 0}, 1, 0}}}};
   }
@@ -75,6 +76,7 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   EXPECT_EQ(found->model.front, Axis::minus_x);
   EXPECT_TRUE(found->model.source_is_32_bit);
   EXPECT_EQ(found->model.raw, std::string("a\0b", 3));
+  EXPECT_EQ(found->model.fur_patches, FurPatches::hard);
   EXPECT_EQ(found->first_revision, 3u);
   EXPECT_EQ(found->first_groom.after, scene("a").first_groom.after);
   const auto entries = journal->entries("a", 0);
@@ -151,6 +153,75 @@ TEST_F(JournalTest, DamagedEntriesAreReported) {
   }
   execute("UPDATE entries SET delta = x'05'");
   EXPECT_EQ(open()->entries("a", 0).status().code, Code::internal);
+}
+
+/// The tables of the first version, with a scene in them.
+TEST_F(JournalTest, AnOlderJournalIsBroughtUpToDate) {
+  execute(R"(
+    CREATE TABLE scenes(
+      number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
+      model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
+      first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL);
+    CREATE TABLE entries(
+      scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
+      kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
+      hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL,
+      PRIMARY KEY(scene, revision));
+    PRAGMA user_version = 1;
+  )");
+  const std::string groom = encode_delta({});
+  {
+    auto database = Database::open(path_);
+    Statement insert = database->prepare("INSERT INTO scenes VALUES(1, 'old', 'fox', 'obj', 2, 4, 0, 0, ?, x'00')");
+    ASSERT_TRUE(insert.blob(groom).run().ok());
+  }
+  const auto journal = open();
+  const auto found = journal->scene("old");
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->model.fur_patches, FurPatches::overlapping);
+  EXPECT_TRUE(journal->add_scene(scene("new")).ok());
+  EXPECT_TRUE(journal->append("old", entry(1)).ok());
+  EXPECT_EQ(*journal->scene_ids(), (std::vector<std::string>{"old", "new"}));
+}
+
+Entry with_picture(Revision revision, const std::string& name) {
+  SceneSettings settings;
+  settings.base_picture = name;
+  Entry entry;
+  entry.revision = revision, entry.commands = "{}";
+  entry.settings = std::make_shared<const SceneSettings>(settings);
+  return entry;
+}
+
+TEST_F(JournalTest, PicturesStayWhileALogNamesThem) {
+  const std::string used(32, 'a'), unused(32, 'b');
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    ASSERT_TRUE(journal->add_scene(scene("b")).ok());
+    ASSERT_TRUE(journal->add_picture(used, std::string("x\0y", 3)).ok());
+    ASSERT_TRUE(journal->add_picture(used, "another").ok());
+    ASSERT_TRUE(journal->add_picture(unused, "z").ok());
+    ASSERT_TRUE(journal->append("a", with_picture(4, used)).ok());
+    ASSERT_TRUE(journal->append("b", with_picture(4, used)).ok());
+    EXPECT_TRUE(journal->has_picture(unused));
+  }
+  const auto journal = open();
+  EXPECT_FALSE(journal->has_picture(unused)) << "it was never used, and a start drops it";
+  EXPECT_EQ(*journal->picture(used), std::string("x\0y", 3));
+  EXPECT_EQ((*journal->entries("a", 0))[0].settings->base_picture, used);
+  ASSERT_TRUE(journal->remove_scene("a").ok());
+  EXPECT_TRUE(journal->has_picture(used));
+  ASSERT_TRUE(journal->replace_model(scene("b")).ok());
+  EXPECT_FALSE(journal->has_picture(used));
+  EXPECT_EQ(journal->picture(used).status().code, Code::internal);
+}
+
+TEST_F(JournalTest, AnEntryWithAPictureThatIsNotThereIsNotWritten) {
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  EXPECT_FALSE(journal->append("a", with_picture(4, std::string(32, 'a'))).ok());
+  EXPECT_TRUE(journal->entries("a", 0)->empty());
 }
 
 }  // namespace

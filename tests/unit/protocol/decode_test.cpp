@@ -5,28 +5,12 @@
 #include <string>
 
 #include "protocol/base/limits.h"
+#include "tests/unit/protocol/refusals.h"
 
 namespace pelage {
 namespace {
 
 const std::string comb_text = R"({"op": "comb", "stroke": {"samples": [{"position": [0, 0.2, 0.5]}]}})";
-
-std::string repeated(const std::string& text, std::size_t times) {
-  std::string all;
-  for (std::size_t i = 0; i < times; ++i) all += (i ? "," : "") + text;
-  return all;
-}
-
-Status refusal(std::string_view text) {
-  const auto decoded = decode_commands(text);
-  return decoded.ok() ? Status{} : decoded.status();
-}
-
-void expect_refusal(std::string_view text, Code code, std::string_view pointer) {
-  const Status status = refusal(text);
-  EXPECT_EQ(status.code, code) << text << "\n" << status.message;
-  EXPECT_EQ(status.pointer, pointer) << text << "\n" << status.message;
-}
 
 TEST(Decode, CombWithDefaults) {
   const auto commands = decode_commands(comb_text);

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "protocol/base/random.h"
 #include "server/import_worker/sanitized.h"
@@ -144,6 +145,47 @@ TEST_F(Import, OtherFormatsAreNotGuessed) {
     const Result<RawModel> model = import_model(PELAGE_IMPORT, format, octets_of(one_triangle));
     EXPECT_FALSE(model.ok()) << static_cast<int>(format);
   }
+}
+
+TEST_F(Import, AnEnvironmentIsReadAsLight) {
+  const std::string hdr =
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\x00\x81\x80\x40\x00\x81", 8);
+  const Result<SphericalHarmonics> light = import_environment(PELAGE_IMPORT, octets_of(hdr));
+  ASSERT_TRUE(light.ok()) << light.status().message;
+  EXPECT_NEAR((*light)[0].x, 3.5449, 0.02);
+  EXPECT_NEAR((*light)[0].y, 3.5449 / 2, 0.02);
+  EXPECT_NEAR(glm::length((*light)[3]), 0, 1e-6);
+  const Status refused = import_environment(PELAGE_IMPORT, octets_of("x")).status();
+  EXPECT_EQ(refused.code, Code::invalid);
+  EXPECT_TRUE(contains(refused.message, "The environment cannot be read")) << refused.message;
+}
+
+TEST_F(Import, NonsenseInPlaceOfPicturesIsRefused) {
+  const std::string worker = script("echo hello");
+  EXPECT_EQ(import_environment(worker, octets_of("x")).status().code, Code::invalid);
+  EXPECT_EQ(import_picture(worker, octets_of("x")).status().code, Code::invalid);
+  EXPECT_EQ(import_picture(script("kill -SEGV $$"), octets_of("x")).status().code, Code::invalid);
+}
+
+TEST(PictureCodec, RoundTripAndRefusals) {
+  SphericalHarmonics light{};
+  for (std::size_t i = 0; i < 9; ++i) light[i] = {double(i), -1e6, 0.1};
+  EXPECT_EQ(*decode_harmonics(octets_of(encode_harmonics(light))), light);
+  EXPECT_FALSE(decode_harmonics(octets_of(encode_harmonics(light) + "x")).ok());
+  light[4].z = 1.1e6;
+  EXPECT_FALSE(decode_harmonics(octets_of(encode_harmonics(light))).ok());
+  light[4].z = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(decode_harmonics(octets_of(encode_harmonics(light))).ok());
+
+  const RawImage image{1, 2, {1, 2, 3, 4, 5, 6, 7, 8}};
+  const std::string octets = encode_raw_image(image);
+  EXPECT_EQ(decode_raw_image(octets_of(octets))->rgba, image.rgba);
+  for (std::size_t length = 0; length < octets.size(); ++length) {
+    EXPECT_FALSE(decode_raw_image(octets_of(octets.substr(0, length))).ok()) << length;
+  }
+  EXPECT_FALSE(decode_raw_image(octets_of(octets + "x")).ok());
+  EXPECT_FALSE(decode_raw_image(octets_of(encode_raw_image({-1, 2, image.rgba}))).ok());
+  EXPECT_FALSE(decode_raw_image(octets_of(encode_raw_image({0, 0, {}}))).ok());
 }
 
 RawModel everything() {

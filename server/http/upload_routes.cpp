@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <span>
+
+#include "protocol/base/limits.h"
+#include "protocol/json/encode.h"
+#include "server/http/reply.h"
+#include "server/http/routes.h"
+
+namespace pelage {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+using Octets = std::span<const std::byte>;
+
+void load_model(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+  const auto options = decode_import_query(query_of(request));
+  if (!options) return reply_problem(response, options.status());
+  const auto if_match = if_match_of(request);
+  if (!if_match) return reply_problem(response, if_match.status());
+  const std::uint64_t old_model = model_id_of(scene);
+  const auto summary = service.scenes.load_model(scene, *options, octets, {.if_match = *if_match});
+  if (!summary) return reply_problem(response, summary.status());
+  service.frames.forget(old_model);
+  reply_json(response, 200, encode(*summary), summary->revision);
+}
+
+void load_environment(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+  const auto how = decode_environment_query(query_of(request));
+  if (!how) return reply_problem(response, how.status());
+  const auto if_match = if_match_of(request);
+  if (!if_match) return reply_problem(response, if_match.status());
+  const auto answer = service.scenes.load_environment(scene, *how, octets, {.if_match = *if_match});
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer), answer->revision);
+}
+
+void load_base_picture(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+  const auto if_match = if_match_of(request);
+  if (!if_match) return reply_problem(response, if_match.status());
+  const auto answer = service.scenes.load_base_picture(scene, octets, {.if_match = *if_match});
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer), answer->revision);
+}
+
+/// One kind of upload.
+struct Kind {
+  std::size_t most_octets;
+  void (*use)(Service& service, Scene& scene, const Request& request, Response& response, Octets octets);
+};
+
+/// The whole body; a refusal leaves octets unread, so the connection has to end.
+Result<std::string> read_body(const Request& request, const httplib::ContentReader& read, std::size_t most_octets) {
+  const auto length = request.get_header_value<std::uint64_t>("Content-Length");
+  if (length > most_octets) {
+    return failure(Code::too_large, fmt::format("The upload has {} octets.", length), "",
+                   fmt::format("at most {} octets", most_octets));
+  }
+  std::string octets;
+  const bool whole = read([&](const char* data, std::size_t size) {
+    octets.append(data, size);
+    return octets.size() <= most_octets;
+  });
+  if (!whole) return failure(Code::malformed, "The body ended before its Content-Length.");
+  return octets;
+}
+
+/// The body is read only once there is room for it.
+void upload(Service& service, const Kind& kind, const Request& request, Response& response,
+            const httplib::ContentReader& read) {
+  const auto pass = service.uploads.enter();
+  if (!pass) {
+    reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", "4 at a time"));
+    return close_after(response);
+  }
+  const Result<std::string> octets = read_body(request, read, kind.most_octets);
+  if (!octets) {
+    reply_problem(response, octets.status());
+    return close_after(response);
+  }
+  with_scene(service, request, response, [&](const auto& scene) {
+    kind.use(service, *scene, request, response, std::as_bytes(std::span(*octets)));
+  });
+}
+
+void put(httplib::Server& server, Service& service, const char* name, Kind kind) {
+  const std::string pattern = std::string("/v1/scenes/([^/]+)/") + name;
+  server.Put(pattern, [&service, kind](const Request& request, Response& response, const httplib::ContentReader& read) {
+    upload(service, kind, request, response, read);
+  });
+}
+
+}  // namespace
+
+void add_upload_routes(httplib::Server& server, Service& service) {
+  put(server, service, "model", {limits::model_bytes, load_model});
+  put(server, service, "environment", {limits::picture_bytes, load_environment});
+  put(server, service, "base_picture", {limits::picture_bytes, load_base_picture});
+}
+
+}  // namespace pelage

@@ -1,0 +1,48 @@
+#include "server/import_worker/job.h"
+
+#include <array>
+#include <utility>
+
+#include "server/import_worker/parse.h"
+#include "server/import_worker/read_picture.h"
+#include "server/surface/import.h"
+#include "server/surface/worker_contract.h"
+
+namespace pelage {
+
+namespace {
+
+template <ModelFormat format>
+Result<std::string> read_model(std::string octets) {
+  const Result<RawModel> model = parse_model(format, std::move(octets));
+  if (!model.ok()) return model.status();
+  return encode_raw_model(*model);
+}
+
+Result<std::string> read_light(std::string octets) {
+  const Result<SphericalHarmonics> harmonics = read_environment(octets);
+  if (!harmonics.ok()) return harmonics.status();
+  return encode_harmonics(*harmonics);
+}
+
+Result<std::string> read_base(std::string octets) {
+  const Result<RawImage> image = read_base_picture(octets);
+  if (!image.ok()) return image.status();
+  return encode_raw_image(*image);
+}
+
+}  // namespace
+
+Job job_of(std::string_view name) {
+  static constexpr std::array<Job, worker_format_names.size()> models = {
+      read_model<ModelFormat::obj>, read_model<ModelFormat::ply>,  read_model<ModelFormat::stl>,
+      read_model<ModelFormat::off>, read_model<ModelFormat::gltf>, read_model<ModelFormat::glb>,
+      read_model<ModelFormat::tds>};
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (name == worker_format_names[i]) return models[i];
+  }
+  if (name == worker_environment) return read_light;
+  return name == worker_picture ? read_base : nullptr;
+}
+
+}  // namespace pelage

@@ -1,0 +1,43 @@
+#include "server/import_worker/read_picture.h"
+
+#include <algorithm>
+#include <span>
+
+#include "protocol/base/limits.h"
+#include "renderer/image/float_image.h"
+#include "renderer/image/image.h"
+#include "renderer/light/equirectangular.h"
+#include "server/import_worker/parse.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t most_pixels = std::size_t{limits::picture_pixels} * limits::picture_pixels;
+
+Status check_sides(int width, int height) {
+  if (std::max(width, height) <= limits::picture_pixels) return {};
+  return broken("it has " + std::to_string(width) + " x " + std::to_string(height) + " pixels, over " +
+                std::to_string(limits::picture_pixels) + " on a side.");
+}
+
+}  // namespace
+
+Result<SphericalHarmonics> read_environment(const std::string& octets) {
+  read_exr_without_threads();
+  const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(octets)), most_pixels);
+  if (!image.ok()) return image.status();
+  if (image->display_referred)
+    return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
+  if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
+  return project_equirectangular(image->width, image->height, image->rgba);
+}
+
+Result<RawImage> read_base_picture(const std::string& octets) {
+  Result<Image> image = decode_image(std::as_bytes(std::span(octets)), most_pixels);
+  if (!image.ok()) return image.status();
+  if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
+  return RawImage{image->width, image->height, std::move(image->rgba)};
+}
+
+}  // namespace pelage

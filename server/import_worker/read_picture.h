@@ -1,0 +1,21 @@
+// Pictures that are uploaded for themselves. Runs in the confined worker only.
+#pragma once
+
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/look.h"
+#include "server/surface/raw_model.h"
+
+namespace pelage {
+
+// Both refuse (invalid, with the reason) octets that are broken or of another format, and pictures wider or higher than
+// limits::picture_pixels.
+
+/// The light of an EXR or HDR of all directions; renderer/light/equirectangular.h says which pixel is where.
+Result<SphericalHarmonics> read_environment(const std::string& octets);
+
+/// The colours of a PNG or JPEG that is laid on a model.
+Result<RawImage> read_base_picture(const std::string& octets);
+
+}  // namespace pelage

@@ -1,0 +1,54 @@
+// What belongs to uploads: environments, pictures on models, how fur is laid.
+#include "tests/unit/protocol/refusals.h"
+
+namespace pelage {
+namespace {
+
+std::string environment_with(const std::string& members) {
+  return R"({"op": "set_environment", "environment": {)" + members + "}}";
+}
+
+TEST(Decode, EnvironmentsAreAGradientOrHarmonics) {
+  const std::string nine = R"("harmonics": [)" + repeated("[1, -2, 1e6]", 9) + "]";
+  EXPECT_TRUE(refusal(environment_with("")).ok());
+  EXPECT_TRUE(refusal(environment_with(nine + R"(, "turn_degrees": -360, "intensity": 2)")).ok());
+  const std::string at = "/environment/";
+  expect_refusal(environment_with(nine + R"(, "ground": [1, 1, 1])"), Code::invalid, at + "harmonics");
+  expect_refusal(environment_with(R"("turn_degrees": 3)"), Code::invalid, at + "turn_degrees");
+  expect_refusal(environment_with(nine + R"(, "turn_degrees": 361)"), Code::invalid, at + "turn_degrees");
+  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + "]"), Code::invalid,
+                 at + "harmonics");
+  expect_refusal(environment_with(R"("harmonics": [)" + repeated("[0, 0, 0]", 8) + ", [0, 1.1e6, 0]]"), Code::invalid,
+                 at + "harmonics/8/1");
+}
+
+TEST(Decode, EnvironmentQueries) {
+  EXPECT_EQ(decode_environment_query({})->intensity, 1);
+  EXPECT_EQ(decode_environment_query({{"turn_degrees", "-90"}, {"intensity", "2"}})->turn_degrees, -90);
+  EXPECT_EQ(decode_environment_query({{"intensity", "-1"}}).status().pointer, "/intensity");
+  EXPECT_EQ(decode_environment_query({{"intensiti", "1"}}).status().nearest, "intensity");
+}
+
+TEST(Decode, PicturesAreNamedByHexDigits) {
+  const auto named = [](const std::string& name) {
+    return R"({"op": "set_base_picture", "picture": ")" + name + "\"}";
+  };
+  EXPECT_TRUE(refusal(named("own")).ok());
+  EXPECT_TRUE(refusal(named("0123456789abcdef0123456789abcdef")).ok());
+  for (const std::string bad : {"", "Own", "0123456789abcdef0123456789abcde", "0123456789ABCDEF0123456789abcdef",
+                                "0123456789abcdef0123456789abcdef0"}) {
+    expect_refusal(named(bad), Code::invalid, "/picture");
+  }
+  expect_refusal(R"({"op": "set_base_picture"})", Code::invalid, "/picture");
+}
+
+TEST(Decode, HowFurIsLaid) {
+  EXPECT_EQ(decode_new_scene("{}")->fur_patches, FurPatches::overlapping);
+  EXPECT_EQ(decode_new_scene(R"({"fur_patches": "hard"})")->fur_patches, FurPatches::hard);
+  EXPECT_EQ(decode_new_scene(R"({"fur_patches": "own_uv"})").status().nearest, "own_uvs");
+  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"fur_patches", "own_uvs"}})->fur_patches, FurPatches::own_uvs);
+  EXPECT_EQ(decode_import_query({{"format", "obj"}, {"fur_patches", "soft"}}).status().pointer, "/fur_patches");
+}
+
+}  // namespace
+}  // namespace pelage
