@@ -51,6 +51,11 @@ def lights(*members):
     return {"op": "set_lights", "lights": list(members)}
 
 
+def combed(*tools):
+    """All fur combed up, and what else is asked for."""
+    return {"commands": [{"op": "comb", "flood": True, "direction": [0, 1, 0], "brush": {"strength": 1}, "lean": 0.9}, *tools]}
+
+
 def look_file(name):
     return json.loads((LOOKS / f"{name}.json").read_text(encoding="utf-8"))
 
@@ -100,6 +105,27 @@ FIGURES = [
      "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),
                           fur_of=fur(0.08, lean), quality=SIMPLE)
                   for lean in (0.35, 0.95) for curve in ("arc", "root")]},
+    {"name": "fields", "title": "Fields as colours and as short lines (fur modelling)",
+     "text": "The way the fur leans as hue and as short lines, its length, and after the comb went up and a stick pulled at the back.",
+     "pictures": [picture(title, CREATURE, studio(), *steps, overlay=overlay, quality=SIMPLE)
+                  for title, overlay, steps in (("direction", "direction", []), ("short lines", "strokes", []), ("length", "length", []),
+                                                ("combed", "strokes", [combed()]),
+                                                ("pulled", "strokes", [combed({"op": "attract", "point": [-0.2, 1.2, -0.1], "radius": 0.35,
+                                                                               "strength": 1, "duration": 3})]),
+                                                ("fur of the last", "none", [combed({"op": "attract", "point": [-0.2, 1.2, -0.1], "radius": 0.35,
+                                                                                     "strength": 1, "duration": 3})]))]},
+    {"name": "stages", "title": "From layers to fur",
+     "text": "4, 8 and 16 shells everywhere; then as many as each place needs, how many those are, and with fins and guard hairs.",
+     "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)
+                  for title, quality, overlay in (
+                      ("4 shells", {"shells": 4, "shell_policy": "uniform"}, "none"),
+                      ("8 shells", {"shells": 8, "shell_policy": "uniform"}, "none"),
+                      ("16 shells", {"shells": 16, "shell_policy": "uniform"}, "none"),
+                      ("adaptive, up to 32", {"shells": 32}, "none"), ("how many", {"shells": 32}, "layer_count"),
+                      ("fins and guard hairs", {"shells": 32, "fins": True, "guard_hairs": 20000}, "none"))]},
+    {"name": "tufts", "title": "Tufts", "text": "Clumps larger than the tile, anchored on the body: none, some, all; small and large.",
+     "pictures": [picture(title, CREATURE, coat(tufts={"gather": gather, "size": size}), studio())
+                  for title, gather, size in (("none", 0, 0.05), ("gather .4", 0.4, 0.05), ("gather 1, small", 1, 0.04))]},
     {"name": "forms", "title": "Forms of fur", "text": "One coat on one sphere, a setting at a time.",
      "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.05, 0.45), quality=SIMPLE,
                           camera=eye([0.9, 1.4, 3.4], [0.25, 0.35, 0.5], 22))
@@ -121,7 +147,7 @@ FIGURES = [
     {"name": "shading", "title": "Shading models", "text": "One interface, six models by name (docs/fur.md).",
      "pictures": [picture(name, CREATURE, look(shading=name), studio())
                   for name in ("lengyel", "kajiya", "kajiya_kay", "scheuermann", "marschner", "energy_conserving")]},
-    {"name": "eye", "title": "The eye", "text": "Cornea, iris marched through its layers, limbal ring, caustic, lids (docs/eyes.md).",
+    {"name": "eye", "title": "The eye", "text": "Cornea, iris marched through its layers, limbal ring, caustic, lids (docs/eyes.md); bare skin, whiskers, lashes.",
      "pictures": [picture("face", CREATURE, studio(), camera=FACE, quality={**FINE, "eye_steps": 16})]},
     {"name": "special", "title": "Hard cases",
      "text": "A sleek horse; white fur lit from behind; an agouti fox; an ear's fringe in front of the flank; a parting in fur of 30 mm.",
@@ -146,7 +172,7 @@ FIGURES = [
      "text": "Plush, agouti, sleek and white, with the settings of reference pictures made of strands; interactive and detailed. "
              "Models by others (docs/models.md); they are skipped where the files are missing.",
      "pictures": [picture(f"{title}, {tier}", model, coat(**settings), look(colour_source="coat", **shade), studio(),
-                          fur_of=fur(length, lean), quality={**knobs, "shadow_maps": True, "shadow_resolution": 1024})
+                          fur_of=fur(length, lean), quality=tier)
                   for title, model, length, lean, settings, shade in (
                       ("plush", shared("koala_low.obj"), 0.042, 0.42,
                        {"count": 16000, "root_share": 0.15, "clump": 0.55, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
@@ -164,5 +190,5 @@ FIGURES = [
                        {"count": 16000, "root_share": 0.4, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
                         "width_root": 0.0008, "width_tip": 0.0002,
                         "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]}, {}))
-                  for tier, knobs in (("interactive", {}), ("detailed", {"shells": 48, "steps": 3, "scale": 2}))]},
+                  for tier in ("interactive", "detailed")]},
 ]

@@ -40,6 +40,17 @@ struct OddHairs {
   bool operator==(const OddHairs&) const = default;
 };
 
+/// Tufts: clumps larger than the tile, which gather strands about places on the body itself, so that the fur does not
+/// repeat and has form at a distance. Each finer scale is .45 of the one before.
+struct Tufts {
+  double gather = 0;       // how far tips go to the middle of their tuft, [0, 1]
+  double size = 0.05;      // mean distance of the largest tufts, sizes, [0.01, 1]
+  int scales = 2;          // [1, 3]
+  std::uint32_t seed = 1;
+
+  bool operator==(const Tufts&) const = default;
+};
+
 struct Coat {
   int count = 9000;             // strands in the tile, [1, 100000]
   double tile = 0.12;           // side of the tile, sizes, [0.01, 1]
@@ -68,6 +79,7 @@ struct Coat {
                              {1.0, {0.620f, 0.440f, 0.270f}}};  // 1 to 4 stops
   Undercoat undercoat{};
   OddHairs odd_hairs{};
+  Tufts tufts{};
   Pattern pattern{};
   Variation variation{};
   std::uint32_t seed = 1;

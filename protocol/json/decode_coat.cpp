@@ -42,6 +42,17 @@ OddHairs odd_hairs(const Value& value) {
   return result;
 }
 
+Tufts tufts(const Value& value) {
+  Object object(value);
+  Tufts result;
+  object.number("gather", result.gather, share);
+  object.number("size", result.size, {0.01, 1});
+  object.integer("scales", result.scales, {1, 3});
+  object.integer("seed", result.seed);
+  object.finish();
+  return result;
+}
+
 Pattern pattern(const Value& value) {
   Object object(value);
   Pattern result;
@@ -109,6 +120,7 @@ Coat coat(const Value& value) {
   object.optional("ramp", [&](const Value& v) { result.ramp = ramp(v); });
   object.optional("undercoat", [&](const Value& v) { result.undercoat = undercoat(v); });
   object.optional("odd_hairs", [&](const Value& v) { result.odd_hairs = odd_hairs(v); });
+  object.optional("tufts", [&](const Value& v) { result.tufts = tufts(v); });
   object.optional("pattern", [&](const Value& v) { result.pattern = pattern(v); });
   object.optional("variation", [&](const Value& v) { result.variation = variation(v); });
   object.integer("seed", result.seed);

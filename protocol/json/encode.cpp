@@ -85,6 +85,10 @@ Json json_of(const Undercoat& undercoat) {
           {"colour", colour(undercoat.colour)}};
 }
 
+Json json_of(const Tufts& tufts) {
+  return {{"gather", tufts.gather}, {"size", tufts.size}, {"scales", tufts.scales}, {"seed", tufts.seed}};
+}
+
 Json json_of(const OddHairs& odd) { return {{"share", odd.share}, {"colour", colour(odd.colour)}}; }
 
 Json json_of(const Pattern& pattern) {
@@ -140,6 +144,7 @@ Json json_of(const Coat& coat) {
           {"ramp", ramp},
           {"undercoat", json_of(coat.undercoat)},
           {"odd_hairs", json_of(coat.odd_hairs)},
+          {"tufts", json_of(coat.tufts)},
           {"pattern", json_of(coat.pattern)},
           {"variation", json_of(coat.variation)},
           {"seed", coat.seed}};

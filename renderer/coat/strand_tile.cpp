@@ -141,6 +141,7 @@ glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q) {
 bool same_strands(const Coat& a, const Coat& b) {
   Coat other = b;
   other.pattern = a.pattern;
+  other.tufts = a.tufts;
   other.variation = a.variation;
   other.root_share = a.root_share;
   other.lean_curve = a.lean_curve;

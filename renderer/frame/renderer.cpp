@@ -31,13 +31,15 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
+
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame) {
   const Environment& light = frame.environment;
   const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
-         (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
+         (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") + (has_tufts(frame.coat) ? "#define TUFTS\n" : "") +
          (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
          (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
@@ -75,6 +77,7 @@ Renderer::Renderer(const Gl& gl)
       overlay_(gl),
       resolve_(gl),
       pattern_(gl),
+      tufts_(gl),
       scattering_(gl),
       frame_block_(gl),
       skin_block_(gl),
@@ -157,6 +160,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, skin_binding, skin_block_.id());
   }
   scattering_.prepare(gl_, frame);
+  if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
   return {coat, model, lists, variant_of(frame)};
 }

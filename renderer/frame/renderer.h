@@ -28,6 +28,7 @@
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/pattern_textures.h"
 #include "renderer/upload/scattering_textures.h"
+#include "renderer/upload/tuft_textures.h"
 
 namespace pelage {
 
@@ -97,6 +98,7 @@ class Renderer {
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first
   PatternTextures pattern_;
+  TuftTextures tufts_;
   ScatteringTextures scattering_;
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;

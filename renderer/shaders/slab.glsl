@@ -10,6 +10,12 @@ in vec2 tile_per_height;
 in float level;
 in float slant;
 
+#ifdef TUFTS
+#include "tufts.glsl"
+
+vec2 tuft_shift = vec2(0.0);  // on the tile, set by who reads colours too
+#endif
+
 struct Slab {
   float opacity, height, light;  // the last two weighted by opacity
   vec2 slope;
@@ -17,11 +23,23 @@ struct Slab {
 
 float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
 
+// Place on the tile of the strand that the ray crosses at height s.
+vec2 tile_at(float s) {
+  vec2 at = tile + tile_per_height * (s - shell_height());
+#ifdef TUFTS
+  at += tuft_shift;
+#endif
+  return at;
+}
+
 // A band: the part of the slab that is `deep`, about the height `middle`, front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
 // `blur` levels coarser than a pixel asks for. It is
 // scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
 // by `share`.
 Slab march_band(float middle, float deep, int steps, float blur, float share) {
+#ifdef TUFTS
+  share *= tuft_share(tuft_here(), middle);
+#endif
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
   float slanted = clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
@@ -30,7 +48,7 @@ Slab march_band(float middle, float deep, int steps, float blur, float share) {
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
   for (int i = 0; i < steps; ++i) {
     float s = middle + (0.5 - (float(i) + 0.5) / float(steps)) * deep * float(shell_side);
-    vec2 at = tile + tile_per_height * (s - shell_height());
+    vec2 at = tile_at(s);
     vec4 shape = textureLod(shapes, vec3(at, floor(s * float(slice_count))), sharp);
     float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));
     slab.opacity += weight;

@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "renderer/pattern/pattern.h"
-#include "renderer/pattern/pattern_volume.h"
+#include "renderer/pattern/surface_volume.h"
+#include "renderer/upload/volume_texture.h"
 
 namespace pelage {
 
@@ -32,16 +33,10 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
 }
 
 void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const ModelBuffers& model) {
-  const PatternVolume volume = make_pattern_volume(block, {model.positions(), model.normals(), model.triangles()});
-  volume_ = Texture(gl, GLenum{GL_TEXTURE_3D});
-  gl.TextureStorage3D(volume_.id(), 1, GL_RGBA8, volume.size.x, volume.size.y, volume.size.z);
-  gl.TextureSubImage3D(volume_.id(), 0, 0, 0, 0, volume.size.x, volume.size.y, volume.size.z, GL_RGBA, GL_UNSIGNED_BYTE,
-                       volume.rgba.data());
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TextureParameteri(volume_.id(), name, GL_LINEAR);
-  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-    gl.TextureParameteri(volume_.id(), name, GL_CLAMP_TO_EDGE);
-  }
+  const SurfaceVolume volume = make_surface_volume(
+      {model.positions(), model.normals(), model.triangles()},
+      [&](glm::vec3 middle, glm::vec3 normal) { return glm::vec4(pattern_weights(block, middle, normal), 1); });
+  volume_ = volume_texture(gl, volume);
   const PatternColours colours{block.colour,
                                block.inner_colour,
                                block.belly_colour,

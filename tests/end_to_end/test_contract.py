@@ -53,7 +53,7 @@ class Document(unittest.TestCase):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
-                    "Lids", "Coat", "Undercoat", "OddHairs", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
+                    "Lids", "Coat", "Undercoat", "OddHairs", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
@@ -139,6 +139,7 @@ class Requests(ServedTest):
                                         "ramp": [{"at": 0, "colour": [0, 0, 0]}], "wave": 0.1, "lodge": 0.5, "wetness": 0.5,
                                         "undercoat": {"share": 0.5, "length": 0.4, "colour": "#808080"},
                                         "odd_hairs": {"share": 0.1, "colour": [1, 1, 1]},
+                                        "tufts": {"gather": 0.5, "size": 0.2, "scales": 3, "seed": 5},
                                         "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
             {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
@@ -229,7 +230,7 @@ class Defaults(ServedTest):
         self.assert_defaults("Blow", blown, given=["direction"])
         self.assert_defaults("Attract", attracted)
         self.assert_defaults("Coat", coat["coat"], given=["count"])
-        for schema, part in (("Undercoat", "undercoat"), ("OddHairs", "odd_hairs"), ("Pattern", "pattern"), ("Variation", "variation")):
+        for schema, part in (("Undercoat", "undercoat"), ("OddHairs", "odd_hairs"), ("Tufts", "tufts"), ("Pattern", "pattern"), ("Variation", "variation")):
             self.assert_defaults(schema, coat["coat"][part])
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])

@@ -191,6 +191,18 @@ TEST_P(Frames, FurCoversAnEyeAndSkinHidesWhatLiesBehindIt) {
   EXPECT_EQ(change(0, -0.29), 0);
 }
 
+TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
+  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.2});
+  const Image before = draw(*renderer, model, small_frame());
+  model.settings.coat.tufts = {.gather = 1, .size = 0.15, .scales = 1};
+  const Image tufted = draw(*renderer, model, small_frame());
+  EXPECT_GT(mean_difference(before, tufted), 2);
+  model.settings.coat.tufts.seed = 2;
+  EXPECT_GT(mean_difference(tufted, draw(*renderer, model, small_frame())), 1);
+  model.settings.coat.tufts.gather = 0;
+  EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
+}
+
 TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   // A scene without maps, ground, pattern or environment. These are the numbers of a program that has none of those:
   // skin, coarse depth, fur averted and facing, and the picture; 4 shells of depth and 8 of fur on each side. The model

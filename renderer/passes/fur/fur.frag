@@ -40,10 +40,12 @@ layout(location = 0) out vec4 result;  // premultiplied
 Fibre fibre_of(Slab band, vec3 normal) {
   float share = 1.0 / band.opacity;
   float height = band.height * share;
-  vec2 at = tile + tile_per_height * (height - shell_height());
-  vec4 texel = textureLod(colours, vec3(at, floor(height * float(slice_count))), floor(level + 0.5));
+  vec4 texel = textureLod(colours, vec3(tile_at(height), floor(height * float(slice_count))), floor(level + 0.5));
   vec2 slope = (band.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
+#ifdef TUFTS
+  tangent = normalize(tangent + tuft_lean(tuft_here(), height));
+#endif
   float above = -log(max(band.light * share, 0.004));
   vec3 colour = fur_colour(texel.rgb * texel.rgb, base_colour, base_uv);
 #ifdef PATTERN
@@ -74,6 +76,10 @@ void main() {
 #endif
   for (int i = 0; i < band_count; ++i) {
     float middle = shell_height() + (0.5 * float(band_count - 1) - float(i)) * deep * float(shell_side);
+#ifdef TUFTS
+    vec3 way = tuft_way(tuft_here(), middle);
+    tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
+#endif
     Slab band = march_band(middle, deep, step_count, 0.0, density_share);
     if (band.opacity < 0.02 * deep) continue;  // together less than one step of 255 over most of the fur
     float seen = (1.0 - result.a) * band.opacity;

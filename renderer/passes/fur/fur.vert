@@ -31,6 +31,10 @@ out vec3 place;
 out vec3 root;           // where the strand leaves the skin: patterns are anchored there
 out vec4 varied;
 #endif
+#ifdef TUFTS
+out vec3 tuft_root;      // where the strand leaves the skin
+out float tuft_length;   // of the fur, sizes
+#endif
 out vec3 fibre_normal;
 out vec3 fibre_tangent;
 out vec2 tile;           // place on the tile at the slab's middle, in tiles
@@ -65,6 +69,10 @@ void main() {
   varied = variation;
   fur_length *= variation.x;
   inclination = clamp(inclination + variation.y, 0.0, 1.0);
+#endif
+#ifdef TUFTS
+  tuft_root = position;
+  tuft_length = fur_length;
 #endif
   vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
   vec3 curve = lean_point(root_curve, inclination, frame.counts.w, s);

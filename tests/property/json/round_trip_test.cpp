@@ -184,6 +184,10 @@ Command set_coat() {
             .ramp = {},
             .undercoat = undercoat(),
             .odd_hairs = {.share = number(0, 1), .colour = colour()},
+            .tufts = {.gather = number(0, 1),
+                      .size = number(0.01, 1),
+                      .scales = *rc::gen::inRange(1, 4),
+                      .seed = *rc::gen::arbitrary<std::uint32_t>()},
             .pattern = pattern(),
             .variation = variation(),
             .seed = *rc::gen::arbitrary<std::uint32_t>()};

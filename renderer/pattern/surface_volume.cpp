@@ -1,10 +1,8 @@
-#include "renderer/pattern/pattern_volume.h"
+#include "renderer/pattern/surface_volume.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "renderer/pattern/pattern.h"
 
 namespace pelage {
 
@@ -16,10 +14,11 @@ constexpr int most_cells = 256;
 /// Fills the grid from points on the surface: each evaluates the eight cells that a fetch there would read.
 class Filler {
  public:
-  Filler(const PatternBlock& block, PatternVolume& volume) : block_(block), volume_(volume) {
-    volume_.rgba.assign(4 * static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y) *
-                            static_cast<std::size_t>(volume.size.z),
-                        0);
+  Filler(const VolumeValue& value, SurfaceVolume& volume) : value_(value), volume_(volume) {
+    const auto cells = static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y) *
+                       static_cast<std::size_t>(volume.size.z);
+    volume_.rgba.assign(4 * cells, 0);
+    filled_.assign(cells, false);
   }
 
   void fill_about(glm::vec3 place, glm::vec3 normal) {
@@ -30,20 +29,21 @@ class Filler {
  private:
   void fill(glm::ivec3 at, glm::vec3 normal) {
     at = glm::clamp(at, glm::ivec3(0), volume_.size - 1);
-    std::uint8_t* texel = &volume_.rgba[4 *
-                                            (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) +
-                                             static_cast<std::size_t>(at.y)) *
-                                            static_cast<std::size_t>(volume_.size.x) +
-                                        4 * static_cast<std::size_t>(at.x)];
-    if (texel[3]) return;
+    const auto cell = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) +
+                       static_cast<std::size_t>(at.y)) *
+                          static_cast<std::size_t>(volume_.size.x) +
+                      static_cast<std::size_t>(at.x);
+    if (filled_[cell]) return;
+    filled_[cell] = true;
     const glm::vec3 middle = volume_.origin + (glm::vec3(at) + 0.5f) * volume_.cell;
-    const glm::vec3 weights = glm::clamp(pattern_weights(block_, middle, normal), 0.0f, 1.0f);
-    for (int k = 0; k < 3; ++k) texel[k] = static_cast<std::uint8_t>(std::lround(255 * weights[k]));
-    texel[3] = 255;
+    const glm::vec4 value = glm::clamp(value_(middle, normal), 0.0f, 1.0f);
+    for (int k = 0; k < 4; ++k)
+      volume_.rgba[4 * cell + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * value[k]));
   }
 
-  const PatternBlock& block_;
-  PatternVolume& volume_;
+  const VolumeValue& value_;
+  SurfaceVolume& volume_;
+  std::vector<bool> filled_;
 };
 
 /// Calls `visit` with barycentrics at most half a cell apart over a triangle.
@@ -62,16 +62,16 @@ void for_each_point(glm::vec3 a, glm::vec3 b, glm::vec3 c, float spacing, Visit 
 
 }  // namespace
 
-PatternVolume make_pattern_volume(const PatternBlock& block, const PatternSurface& surface) {
+SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValue& value) {
   assert(!surface.positions.empty());
   glm::vec3 low = surface.positions.front(), high = low;
   for (const glm::vec3& p : surface.positions) low = glm::min(low, p), high = glm::max(high, p);
-  PatternVolume volume;
+  SurfaceVolume volume;
   const glm::vec3 extent = high - low;
   volume.cell = std::max(finest_cell, std::max({extent.x, extent.y, extent.z}) / (most_cells - 2));
   volume.origin = low - volume.cell;
   volume.size = glm::min(glm::ivec3(glm::ceil(extent / volume.cell)) + 2, glm::ivec3(most_cells));
-  Filler filler(block, volume);
+  Filler filler(value, volume);
   for (const glm::uvec3& t : surface.triangles) {
     const glm::vec3 a = surface.positions[t.x], b = surface.positions[t.y], c = surface.positions[t.z];
     for_each_point(a, b, c, 0.5f * volume.cell, [&](glm::vec3 w) {

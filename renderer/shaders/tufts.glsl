@@ -1,0 +1,43 @@
+// Tufts (renderer/pattern/tufts.h): at height s strands have gone a part of the way to the middle of their tuft. So the
+// strand that a ray meets grows further out, and past the border of a tuft there is none.
+layout(std140, binding = 7) uniform TuftBlock {
+  vec4 origin;  // of the volume; w: gathered at the tip
+  vec4 scale;   // 1 / its extent; w: the longest pull
+} tufts;
+
+layout(binding = 13) uniform sampler3D tuft_volume;
+
+in vec3 tuft_root;
+in float tuft_length;  // of the fur, sizes
+
+struct Tuft {
+  vec3 to_middle;
+  float inside;
+  float gather;  // at the tip; a strand goes to the side by less than its length
+};
+
+Tuft tuft_here() {
+  vec4 texel = textureLod(tuft_volume, (tuft_root - tufts.origin.xyz) * tufts.scale.xyz, 0.0);
+  vec3 to_middle = (texel.rgb * 2.0 - 1.0) * tufts.scale.w;
+  float radius = length(to_middle) / max(1.0 - texel.a, 0.05);
+  return Tuft(to_middle, texel.a, tufts.origin.w * min(1.0, tuft_length / max(radius, 1e-4)));
+}
+
+float gathered(Tuft tuft, float s) { return tuft.gather * s * sqrt(s); }
+
+// Optical depth at a height, over that of fur without tufts: none past the border, denser inside.
+float tuft_share(Tuft tuft, float s) {
+  float kept = 1.0 - gathered(tuft, s);
+  return clamp(1.0 + (tuft.inside + kept - 1.0) / 0.15, 0.0, 1.0) / kept;
+}
+
+// From here to the root of the strand that is here at height s, along the surface, sizes.
+vec3 tuft_way(Tuft tuft, float s) {
+  float part = gathered(tuft, s);
+  return -tuft.to_middle * (part / (1.0 - part));
+}
+
+// How the strand leans to the middle there, over its length.
+vec3 tuft_lean(Tuft tuft, float s) {
+  return tuft.to_middle * (1.5 * tuft.gather * sqrt(s) / (1.0 - gathered(tuft, s)) / max(tuft_length, 1e-4));
+}

@@ -1,0 +1,39 @@
+#include "renderer/upload/tuft_textures.h"
+
+#include "renderer/upload/volume_texture.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr GLuint uniform_binding = 7, texture_unit = 13;  // as in tufts.glsl
+
+struct TuftBlock {
+  glm::vec4 origin;  // of the volume; w: gathered at the tip
+  glm::vec4 scale;   // 1 / its extent; w: the longest pull
+};
+
+}  // namespace
+
+void TuftTextures::prepare(const Gl& gl, std::uint64_t model_id, const Tufts& tufts, const ModelBuffers& model) {
+  if (model_ != model_id || tufts_ != tufts) {
+    model_ = model_id, tufts_ = tufts;
+    send(gl, tufts, model);
+  }
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, uniform_binding, uniforms_.id());
+  gl.BindTextureUnit(texture_unit, volume_.id());
+}
+
+void TuftTextures::send(const Gl& gl, const Tufts& tufts, const ModelBuffers& model) {
+  const float longest = longest_pull(tufts);
+  const SurfaceVolume volume = make_surface_volume(
+      {model.positions(), model.normals(), model.triangles()}, [&](glm::vec3 middle, glm::vec3 normal) {
+        const TuftPlace tuft = tuft_at(tufts, middle, normal);
+        return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
+      });
+  volume_ = volume_texture(gl, volume);
+  const TuftBlock block{{volume.origin, gathered(tufts, 1)}, {1.0f / (glm::vec3(volume.size) * volume.cell), longest}};
+  gl.NamedBufferData(uniforms_.id(), sizeof block, &block, GL_STATIC_DRAW);
+}
+
+}  // namespace pelage
