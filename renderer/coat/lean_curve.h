@@ -1,5 +1,5 @@
-// The curve that a strand follows when it leans (science.md 2; fur modelling 5.1). Pure formulas; renderer/shaders/lean.glsl
-// holds the same ones for the GPU and tests/gl compares both on a grid.
+// The curve that a strand follows when it leans (science.md 2; fur modelling 5.1). Pure formulas;
+// renderer/shaders/lean.glsl holds the same ones for the GPU and tests/gl compares both on a grid.
 #pragma once
 
 #include <glm/glm.hpp>

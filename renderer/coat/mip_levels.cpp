@@ -43,7 +43,8 @@ double mean_transmittance(const Stack& stack, int texels, double shift, double s
     for (int x = 0; x < texels; x += stride) {
       double depth = 0;
       for (std::size_t i = 0; i < stack.size(); ++i) {
-        depth += static_cast<double>(stack[i][at(x + static_cast<int>(std::lround(shift * static_cast<double>(i))), y, texels)].depth);
+        depth += static_cast<double>(
+            stack[i][at(x + static_cast<int>(std::lround(shift * static_cast<double>(i))), y, texels)].depth);
       }
       sum += std::exp(-scale * depth), ++count;
     }
@@ -96,8 +97,9 @@ SliceLevel pack(const Stack& stack, int texels) {
   return level;
 }
 
-/// Light that reaches a slab from above, by the coverage of what lies above it within a few texels: strands deep between
-/// tufts are darker than those on a tuft's top. Filtered on a quarter of the size, which is the reach of scattering.
+/// Light that reaches a slab from above, by the coverage of what lies above it within a few texels: strands deep
+/// between tufts are darker than those on a tuft's top. Filtered on a quarter of the size, which is the reach of
+/// scattering.
 void light_from_above(const Coat& coat, Stack& stack) {
   constexpr int coarse = slice_texels / 8;
   Stack small = halve(halve(halve(stack, slice_texels), slice_texels / 2), slice_texels / 4);

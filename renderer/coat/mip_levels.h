@@ -1,9 +1,8 @@
 // From a stack of full-size slices to all levels, ready for the GPU.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "renderer/coat/slices.h"
 

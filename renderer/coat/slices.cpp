@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
-
 #include <glm/glm.hpp>
+#include <thread>
 
 #include "renderer/coat/mip_levels.h"
 #include "renderer/coat/strand_tile.h"
@@ -48,8 +47,8 @@ void draw(const Sprite& sprite, std::vector<SliceTexel>& slice) {
 Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
   const double q = std::min(1.0, s / strand.length_share), step = 0.02;
   const double low = std::max(0.0, q - step), high = std::min(1.0, q + step);
-  const glm::dvec2 slope = (strand_offset(coat, strand, high) - strand_offset(coat, strand, low)) /
-                           ((high - low) * strand.length_share);
+  const glm::dvec2 slope =
+      (strand_offset(coat, strand, high) - strand_offset(coat, strand, low)) / ((high - low) * strand.length_share);
   const double to_texels = slice_texels / coat.tile;
   const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
   return {(strand.root + strand_offset(coat, strand, q)) * to_texels, radius * to_texels, glm::vec2(slope),

@@ -10,11 +10,11 @@
 
 namespace pelage {
 
-inline constexpr int slice_count = 32;    // N0: layers that the depth was baked as
-inline constexpr int slice_texels = 512;  // a side of the finest level
-inline constexpr int slice_levels = 8;    // 512 ... 4
-inline constexpr double stored_depth = 6;         // optical depth (natural log) of a stored 255
-inline constexpr double stored_slope = 0.06;      // sideways per height, in sizes, of a stored +-1
+inline constexpr int slice_count = 32;        // N0: layers that the depth was baked as
+inline constexpr int slice_texels = 512;      // a side of the finest level
+inline constexpr int slice_levels = 8;        // 512 ... 4
+inline constexpr double stored_depth = 6;     // optical depth (natural log) of a stored 255
+inline constexpr double stored_slope = 0.06;  // sideways per height, in sizes, of a stored +-1
 
 /// One level: `texels * texels * slice_count` texels of 4 octets, x fastest, then y, then the slice.
 ///  shape: the strand's slope (x, y; unnormalised mean, .5 is upright), light from above, optical depth (linear).

@@ -2,9 +2,8 @@
 // strands are both made from them.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "protocol/commands/coat.h"
 
@@ -13,7 +12,8 @@ namespace pelage {
 /// The length of fur that bend, curl, wave, mess and lodging are made for, in sizes.
 inline constexpr double nominal_length = 0.03;
 
-/// One strand. Places are in sizes on the tile, before the lean; they may leave [0, tile) and are taken modulo the tile.
+/// One strand. Places are in sizes on the tile, before the lean; they may leave [0, tile) and are taken modulo the
+/// tile.
 struct Strand {
   glm::dvec2 root{0};
   glm::dvec2 clump{0};       // from the root to the middle of its clump

@@ -29,8 +29,8 @@ Curve evaluated(const FurGuide& guide) {
 }
 
 Curve mixed(const Curve& a, const Curve& b, double at) {
-  Curve curve{{}, glm::mix(a.skin, b.skin, at), glm::mix(a.normal, b.normal, at),
-              glm::mix(a.fur_height, b.fur_height, at)};
+  Curve curve{
+      {}, glm::mix(a.skin, b.skin, at), glm::mix(a.normal, b.normal, at), glm::mix(a.fur_height, b.fur_height, at)};
   for (std::size_t i = 0; i < places_of_curve; ++i) curve.places.push_back(glm::mix(a.places[i], b.places[i], at));
   const double length = glm::length(curve.normal);
   curve.normal = length > 1e-9 ? curve.normal / length : a.normal;

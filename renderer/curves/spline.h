@@ -1,9 +1,8 @@
 // A smooth curve through points (Catmull and Rom 1974).
 #pragma once
 
-#include <span>
-
 #include <glm/glm.hpp>
+#include <span>
 
 namespace pelage {
 

@@ -7,8 +7,8 @@
 
 namespace pelage {
 
-inline constexpr int caustic_texels = 48;  // across the iris, from -iris_radius to iris_radius
-inline constexpr int caustic_angles = 20;  // of the light to the axis, from 0 to caustic_reach
+inline constexpr int caustic_texels = 48;     // across the iris, from -iris_radius to iris_radius
+inline constexpr int caustic_angles = 20;     // of the light to the axis, from 0 to caustic_reach
 inline constexpr double caustic_reach = 2.0;  // radians
 
 /// For each angle, row by row, the irradiance on the plane of the iris over that of a surface which faces the light.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <glm/glm.hpp>
 
 #include "protocol/base/random.h"
@@ -46,8 +45,8 @@ Tissue tissue(double around, double along) {
   const double collarette = std::exp(-std::pow((along - edge) / 0.035, 2.0));
   const double coarse = fibres(around, along, 88, 3.0, 21), fine = fibres(around, along, 232, 2.0, 31);
   const double hair = fibres(around, along, 480, 2.0, 41);
-  const double crypt = outside * glm::smoothstep(0.66, 0.95, noise(around, along, 44, 4.5, 51)) *
-                       glm::smoothstep(0.95, 0.75, along);
+  const double crypt =
+      outside * glm::smoothstep(0.66, 0.95, noise(around, along, 44, 4.5, 51)) * glm::smoothstep(0.95, 0.75, along);
   const double furrow = outside * std::pow(std::sin(along * 26 + 3 * noise(around, along, 12, 2, 61)), 8.0);
   const double strands = 0.48 * coarse + 0.34 * fine + 0.18 * hair;
   const double margin = glm::smoothstep(0.0, 0.06, along) * glm::smoothstep(1.02, 0.86, along);

@@ -17,7 +17,8 @@ std::optional<glm::dvec3> refract_into(glm::dvec3 along, glm::dvec3 normal, doub
 }
 
 double fresnel(double cosine, double index) {
-  return index == 1 ? 0 : fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), index);  // no surface at all reflects nothing
+  return index == 1 ? 0
+                    : fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), index);  // no surface at all reflects nothing
 }
 
 double pupil_size(double luminance) {

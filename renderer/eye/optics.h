@@ -1,9 +1,8 @@
 // Light at the cornea, and the pupil that answers it.
 #pragma once
 
-#include <optional>
-
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace pelage {
 

@@ -6,12 +6,12 @@
 namespace pelage {
 
 struct EyeShape {
-  double iris_radius = 0;     // also that of the limbus, where cornea and ball meet
-  double limbus = 0;          // z of the limbus
-  double cornea_centre = 0;   // z
+  double iris_radius = 0;    // also that of the limbus, where cornea and ball meet
+  double limbus = 0;         // z of the limbus
+  double cornea_centre = 0;  // z
   double cornea_radius = 1;
-  double iris_plane = 0;      // z of the bottom of the iris
-  double relief = 0;          // height of its fibres above that
+  double iris_plane = 0;  // z of the bottom of the iris
+  double relief = 0;      // height of its fibres above that
   double refraction = 1;
 
   bool operator==(const EyeShape&) const = default;

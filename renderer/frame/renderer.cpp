@@ -39,8 +39,8 @@ std::string variant_of(const FurFrame& frame) {
   const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
-         (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") + (has_tufts(frame.coat) ? "#define TUFTS\n" : "") +
-         (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
+         (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
+         (has_tufts(frame.coat) ? "#define TUFTS\n" : "") + (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
          (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
@@ -85,7 +85,8 @@ Renderer::Renderer(const Gl& gl)
 
 Status Renderer::programs() const {
   const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
-                          ground_.failure() + eyes_.failure() + layers_.failure() + overlay_.failure() + resolve_.failure();
+                          ground_.failure() + eyes_.failure() + layers_.failure() + overlay_.failure() +
+                          resolve_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 

@@ -35,23 +35,43 @@ class Handle {
 };
 
 struct BufferKind {
-  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateBuffers(1, &id); return id; }
+  static GLuint create(const Gl& gl) {
+    GLuint id = 0;
+    gl.CreateBuffers(1, &id);
+    return id;
+  }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteBuffers(1, &id); }
 };
 struct TextureKind {
-  static GLuint create(const Gl& gl, GLenum target) { GLuint id = 0; gl.CreateTextures(target, 1, &id); return id; }
+  static GLuint create(const Gl& gl, GLenum target) {
+    GLuint id = 0;
+    gl.CreateTextures(target, 1, &id);
+    return id;
+  }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteTextures(1, &id); }
 };
 struct VertexArrayKind {
-  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateVertexArrays(1, &id); return id; }
+  static GLuint create(const Gl& gl) {
+    GLuint id = 0;
+    gl.CreateVertexArrays(1, &id);
+    return id;
+  }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteVertexArrays(1, &id); }
 };
 struct FramebufferKind {
-  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateFramebuffers(1, &id); return id; }
+  static GLuint create(const Gl& gl) {
+    GLuint id = 0;
+    gl.CreateFramebuffers(1, &id);
+    return id;
+  }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteFramebuffers(1, &id); }
 };
 struct RenderbufferKind {
-  static GLuint create(const Gl& gl) { GLuint id = 0; gl.CreateRenderbuffers(1, &id); return id; }
+  static GLuint create(const Gl& gl) {
+    GLuint id = 0;
+    gl.CreateRenderbuffers(1, &id);
+    return id;
+  }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteRenderbuffers(1, &id); }
 };
 struct QueryKind {

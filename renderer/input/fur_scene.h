@@ -1,13 +1,13 @@
-// What the renderer is given: plain views of arrays that it never keeps, in internal coordinates (the box's diagonal is 1).
+// What the renderer is given: plain views of arrays that it never keeps, in internal coordinates (the box's diagonal is
+// 1).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "protocol/commands/coat.h"
 #include "protocol/commands/eye.h"
@@ -24,12 +24,12 @@ struct ImageView {
 
 /// What a corner of a piece of fur brings beside its vertex.
 struct FurCorner {
-  glm::vec2 tile_uv{0};   // place on the sample tile, sizes
-  glm::vec3 tile_axis{0}; // the tile's u axis in space, unit
-  glm::vec2 image_uv{0};  // v up
-  glm::vec3 colour{1};    // linear
-  int image = -1;         // index of the base-colour image, -1 for none
-  float weight = 1;       // [0, 1], share of the fur's optical depth; over all pieces of a triangle they sum to 1
+  glm::vec2 tile_uv{0};    // place on the sample tile, sizes
+  glm::vec3 tile_axis{0};  // the tile's u axis in space, unit
+  glm::vec2 image_uv{0};   // v up
+  glm::vec3 colour{1};     // linear
+  int image = -1;          // index of the base-colour image, -1 for none
+  float weight = 1;        // [0, 1], share of the fur's optical depth; over all pieces of a triangle they sum to 1
 };
 
 /// Constant for a model in its colours. `id` is what a GPU copy is kept by, `original` what all copies of one model,
@@ -39,7 +39,7 @@ struct FurModel {
   std::uint64_t id = 0;
   std::span<const glm::vec3> positions, normals, tangents;  // for each vertex
   std::span<const glm::uvec3> triangles;
-  std::span<const std::array<FurCorner, 3>> corners;        // for each triangle
+  std::span<const std::array<FurCorner, 3>> corners;  // for each triangle
   std::span<const ImageView> images;
   bool has_colours = false;  // whether corners carry colours or a picture
   std::uint64_t original = 0;
@@ -53,11 +53,11 @@ struct DirtyRange {
 /// A region of bare skin. Its look is as in the command.
 struct FurSkinRegion {
   glm::dvec3 centre{0};
-  glm::dmat3 to_unit{1};     // from a place relative to the centre to where the region is the unit ball
-  double softness = 0.5;     // radii beyond it over which fur grows to its length
-  glm::dvec3 facing{0, 0, 1};                  // unit
+  glm::dmat3 to_unit{1};       // from a place relative to the centre to where the region is the unit ball
+  double softness = 0.5;       // radii beyond it over which fur grows to its length
+  glm::dvec3 facing{0, 0, 1};  // unit
   double cosine_whole = -2, cosine_none = -3;  // to the normal: whole above the first, none below the second
-  glm::vec3 colour{1};       // linear
+  glm::vec3 colour{1};                         // linear
   double shine = 0.5, roughness = 0.5, wetness = 0, scatter = 0;
   SkinBumps bumps;
 
@@ -86,7 +86,7 @@ struct FurLight {
 
 /// Lids around an eye: a sphere with an almond left open (Lids in protocol/commands/eye.h).
 struct FurLids {
-  glm::mat3 frame{1};  // right, up and the middle of the opening, unit and orthogonal
+  glm::mat3 frame{1};    // right, up and the middle of the opening, unit and orthogonal
   glm::vec3 opening{1};  // radians to a corner, to the upper and to the lower lid
   glm::vec3 colour{0};   // linear
 };
@@ -99,7 +99,7 @@ struct FurEye {
   Iris iris;
   Pupil pupil;
   std::optional<FurLids> lids;
-  glm::vec3 sclera{1};   // linear
+  glm::vec3 sclera{1};  // linear
   double bulge = 0.5, refraction = 1.376, wetness = 1;
 };
 
@@ -116,8 +116,8 @@ struct FurGuide {
 /// Curves of one kind, as in CurveGroup (protocol/commands/curves.h).
 struct FurCurves {
   std::vector<FurGuide> guides;
-  double width_root = 0, width_tip = 0;        // sizes
-  glm::vec3 root_colour{1}, tip_colour{1};     // linear
+  double width_root = 0, width_tip = 0;     // sizes
+  glm::vec3 root_colour{1}, tip_colour{1};  // linear
   int fill = 0;
   double spread = 0;
   std::uint32_t seed = 1;
@@ -144,8 +144,8 @@ struct FurFrame {
   std::vector<FurLight> lights;  // at most 8
   Environment environment;
   std::optional<FurGround> ground;
-  std::vector<FurEye> eyes;      // at most 8
-  std::vector<FurCurves> curves; // at most 16, and 4096 curves in all
+  std::vector<FurEye> eyes;         // at most 8
+  std::vector<FurCurves> curves;    // at most 16, and 4096 curves in all
   std::vector<FurSkinRegion> skin;  // at most 64, those of the last sync
   FurCamera camera;
   int width = 0, height = 0;

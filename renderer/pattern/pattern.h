@@ -1,6 +1,6 @@
-// Markings and slow changes over the body. They are functions of the root's place (internal coordinates) and need no UVs.
-// Shells read them from a volume (pattern_volume.h) and from vertices: evaluated in each fragment they would cost more
-// than all else together.
+// Markings and slow changes over the body. They are functions of the root's place (internal coordinates) and need no
+// UVs. Shells read them from a volume (pattern_volume.h) and from vertices: evaluated in each fragment they would cost
+// more than all else together.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -19,7 +19,8 @@ glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 place, glm::vec3 
 /// `base` with these shares mixed in. renderer/shaders/pattern.glsl has the same.
 glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 base);
 
-/// Slow changes at a place: factor on the length, addition to the inclination, factor on the lightness, turn of the hue.
+/// Slow changes at a place: factor on the length, addition to the inclination, factor on the lightness, turn of the
+/// hue.
 glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 place);
 
 /// How far the marking covers the place and how far the inner colour does, each in [0, 1].

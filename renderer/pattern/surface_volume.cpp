@@ -29,10 +29,10 @@ class Filler {
  private:
   void fill(glm::ivec3 at, glm::vec3 normal) {
     at = glm::clamp(at, glm::ivec3(0), volume_.size - 1);
-    const auto cell = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) +
-                       static_cast<std::size_t>(at.y)) *
-                          static_cast<std::size_t>(volume_.size.x) +
-                      static_cast<std::size_t>(at.x);
+    const auto cell =
+        (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) + static_cast<std::size_t>(at.y)) *
+            static_cast<std::size_t>(volume_.size.x) +
+        static_cast<std::size_t>(at.x);
     if (filled_[cell]) return;
     filled_[cell] = true;
     const glm::vec3 middle = volume_.origin + (glm::vec3(at) + 0.5f) * volume_.cell;

@@ -54,6 +54,8 @@ TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal) {
 
 float longest_pull(const Tufts& tufts) { return 1.2f * static_cast<float>(tufts.size); }
 
-float gathered(const Tufts& tufts, float s) { return most_gathered * static_cast<float>(tufts.gather) * s * std::sqrt(s); }
+float gathered(const Tufts& tufts, float s) {
+  return most_gathered * static_cast<float>(tufts.gather) * s * std::sqrt(s);
+}
 
 }  // namespace pelage

@@ -19,8 +19,8 @@ TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal);
 /// No pull is longer, sizes.
 float longest_pull(const Tufts& tufts);
 
-/// How far strands have gathered at height s in [0, 1]: 0 at the root, at most .6 at the tip. Short fur gathers less: the shaders keep a
-/// strand from going to the side by more than its length.
+/// How far strands have gathered at height s in [0, 1]: 0 at the root, at most .6 at the tip. Short fur gathers less:
+/// the shaders keep a strand from going to the side by more than its length.
 float gathered(const Tufts& tufts, float s);
 
 }  // namespace pelage

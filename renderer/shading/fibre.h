@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-
 #include <glm/glm.hpp>
 
 #include "protocol/commands/look.h"

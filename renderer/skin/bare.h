@@ -1,9 +1,8 @@
 // Where skin is bare, without GL. renderer/shaders/bare_skin.glsl has the same shapes.
 #pragma once
 
-#include <span>
-
 #include <glm/glm.hpp>
+#include <span>
 
 #include "renderer/input/fur_scene.h"
 

@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr float full_tangent = 5.0f;  // of the angle from which all shells are drawn: 79 degrees
-constexpr float full_bending = 1.5f;      // of the normal over the length of the fur, radians
+constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
 constexpr float furthest_averted =
     -0.6f;  // fur on triangles turned further away lies behind the skin that faces the eye
 
@@ -44,7 +44,8 @@ std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<co
                               std::span<const glm::uvec3> triangles) {
   std::vector<float> sum(positions.size()), edges(positions.size());
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
-    const float bend = glm::distance(normals[a], normals[b]) / std::max(glm::distance(positions[a], positions[b]), 1e-6f);
+    const float bend =
+        glm::distance(normals[a], normals[b]) / std::max(glm::distance(positions[a], positions[b]), 1e-6f);
     sum[a] += bend, sum[b] += bend;
     edges[a] += 1, edges[b] += 1;
   };

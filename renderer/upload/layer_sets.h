@@ -21,8 +21,8 @@ inline constexpr int layer_sets = 3;
 int shells_of_set(int shells, int set);
 
 /// Texture steps inside each band of a set's shells (a band is as thick as a shell of the full set) when the full set
-/// takes `steps`: fur that faces the eye need not take a slice of the coat twice, so where `bands` of them make a strand
-/// they stop at the number of slices, if they take each of them once.
+/// takes `steps`: fur that faces the eye need not take a slice of the coat twice, so where `bands` of them make a
+/// strand they stop at the number of slices, if they take each of them once.
 int steps_of_band(int steps, int bands, int set);
 
 struct LayerView {
@@ -38,8 +38,8 @@ struct LayerVertex {
   float length = 0, curvature = 0;
 };
 
-/// Level of a vertex in [0, layer_sets - 1]: layers follow the tangent of the angle between view and fur and the bending
-/// of the skin over the fur's length, as a thick layer goes straight on; they need not lie closer than a pixel.
+/// Level of a vertex in [0, layer_sets - 1]: layers follow the tangent of the angle between view and fur and the
+/// bending of the skin over the fur's length, as a thick layer goes straight on; they need not lie closer than a pixel.
 /// Continuous in all of its arguments.
 float layer_level(const LayerView& view, const LayerVertex& vertex);
 

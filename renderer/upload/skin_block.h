@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <span>
-
 #include <glm/glm.hpp>
+#include <span>
 
 #include "protocol/base/limits.h"
 #include "renderer/input/fur_scene.h"
@@ -21,7 +20,8 @@ struct SkinEntry {
 
 struct SkinBlock {
   glm::uvec4 count{0};
-  std::array<glm::vec4, limits::skin_regions> balls{};  // around all that a region colours: centre, square of the radius
+  std::array<glm::vec4, limits::skin_regions>
+      balls{};  // around all that a region colours: centre, square of the radius
   std::array<SkinEntry, limits::skin_regions> regions{};
 };
 static_assert(sizeof(SkinBlock) == 16 * (1 + 64 * 8));

@@ -3,28 +3,15 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/frame/renderer.h"
 #include "server/scene/fur_view.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
 namespace {
 
-class Layers : public OnBackend {
+class Layers : public WithRenderer {
  protected:
-  void SetUp() override {
-    OnBackend::SetUp();
-    if (!context) return;
-    Result<std::unique_ptr<Renderer>> made = Renderer::create(gl());
-    ASSERT_TRUE(made.ok()) << made.status().message;
-    renderer = std::move(made).value();
-  }
-  void TearDown() override {
-    renderer.reset();
-    OnBackend::TearDown();
-  }
-
   std::vector<FloatImage> layers_of(const FurredModel& model, const FrameRequest& request, std::vector<FrameLayer> layers) {
     const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
     sync_scene(*renderer, model.view(), {all});
@@ -32,8 +19,6 @@ class Layers : public OnBackend {
     EXPECT_TRUE(images.ok()) << images.status().message;
     return std::move(images).value();
   }
-
-  std::unique_ptr<Renderer> renderer;
 };
 
 glm::vec3 pixel(const FloatImage& image, std::size_t i) {

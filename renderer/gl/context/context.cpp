@@ -1,8 +1,8 @@
 #include "renderer/gl/context/context.h"
 
-#include <array>
-
 #include <fmt/format.h>
+
+#include <array>
 
 #include "renderer/gl/render_target.h"
 

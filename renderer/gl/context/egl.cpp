@@ -72,7 +72,8 @@ std::vector<NamedDisplay> device_displays(const Egl& egl, bool software) {
     const char* extensions = egl.device_string ? egl.device_string(device, EGL_EXTENSIONS) : nullptr;
     const bool is_software = extensions && std::strstr(extensions, "EGL_MESA_device_software");
     if (is_software != software) continue;
-    displays.push_back({egl.platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), fmt::format("EGL device {}", i)});
+    displays.push_back(
+        {egl.platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), fmt::format("EGL device {}", i)});
   }
   return displays;
 }
@@ -94,10 +95,12 @@ class EglContext final : public Context {
 
   Status open(const NamedDisplay& named) {
     display_ = named.display;
-    if (display_ == EGL_NO_DISPLAY || !egl_.initialize(display_, nullptr, nullptr)) return refuse(named, "eglInitialize");
+    if (display_ == EGL_NO_DISPLAY || !egl_.initialize(display_, nullptr, nullptr))
+      return refuse(named, "eglInitialize");
     if (!egl_.bind_api(EGL_OPENGL_API)) return refuse(named, "eglBindAPI");  // is for each thread
-    constexpr std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    constexpr std::array<EGLint, 7> wanted{
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
     if (context_ == EGL_NO_CONTEXT) return refuse(named, "eglCreateContext (OpenGL 4.5 core)");
     if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return refuse(named, "eglMakeCurrent");

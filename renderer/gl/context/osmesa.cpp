@@ -1,11 +1,10 @@
 // OSMesa: Mesa's off-screen library, opened at run time because it is gone from newer Mesa.
+#include <GL/osmesa.h>
 #include <dlfcn.h>
 
 #include <array>
 
 #include "renderer/gl/context/context.h"  // before osmesa.h, whose own GL header is older
-
-#include <GL/osmesa.h>
 
 namespace pelage {
 
@@ -43,9 +42,17 @@ class OsMesaContext final : public Context {
   }
 
   Status open() {
-    constexpr std::array<int, 11> wanted{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 5,
-                                         OSMESA_DEPTH_BITS, 0, 0};
+    constexpr std::array<int, 11> wanted{OSMESA_FORMAT,
+                                         OSMESA_RGBA,
+                                         OSMESA_PROFILE,
+                                         OSMESA_CORE_PROFILE,
+                                         OSMESA_CONTEXT_MAJOR_VERSION,
+                                         4,
+                                         OSMESA_CONTEXT_MINOR_VERSION,
+                                         5,
+                                         OSMESA_DEPTH_BITS,
+                                         0,
+                                         0};
     context_ = mesa_.create(wanted.data(), nullptr);
     if (!context_) return failure(Code::unavailable, "OSMesa has no OpenGL 4.5 core");
     // The default framebuffer is required but never drawn to.

@@ -13,7 +13,8 @@ using Opener = std::function<Result<std::unique_ptr<Context>>()>;
 std::vector<Opener> openers_of(GlChoice choice) {
   std::vector<Opener> openers;
   if (choice != GlChoice::osmesa) {
-    for (const EglPlatform platform : {EglPlatform::hardware_device, EglPlatform::software_device, EglPlatform::surfaceless}) {
+    for (const EglPlatform platform :
+         {EglPlatform::hardware_device, EglPlatform::software_device, EglPlatform::surfaceless}) {
       openers.emplace_back([platform] { return open_egl(platform); });
     }
   }

@@ -14,7 +14,8 @@ ResolvePass::ResolvePass(const Gl& gl) : nothing_(gl) { program_of(gl, {}); }
 const Program& ResolvePass::program_of(const Gl& gl, const FurFrame& frame) {
   const std::string variant = std::string(frame.background == Background::studio ? "#define STUDIO\n" : "") +
                               (frame.overlay == Overlay::none ? "" : "#define OVERLAY\n");
-  const auto [place, made] = programs_.try_emplace(variant, gl, shaders::whole_target_vert, shaders::resolve_frag, variant);
+  const auto [place, made] =
+      programs_.try_emplace(variant, gl, shaders::whole_target_vert, shaders::resolve_frag, variant);
   if (made) failure_ += place->second.log();
   return place->second;
 }

@@ -1,0 +1,29 @@
+// Random parts of requests, each within its limits, their ends included.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+
+namespace pelage::testing {
+
+/// Of every size within a range.
+double number(double low, double high);
+
+template <class E>
+E one_of(E last) {
+  return static_cast<E>(*rc::gen::inRange(0, static_cast<int>(last) + 1));
+}
+
+glm::dvec3 direction();  // not 0
+glm::vec3 colour();
+Camera camera();
+Look look();
+Command set_coat();
+Command set_environment();
+Command set_base_picture();
+/// One of all commands.
+Command command();
+
+}  // namespace pelage::testing
