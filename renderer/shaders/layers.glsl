@@ -8,16 +8,13 @@ layout(location = 5) out vec4 layer_direct;
 layout(location = 6) out vec4 layer_light;  // light that is left, light without shadows
 layout(location = 7) out vec4 layer_count;
 
-void clear_layers() {
-  layer_position = layer_normal = layer_tangent = layer_albedo = layer_direct = layer_light = layer_count = vec4(0.0);
-}
-
-// Takes direct_light and light_share from lighting.glsl.
-void add_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float opacity) {
-  layer_position += vec4(place, 1.0) * opacity;
-  layer_normal += vec4(normal, 1.0) * opacity;
-  layer_tangent += vec4(tangent, 1.0) * opacity;
-  layer_albedo += vec4(albedo, 1.0) * opacity;
-  layer_direct += vec4(direct_light, 1.0) * opacity;
-  layer_light += vec4(light_share, 0.0, 1.0) * opacity;
+// Takes direct_light and light_share from lighting.glsl. `shells` is 1 for fur, 0 for skin.
+void write_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float shells, float opacity) {
+  layer_position = vec4(place, 1.0) * opacity;
+  layer_normal = vec4(normal, 1.0) * opacity;
+  layer_tangent = vec4(tangent, 1.0) * opacity;
+  layer_albedo = vec4(albedo, 1.0) * opacity;
+  layer_direct = vec4(direct_light, 1.0) * opacity;
+  layer_light = vec4(light_share, 0.0, 1.0) * opacity;
+  layer_count = vec4(shells, 0.0, 0.0, 0.0);
 }

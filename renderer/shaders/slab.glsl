@@ -32,24 +32,25 @@ vec2 tile_at(float s) {
   return at;
 }
 
-// A band: the part of the slab that is `deep`, about the height `middle`, front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
+// Front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
 // `blur` levels coarser than a pixel asks for. It is
 // scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
 // by `share`.
-Slab march_band(float middle, float deep, int steps, float blur, float share) {
+Slab march(int steps, float blur, float share) {
 #ifdef TUFTS
-  share *= tuft_share(tuft_here(), middle);
+  share *= tuft_share(tuft_here(), shell_height());
 #endif
+  float thickness = 1.0 / float(shell_count);
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
   float slanted = clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
   float scale = stored_depth * 1.442695 * share * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
-                float(slice_count) * deep / float(steps);
+                float(slice_count) * thickness / float(steps);
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
   for (int i = 0; i < steps; ++i) {
-    float s = middle + (0.5 - (float(i) + 0.5) / float(steps)) * deep * float(shell_side);
-    vec2 at = tile_at(s);
-    vec4 shape = textureLod(shapes, vec3(at, floor(s * float(slice_count))), sharp);
+    float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);
+    float s = shell_height() + off;
+    vec4 shape = textureLod(shapes, vec3(tile_at(s), floor(s * float(slice_count))), sharp);
     float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));
     slab.opacity += weight;
     slab.height += weight * s;
@@ -58,9 +59,4 @@ Slab march_band(float middle, float deep, int steps, float blur, float share) {
     if (slab.opacity > 0.985) break;
   }
   return slab;
-}
-
-// The whole slab.
-Slab march(int steps, float blur, float share) {
-  return march_band(shell_height(), 1.0 / float(shell_count), steps, blur, share);
 }

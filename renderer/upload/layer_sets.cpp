@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/coat/slices.h"
-
 namespace pelage {
 
 namespace {
@@ -21,10 +19,7 @@ int shells_of_set(int shells, int set) {
   return (shells + part - 1) / part;
 }
 
-int steps_of_band(int steps, int bands, int set) {
-  const bool even = set < layer_sets - 1 && slice_count % bands == 0;
-  return even ? std::min(steps, slice_count / bands) : steps;
-}
+int steps_of_set(int steps, int set) { return std::min(16, (steps * (layer_sets + 1 - set) + 1) / 2); }
 
 float layer_level(const LayerView& view, const LayerVertex& vertex) {
   constexpr float highest = layer_sets - 1;

@@ -20,10 +20,8 @@ inline constexpr int layer_sets = 3;
 /// Shells of a set when the full one has `shells`: at least 1.
 int shells_of_set(int shells, int set);
 
-/// Texture steps inside each band of a set's shells (a band is as thick as a shell of the full set) when the full set
-/// takes `steps`: fur that faces the eye need not take a slice of the coat twice, so where `bands` of them make a
-/// strand they stop at the number of slices, if they take each of them once.
-int steps_of_band(int steps, int bands, int set);
+/// Texture steps inside each layer of a set when the full one takes `steps`: thicker layers take more.
+int steps_of_set(int steps, int set);
 
 struct LayerView {
   glm::vec3 eye{0};

@@ -1,10 +1,14 @@
 // OSMesa: Mesa's off-screen library, opened at run time because it is gone from newer Mesa.
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 
 #include <array>
 
-#include "renderer/gl/context/context.h"  // before osmesa.h, whose own GL header is older
+// osmesa.h comes last, as its own GL header is older.
+// clang-format off
+#include "renderer/gl/context/context.h"
+
+#include <GL/osmesa.h>
+// clang-format on
 
 namespace pelage {
 

@@ -32,69 +32,44 @@ in vec2 vertex_share;
 #endif
 #endif
 
-uniform int band_count;  // parts of the slab that are lit each on its own
-uniform int step_count;  // texture steps inside a band
+uniform int step_count;  // texture steps inside the slab
 
 layout(location = 0) out vec4 result;  // premultiplied
 
-Fibre fibre_of(Slab band, vec3 normal) {
-  float share = 1.0 / band.opacity;
-  float height = band.height * share;
+void main() {
+  vec3 normal = normalize(fibre_normal);
+#ifdef TUFTS
+  vec3 way = tuft_way(tuft_here(), shell_height());
+  tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
+#endif
+  Slab slab = march(step_count, 0.0, density_share);
+  if (slab.opacity * float(shell_count) < 0.02) discard;  // together less than one step of 255 over most of the fur
+  float share = 1.0 / slab.opacity;
+  float height = slab.height * share;
   vec4 texel = textureLod(colours, vec3(tile_at(height), floor(height * float(slice_count))), floor(level + 0.5));
-  vec2 slope = (band.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
+  vec3 strand = texel.rgb * texel.rgb;
+  vec2 slope = (slab.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
 #ifdef TUFTS
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
 #endif
-  float above = -log(max(band.light * share, 0.004));
-  vec3 colour = fur_colour(texel.rgb * texel.rgb, base_colour, base_uv);
+  float above = -log(max(slab.light * share, 0.004));
+  vec3 colour = fur_colour(strand, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
 #endif
-  return Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, texel.a);
-}
-
-vec3 light_of(Fibre fibre) {
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, texel.a);
 #ifdef LENGYEL
-#ifdef LAYERS
-  direct_light += fibre.colour * vertex_direct;
-  light_share += vertex_share;
-#endif
-  return fibre.colour * vertex_light;
+  vec3 light = colour * vertex_light;
 #else
-  return fibre_light(fibre);
+  vec3 light = fibre_light(fibre);
 #endif
-}
-
-// Bands from the eye inwards.
-void main() {
-  vec3 normal = normalize(fibre_normal);
-  float deep = 1.0 / float(shell_count * band_count);
-  result = vec4(0.0);
 #ifdef LAYERS
-  clear_layers();
+#ifdef LENGYEL
+  direct_light = colour * vertex_direct;
+  light_share = vertex_share;
 #endif
-  for (int i = 0; i < band_count; ++i) {
-    float middle = shell_height() + (0.5 * float(band_count - 1) - float(i)) * deep * float(shell_side);
-#ifdef TUFTS
-    vec3 way = tuft_way(tuft_here(), middle);
-    tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
+  write_layers(place, normal, tangent, colour, 1.0, slab.opacity);
 #endif
-    Slab band = march_band(middle, deep, step_count, 0.0, density_share);
-    if (band.opacity < 0.02 * deep) continue;  // together less than one step of 255 over most of the fur
-    float seen = (1.0 - result.a) * band.opacity;
-    Fibre fibre = fibre_of(band, normal);
-#ifdef LAYERS
-    direct_light = vec3(0.0), light_share = vec2(0.0);
-#endif
-    result += seen * vec4(light_of(fibre), 1.0);
-#ifdef LAYERS
-    add_layers(fibre.place, fibre.normal, fibre.tangent, fibre.colour, seen);
-#endif
-    if (result.a > 0.985) break;
-  }
-  if (result.a == 0.0) discard;
-#ifdef LAYERS
-  layer_count = vec4(1.0, 0.0, 0.0, 0.0);
-#endif
+  result = vec4(light * slab.opacity, slab.opacity);
 }

@@ -37,10 +37,9 @@ namespace {
 std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const ModelBuffers::ListsOfSets& lists, int side) {
   std::vector<FurPass::Shell> result;
   for (int set = 0; set < layer_sets; ++set) {
-    const int shells = shells_of_set(knobs.shells, set), bands = (knobs.shells + shells - 1) / shells;
-    const int steps = steps_of_band(knobs.steps, shells * bands, set);
+    const int shells = shells_of_set(knobs.shells, set), steps = steps_of_set(knobs.steps, set);
     const ModelBuffers::DrawList& list = lists[static_cast<std::size_t>(set)];
-    for (int shell = 0; shell < shells; ++shell) result.push_back({set, shell, shells, bands, steps, list, side});
+    for (int shell = 0; shell < shells; ++shell) result.push_back({set, shell, shells, steps, list, side});
   }
   const auto height = [](const FurPass::Shell& s) { return (s.shell + 0.5) / s.shells; };
   std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
@@ -92,7 +91,7 @@ void FurPass::draw_dense(const Gl& gl, const Program& solid, const FurDrawing& d
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {-1, shell, solid_shells, 1, 4, drawing.lists.all, 1});
+    draw_shell(gl, solid, {-1, shell, solid_shells, 4, drawing.lists.all, 1});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
@@ -123,7 +122,6 @@ void FurPass::draw_shell(const Gl& gl, const Program& program, const Shell& shel
   program.set("shell_count", shell.shells);
   program.set("shell", shell.shell);
   program.set("shell_side", shell.side);
-  program.set("band_count", shell.bands);
   program.set("step_count", shell.steps);
   draw_list(gl, shell.list);
 }

@@ -43,7 +43,7 @@ class FurPass {
 
   /// One shell of one set of layers: the triangles, and from which side of the slab the ray comes (1 or -1).
   struct Shell {
-    int set, shell, shells, bands, steps;
+    int set, shell, shells, steps;
     ModelBuffers::DrawList list;
     int side;
   };

@@ -71,8 +71,7 @@ void main() {
   }
 #endif
 #ifdef LAYERS
-  clear_layers();
-  add_layers(place, normal, root_tangent, colour, 1.0);
+  write_layers(place, normal, root_tangent, colour, 0.0, 1.0);
 #endif
   result = vec4(sum, 1.0);
 }

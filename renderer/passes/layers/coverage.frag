@@ -5,8 +5,7 @@
 
 in float density_share;
 
-uniform int band_count;  // as fur.frag
-uniform int step_count;
+uniform int step_count;  // texture steps inside the slab
 
 #ifdef CROSSING
 layout(binding = 1) uniform sampler2D covered;  // opacity after this shell, opacity before it
@@ -19,7 +18,7 @@ void main() {
   vec2 opacity = texelFetch(covered, ivec2(gl_FragCoord.xy), 0).rg;
   if (opacity.r < 0.5 || opacity.g >= 0.5) discard;
 #endif
-  float own = march(band_count * step_count, 0.0, density_share).opacity;
+  float own = march(step_count, 0.0, density_share).opacity;
   if (own * float(shell_count) < 0.02) discard;  // as fur.frag does
 #ifdef CROSSING
   result = vec4(gl_FragCoord.w, 0.0, 0.0, 1.0);

@@ -75,10 +75,9 @@ TEST(LayerSets, ShellsAndSteps) {
   EXPECT_EQ(shells_of_set(16, 1), 8);
   EXPECT_EQ(shells_of_set(16, 2), 16);
   EXPECT_EQ(shells_of_set(1, 0), 1);
-  EXPECT_EQ(steps_of_band(4, 16, 2), 4);
-  EXPECT_EQ(steps_of_band(4, 16, 0), 2);
-  EXPECT_EQ(steps_of_band(4, 24, 0), 4);
-  EXPECT_EQ(steps_of_band(4, 4, 1), 4);
+  EXPECT_EQ(steps_of_set(4, 2), 4);
+  EXPECT_EQ(steps_of_set(4, 0), 8);
+  EXPECT_EQ(steps_of_set(16, 0), 16);
 }
 
 TEST(LayerSets, EveryShareIsDrawn) {
