@@ -40,7 +40,7 @@ std::string variant_of(const FurFrame& frame) {
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
-         (has_tufts(frame.coat) ? "#define TUFTS\n" : "") + (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
+         (has_tufts(frame.coat) ? "#define TUFTS\n" : "") +
          (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }

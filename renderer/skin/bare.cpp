@@ -1,5 +1,7 @@
 #include "renderer/skin/bare.h"
 
+#include <cmath>
+
 namespace pelage {
 
 namespace {
@@ -23,6 +25,12 @@ double fur_kept(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::d
   double kept = 1;
   for (const FurSkinRegion& region : regions) kept *= 1 - bare_share(region, place, normal);
   return kept;
+}
+
+bool may_be_bare(const FurSkinRegion& region, glm::dvec3 middle, double radius) {
+  double square = 0;  // of the Frobenius norm: no direction is stretched by more
+  for (int column = 0; column < 3; ++column) square += glm::dot(region.to_unit[column], region.to_unit[column]);
+  return glm::length(region.to_unit * (middle - region.centre)) <= 1 + region.softness + radius * std::sqrt(square);
 }
 
 }  // namespace pelage

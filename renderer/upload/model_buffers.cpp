@@ -157,9 +157,21 @@ float ModelBuffers::longest_fur() const {
   return lengths_.empty() ? 0 : *std::max_element(lengths_.begin(), lengths_.end());
 }
 
+bool ModelBuffers::touched_by_skin(const glm::uvec3& triangle) const {
+  const glm::dvec3 a = positions_[triangle.x], b = positions_[triangle.y], c = positions_[triangle.z];
+  const glm::dvec3 middle = (a + b + c) / 3.0;
+  const double radius = std::max({glm::distance(a, middle), glm::distance(b, middle), glm::distance(c, middle)});
+  return std::any_of(skin_.begin(), skin_.end(),
+                     [&](const FurSkinRegion& region) { return may_be_bare(region, middle, radius); });
+}
+
 bool ModelBuffers::set_skin(std::span<const FurSkinRegion> skin) {
   if (std::equal(skin.begin(), skin.end(), skin_.begin(), skin_.end())) return false;
   skin_.assign(skin.begin(), skin.end());
+  skin_order_ = triangles_;
+  const auto furred = std::stable_partition(skin_order_.begin(), skin_order_.end(),
+                                            [&](const glm::uvec3& t) { return touched_by_skin(t); });
+  bare_count_ = static_cast<std::size_t>(furred - skin_order_.begin());
   kept_.resize(skin.empty() ? 0 : positions_.size());
   for (std::size_t i = 0; i < kept_.size(); ++i)
     kept_[i] = static_cast<float>(fur_kept(skin_, positions_[i], normals_[i]));
@@ -205,13 +217,15 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
                      GL_STREAM_DRAW);
   const LayerLists lists = sort_triangles({triangles_, centroids_, face_normals_, levels_}, view.eye);
 
-  std::vector<glm::uvec3> elements(triangles_);
+  std::vector<glm::uvec3> elements(skin_.empty() ? triangles_ : skin_order_);
   const auto append = [&](const std::vector<glm::uvec3>& triangles) {
     const DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
     elements.insert(elements.end(), triangles.begin(), triangles.end());
     return list;
   };
-  DrawLists result{{0, static_cast<GLsizei>(3 * triangles_.size())}, {}, {}};
+  const auto count = static_cast<GLsizei>(3 * triangles_.size());
+  const auto bare = static_cast<GLsizei>(3 * bare_count_);
+  DrawLists result{{0, count}, {0, bare}, {bare, count - bare}, {}, {}};
   for (std::size_t set = 0; set < layer_sets; ++set) {
     result.facing[set] = append(lists[set].facing);
     result.averted[set] = append(lists[set].averted);

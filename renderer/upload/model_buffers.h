@@ -69,7 +69,7 @@ class ModelBuffers {
   };
   using ListsOfSets = std::array<DrawList, layer_sets>;
   struct DrawLists {
-    DrawList all;
+    DrawList all, bare, furred;  // every triangle; those that bare skin may touch, and the others
     ListsOfSets facing, averted;
   };
   /// Sends the triangles to draw for a view, and the level of each vertex.
@@ -77,6 +77,7 @@ class ModelBuffers {
 
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
+  bool touched_by_skin(const glm::uvec3& triangle) const;
   bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
@@ -94,9 +95,11 @@ class ModelBuffers {
   std::vector<glm::vec3> positions_, normals_;  // of render vertices
   std::vector<float> lengths_;                  // of render vertices
   std::vector<FurSkinRegion> skin_;             // bare regions
-  std::vector<float> kept_;                     // factor on the length at render vertices; empty without bare skin
-  std::vector<float> curvatures_;               // of the skin at render vertices, 1 / sizes
-  std::vector<float> levels_;                   // of the last view
+  std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
+  std::size_t bare_count_ = 0;
+  std::vector<float> kept_;        // factor on the length at render vertices; empty without bare skin
+  std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
+  std::vector<float> levels_;      // of the last view
 };
 
 }  // namespace pelage

@@ -136,7 +136,7 @@ TEST_P(BareSkinFrames, TurnsAroundItsAxis) {
   EXPECT_NEAR(upright.y, level.x, 3);
 }
 
-TEST_P(BareSkinFrames, CostsOneBlockAndNoDraws) {
+TEST_P(BareSkinFrames, CostsOneBlockAndADrawWhereItIs) {
   FurredModel model = furred({Builtin::sphere, 300});
   const auto counters = [&] {
     drawn(model);
@@ -151,6 +151,8 @@ TEST_P(BareSkinFrames, CostsOneBlockAndNoDraws) {
   EXPECT_EQ(used.draws, plain.draws);
   EXPECT_EQ(used.textures, plain.textures);
   EXPECT_EQ(used.bytes, plain.bytes + sizeof(SkinBlock));
+  model.settings.skin[0].centre -= 100.0;
+  EXPECT_EQ(counters().draws, plain.draws + 1);  // of the triangles that it may touch
   model.settings.skin.clear();
   EXPECT_EQ(counters(), plain);
 }

@@ -58,6 +58,13 @@ std::vector<FurPass::Shell> FurPass::facing_shells(const Knobs& knobs, const Mod
   return shells_of(knobs, lists.facing, 1);
 }
 
+const Program& FurPass::bare_skin_of(const Gl& gl, const std::string& variant) {
+  const auto [place, made] =
+      bare_skins_.try_emplace(variant, gl, shaders::skin_vert, shaders::skin_frag, variant + "#define BARE_SKIN\n");
+  if (made) failure_ += place->second.log();
+  return place->second;
+}
+
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
   const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
   if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
@@ -77,7 +84,11 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   shading.skin.use();
-  draw_list(gl, drawing.lists.all);
+  draw_list(gl, drawing.lists.furred);
+  if (drawing.lists.bare.count > 0) {
+    bare_skin_of(gl, drawing.variant).use();
+    draw_list(gl, drawing.lists.bare);
+  }
   draw_dense(gl, shading.solid, drawing);
 }
 

@@ -63,9 +63,11 @@ class FurPass {
   void draw_dense(const Gl& gl, const Program& solid, const FurDrawing& drawing) const;
   void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 
+  const Program& bare_skin_of(const Gl& gl, const std::string& variant);
   const Shading& shading_of(const Gl& gl, const std::string& variant);
 
   std::map<std::string, Shading> shadings_;  // by variant, made when first used
+  std::map<std::string, Program> bare_skins_;
   std::string failure_;
 };
 
