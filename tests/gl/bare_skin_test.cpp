@@ -151,7 +151,9 @@ TEST_P(BareSkinFrames, CostsOneBlockAndADrawWhereItIs) {
   EXPECT_EQ(used.draws, plain.draws);
   EXPECT_EQ(used.textures, plain.textures);
   EXPECT_EQ(used.bytes, plain.bytes + sizeof(SkinBlock));
-  model.settings.skin[0].centre -= 100.0;
+  const Mesh& mesh = model.model.surface.mesh();
+  model.settings.skin[0].centre = mesh.to_model(glm::dvec3(mesh.positions[0]));
+  model.settings.skin[0].radii = glm::dvec3(0.05 * mesh.size);
   EXPECT_EQ(counters().draws, plain.draws + 1);  // of the triangles that it may touch
   model.settings.skin.clear();
   EXPECT_EQ(counters(), plain);
