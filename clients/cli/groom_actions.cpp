@@ -97,17 +97,6 @@ Status check_steps(const std::vector<std::string>& steps, std::size_t& bad_step)
   return {};
 }
 
-ExitCode print_answer(const Session& session, const Result<HttpAnswer>& answer) {
-  if (!answer) return report(answer.status());
-  const auto result = decode_command_answer(answer->body);
-  if (!result) return report(result.status());
-  if (session.options().json)
-    fmt::print("{}\n", answer->body);
-  else
-    print(*result);
-  return done;
-}
-
 }  // namespace
 
 ExitCode run_file(Session& session) {
@@ -133,7 +122,7 @@ ExitCode move_in_history(Session& session) {
   const auto path = session.scene_path();
   if (!path) return report(path.status());
   const std::string name = reverting ? "/revert" : options.action == Action::undo ? "/undo" : "/redo";
-  return print_answer(session, Session::accepted(session.connection().post_json(*path + name, body)));
+  return print_change(session, Session::accepted(session.connection().post_json(*path + name, body)));
 }
 
 ExitCode show_log(Session& session) {

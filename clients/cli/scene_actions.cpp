@@ -52,17 +52,6 @@ Result<HttpAnswer> put_file(Session& session, const char* name, const Query& que
   return Session::accepted(session.connection().put_octets(address, *octets));
 }
 
-ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer) {
-  if (!answer) return report(answer.status(), session.options().file);
-  const auto result = decode_command_answer(answer->body);
-  if (!result) return report(result.status());
-  if (session.options().json)
-    fmt::print("{}\n", answer->body);
-  else
-    print(*result);
-  return done;
-}
-
 ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {
   if (!answer) return report(answer.status());
   if (session.options().json) {
@@ -102,11 +91,11 @@ ExitCode load_environment(Session& session) {
   const Query query = {{"intensity", fmt::format("{}", options.intensity)},
                        {"turn_degrees", fmt::format("{}", options.turn_degrees)}};
   if (const auto checked = decode_environment_query(query); !checked) return report(checked.status());
-  return print_change(session, put_file(session, "environment", query, limits::picture_bytes));
+  return print_change(session, put_file(session, "environment", query, limits::picture_bytes), session.options().file);
 }
 
 ExitCode load_base_picture(Session& session) {
-  return print_change(session, put_file(session, "base_picture", {}, limits::picture_bytes));
+  return print_change(session, put_file(session, "base_picture", {}, limits::picture_bytes), session.options().file);
 }
 
 ExitCode list_scenes(Session& session) {

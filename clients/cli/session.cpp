@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdio>
 
+#include "clients/cli/print.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/nearest.h"
 
@@ -84,6 +85,17 @@ Result<std::string> Session::scene_path() {
   if (ids.size() > 1)
     return failure(Code::not_found, fmt::format("{} scenes are named \"{}\"; use an id.", ids.size(), wanted));
   return failure(Code::not_found, "There is no scene \"" + wanted + "\".", "", "", nearest_name(wanted, names));
+}
+
+ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context) {
+  if (!answer) return report(answer.status(), context);
+  const auto result = decode_command_answer(answer->body);
+  if (!result) return report(result.status());
+  if (session.options().json)
+    fmt::print("{}\n", answer->body);
+  else
+    print(*result);
+  return done;
 }
 
 }  // namespace pelage

@@ -33,4 +33,7 @@ class Session {
   const Options& options_;
 };
 
+/// Prints what a command changed, or what refused it; `context` as for report.
+ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context = {});
+
 }  // namespace pelage
