@@ -11,131 +11,165 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint32_t dirty_gap = 64;
+static_assert(sizeof(glm::vec2) == 2 * sizeof(float) && alignof(glm::vec2) == alignof(float));
 
 std::uint64_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-void add_hash(FieldsHash& sum, std::uint64_t field, std::uint64_t vertex, std::uint64_t bits, bool remove) {
-  const std::uint64_t key = (vertex << 2) | field;
-  const std::uint64_t low = mix_bits(bits ^ mix_bits(key));
-  const std::uint64_t high = mix_bits(bits + mix_bits(~key));
-  sum.low += remove ? 0 - low : low;
-  sum.high += remove ? 0 - high : high;
+/// Adds a vertex's channels, two by two, to the sum, or takes them away.
+void add_hash(FieldsHash& sum, Field field, std::uint32_t vertex, const float* channels, bool remove) {
+  const FieldShape& shape = shape_of(field);
+  for (int c = 0; c < shape.channels; c += 2) {
+    const float second = c + 1 < shape.channels ? channels[c + 1] : shape.rest;
+    if (channels[c] == shape.rest && second == shape.rest) continue;
+    const std::uint64_t key =
+        (std::uint64_t{vertex} << 8) | (static_cast<std::uint64_t>(field) << 2) | static_cast<std::uint64_t>(c);
+    const std::uint64_t bits = bits_of(channels[c]) << 32 | bits_of(second);
+    const std::uint64_t low = mix_bits(bits ^ mix_bits(key)), high = mix_bits(bits + mix_bits(~key));
+    sum.low += remove ? 0 - low : low;
+    sum.high += remove ? 0 - high : high;
+  }
 }
 
-void add_hash(FieldsHash& sum, std::uint32_t vertex, const Groom& groom, bool remove) {
-  add_hash(sum, 0, vertex, bits_of(groom.direction.x) << 32 | bits_of(groom.direction.y), remove);
-  add_hash(sum, 1, vertex, bits_of(groom.length), remove);
-  add_hash(sum, 2, vertex, bits_of(groom.stretch), remove);
+/// The channels once the delta's bits have turned over.
+void flip(float* channels, const std::uint32_t* flips, int count) {
+  for (int c = 0; c < count; ++c)
+    channels[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(channels[c]) ^ flips[c]);
 }
 
 }  // namespace
 
-Groom stored_groom(glm::dvec2 direction, double length, double stretch) {
+glm::vec2 stored_direction(glm::dvec2 direction) {
   const double inclination = glm::length(direction);
   if (inclination > 1) direction /= inclination;
   glm::vec2 rounded(direction);
   const glm::dvec2 wide(rounded);
   if (glm::dot(wide, wide) > 1) rounded = glm::vec2(direction * (1 - 2e-7));  // rounding must not pass 1
-  return {rounded + 0.0f, static_cast<float>(length) + 0.0f, static_cast<float>(stretch) + 0.0f};
+  return rounded + 0.0f;
 }
 
-FieldSet::FieldSet(std::size_t vertices) {
-  direction_.values.resize(vertices);
-  length_.values.resize(vertices);
-  stretch_.values.resize(vertices);
-  for (std::uint32_t v = 0; v < vertices; ++v) add_hash(hash_, v, {}, false);
+float stored_value(Field field, double value) {
+  assert(!std::isnan(value));
+  const FieldShape& shape = shape_of(field);
+  return static_cast<float>(std::clamp(value, double{shape.least}, double{shape.most})) + 0.0f;
+}
+
+Groom stored_groom(glm::dvec2 direction, double length, double stretch) {
+  return {stored_direction(direction), stored_value(Field::length, length), stored_value(Field::stretch, stretch)};
+}
+
+FieldSet::FieldSet(std::size_t vertices)
+    : vertices_(vertices), hash_{mix_bits(vertices), mix_bits(~std::uint64_t{vertices})} {
+  touched(Field::direction), touched(Field::length);
+}
+
+std::vector<float>& FieldSet::touched(Field field) {
+  std::vector<float>& values = values_[static_cast<std::size_t>(field)];
+  const FieldShape& shape = shape_of(field);
+  if (values.empty()) values.assign(vertices_ * static_cast<std::size_t>(shape.channels), shape.rest);
+  return values;
+}
+
+glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const {
+  assert(vertex < vertices_);
+  const FieldShape& shape = shape_of(field);
+  const std::vector<float>& all = values(field);
+  glm::vec4 value(0);
+  for (int c = 0; c < shape.channels; ++c) {
+    value[c] = all.empty() ? shape.rest : all[vertex * static_cast<std::size_t>(shape.channels) + std::size_t(c)];
+  }
+  return value;
+}
+
+float FieldSet::number(Field field, std::uint32_t vertex) const {
+  assert(vertex < vertices_ && shape_of(field).channels == 1);
+  const std::vector<float>& all = values(field);
+  return all.empty() ? shape_of(field).rest : all[vertex];
+}
+
+Groom FieldSet::at(std::uint32_t vertex) const {
+  return {direction()[vertex], length()[vertex], number(Field::stretch, vertex)};
+}
+
+std::span<const glm::vec2> FieldSet::direction() const {
+  return {reinterpret_cast<const glm::vec2*>(values(Field::direction).data()), vertices_};
+}
+
+void FieldSet::set(Field field, std::uint32_t vertex, glm::vec4 value) {
+  assert(vertex < vertices_);
+  const auto channels = static_cast<std::size_t>(shape_of(field).channels);
+  float* stored = &touched(field)[vertex * channels];
+  add_hash(hash_, field, vertex, stored, true);
+  for (std::size_t c = 0; c < channels; ++c) stored[c] = value[static_cast<int>(c)] + 0.0f;
+  add_hash(hash_, field, vertex, stored, false);
 }
 
 void FieldSet::set(std::uint32_t vertex, const Groom& groom) {
-  assert(vertex < size());
-  const Groom clean{groom.direction + 0.0f, groom.length + 0.0f, groom.stretch + 0.0f};
-  add_hash(hash_, vertex, at(vertex), true);
-  direction_.values[vertex] = clean.direction;
-  length_.values[vertex] = clean.length;
-  stretch_.values[vertex] = clean.stretch;
-  add_hash(hash_, vertex, clean, false);
+  set(Field::direction, vertex, {groom.direction, 0, 0});
+  set(Field::length, vertex, {groom.length, 0, 0, 0});
+  if (groom.stretch != number(Field::stretch, vertex)) set(Field::stretch, vertex, {groom.stretch, 0, 0, 0});
 }
 
 FieldsHash FieldSet::hash_after(const FieldDelta& delta) const {
   FieldsHash hash = hash_;
-  for (std::size_t i = 0; i < delta.vertices.size(); ++i) {
-    add_hash(hash, delta.vertices[i], delta.before[i], true);
-    add_hash(hash, delta.vertices[i], delta.after[i], false);
+  for (const FieldDelta::Part& part : delta.parts) {
+    const int channels = shape_of(part.field).channels;
+    const std::uint32_t* flips = part.flips.data();
+    for (const std::uint32_t v : part.vertices) {
+      glm::vec4 stored = value(part.field, v);
+      add_hash(hash, part.field, v, &stored.x, true);
+      flip(&stored.x, flips, channels);
+      add_hash(hash, part.field, v, &stored.x, false);
+      flips += channels;
+    }
   }
   return hash;
 }
 
+bool FieldSet::accepts(const FieldDelta& delta) const {
+  return std::all_of(delta.parts.begin(), delta.parts.end(),
+                     [&](const FieldDelta::Part& part) { return part.vertices.back() < vertices_; });
+}
+
 void FieldSet::apply(const FieldDelta& delta) {
-  for (std::size_t i = 0; i < delta.vertices.size(); ++i) {
-    assert(at(delta.vertices[i]) == delta.before[i]);
-    set(delta.vertices[i], delta.after[i]);
+  assert(accepts(delta));
+  for (const FieldDelta::Part& part : delta.parts) {
+    const auto channels = static_cast<std::size_t>(shape_of(part.field).channels);
+    std::vector<float>& values = touched(part.field);
+    const std::uint32_t* flips = part.flips.data();
+    for (const std::uint32_t v : part.vertices) {
+      float* stored = &values[v * channels];
+      add_hash(hash_, part.field, v, stored, true);
+      flip(stored, flips, static_cast<int>(channels));
+      add_hash(hash_, part.field, v, stored, false);
+      flips += channels;
+    }
   }
+}
+
+std::size_t FieldSet::bytes() const {
+  std::size_t sum = 0;
+  for (const std::vector<float>& values : values_) sum += values.size() * sizeof(float);
+  return sum;
 }
 
 FieldDelta difference(const FieldSet& from, const FieldSet& to) {
   assert(from.size() == to.size());
   FieldDelta delta;
-  for (std::uint32_t v = 0; v < from.size(); ++v) {
-    if (from.at(v) == to.at(v)) continue;
-    delta.vertices.push_back(v);
-    delta.before.push_back(from.at(v));
-    delta.after.push_back(to.at(v));
+  for (std::size_t f = 0; f < field_count; ++f) {
+    const Field field = field_at(f);
+    if (from.at_rest(field) && to.at_rest(field)) continue;
+    FieldDelta::Part part{field, {}, {}};
+    for (std::uint32_t v = 0; v < from.size(); ++v) {
+      const glm::vec4 before = from.value(field, v), after = to.value(field, v);
+      if (before == after) continue;
+      part.vertices.push_back(v);
+      for (int c = 0; c < shape_of(field).channels; ++c) {
+        part.flips.push_back(std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]));
+      }
+    }
+    if (!part.vertices.empty()) delta.parts.push_back(std::move(part));
   }
   return delta;
-}
-
-std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges, std::uint32_t gap) {
-  std::sort(ranges.begin(), ranges.end(), [](VertexRange a, VertexRange b) { return a.begin < b.begin; });
-  std::vector<VertexRange> merged;
-  for (const VertexRange range : ranges) {
-    if (!merged.empty() && range.begin < std::uint64_t{merged.back().end} + gap) {
-      merged.back().end = std::max(merged.back().end, range.end);
-    } else {
-      merged.push_back(range);
-    }
-  }
-  return merged;
-}
-
-std::vector<VertexRange> FieldDelta::dirty_ranges() const {
-  std::vector<VertexRange> ranges;
-  for (const std::uint32_t v : vertices) {
-    if (!ranges.empty() && v < std::uint64_t{ranges.back().end} + dirty_gap) {
-      ranges.back().end = v + 1;
-    } else {
-      ranges.push_back({v, v + 1});
-    }
-  }
-  return ranges;
-}
-
-FieldDelta inverse(FieldDelta delta) {
-  std::swap(delta.before, delta.after);
-  return delta;
-}
-
-FieldDelta compose(const FieldDelta& first, const FieldDelta& second) {
-  FieldDelta both;
-  const auto add = [&both](std::uint32_t vertex, const Groom& before, const Groom& after) {
-    if (before == after) return;
-    both.vertices.push_back(vertex);
-    both.before.push_back(before);
-    both.after.push_back(after);
-  };
-  std::size_t i = 0, k = 0;
-  while (i < first.vertices.size() || k < second.vertices.size()) {
-    const bool in_first =
-        i < first.vertices.size() && (k == second.vertices.size() || first.vertices[i] <= second.vertices[k]);
-    const bool in_second =
-        k < second.vertices.size() && (i == first.vertices.size() || second.vertices[k] <= first.vertices[i]);
-    assert(!in_first || !in_second || first.after[i] == second.before[k]);
-    add(in_first ? first.vertices[i] : second.vertices[k], in_first ? first.before[i] : second.before[k],
-        in_second ? second.after[k] : first.after[i]);
-    i += in_first;
-    k += in_second;
-  }
-  return both;
 }
 
 }  // namespace pelage

@@ -1,23 +1,21 @@
-// The fields on a surface's vertices, their hash, and sparse changes of them.
+// The fields on a surface's vertices, and their hash.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "protocol/commands/answers.h"
+#include "protocol/commands/field.h"
 #include "protocol/commands/scene.h"
+#include "server/fields/field_delta.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
 
-/// A value on each vertex; its own type so that it cannot be mixed with one on triangles or corners.
-template <class T>
-struct VertexField {
-  std::vector<T> values;
-};
-
-/// What one vertex holds.
+/// The shape of the fur at one vertex.
 struct Groom {
   glm::vec2 direction{0};  // in the vertex's (tangent, bitangent); length is the inclination, [0, 1]
   float length = 0;        // sizes, >= 0
@@ -25,66 +23,58 @@ struct Groom {
   bool operator==(const Groom&) const = default;
 };
 
-/// The nearest groom that can be stored: no direction longer than 1 after rounding, and 0 in place of -0.
+/// The nearest direction that can be stored: not longer than 1 after rounding, and 0 in place of -0.
+glm::vec2 stored_direction(glm::dvec2 direction);
+/// The nearest value of any other field's channel: in the field's range, and 0 in place of -0. NaN is a broken contract.
+float stored_value(Field field, double value);
 Groom stored_groom(glm::dvec2 direction, double length, double stretch);
-
-/// Half-open range of vertices.
-struct VertexRange {
-  std::uint32_t begin = 0, end = 0;
-};
-
-/// A sparse change: rising vertices with what they held and what they hold. Applying needs `before` to match.
-struct FieldDelta {
-  std::vector<std::uint32_t> vertices;
-  std::vector<Groom> before, after;
-
-  bool empty() const { return vertices.empty(); }
-  /// Runs of touched vertices, merged where gaps are under 64.
-  std::vector<VertexRange> dirty_ranges() const;
-};
-
-/// Sorts, and joins ranges with fewer than `gap` vertices between them.
-std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges, std::uint32_t gap);
-
-FieldDelta inverse(FieldDelta delta);
-/// First `first`, then `second`; vertices that end where they began are dropped.
-FieldDelta compose(const FieldDelta& first, const FieldDelta& second);
 
 class FieldSet {
  public:
-  /// All fur upright and of length 0.
+  /// All fields at rest: fur upright and of length 0.
   explicit FieldSet(std::size_t vertices);
 
-  std::size_t size() const { return direction_.values.size(); }
-  Groom at(std::uint32_t vertex) const {
-    return {direction_.values[vertex], length_.values[vertex], stretch_.values[vertex]};
-  }
-  const std::vector<glm::vec2>& direction() const { return direction_.values; }
-  const std::vector<float>& length() const { return length_.values; }
-  const std::vector<float>& stretch() const { return stretch_.values; }
-  /// Kept up to date for touched vertices only.
-  FieldsHash hash() const { return hash_; }
+  std::size_t size() const { return vertices_; }
+  /// The channels of one vertex. All 0 beyond the field's own.
+  glm::vec4 value(Field field, std::uint32_t vertex) const;
+  /// A single number: of a field with one channel.
+  float number(Field field, std::uint32_t vertex) const;
+  Groom at(std::uint32_t vertex) const;
 
+  /// All values, channel by channel for each vertex; empty while nothing has touched the field.
+  const std::vector<float>& values(Field field) const { return values_[static_cast<std::size_t>(field)]; }
+  bool at_rest(Field field) const { return values(field).empty(); }
+  std::span<const glm::vec2> direction() const;
+  const std::vector<float>& length() const { return values(Field::length); }
+
+  /// Kept up to date for touched vertices only. A value at rest adds nothing.
+  FieldsHash hash() const { return hash_; }
   /// What it will be once the delta is applied.
   FieldsHash hash_after(const FieldDelta& delta) const;
 
-  /// Asserts that the delta's `before` is what the fields hold.
+  /// Whether the delta's vertices are there; a broken contract in apply.
+  bool accepts(const FieldDelta& delta) const;
   void apply(const FieldDelta& delta);
+  void set(Field field, std::uint32_t vertex, glm::vec4 value);
   void set(std::uint32_t vertex, const Groom& groom);
 
+  /// What the arrays take, bytes.
+  std::size_t bytes() const;
+
  private:
-  VertexField<glm::vec2> direction_;
-  VertexField<float> length_;
-  VertexField<float> stretch_;
+  std::vector<float>& touched(Field field);
+
+  std::size_t vertices_;
+  std::array<std::vector<float>, field_count> values_;
   FieldsHash hash_;
 };
 
-/// The change that leads from one set of fields to another on the same vertices.
+/// The change that leads from one set of fields to another on the same vertices, and back.
 FieldDelta difference(const FieldSet& from, const FieldSet& to);
 
-/// By field ("direction", "length", "stretch"), those that changed only: the vertices that changed a bit, and by how
-/// much. A direction's change is the length of the difference, in inclinations.
-std::vector<FieldChange> measure(const FieldDelta& delta);
+/// By field, those that changed only: the vertices that changed a bit, and by how much. The change of a field with
+/// several channels is the length of the difference. `fields` are those before the change or after it.
+std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields);
 
 /// The first groom: from nose to tail (-Z) and a little down, with the mesh's length scale; -0 is stored as 0.
 FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <string>
 
 #include "server/fields/field_set.h"
 
@@ -7,36 +9,32 @@ namespace pelage {
 
 namespace {
 
-/// Gathers the changes of one field over the vertices of a delta.
-template <class Distance>
-FieldChange measure_field(const char* name, const FieldDelta& delta, const Distance& distance) {
-  FieldChange change{.field = name};
+FieldChange measure_part(const FieldDelta::Part& part, const FieldSet& fields) {
+  const int channels = shape_of(part.field).channels;
+  FieldChange change{.field = std::string(shape_of(part.field).name), .changed = part.vertices.size()};
+  const std::uint32_t* flips = part.flips.data();
   double sum = 0;
-  for (std::size_t i = 0; i < delta.vertices.size(); ++i) {
-    const double moved = distance(delta.before[i], delta.after[i]);
-    if (moved == 0) continue;
-    ++change.changed;
-    sum += moved;
-    change.max_change = std::max(change.max_change, moved);
+  for (const std::uint32_t v : part.vertices) {
+    const glm::vec4 here = fields.value(part.field, v);
+    double square = 0;
+    for (int c = 0; c < channels; ++c) {
+      const double there = std::bit_cast<float>(std::bit_cast<std::uint32_t>(here[c]) ^ flips[c]);
+      square += (there - here[c]) * (there - here[c]);
+    }
+    flips += channels;
+    sum += std::sqrt(square);
+    change.max_change = std::max(change.max_change, std::sqrt(square));
   }
-  if (change.changed > 0) change.mean_change = sum / static_cast<double>(change.changed);
+  change.mean_change = sum / static_cast<double>(part.vertices.size());
   return change;
 }
 
-double moved_by(float a, float b) { return std::abs(double{b} - double{a}); }
-
 }  // namespace
 
-std::vector<FieldChange> measure(const FieldDelta& delta) {
+std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields) {
   std::vector<FieldChange> changes;
-  const auto keep = [&changes](FieldChange change) {
-    if (change.changed > 0) changes.push_back(std::move(change));
-  };
-  keep(measure_field("direction", delta, [](const Groom& a, const Groom& b) {
-    return glm::distance(glm::dvec2(a.direction), glm::dvec2(b.direction));
-  }));
-  keep(measure_field("length", delta, [](const Groom& a, const Groom& b) { return moved_by(a.length, b.length); }));
-  keep(measure_field("stretch", delta, [](const Groom& a, const Groom& b) { return moved_by(a.stretch, b.stretch); }));
+  changes.reserve(delta.parts.size());
+  for (const FieldDelta::Part& part : delta.parts) changes.push_back(measure_part(part, fields));
   return changes;
 }
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
-#include "server/groom/working_set.h"
 
 namespace pelage {
 
@@ -31,23 +31,58 @@ glm::dvec2 turned_to_pull(glm::dvec2 direction, const VertexFrame& frame, glm::d
 /// How much longer fur is than before any stretch, without a limit.
 double growth(double stretch, double threshold) { return 1 + std::max(0.0, stretch - threshold); }
 
-/// The part along the strand adds up to stretch, and stretch over the threshold to length. True when length was held
-/// at its limit.
-bool pull_out(WorkingSet::Fur& fur, const Attract& command, double added) {
-  const double before = growth(fur.stretch, command.threshold);
-  fur.stretch += added;
-  const double after = growth(fur.stretch, command.threshold);
-  fur.length *= std::min(after, command.max_stretch) / std::min(before, command.max_stretch);
-  return after > before && after > command.max_stretch;
-}
+/// The three fields that a stick changes.
+class Stick {
+ public:
+  Stick(const Attract& command, const FieldSet& fields)
+      : command_(command),
+        fields_(fields),
+        direction_(fields, Field::direction),
+        length_(fields, Field::length),
+        stretch_(fields, Field::stretch) {}
 
-std::vector<VertexWeight> reach(const Attract& command, const Surface& surface, glm::dvec3 point, double radius) {
-  if (command.stroke) return coverage(*command.stroke, command.brush, surface);
+  /// Pulls the fur of a vertex along the unit vector `pull`.
+  void pull(std::uint32_t vertex, const VertexFrame& frame, glm::dvec3 pull, double weight) {
+    const Groom fur = fields_.at(vertex);
+    const glm::dvec2 direction(fur.direction);
+    const double along = std::max(0.0, glm::dot(pull, tip_tangent(direction, frame)));
+    direction_.put(vertex, turned_to_pull(direction, frame, pull, 1 - std::pow(1 - weight, command_.duration)));
+    pull_out(vertex, fur, weight * command_.duration * along);
+  }
+
+  Evaluation finish() {
+    Evaluation done{{}, clamped_};
+    direction_.finish(done.delta), length_.finish(done.delta), stretch_.finish(done.delta);
+    return done;
+  }
+
+ private:
+  /// The part along the strand adds up to stretch, and stretch over the threshold to length.
+  void pull_out(std::uint32_t vertex, const Groom& fur, double added) {
+    const double before = growth(fur.stretch, command_.threshold);
+    const double after = growth(fur.stretch + added, command_.threshold);
+    const double ratio = std::min(after, command_.max_stretch) / std::min(before, command_.max_stretch);
+    bool held = after > before && after > command_.max_stretch;
+    held = length_.put(vertex, fur.length * ratio) || held;
+    held = stretch_.put(vertex, fur.stretch + added) || held;
+    clamped_ += held;
+  }
+
+  const Attract& command_;
+  const FieldSet& fields_;
+  FieldWriter direction_, length_, stretch_;
+  std::size_t clamped_ = 0;
+};
+
+/// Under the stroke, or all around the point.
+std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surface, const FieldSet& fields,
+                                   glm::dvec3 point, double radius) {
+  if (command.stroke) return coverage(*command.stroke, command.brush, surface, fields);
   std::vector<std::uint32_t> found;
-  if (radius > 0) surface.vertices_within(point, radius, found);
+  surface.vertices_within(point, radius, found);
   std::vector<VertexWeight> all;
   all.reserve(found.size());
-  for (const std::uint32_t v : found) all.push_back({v, 1.0});
+  for (const std::uint32_t v : found) all.push_back({v, fields.number(Field::mask, v)});
   return all;
 }
 
@@ -58,22 +93,16 @@ Evaluation attract(const Attract& command, const Surface& surface, const FieldSe
   const glm::dvec3 point = mesh.to_internal(command.point);
   const double radius = internal_length(command.radius, command.units, mesh);
   const double sign = command.brush.invert ? -1 : 1;
-  WorkingSet work(fields);
-  std::size_t clamped = 0;
   if (!(radius > 0)) return {};
-  for (const auto [vertex, restriction] : reach(command, surface, point, radius)) {
+  Stick stick(command, fields);
+  for (const auto [vertex, restriction] : reach_of(command, surface, fields, point, radius)) {
     const glm::dvec3 to_point = point - glm::dvec3(mesh.positions[vertex]);
     const double weight =
         command.strength * restriction * falloff_weight(command.brush.falloff, glm::length(to_point) / radius);
     if (weight == 0) continue;
-    const VertexFrame frame = frame_at(mesh, vertex);
-    const glm::dvec3 pull = sign * safe_unit(to_point);
-    WorkingSet::Fur& fur = work.at(vertex);
-    const double along = std::max(0.0, glm::dot(pull, tip_tangent(fur.direction, frame)));
-    fur.direction = turned_to_pull(fur.direction, frame, pull, 1 - std::pow(1 - weight, command.duration));
-    clamped += pull_out(fur, command, weight * command.duration * along);
+    stick.pull(vertex, frame_at(mesh, vertex), sign * safe_unit(to_point), weight);
   }
-  return {work.delta(), clamped};
+  return stick.finish();
 }
 
 }  // namespace pelage

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
-#include "server/groom/working_set.h"
 
 namespace pelage {
 
@@ -36,28 +36,23 @@ class Wind {
   double outer_, inner_;  // radians from the axis
 };
 
-std::vector<VertexWeight> reach(const Blow& command, const Surface& surface) {
-  if (command.stroke) return coverage(*command.stroke, command.brush, surface);
-  std::vector<VertexWeight> all(surface.mesh().positions.size());
-  for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = {v, 1.0};
-  return all;
-}
-
 }  // namespace
 
 Evaluation blow(const Blow& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const Wind wind(command, mesh);
   const double sign = command.brush.invert ? -1 : 1;
-  WorkingSet work(fields);
-  for (const auto [vertex, restriction] : reach(command, surface)) {
+  FieldWriter writer(fields, Field::direction);
+  for (const auto [vertex, restriction] : reach(command.stroke, command.brush, 1, surface, fields)) {
     const glm::dvec3 heading = wind.heading(glm::dvec3(mesh.positions[vertex]));
     const double weight = command.strength * restriction * wind.share(heading);
     if (weight == 0) continue;
-    WorkingSet::Fur& fur = work.at(vertex);
-    fur.direction = turned(fur.direction, frame_at(mesh, vertex), sign * heading, command.lean, weight);
+    const glm::dvec2 direction(fields.direction()[vertex]);
+    writer.put(vertex, turned(direction, frame_at(mesh, vertex), sign * heading, command.lean, weight));
   }
-  return {work.delta(), 0};
+  Evaluation done;
+  writer.finish(done.delta);
+  return done;
 }
 
 }  // namespace pelage

@@ -44,8 +44,11 @@ double internal_length(double value, Units units, const Mesh& mesh) {
   return units == Units::world ? value / mesh.size : value;
 }
 
-BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface)
-    : brush_(brush), surface_(surface), radius_(internal_length(brush.radius, brush.units, surface.mesh())) {
+BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const FieldSet& fields)
+    : brush_(brush),
+      surface_(surface),
+      fields_(fields),
+      radius_(internal_length(brush.radius, brush.units, surface.mesh())) {
   for (const StrokeSample& sample : stroke.samples) {
     path_.push_back(
         {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfacePlace>(sample.place)});
@@ -116,13 +119,14 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
     const glm::dvec3 front = judge_by_normal ? outwards : eye_.value_or(position) - position;
     if (brush_.front_faces_only && !(glm::dot(normal, front) > 0)) continue;
     const double falloff = falloff_weight(brush_.falloff, glm::distance(position, dab.centre) / radius_);
-    const double weight = brush_.strength * falloff * dab.pressure;
+    const double weight = brush_.strength * falloff * dab.pressure * fields_.number(Field::mask, v);
     if (weight > 0) weights.push_back({v, weight});
   }
 }
 
-std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, const Surface& surface) {
-  const BrushStroke painted(stroke, brush, surface);
+std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, const Surface& surface,
+                                   const FieldSet& fields) {
+  const BrushStroke painted(stroke, brush, surface, fields);
   std::unordered_map<std::uint32_t, double> largest;
   std::vector<VertexWeight> weights;
   for (const Dab& dab : painted.covering_dabs()) {
@@ -136,6 +140,19 @@ std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, con
   for (const auto& [vertex, weight] : largest) weights.push_back({vertex, weight});
   std::sort(weights.begin(), weights.end(), [](auto a, auto b) { return a.vertex < b.vertex; });
   return weights;
+}
+
+std::vector<VertexWeight> reach(const std::optional<Stroke>& stroke, const Brush& brush, double weight,
+                                const Surface& surface, const FieldSet& fields) {
+  if (stroke) return coverage(*stroke, brush, surface, fields);
+  std::vector<VertexWeight> all;
+  if (!(weight > 0)) return all;
+  all.reserve(fields.size());
+  for (std::uint32_t v = 0; v < fields.size(); ++v) {
+    const double share = weight * fields.number(Field::mask, v);
+    if (share > 0) all.push_back({v, share});
+  }
+  return all;
 }
 
 }  // namespace pelage

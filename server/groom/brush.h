@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocol/commands/command.h"
+#include "server/fields/field_set.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -25,7 +26,7 @@ struct Dab {
   double pressure = 1;
 };
 
-/// What one dab does to one vertex: strength x falloff x pressure, in [0, 1].
+/// What one dab does to one vertex: strength x falloff x pressure x mask, in [0, 1].
 struct VertexWeight {
   std::uint32_t vertex = 0;
   double weight = 0;
@@ -35,7 +36,7 @@ struct VertexWeight {
 /// sampling rate nor the parts that it came in matter. The path between two samples on the surface follows the surface.
 class BrushStroke {
  public:
-  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface);
+  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const FieldSet& fields);
 
   /// Dabs of a brush that moves; none for a stroke without length or a brush of radius 0.
   std::vector<Dab> moving_dabs() const;
@@ -58,12 +59,19 @@ class BrushStroke {
 
   Brush brush_;
   const Surface& surface_;
+  const FieldSet& fields_;  // for the mask
   double radius_;  // sizes
   std::vector<Node> path_;
   std::optional<glm::dvec3> eye_;  // what front faces are judged against, where the stroke has a view
 };
 
 /// For each vertex under the stroke the largest weight of any dab, in rising order of vertices.
-std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, const Surface& surface);
+std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, const Surface& surface,
+                                   const FieldSet& fields);
+
+/// Where a tool that visits each vertex once works: under its stroke, or everywhere with `weight`; never where the mask
+/// is 0.
+std::vector<VertexWeight> reach(const std::optional<Stroke>& stroke, const Brush& brush, double weight,
+                                const Surface& surface, const FieldSet& fields);
 
 }  // namespace pelage

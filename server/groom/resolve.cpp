@@ -78,7 +78,8 @@ Status resolve_stroke(Stroke& stroke, const Surface& surface) {
 Status check_brush(const Stroke& stroke, const Brush& brush, const Surface& surface) {
   if (!reachable_length(internal_length(brush.radius, brush.units, surface.mesh())))
     return out_of_reach("/brush/radius");
-  if (BrushStroke(stroke, brush, surface).dab_count() <= limits::dabs_per_stroke) return {};
+  const FieldSet no_fields(0);  // counting needs none
+  if (BrushStroke(stroke, brush, surface, no_fields).dab_count() <= limits::dabs_per_stroke) return {};
   return failure(Code::invalid, "the stroke is too long for so small a brush and spacing", "/brush/spacing",
                  "at most 100000 dabs of spacing x radius in a stroke");
 }

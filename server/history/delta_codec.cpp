@@ -9,17 +9,15 @@ namespace pelage {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
-static_assert(sizeof(Groom) == 16 && std::is_trivially_copyable_v<Groom>);
-
 void put_number(std::string& text, std::uint64_t value) {
   for (; value >= 0x80; value >>= 7) text.push_back(static_cast<char>(value | 0x80));
   text.push_back(static_cast<char>(value));
 }
 
-void put_grooms(std::string& text, const std::vector<Groom>& grooms) {
-  const std::size_t size = text.size(), bytes = grooms.size() * sizeof(Groom);
+void put_words(std::string& text, const std::vector<std::uint32_t>& words) {
+  const std::size_t size = text.size(), bytes = words.size() * sizeof(std::uint32_t);
   text.resize(size + bytes);
-  if (bytes > 0) std::memcpy(text.data() + size, grooms.data(), bytes);
+  if (bytes > 0) std::memcpy(text.data() + size, words.data(), bytes);
 }
 
 /// Takes octets from the front; once something is missing, everything after fails too.
@@ -39,12 +37,12 @@ class Octets {
     return 0;
   }
 
-  void grooms(std::vector<Groom>& grooms, std::size_t count) {
-    good_ = good_ && left_.size() / sizeof(Groom) >= count;
+  void words(std::vector<std::uint32_t>& words, std::uint64_t count) {
+    good_ = good_ && left_.size() / sizeof(std::uint32_t) >= count;
     if (!good_ || count == 0) return;
-    grooms.resize(count);
-    std::memcpy(grooms.data(), left_.data(), count * sizeof(Groom));
-    left_ = left_.subspan(count * sizeof(Groom));
+    words.resize(count);
+    std::memcpy(words.data(), left_.data(), count * sizeof(std::uint32_t));
+    left_ = left_.subspan(count * sizeof(std::uint32_t));
   }
 
   bool good() const { return good_; }
@@ -55,39 +53,65 @@ class Octets {
   bool good_ = true;
 };
 
+/// Rising vertices as gaps.
+void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices) {
+  std::uint64_t next = 0;
+  for (const std::uint32_t v : vertices) {
+    put_number(text, v - next);
+    next = std::uint64_t{v} + 1;
+  }
+}
+
+/// False when a vertex would pass 32 bits.
+bool take_vertices(Octets& in, std::uint64_t count, std::vector<std::uint32_t>& vertices) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  std::uint64_t next = 0;
+  for (std::uint64_t i = 0; i < count && in.good(); ++i) {
+    const std::uint64_t gap = in.number();
+    if (gap > most - next) return false;
+    vertices.push_back(static_cast<std::uint32_t>(next + gap));
+    next += gap + 1;
+    if (next > most) return false;
+  }
+  return true;
+}
+
+/// One field's change; false when the octets hold none that could follow `before`.
+bool take_part(Octets& in, const FieldDelta& before, FieldDelta::Part& part) {
+  const std::uint64_t field = in.number(), count = in.number();
+  if (field >= field_count || count == 0 || count > in.left()) return false;  // each vertex takes an octet or more
+  part.field = field_at(field);
+  if (!before.parts.empty() && before.parts.back().field >= part.field) return false;
+  if (!take_vertices(in, count, part.vertices)) return false;
+  in.words(part.flips, count * static_cast<std::uint64_t>(shape_of(part.field).channels));
+  return in.good();
+}
+
 }  // namespace
 
 std::string encode_delta(const FieldDelta& delta) {
   std::string text;
-  put_number(text, delta.vertices.size());
-  std::uint64_t next = 0;
-  for (const std::uint32_t v : delta.vertices) {
-    put_number(text, v - next);
-    next = std::uint64_t{v} + 1;
+  put_number(text, delta.parts.size());
+  for (const FieldDelta::Part& part : delta.parts) {
+    put_number(text, static_cast<std::uint64_t>(part.field));
+    put_number(text, part.vertices.size());
+    put_vertices(text, part.vertices);
+    put_words(text, part.flips);
   }
-  put_grooms(text, delta.before);
-  put_grooms(text, delta.after);
   return text;
 }
 
 Result<FieldDelta> decode_delta(std::span<const std::byte> octets) {
   Octets in(octets);
   FieldDelta delta;
-  const std::uint64_t count = in.number();
-  std::uint64_t next = 0;
-  bool in_range = count <= in.left();  // each vertex takes an octet or more
-  for (std::uint64_t i = 0; i < count && in_range && in.good(); ++i) {
-    const std::uint64_t gap = in.number();
-    in_range = gap <= std::numeric_limits<std::uint32_t>::max() - next;
-    delta.vertices.push_back(static_cast<std::uint32_t>(next + gap));
-    next += gap + 1;
-    in_range = in_range && next <= std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t parts = in.number();
+  bool good = in.good() && parts <= field_count;
+  for (std::uint64_t i = 0; good && i < parts; ++i) {
+    FieldDelta::Part part;
+    good = take_part(in, delta, part);
+    if (good) delta.parts.push_back(std::move(part));
   }
-  if (in_range) {
-    in.grooms(delta.before, count);
-    in.grooms(delta.after, count);
-  }
-  if (!in_range || !in.good() || in.left() != 0) return failure(Code::internal, "a stored change is damaged");
+  if (!good || in.left() != 0) return failure(Code::internal, "a stored change is damaged");
   return delta;
 }
 

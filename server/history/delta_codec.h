@@ -1,4 +1,4 @@
-// Changes of fields as octets, for the journal. Little-endian.
+// Changes of fields as octets, for the journal and the undo log. Little-endian.
 #pragma once
 
 #include <cstddef>
@@ -6,14 +6,15 @@
 #include <string>
 
 #include "protocol/base/status.h"
-#include "server/fields/field_set.h"
+#include "server/fields/field_delta.h"
 
 namespace pelage {
 
-/// The count, the gaps between vertices as variable-length numbers, then `before` and `after` as 32-bit words.
+/// For each field that changes: its number, the count, the gaps between vertices as variable-length numbers, then the
+/// flips as 32-bit words. A combed vertex takes 9 to 11 octets.
 std::string encode_delta(const FieldDelta& delta);
 
-/// Refused (internal) unless the octets are a whole delta of rising vertices.
+/// Refused (internal) unless the octets are a whole delta of rising fields and vertices.
 Result<FieldDelta> decode_delta(std::span<const std::byte> octets);
 
 }  // namespace pelage

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/json/decode.h"
+#include "server/history/delta_codec.h"
 
 namespace pelage {
 
@@ -85,17 +86,23 @@ History::History(Revision first, SceneSettings settings) : first_(first), record
   records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
 }
 
+FieldDelta History::Step::change() const {
+  Result<FieldDelta> delta = decode_delta(std::as_bytes(std::span(octets)));
+  assert(delta.ok());  // encode_delta wrote it
+  return std::move(delta).value();
+}
+
 Result<FieldDelta> History::undo(std::uint64_t steps) const {
   if (steps > done_.size()) return too_few("undo", done_.size());
   FieldDelta total;
-  for (std::size_t i = 0; i < steps; ++i) total = compose(total, inverse(done_[done_.size() - 1 - i].delta));
+  for (std::size_t i = 0; i < steps; ++i) total = compose(total, done_[done_.size() - 1 - i].change());
   return total;
 }
 
 Result<FieldDelta> History::redo(std::uint64_t steps) const {
   if (steps > undone_.size()) return too_few("redo", undone_.size());
   FieldDelta total;
-  for (std::size_t i = 0; i < steps; ++i) total = compose(total, undone_[undone_.size() - 1 - i].delta);
+  for (std::size_t i = 0; i < steps; ++i) total = compose(total, undone_[undone_.size() - 1 - i].change());
   return total;
 }
 
@@ -114,7 +121,7 @@ bool History::accepts(const Entry& entry) const {
 void History::record(const Entry& entry) {
   assert(accepts(entry));
   Record record;
-  record.line = {entry.revision, name_of(entry.kind), entry.commands, entry.delta.vertices.size()};
+  record.line = {entry.revision, name_of(entry.kind), entry.commands, entry.delta.vertices().size()};
   switch (entry.kind) {
     case EntryKind::command: record_do(entry, record); break;
     case EntryKind::join: record_join(entry, record); break;
@@ -135,7 +142,7 @@ void History::record_do(const Entry& entry, Record& record) {
   record.top = now;
   record.below = records_.back().top;
   record.settings = entry.settings ? entry.settings : records_.back().settings;
-  done_.push_back({entry.delta, now - 1, now});
+  done_.push_back({encode_delta(entry.delta), now - 1, now});
   undone_.clear();
 }
 
@@ -144,7 +151,7 @@ void History::record_join(const Entry& entry, Record& record) {
   record.top = now;
   record.below = records_.back().top;
   record.settings = records_.back().settings;
-  done_.back().delta = compose(done_.back().delta, entry.delta);
+  done_.back().octets = encode_delta(compose(done_.back().change(), entry.delta));
   done_.back().after = now;
 }
 
@@ -166,7 +173,7 @@ void History::record_redo(const Entry& entry, Record& record) {
 
 void History::record_revert(const Entry& entry, Record& record) {
   arrive(entry.argument - first_, record);
-  done_.push_back({entry.delta, records_.size() - 1, records_.size()});
+  done_.push_back({encode_delta(entry.delta), records_.size() - 1, records_.size()});
   undone_.clear();
 }
 

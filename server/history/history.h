@@ -9,7 +9,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
-#include "server/fields/field_set.h"
+#include "server/fields/field_delta.h"
 
 namespace pelage {
 
@@ -42,7 +42,7 @@ struct Entry {
   EntryKind kind = EntryKind::command;
   std::uint64_t argument = 0;                     // steps of undo and redo, the revision that a revert goes back to
   std::string commands;                           // JSON text of the resolved commands; "" for undo, redo and revert
-  FieldDelta delta;                               // from the revision before
+  FieldDelta delta;                               // between the revision before and this one
   FieldsHash fields_hash;                         // after it
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
 };
@@ -65,7 +65,7 @@ class History {
   Result<FieldDelta> undo(std::uint64_t steps) const;
   Result<FieldDelta> redo(std::uint64_t steps) const;
   /// What the last step changed, with all that joined it. There must be one.
-  const FieldDelta& last_step() const { return done_.back().delta; }
+  FieldDelta last_step() const { return done_.back().change(); }
 
   /// Whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
@@ -86,8 +86,10 @@ class History {
     std::shared_ptr<const SceneSettings> settings;
   };
   struct Step {
-    FieldDelta delta;
+    std::string octets;  // encode_delta of what it changes
     std::size_t before = 0, after = 0;  // records that describe the states
+
+    FieldDelta change() const;
   };
 
   void record_do(const Entry& entry, Record& record);

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t schema_version = 2;
+constexpr std::uint64_t schema_version = 3;
 
 // Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
 constexpr const char* how_to_keep = R"(
@@ -22,27 +22,21 @@ constexpr const char* how_to_keep = R"(
   BEGIN IMMEDIATE; COMMIT;
 )";
 
-constexpr const char* first_schema = R"(
+constexpr const char* schema = R"(
   CREATE TABLE scenes(
     number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
     model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
-    first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL);
+    first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL);
   CREATE TABLE entries(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
     hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL,
     PRIMARY KEY(scene, revision));
-  PRAGMA user_version = 1;
-)";
-
-// Pictures on models, which scenes use which, and how fur is laid.
-constexpr const char* second_schema = R"(
-  ALTER TABLE scenes ADD COLUMN fur_patches INTEGER NOT NULL DEFAULT 0;
   CREATE TABLE pictures(name TEXT PRIMARY KEY, octets BLOB NOT NULL);
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
-  PRAGMA user_version = 2;
+  PRAGMA user_version = 3;
 )";
 
 // What no log names any more; at the start also what was uploaded and never used.
@@ -58,7 +52,7 @@ Result<std::uint64_t> number_of(Database& database, const char* question) {
   return statement.number_at(0);
 }
 
-/// Makes the tables of a new journal, brings an older one up to date, and refuses what is none or too new.
+/// Makes the tables of a new journal, and refuses what is none or of another version.
 Status check_schema(Database& database) {
   const Result<std::uint64_t> version = number_of(database, "PRAGMA user_version");
   if (!version) return version.status();
@@ -68,12 +62,12 @@ Status check_schema(Database& database) {
     return failure(Code::internal, "the journal comes from a newer version of this program");
   if (*version == 0 && *tables > 0)
     return failure(Code::internal, "the file in the journal's place is another database");
-  return database.transaction([&]() -> Status {
-    if (*version < 1) {
-      if (Status made = database.execute(first_schema); !made.ok()) return made;
-    }
-    return *version < 2 ? database.execute(second_schema) : database.execute(drop_unused_pictures);
-  });
+  if (*version > 0 && *version < schema_version) {
+    return failure(Code::internal,
+                   "the journal comes from an older version, whose fields were stored in another way: start that "
+                   "version, save the logs of its scenes, and run them on this one with another data folder");
+  }
+  return database.transaction([&] { return database.execute(*version == 0 ? schema : drop_unused_pictures); });
 }
 
 std::string settings_text(const SceneSettings& settings) {

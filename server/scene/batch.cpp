@@ -27,11 +27,11 @@ bool set(const Command& command, SceneSettings& settings) {
 
 }  // namespace
 
-CommandResult describe_change(const char* op, const FieldDelta& delta) {
+CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields) {
   CommandResult result;
   result.op = op;
-  result.touched = delta.vertices.size();
-  result.fields = measure(delta);
+  result.touched = delta.vertices().size();
+  result.fields = measure(delta, fields);
   if (!result.fields.empty()) {
     result.mean_change = result.fields.front().mean_change;
     result.max_change = result.fields.front().max_change;
@@ -51,7 +51,7 @@ Outcome evaluate_batch(const std::vector<Command>& commands, const FieldDelta& s
     fields.apply(evaluation.delta);
     const FieldDelta change = k == 0 ? compose(start, evaluation.delta) : evaluation.delta;
     outcome.delta = compose(outcome.delta, change);
-    outcome.results.push_back(describe_change(op_of(commands[k]), change));
+    outcome.results.push_back(describe_change(op_of(commands[k]), change, fields));
     outcome.results.back().clamped = evaluation.clamped;
     outcome.results.back().milliseconds = milliseconds_since(begin);
     const bool setting = set(commands[k], set_so_far);
@@ -60,7 +60,7 @@ Outcome evaluate_batch(const std::vector<Command>& commands, const FieldDelta& s
   }
   outcome.fields_hash = fields.hash();
   if (any_set) outcome.settings = std::make_shared<const SceneSettings>(std::move(set_so_far));
-  fields.apply(inverse(outcome.delta));
+  fields.apply(outcome.delta);
   return outcome;
 }
 

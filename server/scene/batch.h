@@ -27,7 +27,7 @@ struct Outcome {
 Outcome evaluate_batch(const std::vector<Command>& commands, const FieldDelta& start, const Surface& surface,
                        FieldSet& fields, const SceneSettings& settings);
 
-/// What a change of the fields amounts to in an answer.
-CommandResult describe_change(const char* op, const FieldDelta& delta);
+/// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
+CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields);
 
 }  // namespace pelage

@@ -25,14 +25,6 @@ std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_
 
 Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
 
-/// Whether the fields hold what the change begins with.
-bool fits(const FieldDelta& delta, const FieldSet& fields) {
-  for (std::size_t i = 0; i < delta.vertices.size(); ++i) {
-    if (delta.vertices[i] >= fields.size() || !(fields.at(delta.vertices[i]) == delta.before[i])) return false;
-  }
-  return true;
-}
-
 /// In a batch the pointer says which command it is about.
 Status in_batch(Status status, std::size_t command, std::size_t commands) {
   if (commands > 1) status.pointer.insert(0, "/commands/" + std::to_string(command));
@@ -63,10 +55,10 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first, const std::
   fields_ = FieldSet(fields_.size());
   history_ = History(first, first_settings(*model_));
   dirty_ = whole_range(fields_.size());
-  if (!fits(first_groom, fields_)) return damaged();
+  if (!fields_.accepts(first_groom)) return damaged();
   fields_.apply(first_groom);
   for (const Entry& entry : entries) {
-    if (!history_.accepts(entry) || !fits(entry.delta, fields_)) return damaged();
+    if (!history_.accepts(entry) || !fields_.accepts(entry.delta)) return damaged();
     fields_.apply(entry.delta);
     if (fields_.hash() != entry.fields_hash) return damaged();
     history_.record(entry);
@@ -84,7 +76,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (!planned) return planned.status();
 
   // What the commands do. This is pure: nothing has changed yet.
-  const FieldDelta start = planned->joins ? inverse(history_.last_step()) : FieldDelta{};
+  const FieldDelta start = planned->joins ? history_.last_step() : FieldDelta{};
   Outcome outcome = evaluate_batch(planned->whole, start, model_->surface, fields_, history_.settings());
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
@@ -113,7 +105,7 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
   if (Status refused = admit(options); !refused.ok()) return refused;
   Result<Entry> entry = entry_of(move);
   if (!entry) return entry.status();
-  const CommandResult result = describe_change(name_of(entry->kind), entry->delta);
+  const CommandResult result = describe_change(name_of(entry->kind), entry->delta, fields_);
   const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
   if (!options.dry_run && !stays) {
     if (Status written = commit(*entry); !written.ok()) return written;
@@ -217,7 +209,7 @@ Result<FieldDelta> Scene::way_back(Revision revision) const {
   const Result<std::vector<Entry>> since = journal_.entries(id_, revision);
   if (!since) return since.status();
   FieldSet then = fields_;
-  for (auto entry = since->rbegin(); entry != since->rend(); ++entry) then.apply(inverse(entry->delta));
+  for (auto entry = since->rbegin(); entry != since->rend(); ++entry) then.apply(entry->delta);
   return difference(fields_, then);
 }
 

@@ -38,7 +38,7 @@ void stroke_on_mesh(benchmark::State& state) {
   // The radius falls as the mesh gets finer, so that about as many vertices are touched.
   const Command command = stroke_over(model.surface.mesh(), 0.05 * std::sqrt(10000.0 / static_cast<double>(state.range(0))));
   std::size_t touched = 0;
-  for (auto _ : state) touched = evaluate(command, model.surface, model.fields).delta.vertices.size();
+  for (auto _ : state) touched = evaluate(command, model.surface, model.fields).delta.vertices().size();
   state.counters["touched"] = static_cast<double>(touched);
 }
 BENCHMARK(stroke_on_mesh)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMicrosecond);
@@ -48,7 +48,7 @@ void flood(benchmark::State& state) {
   Comb comb;
   comb.flood = true;
   comb.direction = glm::dvec3(0, -1, 0);
-  for (auto _ : state) benchmark::DoNotOptimize(evaluate(comb, model.surface, model.fields).delta.vertices.size());
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(comb, model.surface, model.fields).delta.vertices().size());
 }
 BENCHMARK(flood)->Unit(benchmark::kMicrosecond);
 

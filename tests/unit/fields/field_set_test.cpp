@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "protocol/base/random.h"
+#include "server/fields/field_writer.h"
 
 namespace pelage {
 namespace {
@@ -53,7 +55,7 @@ TEST(FieldSet, HashAfterIsWhatApplyingGives) {
   EXPECT_EQ(fields.hash_after(delta), other.hash());
   fields.apply(delta);
   EXPECT_EQ(fields.hash(), other.hash());
-  fields.apply(inverse(delta));
+  fields.apply(delta);
   EXPECT_EQ(fields.hash(), FieldSet(10).hash());
 }
 
@@ -69,19 +71,83 @@ TEST(StoredGroom, IsNeverLongerThanOneAndStaysWhenStoredAgain) {
   }
 }
 
+TEST(FieldSet, FieldsTakeNoMemoryBeforeTheyAreTouched) {
+  FieldSet fields(100);
+  const std::size_t before = fields.bytes();
+  EXPECT_EQ(fields.number(Field::density, 3), 1);
+  EXPECT_EQ(fields.number(Field::mask, 3), 1);
+  EXPECT_EQ(fields.value(Field::tip_colour, 3), glm::vec4(0));
+  EXPECT_EQ(fields.bytes(), before);
+  EXPECT_TRUE(fields.at_rest(Field::tip_colour));
+  const FieldsHash rest = fields.hash();
+  fields.set(Field::tip_colour, 3, {0.1f, 0.2f, 0.3f, 1});
+  EXPECT_EQ(fields.bytes(), before + 1600);
+  EXPECT_NE(fields.hash(), rest);
+  fields.set(Field::tip_colour, 3, glm::vec4(0));
+  EXPECT_EQ(fields.hash(), rest) << "what is at rest again adds nothing";
+}
+
+TEST(FieldSet, EveryChannelOfEveryFieldIsInTheHash) {
+  std::vector<FieldsHash> seen{FieldSet(2).hash()};
+  for (std::size_t f = 0; f < field_count; ++f) {
+    for (int c = 0; c < shape_of(field_at(f)).channels; ++c) {
+      FieldSet fields(2);
+      glm::vec4 value = fields.value(field_at(f), 1);
+      value[c] = 0.5f;
+      fields.set(field_at(f), 1, value);
+      EXPECT_EQ(std::count(seen.begin(), seen.end(), fields.hash()), 0) << shape_of(field_at(f)).name << c;
+      seen.push_back(fields.hash());
+    }
+  }
+}
+
+TEST(FieldSet, RefusesVerticesThatItDoesNotHave) {
+  const FieldDelta delta{{{Field::length, {1, 3}, {1, 1}}}};
+  EXPECT_TRUE(FieldSet(4).accepts(delta));
+  EXPECT_FALSE(FieldSet(3).accepts(delta));
+}
+
+/// From one field set to another that holds these values of a length.
+FieldDelta lengths(std::vector<std::pair<std::uint32_t, float>> before, std::vector<std::pair<std::uint32_t, float>> after) {
+  FieldSet from(300), to(300);
+  for (const auto& [v, length] : before) from.set(Field::length, v, {length, 0, 0, 0});
+  for (const auto& [v, length] : after) to.set(Field::length, v, {length, 0, 0, 0});
+  return difference(from, to);
+}
+
 TEST(FieldDelta, ComposeKeepsEndsAndDropsReturns) {
-  const FieldDelta first{{1, 4}, {groom(0, 0, 1), groom(0, 0, 2)}, {groom(0, 0, 3), groom(0, 0, 4)}};
-  const FieldDelta second{{4, 6}, {groom(0, 0, 4), groom(0, 0, 5)}, {groom(0, 0, 2), groom(0, 0, 6)}};
+  const FieldDelta first = lengths({{1, 1}, {4, 2}, {6, 5}}, {{1, 3}, {4, 4}, {6, 5}});
+  const FieldDelta second = lengths({{1, 3}, {4, 4}, {6, 5}}, {{1, 3}, {4, 2}, {6, 6}});
   const FieldDelta both = compose(first, second);
-  EXPECT_EQ(both.vertices, (std::vector<std::uint32_t>{1, 6}));
-  EXPECT_EQ(both.before, (std::vector<Groom>{groom(0, 0, 1), groom(0, 0, 5)}));
-  EXPECT_EQ(both.after, (std::vector<Groom>{groom(0, 0, 3), groom(0, 0, 6)}));
-  EXPECT_TRUE(compose(first, inverse(first)).empty());
+  EXPECT_EQ(both, lengths({{1, 1}, {6, 5}}, {{1, 3}, {6, 6}}));
+  EXPECT_EQ(both.vertices(), (std::vector<std::uint32_t>{1, 6}));
+  EXPECT_TRUE(compose(first, first).empty()) << "a change is its own inverse";
+}
+
+TEST(FieldDelta, KeepsFieldsApart) {
+  FieldSet from(10), to(10);
+  to.set(Field::mask, 2, {0.5f, 0, 0, 0});
+  to.set(Field::root_colour, 1, {0, 0.5f, 0, 1});
+  to.set(Field::root_colour, 2, {0, 0.5f, 0, 1});
+  const FieldDelta delta = difference(from, to);
+  ASSERT_EQ(delta.parts.size(), 2u);
+  EXPECT_EQ(delta.part(Field::mask)->vertices.size(), 1u);
+  EXPECT_EQ(delta.part(Field::root_colour)->flips.size(), 8u);
+  EXPECT_EQ(delta.part(Field::length), nullptr);
+  EXPECT_EQ(delta.vertices(), (std::vector<std::uint32_t>{1, 2}));
+  from.apply(delta);
+  EXPECT_EQ(from.value(Field::root_colour, 1), glm::vec4(0, 0.5f, 0, 1));
+  EXPECT_EQ(from.hash(), to.hash());
+}
+
+TEST(FieldDelta, ACombedVertexTakesTwelveBytes) {
+  FieldSet from(10), to(10);
+  to.set(Field::direction, 2, {0.5f, 0.1f, 0, 0});
+  EXPECT_EQ(difference(from, to).bytes(), 12u);
 }
 
 TEST(FieldDelta, DirtyRangesCoverTouchedVerticesAndBridgeSmallGaps) {
-  FieldDelta delta;
-  delta.vertices = {5, 6, 70, 200};
+  const FieldDelta delta{{{Field::length, {5, 70}, {1, 1}}, {Field::mask, {6, 200}, {1, 1}}}};
   const std::vector<VertexRange> ranges = delta.dirty_ranges();
   ASSERT_EQ(ranges.size(), 2u);
   EXPECT_EQ(ranges[0].begin, 5u);
@@ -99,19 +165,38 @@ TEST(FieldDelta, RangesMergeInAnyOrder) {
 }
 
 TEST(Measure, GivesCountMeanAndLargestOfEachFieldThatChanged) {
-  const FieldDelta delta{{0, 1, 2},
-                         {groom(0, 0, 1), groom(0.5f, 0, 1), groom(0, 0, 1)},
-                         {groom(0.3f, 0.4f, 1), groom(0.5f, 0, 3), groom(0, 1, 2)}};
-  const std::vector<FieldChange> changes = measure(delta);
-  ASSERT_EQ(changes.size(), 2u);
-  EXPECT_EQ(changes[0].field, "direction");
-  EXPECT_EQ(changes[0].changed, 2u);
-  EXPECT_NEAR(changes[0].mean_change, 0.75, 1e-6);
-  EXPECT_NEAR(changes[0].max_change, 1, 1e-6);
-  EXPECT_EQ(changes[1].field, "length");
-  EXPECT_EQ(changes[1].changed, 2u);
-  EXPECT_NEAR(changes[1].mean_change, 1.5, 1e-6);
-  EXPECT_NEAR(changes[1].max_change, 2, 1e-6);
+  FieldSet from(3), to(3);
+  from.set(0, groom(0, 0, 1)), from.set(1, groom(0.5f, 0, 1)), from.set(2, groom(0, 0, 1));
+  to.set(0, groom(0.3f, 0.4f, 1)), to.set(1, groom(0.5f, 0, 3)), to.set(2, groom(0, 1, 2));
+  const FieldDelta delta = difference(from, to);
+  for (const FieldSet* fields : {&from, &to}) {
+    const std::vector<FieldChange> changes = measure(delta, *fields);
+    ASSERT_EQ(changes.size(), 2u);
+    EXPECT_EQ(changes[0].field, "direction");
+    EXPECT_EQ(changes[0].changed, 2u);
+    EXPECT_NEAR(changes[0].mean_change, 0.75, 1e-6);
+    EXPECT_NEAR(changes[0].max_change, 1, 1e-6);
+    EXPECT_EQ(changes[1].field, "length");
+    EXPECT_EQ(changes[1].changed, 2u);
+    EXPECT_NEAR(changes[1].mean_change, 1.5, 1e-6);
+    EXPECT_NEAR(changes[1].max_change, 2, 1e-6);
+  }
+}
+
+TEST(FieldWriter, KeepsOnlyWhatChangesAndHoldsValuesInRange) {
+  FieldSet fields(5);
+  FieldWriter width(fields, Field::width), direction(fields, Field::direction);
+  EXPECT_FALSE(width.put(0, 1.0));
+  EXPECT_TRUE(width.put(1, 9.0));
+  EXPECT_TRUE(width.put(3, -1.0));
+  EXPECT_FALSE(direction.put(2, glm::dvec2(3, 4)));
+  FieldDelta delta;
+  direction.finish(delta), width.finish(delta);
+  fields.apply(delta);
+  EXPECT_EQ(delta.part(Field::width)->vertices, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(fields.number(Field::width, 1), 4);
+  EXPECT_EQ(fields.number(Field::width, 3), 0);
+  EXPECT_NEAR(fields.at(2).direction.x, 0.6, 1e-6);
 }
 
 }  // namespace

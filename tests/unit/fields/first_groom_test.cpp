@@ -21,7 +21,7 @@ TEST(FirstGroom, LeansFromNoseToTailWithTheAskedInclinationAndLength) {
     const glm::vec3 lean = fields.direction()[v].x * mesh->tangents[v] + fields.direction()[v].y * bitangent;
     EXPECT_NEAR(glm::length(lean), 0.6, 1e-5);
     EXPECT_NEAR(fields.length()[v], v % 2 == 0 ? 0.02 : 0.08, 1e-6);
-    EXPECT_EQ(fields.stretch()[v], 0);
+    EXPECT_EQ(fields.at(v).stretch, 0);
     if (std::abs(mesh->normals[v].z) > 0.5f) continue;
     ++judged;
     tailwards += lean.z < -0.2f;

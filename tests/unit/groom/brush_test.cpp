@@ -11,9 +11,10 @@ using testing_shapes::stroke_through;
 class BrushTest : public ::testing::Test {
  protected:
   std::vector<Dab> dabs(const std::vector<glm::dvec3>& points, Brush brush) const {
-    return BrushStroke(stroke_through(sphere_, points), brush, sphere_).moving_dabs();
+    return BrushStroke(stroke_through(sphere_, points), brush, sphere_, fields_).moving_dabs();
   }
   Surface sphere_ = make_surface(Builtin::sphere, 2000);
+  FieldSet fields_{sphere_.mesh().positions.size()};
 };
 
 TEST_F(BrushTest, FalloffCurves) {
@@ -55,7 +56,7 @@ TEST_F(BrushTest, WithoutMotionThereIsNoDab) {
   EXPECT_TRUE(dabs({{0, 0, 0.3}}, {}).empty());
   EXPECT_TRUE(dabs({{0, 0, 0.3}, {0, 0, 0.3}}, {}).empty());
   EXPECT_TRUE(dabs({{0, 0, 0.3}, {0, 0.1, 0.3}}, {.radius = 0}).empty());
-  const BrushStroke still(stroke_through(sphere_, {{0, 0, 0.3}}), {}, sphere_);
+  const BrushStroke still(stroke_through(sphere_, {{0, 0, 0.3}}), {}, sphere_, fields_);
   EXPECT_EQ(still.covering_dabs().size(), 1u);
 }
 
@@ -63,7 +64,7 @@ TEST_F(BrushTest, PressureIsInterpolated) {
   Stroke stroke = stroke_through(sphere_, {{0, 0, 0}, {0.2, 0, 0}});
   stroke.samples[0].pressure = 0;
   const Brush brush{.radius = 0.1, .spacing = 1};
-  const std::vector<Dab> found = BrushStroke(stroke, brush, sphere_).moving_dabs();
+  const std::vector<Dab> found = BrushStroke(stroke, brush, sphere_, fields_).moving_dabs();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found[0].pressure, 0.5, 1e-12);
   EXPECT_NEAR(found[1].pressure, 1, 1e-12);
@@ -79,10 +80,10 @@ TEST_F(BrushTest, FrontFacesOnlyLeavesTheFarSide) {
   const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}, {0, 0.02, 0.28}});
   Brush brush{.radius = 2, .falloff = Falloff::constant, .strength = 1};
   std::vector<VertexWeight> front, all;
-  const BrushStroke near_side(stroke, brush, sphere_);
+  const BrushStroke near_side(stroke, brush, sphere_, fields_);
   near_side.weigh(near_side.covering_dabs().front(), front);
   brush.front_faces_only = false;
-  const BrushStroke both_sides(stroke, brush, sphere_);
+  const BrushStroke both_sides(stroke, brush, sphere_, fields_);
   both_sides.weigh(both_sides.covering_dabs().front(), all);
   EXPECT_EQ(all.size(), sphere_.mesh().positions.size());
   EXPECT_GT(front.size(), all.size() / 3);
@@ -97,7 +98,7 @@ TEST_F(BrushTest, WithAViewFrontFacesAreJudgedAgainstIt) {
   Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}, {0, 0.02, 0.28}});
   stroke.view = View{.camera = {.automatic = AutoView::back}};
   const Brush brush{.radius = 2};
-  const BrushStroke painted(stroke, brush, sphere_);
+  const BrushStroke painted(stroke, brush, sphere_, fields_);
   std::vector<VertexWeight> weights;
   painted.weigh(painted.covering_dabs().front(), weights);
   ASSERT_FALSE(weights.empty());
@@ -113,7 +114,7 @@ TEST_F(BrushTest, PathBetweenSurfaceSamplesFollowsTheSurface) {
     stroke.samples.push_back(sample);
   }
   const double radius = glm::length(glm::dvec3(sphere_.mesh().positions[0]));
-  for (const Dab& dab : BrushStroke(stroke, {}, sphere_).moving_dabs()) {
+  for (const Dab& dab : BrushStroke(stroke, {}, sphere_, fields_).moving_dabs()) {
     EXPECT_NEAR(glm::length(dab.centre), radius, 0.02 * radius);
   }
 }
@@ -121,14 +122,14 @@ TEST_F(BrushTest, PathBetweenSurfaceSamplesFollowsTheSurface) {
 TEST_F(BrushTest, CoverageIsTheLargestWeightOfAnyDab) {
   const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}, {0, 0.1, 0.27}});
   const Brush brush{.radius = 0.1, .falloff = Falloff::linear, .strength = 0.5};
-  const BrushStroke painted(stroke, brush, sphere_);
+  const BrushStroke painted(stroke, brush, sphere_, fields_);
   std::vector<double> expected(sphere_.mesh().positions.size());
   std::vector<VertexWeight> weights;
   for (const Dab& dab : painted.covering_dabs()) {
     painted.weigh(dab, weights);
     for (const VertexWeight w : weights) expected[w.vertex] = std::max(expected[w.vertex], w.weight);
   }
-  const std::vector<VertexWeight> covered = coverage(stroke, brush, sphere_);
+  const std::vector<VertexWeight> covered = coverage(stroke, brush, sphere_, fields_);
   ASSERT_GT(covered.size(), 10u);
   for (const VertexWeight w : covered) EXPECT_EQ(w.weight, expected[w.vertex]);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/json/encode.h"
+#include "server/fields/field_set.h"
 #include "server/history/delta_codec.h"
 #include "server/history/live_stroke.h"
 
@@ -27,10 +28,17 @@ double first_x(const Command& command) {
 /// A history over one vertex whose length counts the changes.
 class HistoryTest : public ::testing::Test {
  protected:
-  FieldDelta to(float length) const { return {{0}, {{{}, length_, 0}}, {{{}, length, 0}}}; }
+  FieldDelta to(float length) const {
+    FieldSet from(1), after(1);
+    from.set(0, {{}, length_, 0}), after.set(0, {{}, length, 0});
+    return difference(from, after);
+  }
   void take(EntryKind kind, std::uint64_t argument, std::string commands, FieldDelta delta,
             std::shared_ptr<const SceneSettings> settings = nullptr) {
-    if (!delta.empty()) length_ = delta.after[0].length;
+    FieldSet fields(1);
+    fields.set(0, {{}, length_, 0});
+    fields.apply(delta);
+    length_ = fields.at(0).length;
     const Entry entry{history_.revision() + 1, kind, argument, std::move(commands), std::move(delta), {}, settings};
     ASSERT_TRUE(history_.accepts(entry));
     history_.record(entry);
@@ -124,7 +132,7 @@ TEST_F(HistoryTest, JoinedPartsAreOneStepAndOneWholeStroke) {
   EXPECT_TRUE(whole.last);
   ASSERT_EQ(whole.samples.size(), 6u);
   EXPECT_EQ(std::get<PositionPlace>(whole.samples[4].place).position.x, 4);
-  EXPECT_EQ(history_.last_step().before[0].length, 1);
+  EXPECT_EQ(history_.last_step(), to(1)) << "from the length before the stroke to the one after it, and back";
   undo(1);
   EXPECT_EQ(length_, 1);
   EXPECT_EQ(effective(), (std::vector<double>{1}));
@@ -222,18 +230,12 @@ TEST_F(LiveStrokeTest, AnotherChangeEndsTheStrokeAndAMissDoesNot) {
 }
 
 TEST(DeltaCodec, RoundTripsAndRefusesDamage) {
-  FieldDelta delta;
-  for (const std::uint32_t v : {0u, 1u, 130u, 70'000u, 4'000'000'000u}) {
-    delta.vertices.push_back(v);
-    delta.before.push_back({{0.1f, -0.2f}, 1e-30f, 3});
-    delta.after.push_back({{0, 1}, static_cast<float>(v), 0});
-  }
+  FieldDelta delta{{{Field::direction, {0, 1, 130, 70'000, 4'000'000'000u}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 0xffffffff}},
+                    {Field::tip_colour, {7}, {0, 0, 0, 1}}}};
   const std::string octets = encode_delta(delta);
   const auto decoded = decode_delta(std::as_bytes(std::span(octets)));
   ASSERT_TRUE(decoded.ok());
-  EXPECT_EQ(decoded->vertices, delta.vertices);
-  EXPECT_EQ(decoded->before, delta.before);
-  EXPECT_EQ(decoded->after, delta.after);
+  EXPECT_EQ(*decoded, delta);
   for (std::size_t size = 0; size < octets.size(); ++size) {
     EXPECT_FALSE(decode_delta(std::as_bytes(std::span(octets.data(), size))).ok()) << size;
   }
@@ -241,6 +243,9 @@ TEST(DeltaCodec, RoundTripsAndRefusesDamage) {
   EXPECT_FALSE(decode_delta(std::as_bytes(std::span(longer))).ok());
   const std::string huge = "\xff\xff\xff\xff\xff\xff\xff\xff\x7f";
   EXPECT_FALSE(decode_delta(std::as_bytes(std::span(huge))).ok());
+  const FieldDelta backwards{{delta.parts[1], delta.parts[0]}};
+  const std::string disordered = encode_delta(backwards);
+  EXPECT_FALSE(decode_delta(std::as_bytes(std::span(disordered))).ok());
   const std::string none = encode_delta({});
   EXPECT_TRUE(decode_delta(std::as_bytes(std::span(none)))->empty());
 }

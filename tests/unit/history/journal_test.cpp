@@ -43,10 +43,10 @@ class JournalTest : public ::testing::Test {
             "fox \"1\"",
             {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3), FurPatches::hard},
             3,
-            {{2}, {{}}, {{{0.5f, 0}, 1, 0}}}};
+            {{{Field::length, {2}, {7}}}}};
   }
   static Entry entry(Revision revision) {
-    return {revision, EntryKind::command, 0, "{}", {{7}, {{}}, {{{0, 0.25f}, 2, 3}}}, {~0ull, 5}, nullptr};
+    return {revision, EntryKind::command, 0, "{}", {{{Field::mask, {7}, {9}}}}, {~0ull, 5}, nullptr};
   }
 
   std::filesystem::path folder_;
@@ -78,12 +78,12 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   EXPECT_EQ(found->model.raw, std::string("a\0b", 3));
   EXPECT_EQ(found->model.fur_patches, FurPatches::hard);
   EXPECT_EQ(found->first_revision, 3u);
-  EXPECT_EQ(found->first_groom.after, scene("a").first_groom.after);
+  EXPECT_EQ(found->first_groom, scene("a").first_groom);
   const auto entries = journal->entries("a", 0);
   ASSERT_TRUE(entries.ok());
   ASSERT_EQ(entries->size(), 2u);
   EXPECT_EQ((*entries)[0].commands, "{}");
-  EXPECT_EQ((*entries)[0].delta.after, entry(4).delta.after);
+  EXPECT_EQ((*entries)[0].delta, entry(4).delta);
   EXPECT_EQ((*entries)[0].fields_hash, entry(4).fields_hash);
   ASSERT_TRUE((*entries)[0].settings);
   EXPECT_EQ((*entries)[0].settings->coat.ramp[1].colour, settings.coat.ramp[1].colour);
@@ -155,33 +155,13 @@ TEST_F(JournalTest, DamagedEntriesAreReported) {
   EXPECT_EQ(open()->entries("a", 0).status().code, Code::internal);
 }
 
-/// The tables of the first version, with a scene in them.
-TEST_F(JournalTest, AnOlderJournalIsBroughtUpToDate) {
-  execute(R"(
-    CREATE TABLE scenes(
-      number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
-      model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
-      first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL);
-    CREATE TABLE entries(
-      scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
-      kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
-      hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL,
-      PRIMARY KEY(scene, revision));
-    PRAGMA user_version = 1;
-  )");
-  const std::string groom = encode_delta({});
-  {
-    auto database = Database::open(path_);
-    Statement insert = database->prepare("INSERT INTO scenes VALUES(1, 'old', 'fox', 'obj', 2, 4, 0, 0, ?, x'00')");
-    ASSERT_TRUE(insert.blob(groom).run().ok());
-  }
-  const auto journal = open();
-  const auto found = journal->scene("old");
-  ASSERT_TRUE(found.ok());
-  EXPECT_EQ(found->model.fur_patches, FurPatches::overlapping);
-  EXPECT_TRUE(journal->add_scene(scene("new")).ok());
-  EXPECT_TRUE(journal->append("old", entry(1)).ok());
-  EXPECT_EQ(*journal->scene_ids(), (std::vector<std::string>{"old", "new"}));
+TEST_F(JournalTest, AnOlderJournalIsRefusedAndLeftAsItIs) {
+  open().reset();
+  execute("PRAGMA user_version = 2");
+  EXPECT_EQ(refusal().code, Code::internal);
+  EXPECT_NE(refusal().message.find("older version"), std::string::npos);
+  execute("PRAGMA user_version = 3");
+  EXPECT_TRUE(open()->scene_ids().ok());
 }
 
 Entry with_picture(Revision revision, const std::string& name) {

@@ -1,0 +1,97 @@
+#include "server/fields/field_delta.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+namespace pelage {
+
+namespace {
+
+constexpr std::uint32_t dirty_gap = 64;
+
+/// Merges two rising lists; at a vertex of both the bits that turn over twice stay.
+FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& second) {
+  const auto channels = static_cast<std::size_t>(shape_of(first.field).channels);
+  FieldDelta::Part both{first.field, {}, {}};
+  std::size_t i = 0, k = 0;
+  while (i < first.vertices.size() || k < second.vertices.size()) {
+    const bool in_first =
+        i < first.vertices.size() && (k == second.vertices.size() || first.vertices[i] <= second.vertices[k]);
+    const bool in_second =
+        k < second.vertices.size() && (i == first.vertices.size() || second.vertices[k] <= first.vertices[i]);
+    std::uint32_t flips[4] = {}, any = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+      flips[c] = (in_first ? first.flips[i * channels + c] : 0) ^ (in_second ? second.flips[k * channels + c] : 0);
+      any |= flips[c];
+    }
+    if (any != 0) {
+      both.vertices.push_back(in_first ? first.vertices[i] : second.vertices[k]);
+      both.flips.insert(both.flips.end(), flips, flips + channels);
+    }
+    i += in_first, k += in_second;
+  }
+  return both;
+}
+
+}  // namespace
+
+const FieldDelta::Part* FieldDelta::part(Field field) const {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.field == field; });
+  return found == parts.end() ? nullptr : &*found;
+}
+
+std::vector<std::uint32_t> FieldDelta::vertices() const {
+  std::vector<std::uint32_t> all;
+  for (const Part& part : parts) {
+    if (part.vertices == all) continue;
+    std::vector<std::uint32_t> merged;
+    std::set_union(all.begin(), all.end(), part.vertices.begin(), part.vertices.end(), std::back_inserter(merged));
+    all = std::move(merged);
+  }
+  return all;
+}
+
+std::vector<VertexRange> FieldDelta::dirty_ranges() const {
+  std::vector<VertexRange> ranges;
+  for (const std::uint32_t v : vertices()) {
+    if (!ranges.empty() && v < std::uint64_t{ranges.back().end} + dirty_gap) {
+      ranges.back().end = v + 1;
+    } else {
+      ranges.push_back({v, v + 1});
+    }
+  }
+  return ranges;
+}
+
+std::size_t FieldDelta::bytes() const {
+  std::size_t sum = 0;
+  for (const Part& part : parts) sum += 4 * (part.vertices.size() + part.flips.size());
+  return sum;
+}
+
+FieldDelta compose(const FieldDelta& first, const FieldDelta& second) {
+  FieldDelta both;
+  for (std::size_t f = 0; f < field_count; ++f) {
+    const FieldDelta::Part *a = first.part(field_at(f)), *b = second.part(field_at(f));
+    if (a == nullptr && b == nullptr) continue;
+    FieldDelta::Part part = a && b ? compose(*a, *b) : a ? *a : *b;
+    if (!part.vertices.empty()) both.parts.push_back(std::move(part));
+  }
+  return both;
+}
+
+std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges, std::uint32_t gap) {
+  std::sort(ranges.begin(), ranges.end(), [](VertexRange a, VertexRange b) { return a.begin < b.begin; });
+  std::vector<VertexRange> merged;
+  for (const VertexRange range : ranges) {
+    if (!merged.empty() && range.begin < std::uint64_t{merged.back().end} + gap) {
+      merged.back().end = std::max(merged.back().end, range.end);
+    } else {
+      merged.push_back(range);
+    }
+  }
+  return merged;
+}
+
+}  // namespace pelage

@@ -1,0 +1,56 @@
+#include "server/fields/field_writer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace pelage {
+
+bool FieldWriter::put(std::uint32_t vertex, glm::dvec4 value) {
+  assert(part_.vertices.empty() || part_.vertices.back() < vertex);
+  const Field field = part_.field;
+  const int channels = shape_of(field).channels;
+  const glm::vec4 before = fields_.value(field, vertex);
+  glm::vec4 after = before;
+  bool held = false;
+  if (field == Field::direction) {
+    after = glm::vec4(stored_direction(glm::dvec2(value)), 0, 0);
+  } else {
+    for (int c = 0; c < channels; ++c) {
+      after[c] = stored_value(field, value[c]);
+      held = held || value[c] < shape_of(field).least || value[c] > shape_of(field).most;
+    }
+  }
+  if (before == after) return held;
+  part_.vertices.push_back(vertex);
+  for (int c = 0; c < channels; ++c) {
+    part_.flips.push_back(std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]));
+  }
+  return held;
+}
+
+void FieldWriter::finish(FieldDelta& delta) {
+  if (part_.vertices.empty()) return;
+  assert(delta.parts.empty() || delta.parts.back().field < part_.field);
+  delta.parts.push_back(std::move(part_));
+}
+
+glm::dvec4& WorkingField::at(std::uint32_t vertex) {
+  const auto [place, added] = touched_.try_emplace(vertex);
+  if (added) place->second = glm::dvec4(fields_.value(field_, vertex));
+  return place->second;
+}
+
+std::size_t WorkingField::finish(FieldDelta& delta) const {
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(touched_.size());
+  for (const auto& [vertex, value] : touched_) vertices.push_back(vertex);
+  std::sort(vertices.begin(), vertices.end());
+  FieldWriter writer(fields_, field_);
+  std::size_t held = 0;
+  for (const std::uint32_t v : vertices) held += writer.put(v, touched_.at(v));
+  writer.finish(delta);
+  return held;
+}
+
+}  // namespace pelage
