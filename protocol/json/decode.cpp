@@ -5,6 +5,7 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/decode_parts.h"
+#include "protocol/json/decode_tools.h"
 #include "protocol/json/parse.h"
 
 namespace pelage {
@@ -21,58 +22,6 @@ Result<T> decode_document(std::string_view text, Read read) {
   Status first_failure;
   T result = read(Value(*tree, "", first_failure));
   if (!first_failure.ok()) return first_failure;
-  return result;
-}
-
-void optional_stroke(Object& object, std::optional<Stroke>& out) {
-  object.optional("stroke", [&](const Value& v) { out = stroke(v); });
-}
-
-void optional_brush(Object& object, Brush& out) {
-  object.optional("brush", [&](const Value& v) { out = brush(v); });
-}
-
-Command comb(Object& object) {
-  Comb result;
-  optional_stroke(object, result.stroke);
-  optional_brush(object, result.brush);
-  object.boolean("flood", result.flood);
-  object.number("lean", result.lean, share);
-  object.optional("direction", [&](const Value& v) { result.direction = v.direction(); });
-  const Value& value = object.value();
-  if (result.flood == result.stroke.has_value()) {
-    value.refuse_below("stroke", "A comb takes a stroke, or \"flood\": true.", "one of stroke | flood");
-  } else if (result.flood != result.direction.has_value()) {
-    value.refuse_below("direction", "A flooding comb needs a direction, and a stroke brings its own.",
-                       "with flood only");
-  }
-  return result;
-}
-
-Command blow(Object& object) {
-  Blow result;
-  optional_stroke(object, result.stroke);
-  optional_brush(object, result.brush);
-  object.required("source", [&](const Value& v) { result.source = v.triple(coordinate); });
-  object.optional("direction", [&](const Value& v) { result.direction = v.direction(); });
-  object.number("cone_degrees", result.cone_degrees, {0, 180});
-  object.number("softness", result.softness, share);
-  object.number("strength", result.strength, share);
-  object.number("lean", result.lean, share);
-  return result;
-}
-
-Command attract(Object& object) {
-  Attract result;
-  optional_stroke(object, result.stroke);
-  optional_brush(object, result.brush);
-  object.required("point", [&](const Value& v) { result.point = v.triple(coordinate); });
-  object.number("radius", result.radius, length_in_units);
-  object.name("units", result.units, json_names::units);
-  object.number("strength", result.strength, share);
-  object.number("duration", result.duration, {0, 1e4});
-  object.number("threshold", result.threshold, {0, 1e3});
-  object.number("max_stretch", result.max_stretch, {1, 100});
   return result;
 }
 
@@ -145,24 +94,35 @@ Command set_base_picture(Object& object) {
   return result;
 }
 
-using CommandReader = Command (*)(Object&);
-constexpr std::array<json_names::Name<CommandReader>, 12> command_readers{{{"comb", comb},
-                                                                           {"blow", blow},
-                                                                           {"attract", attract},
-                                                                           {"set_coat", set_coat},
-                                                                           {"set_look", set_look},
-                                                                           {"set_lights", set_lights},
-                                                                           {"set_environment", set_environment},
-                                                                           {"set_ground", set_ground},
-                                                                           {"set_eyes", set_eyes},
-                                                                           {"set_curves", set_curves},
-                                                                           {"set_skin", set_skin},
-                                                                           {"set_base_picture", set_base_picture}}};
+/// The readers of all commands by their names.
+const std::vector<NamedReader>& command_readers() {
+  static const std::vector<NamedReader> readers = [] {
+    std::vector<NamedReader> all = tool_readers();
+    all.insert(all.end(), {{"set_coat", set_coat},
+                           {"set_look", set_look},
+                           {"set_lights", set_lights},
+                           {"set_environment", set_environment},
+                           {"set_ground", set_ground},
+                           {"set_eyes", set_eyes},
+                           {"set_curves", set_curves},
+                           {"set_skin", set_skin},
+                           {"set_base_picture", set_base_picture}});
+    return all;
+  }();
+  return readers;
+}
 
 Command command(const Value& value) {
   Object object(value);
   CommandReader read = nullptr;
-  object.required("op", [&](const Value& v) { read = v.name_of(command_readers); });
+  object.required("op", [&](const Value& v) {
+    std::vector<std::string_view> known;
+    for (const NamedReader& reader : command_readers()) known.push_back(reader.name);
+    const std::string word = v.word_of(known);
+    for (const NamedReader& reader : command_readers()) {
+      if (reader.name == word) read = reader.read;
+    }
+  });
   if (!read || !value.fine()) return {};
   Command result = read(object);
   object.finish();

@@ -189,11 +189,17 @@ Brush brush(const Value& value) {
   Object object(value);
   Brush result;
   object.number("radius", result.radius, length_in_units);
-  object.name("units", result.units, json_names::units);
+  object.name("units", result.units, json_names::radius_units);
   object.name("falloff_shape", result.falloff_shape, json_names::falloff_shapes);
   object.name("falloff", result.falloff, json_names::falloffs);
   object.number("strength", result.strength, share);
   object.number("spacing", result.spacing, {0.01, 10});
+  object.optional("falloff_points", [&](const Value& list) {
+    for (const Value& point : list.list(2, limits::falloff_points)) result.falloff_points.push_back(point.number(share));
+  });
+  object.number("pressure_to_radius", result.pressure_to_radius, share);
+  object.number("pressure_to_strength", result.pressure_to_strength, share);
+  object.number("cut_off_degrees", result.cut_off_degrees, half_circle);
   object.boolean("front_faces_only", result.front_faces_only);
   object.boolean("invert", result.invert);
   object.finish();

@@ -2,17 +2,10 @@
 #pragma once
 
 #include "protocol/base/limits.h"
+#include "protocol/json/ranges.h"
 #include "protocol/json/reader.h"
 
 namespace pelage::json_parts {
-
-// The largest model has a size of about 3.5e20, and commands reach 1e6 sizes; the scene checks the sizes exactly.
-inline constexpr Range coordinate{-1e27, 1e27};
-inline constexpr Range length_in_units{0, 1e27};
-inline constexpr Range share{0, 1};
-inline constexpr Range clump_size{0.001, 0.5};
-inline constexpr Range feature_size{0.005, 2};
-inline constexpr Range pixels{1, limits::frame_pixels};
 
 Camera camera(const Value& value);
 View view(const Value& value);

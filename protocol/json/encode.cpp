@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocol/json/encode_parts.h"
+#include "protocol/json/encode_tools.h"
 #include "protocol/json/names.h"
 
 namespace pelage {
@@ -13,40 +14,6 @@ using namespace json_parts;
 using json_names::text_of;
 
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-template <class Tool>
-void add_stroke_and_brush(Json& json, const Tool& tool) {
-  if (tool.stroke) json["stroke"] = json_of(*tool.stroke);
-  json["brush"] = json_of(tool.brush);
-}
-
-void add_members(Json& json, const Comb& comb) {
-  add_stroke_and_brush(json, comb);
-  json["flood"] = comb.flood;
-  json["lean"] = comb.lean;
-  if (comb.direction) json["direction"] = list(*comb.direction);
-}
-
-void add_members(Json& json, const Blow& blow) {
-  add_stroke_and_brush(json, blow);
-  json["source"] = list(blow.source);
-  json["direction"] = list(blow.direction);
-  json["cone_degrees"] = blow.cone_degrees;
-  json["softness"] = blow.softness;
-  json["strength"] = blow.strength;
-  json["lean"] = blow.lean;
-}
-
-void add_members(Json& json, const Attract& attract) {
-  add_stroke_and_brush(json, attract);
-  json["point"] = list(attract.point);
-  json["radius"] = attract.radius;
-  json["units"] = text_of(json_names::units, attract.units);
-  json["strength"] = attract.strength;
-  json["duration"] = attract.duration;
-  json["threshold"] = attract.threshold;
-  json["max_stretch"] = attract.max_stretch;
-}
 
 void add_members(Json& json, const SetCoat& command) { json["coat"] = json_of(command.coat); }
 
@@ -82,7 +49,12 @@ void add_members(Json& json, const SetBasePicture& command) {
 
 Json json_of(const Command& command) {
   Json json = {{"op", op_of(command)}};
-  std::visit([&](const auto& c) { add_members(json, c); }, command);
+  if (add_tool_members(json, command)) return json;
+  std::visit(
+      [&](const auto& c) {
+        if constexpr (requires { add_members(json, c); }) add_members(json, c);
+      },
+      command);
   return json;
 }
 

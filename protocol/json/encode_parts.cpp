@@ -58,14 +58,19 @@ Json json_of(const Stroke& stroke) {
 }
 
 Json json_of(const Brush& brush) {
-  return {{"radius", brush.radius},
-          {"units", text_of(json_names::units, brush.units)},
-          {"falloff_shape", text_of(json_names::falloff_shapes, brush.falloff_shape)},
-          {"falloff", text_of(json_names::falloffs, brush.falloff)},
-          {"strength", brush.strength},
-          {"spacing", brush.spacing},
-          {"front_faces_only", brush.front_faces_only},
-          {"invert", brush.invert}};
+  Json json = {{"radius", brush.radius},
+               {"units", text_of(json_names::radius_units, brush.units)},
+               {"falloff_shape", text_of(json_names::falloff_shapes, brush.falloff_shape)},
+               {"falloff", text_of(json_names::falloffs, brush.falloff)},
+               {"strength", brush.strength},
+               {"spacing", brush.spacing},
+               {"pressure_to_radius", brush.pressure_to_radius},
+               {"pressure_to_strength", brush.pressure_to_strength},
+               {"front_faces_only", brush.front_faces_only},
+               {"cut_off_degrees", brush.cut_off_degrees},
+               {"invert", brush.invert}};
+  if (!brush.falloff_points.empty()) json["falloff_points"] = brush.falloff_points;
+  return json;
 }
 
 static Json json_of(const Undercoat& undercoat) {

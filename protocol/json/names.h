@@ -18,7 +18,35 @@ struct Name {
 };
 
 inline constexpr std::array<Name<Units>, 2> units{{{"relative", Units::relative}, {"world", Units::world}}};
-inline constexpr std::array<Name<FalloffShape>, 1> falloff_shapes{{{"volume", FalloffShape::volume}}};
+inline constexpr std::array<Name<RadiusUnits>, 3> radius_units{
+    {{"relative", RadiusUnits::relative}, {"world", RadiusUnits::world}, {"pixels", RadiusUnits::pixels}}};
+inline constexpr std::array<Name<FalloffShape>, 3> falloff_shapes{
+    {{"volume", FalloffShape::volume}, {"surface", FalloffShape::surface}, {"screen", FalloffShape::screen}}};
+inline constexpr std::array<Name<DistanceKind>, 3> distance_kinds{
+    {{"straight", DistanceKind::straight}, {"dijkstra", DistanceKind::dijkstra}, {"heat", DistanceKind::heat}}};
+inline constexpr std::array<Name<LengthMode>, 7> length_modes{{{"set", LengthMode::set},
+                                                               {"add", LengthMode::add},
+                                                               {"scale", LengthMode::scale},
+                                                               {"average", LengthMode::average},
+                                                               {"jitter", LengthMode::jitter},
+                                                               {"least", LengthMode::least},
+                                                               {"most", LengthMode::most}}};
+inline constexpr std::array<Name<MaskAction>, 5> mask_actions{{{"select", MaskAction::select},
+                                                               {"grow", MaskAction::grow},
+                                                               {"shrink", MaskAction::shrink},
+                                                               {"smooth", MaskAction::smooth},
+                                                               {"invert", MaskAction::invert}}};
+inline constexpr std::array<Name<MaskCombine>, 4> mask_combines{{{"replace", MaskCombine::replace},
+                                                                 {"add", MaskCombine::add},
+                                                                 {"subtract", MaskCombine::subtract},
+                                                                 {"intersect", MaskCombine::intersect}}};
+/// The fields by their names, from the table of their shapes.
+constexpr std::array<Name<Field>, field_count> make_field_names() {
+  std::array<Name<Field>, field_count> names{};
+  for (std::size_t f = 0; f < field_count; ++f) names[f] = {shape_of(field_at(f)).name, field_at(f)};
+  return names;
+}
+inline constexpr std::array<Name<Field>, field_count> fields = make_field_names();
 inline constexpr std::array<Name<Falloff>, 5> falloffs{{{"constant", Falloff::constant},
                                                         {"linear", Falloff::linear},
                                                         {"smooth", Falloff::smooth},

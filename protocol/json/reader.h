@@ -10,14 +10,9 @@
 
 #include "protocol/base/status.h"
 #include "protocol/json/names.h"
+#include "protocol/json/ranges.h"
 
 namespace pelage {
-
-/// Closed interval of a number.
-struct Range {
-  double low, high;
-  std::string text() const;  // "[0, 1]"
-};
 
 /// One value of the tree, and the pointer to it. The first refusal is kept in the status that all readers of a
 /// document share; after it readers go on with defaults, and the caller looks at the status once, at the end.
@@ -47,12 +42,12 @@ class Value {
   glm::vec3 colour() const;      // "#rrggbb" (sRGB) or [r, g, b] (linear, each in [0, 1]) to linear
   std::vector<Value> list(std::size_t least, std::size_t most) const;
 
+  /// A text that is one of these; the first of them once it is refused.
+  std::string word_of(const std::vector<std::string_view>& known) const;
   template <class E, std::size_t N>
   E name_of(const std::array<json_names::Name<E>, N>& names) const;
 
  private:
-  std::string word_of(const std::vector<std::string_view>& known) const;
-
   const nlohmann::json* json_;
   std::string pointer_;
   Status* failure_;

@@ -3,7 +3,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "server/fields/field_writer.h"
-#include "server/groom/brush.h"
+#include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 
@@ -77,7 +77,7 @@ class Stick {
 /// Under the stroke, or all around the point.
 std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surface, const FieldSet& fields,
                                    glm::dvec3 point, double radius) {
-  if (command.stroke) return coverage(*command.stroke, command.brush, surface, fields);
+  if (command.stroke) return region_of(command.stroke, command.brush, surface, fields);
   std::vector<std::uint32_t> found;
   surface.vertices_within(point, radius, found);
   std::vector<VertexWeight> all;
@@ -98,7 +98,7 @@ Evaluation attract(const Attract& command, const Surface& surface, const FieldSe
   for (const auto [vertex, restriction] : reach_of(command, surface, fields, point, radius)) {
     const glm::dvec3 to_point = point - glm::dvec3(mesh.positions[vertex]);
     const double weight =
-        command.strength * restriction * falloff_weight(command.brush.falloff, glm::length(to_point) / radius);
+        command.strength * restriction * falloff_weight(command.brush, glm::length(to_point) / radius);
     if (weight == 0) continue;
     stick.pull(vertex, frame_at(mesh, vertex), sign * safe_unit(to_point), weight);
   }

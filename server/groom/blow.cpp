@@ -2,7 +2,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "server/fields/field_writer.h"
-#include "server/groom/brush.h"
+#include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 
@@ -17,10 +17,18 @@ class Wind {
       : source_(mesh.to_internal(command.source)),
         axis_(safe_unit(command.direction)),
         outer_(glm::radians(command.cone_degrees)),
-        inner_(outer_ * (1 - command.softness)) {}
+        inner_(outer_ * (1 - command.softness)),
+        fall_(internal_length(command.fall, command.units, mesh)) {}
 
   /// Unit; 0 at the source itself.
   glm::dvec3 heading(glm::dvec3 position) const { return safe_unit(position - source_); }
+
+  /// 1 / (1 + (distance / fall)^2): half its strength at the distance `fall`.
+  double strength(glm::dvec3 position) const {
+    if (fall_ == 0) return 1;
+    const double away = glm::distance(position, source_) / fall_;
+    return 1 / (1 + away * away);
+  }
 
   /// 1 well inside the cone, falling smoothly to 0 at its edge.
   double share(glm::dvec3 heading) const {
@@ -34,6 +42,7 @@ class Wind {
  private:
   glm::dvec3 source_, axis_;
   double outer_, inner_;  // radians from the axis
+  double fall_;           // sizes; 0: the wind does not fall
 };
 
 }  // namespace
@@ -43,9 +52,10 @@ Evaluation blow(const Blow& command, const Surface& surface, const FieldSet& fie
   const Wind wind(command, mesh);
   const double sign = command.brush.invert ? -1 : 1;
   FieldWriter writer(fields, Field::direction);
-  for (const auto [vertex, restriction] : reach(command.stroke, command.brush, 1, surface, fields)) {
-    const glm::dvec3 heading = wind.heading(glm::dvec3(mesh.positions[vertex]));
-    const double weight = command.strength * restriction * wind.share(heading);
+  const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};  // without a stroke the wind blows everywhere
+  for (const auto [vertex, restriction] : region_of(command.stroke, brush, surface, fields)) {
+    const glm::dvec3 position(mesh.positions[vertex]), heading = wind.heading(position);
+    const double weight = command.strength * restriction * wind.share(heading) * wind.strength(position);
     if (weight == 0) continue;
     const glm::dvec2 direction(fields.direction()[vertex]);
     writer.put(vertex, turned(direction, frame_at(mesh, vertex), sign * heading, command.lean, weight));

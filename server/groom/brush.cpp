@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
 
 #include "protocol/base/limits.h"
-#include "server/groom/evaluate.h"
+#include "server/groom/vertex_frame.h"
+#include "server/surface/local_distance.h"
 
 namespace pelage {
 
@@ -44,18 +45,34 @@ double internal_length(double value, Units units, const Mesh& mesh) {
   return units == Units::world ? value / mesh.size : value;
 }
 
-BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const FieldSet& fields)
-    : brush_(brush),
-      surface_(surface),
-      fields_(fields),
-      radius_(internal_length(brush.radius, brush.units, surface.mesh())) {
+double falloff_weight(const Brush& brush, double distance) {
+  if (brush.falloff_points.empty()) return falloff_weight(brush.falloff, distance);
+  if (!(distance <= 1)) return 0;
+  const double place = std::max(distance, 0.0) * static_cast<double>(brush.falloff_points.size() - 1);
+  const auto before = std::min(static_cast<std::size_t>(place), brush.falloff_points.size() - 2);
+  return glm::mix(brush.falloff_points[before], brush.falloff_points[before + 1], place - static_cast<double>(before));
+}
+
+BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface)
+    : brush_(brush), surface_(surface) {
   for (const StrokeSample& sample : stroke.samples) {
     path_.push_back(
         {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfacePlace>(sample.place)});
   }
-  if (!stroke.view) return;
-  const double aspect = static_cast<double>(stroke.view->width) / stroke.view->height;
-  eye_ = place_camera(stroke.view->camera, aspect, surface.mesh()).eye;
+  if (stroke.view) {
+    const double aspect = static_cast<double>(stroke.view->width) / stroke.view->height;
+    camera_ = place_camera(stroke.view->camera, aspect, surface.mesh());
+    view_height_ = stroke.view->height;
+  }
+  if (!path_.empty()) radius_ = radius_at(path_.front().position);
+}
+
+double BrushStroke::radius_at(glm::dvec3 place) const {
+  if (brush_.units == RadiusUnits::relative) return brush_.radius;
+  if (brush_.units == RadiusUnits::world) return brush_.radius / surface_.mesh().size;
+  if (!camera_) return 0;
+  const double depth = std::max(glm::dot(place - camera_->eye, camera_->forward), 0.0);
+  return brush_.radius * 2 * camera_->tan_half_fov * depth / view_height_;
 }
 
 double BrushStroke::dab_count() const {
@@ -68,6 +85,7 @@ double BrushStroke::dab_count() const {
 Dab BrushStroke::between(const Node& a, const Node& b, double t) const {
   Dab dab{.centre = glm::mix(a.position, b.position, t), .pressure = glm::mix(a.pressure, b.pressure, t)};
   if (a.on_surface && b.on_surface) dab.centre = surface_.position(surface_.nearest(dab.centre));
+  dab.radius = radius_at(dab.centre) * (1 - brush_.pressure_to_radius * (1 - dab.pressure));
   return dab;
 }
 
@@ -104,55 +122,77 @@ std::vector<Dab> BrushStroke::covering_dabs() const {
   return dabs;
 }
 
+void BrushStroke::reach_through_space(const Dab& dab, std::vector<Reached>& reached) const {
+  std::vector<std::uint32_t> found;
+  surface_.vertices_within(dab.centre, dab.radius, found);
+  for (const std::uint32_t v : found)
+    reached.push_back({v, glm::distance(glm::dvec3(surface_.mesh().positions[v]), dab.centre) / dab.radius});
+}
+
+void BrushStroke::reach_along_surface(const Dab& dab, std::vector<Reached>& reached) const {
+  const SurfacePoint centre = surface_.nearest(dab.centre);
+  const double above = glm::distance(surface_.position(centre), dab.centre);
+  for (const auto [vertex, distance] : distances_within(surface_, centre, dab.radius))
+    reached.push_back({vertex, std::hypot(distance, above) / dab.radius});
+}
+
+void BrushStroke::reach_on_screen(const Dab& dab, std::vector<Reached>& reached) const {
+  const std::vector<glm::vec3>& positions = surface_.mesh().positions;
+  const auto on_plane = [&](glm::dvec3 place) {
+    const glm::dvec3 from_eye = place - camera_->eye;
+    const double depth = glm::dot(from_eye, camera_->forward);
+    return depth > 0 ? glm::dvec2(glm::dot(from_eye, camera_->right), glm::dot(from_eye, camera_->up)) / depth
+                     : glm::dvec2(std::numeric_limits<double>::infinity());
+  };
+  const double depth = glm::dot(dab.centre - camera_->eye, camera_->forward);
+  if (!(depth > 0)) return;
+  const glm::dvec2 middle = on_plane(dab.centre);
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    const double distance = glm::distance(on_plane(glm::dvec3(positions[v])), middle) * depth / dab.radius;
+    if (distance <= 1) reached.push_back({v, distance});
+  }
+}
+
 void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) const {
   constexpr double half_diagonal = 0.5 + 1e-6;
   weights.clear();
-  if (!(radius_ > 0) || glm::length(dab.centre) > half_diagonal + radius_) return;
-  std::vector<std::uint32_t> found;
-  surface_.vertices_within(dab.centre, radius_, found);
-  if (found.empty()) return;
+  const bool screen = brush_.falloff_shape == FalloffShape::screen;
+  if (!(dab.radius > 0) || (!screen && glm::length(dab.centre) > half_diagonal + dab.radius)) return;
+  std::vector<Reached> reached;
+  if (screen) {
+    if (camera_) reach_on_screen(dab, reached);
+  } else if (brush_.falloff_shape == FalloffShape::surface) {
+    reach_along_surface(dab, reached);
+  } else {
+    reach_through_space(dab, reached);
+  }
+  if (reached.empty()) return;
   const Mesh& mesh = surface_.mesh();
-  const bool judge_by_normal = brush_.front_faces_only && !eye_;
+  const bool judge_by_normal = brush_.front_faces_only && !camera_;
   const glm::dvec3 outwards = judge_by_normal ? surface_.normal(surface_.nearest(dab.centre)) : glm::dvec3(0);
-  for (const std::uint32_t v : found) {
+  const double cut_off = brush_.cut_off_degrees == 90 ? 0 : std::cos(glm::radians(brush_.cut_off_degrees));
+  const double strength = brush_.strength * (1 - brush_.pressure_to_strength * (1 - dab.pressure));
+  for (const auto [v, distance] : reached) {
     const glm::dvec3 position(mesh.positions[v]), normal(mesh.normals[v]);
-    const glm::dvec3 front = judge_by_normal ? outwards : eye_.value_or(position) - position;
-    if (brush_.front_faces_only && !(glm::dot(normal, front) > 0)) continue;
-    const double falloff = falloff_weight(brush_.falloff, glm::distance(position, dab.centre) / radius_);
-    const double weight = brush_.strength * falloff * dab.pressure * fields_.number(Field::mask, v);
+    const glm::dvec3 front = judge_by_normal || !camera_ ? outwards : safe_unit(camera_->eye - position);
+    if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off)) continue;
+    const double weight = strength * falloff_weight(brush_, distance);
     if (weight > 0) weights.push_back({v, weight});
   }
 }
 
-std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, const Surface& surface,
-                                   const FieldSet& fields) {
-  const BrushStroke painted(stroke, brush, surface, fields);
-  std::unordered_map<std::uint32_t, double> largest;
-  std::vector<VertexWeight> weights;
-  for (const Dab& dab : painted.covering_dabs()) {
-    painted.weigh(dab, weights);
-    for (const auto [vertex, weight] : weights) {
-      double& so_far = largest[vertex];
-      so_far = std::max(so_far, weight);
-    }
+glm::dvec3 nearest_on_path(const Stroke& stroke, const Surface& surface, glm::dvec3 position) {
+  assert(!stroke.samples.empty());
+  glm::dvec3 from = internal_position(stroke.samples.front(), surface), best = from;
+  for (std::size_t i = 1; i < stroke.samples.size(); ++i) {
+    const glm::dvec3 to = internal_position(stroke.samples[i], surface), along = to - from;
+    const double square = glm::dot(along, along);
+    const double t = square > 0 ? std::clamp(glm::dot(position - from, along) / square, 0.0, 1.0) : 0;
+    const glm::dvec3 place = from + t * along;
+    if (glm::distance(position, place) < glm::distance(position, best)) best = place;
+    from = to;
   }
-  weights.clear();
-  for (const auto& [vertex, weight] : largest) weights.push_back({vertex, weight});
-  std::sort(weights.begin(), weights.end(), [](auto a, auto b) { return a.vertex < b.vertex; });
-  return weights;
-}
-
-std::vector<VertexWeight> reach(const std::optional<Stroke>& stroke, const Brush& brush, double weight,
-                                const Surface& surface, const FieldSet& fields) {
-  if (stroke) return coverage(*stroke, brush, surface, fields);
-  std::vector<VertexWeight> all;
-  if (!(weight > 0)) return all;
-  all.reserve(fields.size());
-  for (std::uint32_t v = 0; v < fields.size(); ++v) {
-    const double share = weight * fields.number(Field::mask, v);
-    if (share > 0) all.push_back({v, share});
-  }
-  return all;
+  return best;
 }
 
 }  // namespace pelage

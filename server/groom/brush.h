@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "protocol/commands/command.h"
-#include "server/fields/field_set.h"
+#include "server/groom/evaluate.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
 
 /// Weight of a falloff curve at `distance` radii from the middle, in [0, 1]; 0 beyond 1.
 double falloff_weight(Falloff curve, double distance);
+/// The brush's own: its points, straight between them, or the curve that it names.
+double falloff_weight(const Brush& brush, double distance);
 
 /// A length of a command in sizes.
 double internal_length(double value, Units units, const Mesh& mesh);
@@ -24,9 +26,10 @@ struct Dab {
   glm::dvec3 motion{0};  // from the dab before; unit, or 0 where the brush stood still
   double step = 0;       // arc length that it stands for, in radii
   double pressure = 1;
+  double radius = 0;     // sizes
 };
 
-/// What one dab does to one vertex: strength x falloff x pressure x mask, in [0, 1].
+/// What one dab does to one vertex: strength x falloff x pressure, in [0, 1]. The mask is not in it.
 struct VertexWeight {
   std::uint32_t vertex = 0;
   double weight = 0;
@@ -36,7 +39,7 @@ struct VertexWeight {
 /// sampling rate nor the parts that it came in matter. The path between two samples on the surface follows the surface.
 class BrushStroke {
  public:
-  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const FieldSet& fields);
+  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface);
 
   /// Dabs of a brush that moves; none for a stroke without length or a brush of radius 0.
   std::vector<Dab> moving_dabs() const;
@@ -44,8 +47,11 @@ class BrushStroke {
   std::vector<Dab> covering_dabs() const;
   /// How many dabs the stroke's arc length asks for; may be infinite.
   double dab_count() const;
+  /// At the first sample, sizes; the step from dab to dab follows it.
+  double radius() const { return radius_; }
 
-  /// Vertices that the dab reaches with a weight above 0, in rising order.
+  /// Vertices that the dab reaches with a weight above 0, in rising order. Cost follows their number, not the mesh,
+  /// but for the screen shape, which looks at every vertex.
   void weigh(const Dab& dab, std::vector<VertexWeight>& weights) const;
 
  private:
@@ -54,24 +60,27 @@ class BrushStroke {
     double pressure;
     bool on_surface;
   };
+  struct Reached {
+    std::uint32_t vertex;
+    double distance;  // radii
+  };
   /// Somewhere between two nodes.
   Dab between(const Node& a, const Node& b, double t) const;
+  /// The brush's radius at a place; in pixels it grows with the distance to the eye.
+  double radius_at(glm::dvec3 place) const;
+  void reach_through_space(const Dab& dab, std::vector<Reached>& reached) const;
+  void reach_along_surface(const Dab& dab, std::vector<Reached>& reached) const;
+  void reach_on_screen(const Dab& dab, std::vector<Reached>& reached) const;
 
   Brush brush_;
   const Surface& surface_;
-  const FieldSet& fields_;  // for the mask
-  double radius_;  // sizes
   std::vector<Node> path_;
-  std::optional<glm::dvec3> eye_;  // what front faces are judged against, where the stroke has a view
+  std::optional<PlacedCamera> camera_;  // of the stroke's view: front faces are judged against its eye
+  int view_height_ = 1;                 // pixels
+  double radius_ = 0;
 };
 
-/// For each vertex under the stroke the largest weight of any dab, in rising order of vertices.
-std::vector<VertexWeight> coverage(const Stroke& stroke, const Brush& brush, const Surface& surface,
-                                   const FieldSet& fields);
-
-/// Where a tool that visits each vertex once works: under its stroke, or everywhere with `weight`; never where the mask
-/// is 0.
-std::vector<VertexWeight> reach(const std::optional<Stroke>& stroke, const Brush& brush, double weight,
-                                const Surface& surface, const FieldSet& fields);
+/// The nearest point to `position` of the stroke's path from sample to sample, internal coordinates.
+glm::dvec3 nearest_on_path(const Stroke& stroke, const Surface& surface, glm::dvec3 position);
 
 }  // namespace pelage

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "server/fields/field_writer.h"
-#include "server/groom/brush.h"
+#include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 
@@ -9,21 +9,31 @@ namespace pelage {
 
 namespace {
 
+/// Towards the way in space and the command's inclination, or each strand's own.
+glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards,
+                  double weight) {
+  const double own = glm::length(direction);
+  const glm::dvec2 after =
+      turned(direction, frame, towards, command.keep_inclination ? own : command.lean, weight);
+  const double length = glm::length(after);
+  return command.keep_inclination && length > no_heading ? after * (own / length) : after;
+}
+
 /// Combs the whole surface one way.
 void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fields, FieldDelta& delta) {
   if (!command.direction) return;
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 towards = safe_unit(*command.direction) * (command.brush.invert ? -1.0 : 1.0);
   FieldWriter writer(fields, Field::direction);
-  for (const auto [v, weight] : reach({}, command.brush, command.brush.strength, surface, fields)) {
-    writer.put(v, turned(glm::dvec2(fields.direction()[v]), frame_at(mesh, v), towards, command.lean, weight));
+  for (const auto [v, weight] : region_of({}, command.brush, surface, fields)) {
+    writer.put(v, combed(command, glm::dvec2(fields.direction()[v]), frame_at(mesh, v), towards, weight));
   }
   writer.finish(delta);
 }
 
 /// Each dab turns fur the way that the brush moved. The exponent makes many small dabs do what one large one does.
 void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, FieldDelta& delta) {
-  const BrushStroke stroke(*command.stroke, command.brush, surface, fields);
+  const BrushStroke stroke(*command.stroke, command.brush, surface);
   WorkingField directions(fields, Field::direction);
   std::vector<VertexWeight> weights;
   for (const Dab& dab : stroke.moving_dabs()) {
@@ -31,9 +41,9 @@ void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fi
     stroke.weigh(dab, weights);
     for (const auto [vertex, weight] : weights) {
       glm::dvec4& direction = directions.at(vertex);
-      direction = glm::dvec4(turned(glm::dvec2(direction), frame_at(surface.mesh(), vertex), towards, command.lean,
-                                    1 - std::pow(1 - weight, dab.step)),
-                             0, 0);
+      const double share = 1 - std::pow(1 - weight * fields.number(Field::mask, vertex), dab.step);
+      direction = glm::dvec4(
+          combed(command, glm::dvec2(direction), frame_at(surface.mesh(), vertex), towards, share), 0, 0);
     }
   }
   directions.finish(delta);

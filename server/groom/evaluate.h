@@ -15,12 +15,23 @@ struct Evaluation {
 };
 
 /// Replaces pixel samples of the command's stroke by the triangles that they hit (misses are dropped; so the log
-/// replays without a camera), and checks what can only be checked against the surface: triangle numbers
+/// replays without a camera), and checks what can only be checked against the surface: triangle and vertex numbers
 /// (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays, for the facing test.
 Result<Command> resolve(const Command& command, const Surface& surface);
 
+/// What some tools read beside the surface and its fields.
+struct ToolExtras {
+  Coat coat;                      // trim: how strands lean
+  const FieldSet* rest = nullptr;  // erase: what it goes back to; required
+};
+
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count.
-Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields);
+Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields,
+                    const ToolExtras& extras = {});
+
+/// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
+/// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
+std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry, const Surface& surface);
 
 /// The view's camera as rays and a facing test. `automatic` cameras are placed around the mesh's box.
 struct PlacedCamera {

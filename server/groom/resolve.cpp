@@ -76,10 +76,9 @@ Status resolve_stroke(Stroke& stroke, const Surface& surface) {
 }
 
 Status check_brush(const Stroke& stroke, const Brush& brush, const Surface& surface) {
-  if (!reachable_length(internal_length(brush.radius, brush.units, surface.mesh())))
-    return out_of_reach("/brush/radius");
-  const FieldSet no_fields(0);  // counting needs none
-  if (BrushStroke(stroke, brush, surface, no_fields).dab_count() <= limits::dabs_per_stroke) return {};
+  const BrushStroke painted(stroke, brush, surface);
+  if (!reachable_length(painted.radius())) return out_of_reach("/brush/radius");
+  if (painted.dab_count() <= limits::dabs_per_stroke) return {};
   return failure(Code::invalid, "the stroke is too long for so small a brush and spacing", "/brush/spacing",
                  "at most 100000 dabs of spacing x radius in a stroke");
 }
@@ -88,8 +87,102 @@ Status check_brush(const Stroke& stroke, const Brush& brush, const Surface& surf
 struct CheckTool {
   const Mesh& mesh;
 
+  Status place(glm::dvec3 position, std::string pointer) const {
+    return reachable(mesh.to_internal(position)) ? Status{} : out_of_reach(std::move(pointer));
+  }
+  Status length(double value, Units units, std::string pointer) const {
+    return reachable_length(std::abs(internal_length(value, units, mesh))) ? Status{} : out_of_reach(std::move(pointer));
+  }
+  /// The width of Gaussians.
+  Status sigma(double value, Units units) const {
+    if (internal_length(value, units, mesh) >= limits::least_sigma) return length(value, units, "/sigma");
+    return failure(Code::invalid, "the width is too small for the model", "/sigma", "at least 1e-6 sizes");
+  }
+  Status fur_length(double value, Units units, std::string pointer) const {
+    if (internal_length(value, units, mesh) <= limits::fur_length) return {};
+    return failure(Code::invalid, "fur cannot be so long", std::move(pointer), "at most 10 sizes of the model");
+  }
+
   Status operator()(const Blow& blow) const {
-    return reachable(mesh.to_internal(blow.source)) ? Status{} : out_of_reach("/source");
+    if (Status far = place(blow.source, "/source"); !far.ok()) return far;
+    return length(blow.fall, blow.units, "/fall");
+  }
+  Status operator()(const Interpolate& command) const {
+    for (std::size_t k = 0; k < command.keys.size(); ++k) {
+      const std::string pointer = "/keys/" + std::to_string(k);
+      if (Status far = place(command.keys[k].position, pointer + "/position"); !far.ok()) return far;
+      if (!command.keys[k].length) continue;
+      if (Status far = fur_length(*command.keys[k].length, command.units, pointer + "/length"); !far.ok()) return far;
+    }
+    return sigma(command.sigma, command.units);
+  }
+  Status operator()(const Flow& command) const {
+    for (std::size_t c = 0; c < command.curves.size(); ++c) {
+      for (std::size_t p = 0; p < command.curves[c].size(); ++p) {
+        Status far = place(command.curves[c][p], "/curves/" + std::to_string(c) + "/" + std::to_string(p));
+        if (!far.ok()) return far;
+      }
+    }
+    return sigma(command.sigma, command.units);
+  }
+  Status operator()(const Noise& command) const { return length(command.feature_size, command.units, "/feature_size"); }
+  Status operator()(const Unify& command) const {
+    return command.length ? fur_length(*command.length, command.units, "/length") : Status{};
+  }
+  Status operator()(const Length& command) const {
+    if (command.mode == LengthMode::scale || command.mode == LengthMode::jitter) {
+      constexpr double most = 1e6;
+      return command.value <= most ? Status{} : failure(Code::invalid, "no fur grows so much", "/value", "at most 1e6");
+    }
+    return fur_length(std::abs(command.value), command.units, "/value");
+  }
+  Status operator()(const Trim& command) const {
+    if (const auto* plane = std::get_if<TrimPlane>(&command.shape)) return place(plane->point, "/plane/point");
+    if (const auto* sphere = std::get_if<TrimSphere>(&command.shape)) {
+      if (Status far = place(sphere->centre, "/sphere/centre"); !far.ok()) return far;
+      return length(sphere->radius, command.units, "/sphere/radius");
+    }
+    return length(std::get<double>(command.shape), command.units, "/height");
+  }
+  Status operator()(const ChangeMask& command) const {
+    if (const auto* list = std::get_if<MaskVertices>(&command.shape)) {
+      for (std::size_t k = 0; k < list->vertices.size(); ++k) {
+        if (list->vertices[k] < mesh.positions.size()) continue;
+        return failure(Code::invalid, "the model has no such vertex", "/vertices/" + std::to_string(k),
+                       "below " + std::to_string(mesh.positions.size()));
+      }
+    }
+    if (const auto* sphere = std::get_if<MaskSphere>(&command.shape)) {
+      if (Status far = place(sphere->centre, "/sphere/centre"); !far.ok()) return far;
+      if (Status far = length(sphere->radius, command.units, "/sphere/radius"); !far.ok()) return far;
+    }
+    if (const auto* part = std::get_if<MaskPart>(&command.shape)) {
+      if (Status far = place(part->position, "/part/position"); !far.ok()) return far;
+    }
+    return length(command.distance, command.units, "/distance");
+  }
+  Status operator()(const SetBlowers& command) const {
+    for (std::size_t k = 0; k < command.blowers.size(); ++k) {
+      if (Status far = (*this)(command.blowers[k].blow); !far.ok()) return below("/blowers/", k, std::move(far));
+    }
+    return {};
+  }
+  Status operator()(const SetAttractors& command) const {
+    for (std::size_t k = 0; k < command.attractors.size(); ++k) {
+      if (Status far = (*this)(command.attractors[k].attract); !far.ok()) return below("/attractors/", k, std::move(far));
+    }
+    return {};
+  }
+  Status operator()(const SetSymmetry& command) const {
+    for (std::size_t k = 0; k < command.symmetry.planes.size(); ++k) {
+      Status far = place(command.symmetry.planes[k].point, "/symmetry/planes/" + std::to_string(k) + "/point");
+      if (!far.ok()) return far;
+    }
+    return place(command.symmetry.axis_point, "/symmetry/axis_point");
+  }
+  static Status below(const char* list, std::size_t member, Status status) {
+    status.pointer.insert(0, list + std::to_string(member));
+    return status;
   }
   Status operator()(const Attract& attract) const {
     if (!reachable(mesh.to_internal(attract.point))) return out_of_reach("/point");
@@ -135,10 +228,12 @@ struct CheckTool {
 };
 
 const Brush* brush_of(const Command& command) {
-  if (const auto* comb = std::get_if<Comb>(&command)) return &comb->brush;
-  if (const auto* blow = std::get_if<Blow>(&command)) return &blow->brush;
-  if (const auto* attract = std::get_if<Attract>(&command)) return &attract->brush;
-  return nullptr;
+  return std::visit(
+      [](const auto& tool) -> const Brush* {
+        if constexpr (requires { tool.brush; }) return &tool.brush;
+        else return nullptr;
+      },
+      command);
 }
 
 }  // namespace

@@ -39,9 +39,20 @@ void prepend_samples(Command& later, const Command& earlier) {
   samples.insert(samples.begin(), first.begin(), first.end());
 }
 
+/// A name that is known moves.
+void put_checkpoint(std::vector<Checkpoint>& checkpoints, Checkpoint checkpoint, Revision next) {
+  checkpoint.revision = checkpoint.revision.value_or(next);
+  const auto same = std::find_if(checkpoints.begin(), checkpoints.end(),
+                                 [&](const Checkpoint& other) { return other.name == checkpoint.name; });
+  if (same == checkpoints.end())
+    checkpoints.push_back(std::move(checkpoint));
+  else
+    *same = std::move(checkpoint);
+}
+
 }  // namespace
 
-std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command) {
+std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command, Revision next) {
   if (const auto* coat = std::get_if<SetCoat>(&command))
     settings.coat = coat->coat;
   else if (const auto* look = std::get_if<SetLook>(&command))
@@ -60,21 +71,34 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.skin = skin->regions;
   else if (const auto* base = std::get_if<SetBasePicture>(&command))
     settings.base_picture = base->picture;
+  else if (const auto* blowers = std::get_if<SetBlowers>(&command))
+    settings.blowers = blowers->blowers;
+  else if (const auto* attractors = std::get_if<SetAttractors>(&command))
+    settings.attractors = attractors->attractors;
+  else if (const auto* symmetry = std::get_if<SetSymmetry>(&command))
+    settings.symmetry = symmetry->symmetry;
+  else if (const auto* checkpoint = std::get_if<Checkpoint>(&command))
+    put_checkpoint(settings.checkpoints, *checkpoint, next);
   else
     return std::nullopt;
   return settings;
 }
 
 std::vector<Command> commands_of(const SceneSettings& settings) {
-  return {SetCoat{settings.coat},
-          SetLook{settings.look},
-          SetLights{settings.lights},
-          SetEnvironment{settings.environment},
-          SetGround{settings.ground},
-          SetEyes{settings.eyes},
-          SetCurves{settings.curves},
-          SetSkin{settings.skin},
-          SetBasePicture{settings.base_picture}};
+  std::vector<Command> commands{SetCoat{settings.coat},
+                                SetLook{settings.look},
+                                SetLights{settings.lights},
+                                SetEnvironment{settings.environment},
+                                SetGround{settings.ground},
+                                SetEyes{settings.eyes},
+                                SetCurves{settings.curves},
+                                SetSkin{settings.skin},
+                                SetBasePicture{settings.base_picture},
+                                SetBlowers{settings.blowers},
+                                SetAttractors{settings.attractors},
+                                SetSymmetry{settings.symmetry}};
+  commands.insert(commands.end(), settings.checkpoints.begin(), settings.checkpoints.end());
+  return commands;
 }
 
 const char* name_of(EntryKind kind) {

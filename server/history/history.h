@@ -24,10 +24,15 @@ struct SceneSettings {
   std::vector<CurveGroup> curves;
   std::vector<SkinRegion> skin;
   std::string base_picture;  // "" for the model's own colours
+  std::vector<NamedBlower> blowers;
+  std::vector<NamedAttractor> attractors;
+  Symmetry symmetry;
+  std::vector<Checkpoint> checkpoints;  // with their revisions
 };
 
-/// The settings with a command that sets one of them carried out; none for other commands.
-std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command);
+/// The settings with a command that sets one of them carried out; none for other commands. A checkpoint that names no
+/// revision is put at `next`.
+std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command, Revision next = 0);
 /// The commands that set all of them.
 std::vector<Command> commands_of(const SceneSettings& settings);
 

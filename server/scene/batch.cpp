@@ -18,11 +18,47 @@ std::string text_of(const SceneSettings& settings) {
 }
 
 /// Carries out a command that sets something about the scene; whether that made a difference.
-bool set(const Command& command, SceneSettings& settings) {
-  const std::optional<SceneSettings> after = with_setting(settings, command);
+bool set(const Command& command, SceneSettings& settings, Revision next) {
+  const std::optional<SceneSettings> after = with_setting(settings, command, next);
   if (!after || text_of(*after) == text_of(settings)) return false;
   settings = *after;
   return true;
+}
+
+/// Puts the settings of a wind or a stick that stays in place of its name.
+Command with_named(Command command, const SceneSettings& settings) {
+  if (auto* blow = std::get_if<Blow>(&command); blow && !blow->blower.empty()) {
+    for (const NamedBlower& named : settings.blowers) {
+      if (named.name != blow->blower) continue;
+      Blow filled = named.blow;
+      filled.stroke = blow->stroke, filled.brush = blow->brush, filled.blower = blow->blower;
+      *blow = std::move(filled);
+      break;
+    }
+  }
+  if (auto* attract = std::get_if<Attract>(&command); attract && !attract->attractor.empty()) {
+    for (const NamedAttractor& named : settings.attractors) {
+      if (named.name != attract->attractor) continue;
+      Attract filled = named.attract;
+      filled.stroke = attract->stroke, filled.brush = attract->brush, filled.attractor = attract->attractor;
+      *attract = std::move(filled);
+      break;
+    }
+  }
+  return command;
+}
+
+/// All images of a command, one on what the other left; applied to the fields.
+Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings) {
+  const ToolExtras extras{settings.coat, step.rest.get()};
+  Evaluation all;
+  for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
+    const Evaluation one = evaluate(image, surface, fields, extras);
+    fields.apply(one.delta);
+    all.delta = compose(all.delta, one.delta);
+    all.clamped += one.clamped;
+  }
+  return all;
 }
 
 }  // namespace
@@ -39,22 +75,21 @@ CommandResult describe_change(const char* op, const FieldDelta& delta, const Fie
   return result;
 }
 
-Outcome evaluate_batch(const std::vector<Command>& commands, const FieldDelta& start, const Surface& surface,
-                       FieldSet& fields, const SceneSettings& settings) {
+Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
+                       FieldSet& fields, const SceneSettings& settings, Revision next) {
   Outcome outcome;
   SceneSettings set_so_far = settings;
   bool any_set = false;
   fields.apply(start);
-  for (std::size_t k = 0; k < commands.size(); ++k) {
+  for (std::size_t k = 0; k < steps.size(); ++k) {
     const auto begin = std::chrono::steady_clock::now();
-    const Evaluation evaluation = evaluate(commands[k], surface, fields);
-    fields.apply(evaluation.delta);
+    const Evaluation evaluation = evaluate_images(steps[k], surface, fields, set_so_far);
     const FieldDelta change = k == 0 ? compose(start, evaluation.delta) : evaluation.delta;
     outcome.delta = compose(outcome.delta, change);
-    outcome.results.push_back(describe_change(op_of(commands[k]), change, fields));
+    outcome.results.push_back(describe_change(op_of(steps[k].command), change, fields));
     outcome.results.back().clamped = evaluation.clamped;
     outcome.results.back().milliseconds = milliseconds_since(begin);
-    const bool setting = set(commands[k], set_so_far);
+    const bool setting = set(steps[k].command, set_so_far, next);
     any_set = any_set || setting;
     if (setting || !change.empty()) outcome.effective.push_back(k);
   }

@@ -22,10 +22,17 @@ struct Outcome {
   bool changed() const { return settings || !delta.empty(); }
 };
 
+/// A resolved command, and what it reads beside the scene's fields.
+struct Step {
+  Command command;
+  std::shared_ptr<const FieldSet> rest;  // of erase: what it goes back to
+};
+
 /// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted
-/// from before that change has happened to `fields`, which are used on the way and are left as they were.
-Outcome evaluate_batch(const std::vector<Command>& commands, const FieldDelta& start, const Surface& surface,
-                       FieldSet& fields, const SceneSettings& settings);
+/// from before that change has happened to `fields`, which are used on the way and are left as they were. `next` is the
+/// revision that they lead to.
+Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
+                       FieldSet& fields, const SceneSettings& settings, Revision next);
 
 /// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
 CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields);

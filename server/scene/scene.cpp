@@ -8,7 +8,6 @@
 #include "protocol/json/encode.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
-#include "server/scene/batch.h"
 #include "server/scene/first_settings.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
@@ -77,7 +76,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
 
   // What the commands do. This is pure: nothing has changed yet.
   const FieldDelta start = planned->joins ? history_.last_step() : FieldDelta{};
-  Outcome outcome = evaluate_batch(planned->whole, start, model_->surface, fields_, history_.settings());
+  Outcome outcome = evaluate_batch(planned->whole, start, model_->surface, fields_, history_.settings(), history_.revision() + 1);
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
 
@@ -92,7 +91,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
 
   // The next part of this stroke will join it; after anything else it cannot.
   if (commands.size() == 1) {
-    live_.accept({planned->whole[0], planned->logged[0], planned->joins}, commands[0], changed);
+    live_.accept({planned->whole[0].command, planned->logged[0], planned->joins}, commands[0], changed);
   } else if (changed) {
     live_.end();
   }
@@ -121,25 +120,31 @@ Status Scene::admit(const ExecuteOptions& options) const {
 }
 
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
-  std::vector<Command> resolved;
+  Plan plan;
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Result<Command> command = resolve(commands[k], model_->surface);
     if (!command) return in_batch(command.status(), k, commands.size());
-    if (Status missing = check_picture(*command); !missing.ok()) return in_batch(missing, k, commands.size());
+    if (Status missing = check_names(*command, plan.logged); !missing.ok()) return in_batch(missing, k, commands.size());
     const Stroke* stroke = stroke_of(*command);
     if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
       Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
       return in_batch(std::move(parts), k, commands.size());
     }
-    resolved.push_back(std::move(*command));
+    Result<Step> step = with_rest(*command);
+    if (!step) return in_batch(step.status(), k, commands.size());
+    plan.whole.push_back(std::move(*step));
+    plan.logged.push_back(std::move(*command));
   }
-  if (resolved.size() != 1) return Plan{resolved, resolved, false};
-  Result<LiveStroke::Plan> live = live_.plan(resolved.front());
+  if (commands.size() != 1) return plan;
+  Result<LiveStroke::Plan> live = live_.plan(plan.logged.front());
   if (!live) return live.status();
   if (live->joins) {  // the whole stroke has limits that no part breaks alone
     if (Result<Command> checked = resolve(live->whole, model_->surface); !checked) return checked.status();
   }
-  return Plan{{std::move(live->whole)}, {std::move(live->unlogged)}, live->joins};
+  plan.whole.front().command = std::move(live->whole);
+  plan.logged.front() = std::move(live->unlogged);
+  plan.joins = live->joins;
+  return plan;
 }
 
 Status Scene::commit(const Entry& entry) {
@@ -153,10 +158,46 @@ Status Scene::commit(const Entry& entry) {
   return take_up_picture();
 }
 
-Status Scene::check_picture(const Command& command) const {
+/// What a command names has to be there: in the scene, or made by the commands before it in its batch.
+Status Scene::check_names(const Command& command, const std::vector<Command>& before) const {
+  SceneSettings settings = history_.settings();
+  for (const Command& earlier : before) settings = with_setting(settings, earlier).value_or(settings);
+  const auto missing = [](const auto& list, const std::string& name) {
+    return !name.empty() &&
+           std::none_of(list.begin(), list.end(), [&](const auto& named) { return named.name == name; });
+  };
+  if (const auto* blow = std::get_if<Blow>(&command); blow && missing(settings.blowers, blow->blower))
+    return failure(Code::invalid, "the scene has no blower of this name", "/blower");
+  if (const auto* attract = std::get_if<Attract>(&command); attract && missing(settings.attractors, attract->attractor))
+    return failure(Code::invalid, "the scene has no attractor of this name", "/attractor");
   const auto* base = std::get_if<SetBasePicture>(&command);
   if (base == nullptr || base->picture.empty() || journal_.has_picture(base->picture)) return {};
   return failure(Code::invalid, "there is no such picture here; upload it first", "/picture");
+}
+
+/// An erase finds the fields that it goes back to.
+Result<Step> Scene::with_rest(Command command) const {
+  Step step{std::move(command), nullptr};
+  const auto* erase = std::get_if<Erase>(&step.command);
+  const auto* checkpoint = std::get_if<Checkpoint>(&step.command);
+  if (erase == nullptr && (checkpoint == nullptr || !checkpoint->revision)) return step;
+  if (checkpoint != nullptr) {
+    const Status there = check_revision(*checkpoint->revision);
+    return there.ok() ? Result<Step>(std::move(step)) : there;
+  }
+  Revision revision = erase->revision.value_or(history_.first_revision());
+  if (!erase->checkpoint.empty()) {
+    const std::vector<Checkpoint>& known = history_.settings().checkpoints;
+    const auto named = std::find_if(known.begin(), known.end(),
+                                    [&](const Checkpoint& other) { return other.name == erase->checkpoint; });
+    if (named == known.end())
+      return failure(Code::invalid, "the scene has no checkpoint of this name", "/checkpoint");
+    revision = *named->revision;
+  }
+  Result<FieldSet> rest = fields_at(revision);
+  if (!rest) return rest.status();
+  step.rest = std::make_shared<const FieldSet>(std::move(*rest));
+  return step;
 }
 
 /// The journal keeps the pictures that logs name, so that undo and redo find them.
@@ -193,7 +234,9 @@ Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   } else {
     entry.kind = EntryKind::revert;
     entry.argument = std::get<Revert>(move).revision;
-    delta = way_back(entry.argument);
+    const Result<FieldSet> then = fields_at(entry.argument);
+    if (!then) return then.status();
+    delta = difference(fields_, *then);
   }
   if (!delta) return delta.status();
   entry.delta = std::move(*delta);
@@ -201,16 +244,19 @@ Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   return entry;
 }
 
-Result<FieldDelta> Scene::way_back(Revision revision) const {
-  if (revision < history_.first_revision() || revision > history_.revision()) {
-    return failure(Code::invalid, "there is no such revision of this model", "/revision",
-                   "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
-  }
+Status Scene::check_revision(Revision revision) const {
+  if (revision >= history_.first_revision() && revision <= history_.revision()) return {};
+  return failure(Code::invalid, "there is no such revision of this model", "/revision",
+                 "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
+}
+
+Result<FieldSet> Scene::fields_at(Revision revision) const {
+  if (Status bad = check_revision(revision); !bad.ok()) return bad;
   const Result<std::vector<Entry>> since = journal_.entries(id_, revision);
   if (!since) return since.status();
   FieldSet then = fields_;
   for (auto entry = since->rbegin(); entry != since->rend(); ++entry) then.apply(entry->delta);
-  return difference(fields_, then);
+  return then;
 }
 
 CommandAnswer Scene::answer(std::vector<CommandResult> results) const {

@@ -17,6 +17,7 @@
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
 #include "server/history/live_stroke.h"
+#include "server/scene/batch.h"
 #include "server/surface/patches.h"
 #include "server/surface/surface.h"
 
@@ -102,7 +103,7 @@ class Scene {
  private:
   /// Commands as they are evaluated and as they are logged: with pixels resolved, and parts of a stroke joined.
   struct Plan {
-    std::vector<Command> whole;
+    std::vector<Step> whole;
     std::vector<Command> logged;
     bool joins = false;
   };
@@ -112,8 +113,10 @@ class Scene {
   Result<Plan> plan(const std::vector<Command>& commands) const;
   Status commit(const Entry& entry);
   Result<Entry> entry_of(const HistoryMove& move) const;
-  Result<FieldDelta> way_back(Revision revision) const;
-  Status check_picture(const Command& command) const;
+  Result<FieldSet> fields_at(Revision revision) const;
+  Status check_revision(Revision revision) const;
+  Result<Step> with_rest(Command command) const;
+  Status check_names(const Command& command, const std::vector<Command>& before) const;
   Status take_up_picture();
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;

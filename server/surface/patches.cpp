@@ -1,12 +1,11 @@
 #include "server/surface/patches.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
-#include <thread>
 
 #include "protocol/base/random.h"
+#include "server/surface/parallel.h"
 #include "server/surface/patch_cells.h"
 #include "server/surface/patch_points.h"
 #include "server/surface/patch_weights.h"
@@ -14,20 +13,6 @@
 namespace pelage {
 
 namespace {
-
-/// Calls work(0) ... work(count - 1) on all cores, in no order. Each call writes its own results only.
-template <class Work>
-void for_each_in_parallel(std::uint32_t count, const Work& work) {
-  std::atomic<std::uint32_t> next = 0;
-  const auto run = [&] {
-    for (std::uint32_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> others;
-  const unsigned cores = std::min(std::thread::hardware_concurrency(), 16u);
-  for (unsigned i = 1; i < cores && i < count; ++i) others.emplace_back(run);
-  run();
-  for (std::thread& other : others) other.join();
-}
 
 /// Patches while they are laid.
 struct Layout {

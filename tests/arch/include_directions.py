@@ -16,7 +16,7 @@ ALLOWED = {
     "server/import_worker": ["protocol/base", "protocol/commands", "protocol/json", "server/surface", "renderer/image",
                              "renderer/light"],
     "server/fields": ["protocol/base", "protocol/commands", "server/surface"],
-    "server/groom": ["protocol/base", "protocol/commands", "server/surface", "server/fields"],
+    "server/groom": ["protocol/base", "protocol/commands", "renderer/coat", "server/surface", "server/fields"],
     "server/history": ["protocol/base", "protocol/commands", "protocol/json", "server/surface", "server/fields"],
     "server/scene": ["protocol/base", "protocol/commands", "protocol/json", "server/surface", "server/fields",
                      "server/groom", "server/history", "renderer"],

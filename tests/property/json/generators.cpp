@@ -59,8 +59,7 @@ static StrokeSample sample() {
   return result;
 }
 
-static std::optional<Stroke> stroke(bool wanted) {
-  if (!wanted) return {};
+Stroke random_stroke() {
   Stroke result;
   result.id = *rc::gen::container<std::string>(*rc::gen::inRange(0, 20), rc::gen::inRange<char>(' ', '~'));
   result.part = *rc::gen::arbitrary<std::uint32_t>();
@@ -74,45 +73,19 @@ static std::optional<Stroke> stroke(bool wanted) {
   return result;
 }
 
-static Brush brush() {
+Brush random_brush() {
   return {.radius = number(0, 1e27),
-          .units = one_of(Units::world),
-          .falloff_shape = FalloffShape::volume,
+          .units = one_of(RadiusUnits::pixels),
+          .falloff_shape = one_of(FalloffShape::screen),
           .falloff = one_of(Falloff::sphere),
+          .falloff_points = *rc::gen::arbitrary<bool>() ? std::vector{number(0, 1), number(0, 1)} : std::vector<double>{},
           .strength = number(0, 1),
           .spacing = number(0.01, 10),
+          .pressure_to_radius = number(0, 1),
+          .pressure_to_strength = number(0, 1),
           .front_faces_only = *rc::gen::arbitrary<bool>(),
+          .cut_off_degrees = number(0, 180),
           .invert = *rc::gen::arbitrary<bool>()};
-}
-
-static Command comb() {
-  const bool flood = *rc::gen::arbitrary<bool>();
-  Comb result{.stroke = stroke(!flood), .flood = flood, .brush = brush(), .lean = number(0, 1), .direction = {}};
-  if (flood) result.direction = direction();
-  return result;
-}
-
-static Command blow() {
-  return Blow{.stroke = stroke(*rc::gen::arbitrary<bool>()),
-              .brush = brush(),
-              .source = place(),
-              .direction = direction(),
-              .cone_degrees = number(0, 180),
-              .softness = number(0, 1),
-              .strength = number(0, 1),
-              .lean = number(0, 1)};
-}
-
-static Command attract() {
-  return Attract{.stroke = stroke(*rc::gen::arbitrary<bool>()),
-                 .brush = brush(),
-                 .point = place(),
-                 .radius = number(0, 1e27),
-                 .units = one_of(Units::world),
-                 .strength = number(0, 1),
-                 .duration = number(0, 1e4),
-                 .threshold = number(0, 1e3),
-                 .max_stretch = number(1, 100)};
 }
 
 static Undercoat undercoat() {
@@ -330,19 +303,17 @@ Command set_base_picture() {
 }
 
 Command command() {
-  switch (*rc::gen::inRange(0, 12)) {
-    case 0: return comb();
-    case 1: return blow();
-    case 2: return attract();
-    case 3: return set_coat();
-    case 4: return SetLook{look()};
-    case 5: return set_environment();
-    case 6: return set_ground();
-    case 7: return set_eyes();
-    case 8: return set_curves();
-    case 9: return set_skin();
-    case 10: return set_base_picture();
-    default: return set_lights();
+  switch (*rc::gen::inRange(0, 18)) {
+    case 0: return set_coat();
+    case 1: return SetLook{look()};
+    case 2: return set_environment();
+    case 3: return set_ground();
+    case 4: return set_eyes();
+    case 5: return set_curves();
+    case 6: return set_skin();
+    case 7: return set_base_picture();
+    case 8: return set_lights();
+    default: return tool();
   }
 }
 

@@ -20,9 +20,13 @@ glm::dvec3 direction();  // not 0
 glm::vec3 colour();
 Camera camera();
 Look look();
+Stroke random_stroke();
+Brush random_brush();
 Command set_coat();
 Command set_environment();
 Command set_base_picture();
+/// One of the grooming kernel.
+Command tool();
 /// One of all commands.
 Command command();
 

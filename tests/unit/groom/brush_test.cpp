@@ -1,5 +1,6 @@
 #include "server/groom/brush.h"
 
+#include "server/groom/region.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {
@@ -7,14 +8,14 @@ namespace {
 
 using testing_shapes::make_surface;
 using testing_shapes::stroke_through;
+using testing_shapes::vertex_towards;
 
 class BrushTest : public ::testing::Test {
  protected:
   std::vector<Dab> dabs(const std::vector<glm::dvec3>& points, Brush brush) const {
-    return BrushStroke(stroke_through(sphere_, points), brush, sphere_, fields_).moving_dabs();
+    return BrushStroke(stroke_through(sphere_, points), brush, sphere_).moving_dabs();
   }
   Surface sphere_ = make_surface(Builtin::sphere, 2000);
-  FieldSet fields_{sphere_.mesh().positions.size()};
 };
 
 TEST_F(BrushTest, FalloffCurves) {
@@ -56,7 +57,7 @@ TEST_F(BrushTest, WithoutMotionThereIsNoDab) {
   EXPECT_TRUE(dabs({{0, 0, 0.3}}, {}).empty());
   EXPECT_TRUE(dabs({{0, 0, 0.3}, {0, 0, 0.3}}, {}).empty());
   EXPECT_TRUE(dabs({{0, 0, 0.3}, {0, 0.1, 0.3}}, {.radius = 0}).empty());
-  const BrushStroke still(stroke_through(sphere_, {{0, 0, 0.3}}), {}, sphere_, fields_);
+  const BrushStroke still(stroke_through(sphere_, {{0, 0, 0.3}}), {}, sphere_);
   EXPECT_EQ(still.covering_dabs().size(), 1u);
 }
 
@@ -64,15 +65,18 @@ TEST_F(BrushTest, PressureIsInterpolated) {
   Stroke stroke = stroke_through(sphere_, {{0, 0, 0}, {0.2, 0, 0}});
   stroke.samples[0].pressure = 0;
   const Brush brush{.radius = 0.1, .spacing = 1};
-  const std::vector<Dab> found = BrushStroke(stroke, brush, sphere_, fields_).moving_dabs();
+  const std::vector<Dab> found = BrushStroke(stroke, brush, sphere_).moving_dabs();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found[0].pressure, 0.5, 1e-12);
   EXPECT_NEAR(found[1].pressure, 1, 1e-12);
 }
 
 TEST_F(BrushTest, WorldUnitsAreTheModelsOwn) {
-  const Brush brush{.radius = 3, .units = Units::world};
-  EXPECT_NEAR(internal_length(brush.radius, brush.units, sphere_.mesh()), 3 / sphere_.mesh().size, 1e-15);
+  const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}});
+  const double size = sphere_.mesh().size;
+  EXPECT_NEAR(BrushStroke(stroke, {.radius = 3, .units = RadiusUnits::world}, sphere_).radius(), 3 / size, 1e-15);
+  EXPECT_EQ(BrushStroke(stroke, {.radius = 3}, sphere_).radius(), 3);
+  EXPECT_NEAR(internal_length(3, Units::world, sphere_.mesh()), 3 / size, 1e-15);
   EXPECT_EQ(internal_length(3, Units::relative, sphere_.mesh()), 3);
 }
 
@@ -80,10 +84,10 @@ TEST_F(BrushTest, FrontFacesOnlyLeavesTheFarSide) {
   const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}, {0, 0.02, 0.28}});
   Brush brush{.radius = 2, .falloff = Falloff::constant, .strength = 1};
   std::vector<VertexWeight> front, all;
-  const BrushStroke near_side(stroke, brush, sphere_, fields_);
+  const BrushStroke near_side(stroke, brush, sphere_);
   near_side.weigh(near_side.covering_dabs().front(), front);
   brush.front_faces_only = false;
-  const BrushStroke both_sides(stroke, brush, sphere_, fields_);
+  const BrushStroke both_sides(stroke, brush, sphere_);
   both_sides.weigh(both_sides.covering_dabs().front(), all);
   EXPECT_EQ(all.size(), sphere_.mesh().positions.size());
   EXPECT_GT(front.size(), all.size() / 3);
@@ -98,7 +102,7 @@ TEST_F(BrushTest, WithAViewFrontFacesAreJudgedAgainstIt) {
   Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}, {0, 0.02, 0.28}});
   stroke.view = View{.camera = {.automatic = AutoView::back}};
   const Brush brush{.radius = 2};
-  const BrushStroke painted(stroke, brush, sphere_, fields_);
+  const BrushStroke painted(stroke, brush, sphere_);
   std::vector<VertexWeight> weights;
   painted.weigh(painted.covering_dabs().front(), weights);
   ASSERT_FALSE(weights.empty());
@@ -114,7 +118,7 @@ TEST_F(BrushTest, PathBetweenSurfaceSamplesFollowsTheSurface) {
     stroke.samples.push_back(sample);
   }
   const double radius = glm::length(glm::dvec3(sphere_.mesh().positions[0]));
-  for (const Dab& dab : BrushStroke(stroke, {}, sphere_, fields_).moving_dabs()) {
+  for (const Dab& dab : BrushStroke(stroke, {}, sphere_).moving_dabs()) {
     EXPECT_NEAR(glm::length(dab.centre), radius, 0.02 * radius);
   }
 }
@@ -122,16 +126,105 @@ TEST_F(BrushTest, PathBetweenSurfaceSamplesFollowsTheSurface) {
 TEST_F(BrushTest, CoverageIsTheLargestWeightOfAnyDab) {
   const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}, {0, 0.1, 0.27}});
   const Brush brush{.radius = 0.1, .falloff = Falloff::linear, .strength = 0.5};
-  const BrushStroke painted(stroke, brush, sphere_, fields_);
+  const BrushStroke painted(stroke, brush, sphere_);
   std::vector<double> expected(sphere_.mesh().positions.size());
   std::vector<VertexWeight> weights;
   for (const Dab& dab : painted.covering_dabs()) {
     painted.weigh(dab, weights);
     for (const VertexWeight w : weights) expected[w.vertex] = std::max(expected[w.vertex], w.weight);
   }
-  const std::vector<VertexWeight> covered = coverage(stroke, brush, sphere_, fields_);
+  const std::vector<VertexWeight> covered = region_of(stroke, brush, sphere_, FieldSet(expected.size()));
   ASSERT_GT(covered.size(), 10u);
   for (const VertexWeight w : covered) EXPECT_EQ(w.weight, expected[w.vertex]);
+}
+
+/// The view of a camera on +Z that looks at the middle.
+View front_view(const Surface& surface) {
+  View view;
+  view.camera.automatic = AutoView::none;
+  view.camera.eye = surface.mesh().to_model({0, 0, 2});
+  view.camera.target = surface.mesh().to_model({0, 0, 0});
+  view.camera.fov_degrees = 30;
+  view.width = 400, view.height = 200;
+  return view;
+}
+
+TEST_F(BrushTest, ARadiusInPixelsIsWhatThePixelsCoverAtTheSamplesDepth) {
+  Stroke stroke = stroke_through(sphere_, {{0, 0, 0.25}});
+  stroke.view = front_view(sphere_);
+  const double depth = 1.75, expected = 20 * 2 * std::tan(glm::radians(15.0)) * depth / 200;
+  EXPECT_NEAR(BrushStroke(stroke, {.radius = 20, .units = RadiusUnits::pixels}, sphere_).radius(), expected, 1e-9);
+}
+
+TEST_F(BrushTest, TheScreenShapeReachesWhatLiesUnderTheDiscAtAnyDepth) {
+  Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}});
+  stroke.view = front_view(sphere_);
+  const Brush brush{.radius = 0.1, .falloff_shape = FalloffShape::screen, .front_faces_only = false};
+  const BrushStroke painted(stroke, brush, sphere_);
+  std::vector<VertexWeight> weights;
+  painted.weigh(painted.covering_dabs().front(), weights);
+  bool near = false, far = false;
+  for (const VertexWeight w : weights) {
+    const glm::dvec3 p(sphere_.mesh().positions[w.vertex]);
+    const double scale = (2 - 0.28) / (2 - p.z);
+    EXPECT_LE(glm::length(glm::dvec2(p)) * scale, 0.1 + 1e-9);
+    near = near || p.z > 0.2, far = far || p.z < -0.2;
+  }
+  EXPECT_TRUE(near && far);
+}
+
+/// Two parallel sheets, near in space and far along the surface.
+TEST_F(BrushTest, TheSurfaceShapeDoesNotReachAnotherSheet) {
+  const Surface torus = make_surface(Builtin::torus, 3000);
+  const glm::dvec3 inside(torus.mesh().positions[vertex_towards(torus, {1, 0, 0})]);
+  const Stroke stroke = stroke_through(torus, {inside});
+  Brush brush{.radius = 0.3, .falloff = Falloff::constant, .front_faces_only = false};
+  const FieldSet fields(torus.mesh().positions.size());
+  const std::size_t volume = region_of(stroke, brush, torus, fields).size();
+  brush.falloff_shape = FalloffShape::surface;
+  const std::vector<VertexWeight> surface = region_of(stroke, brush, torus, fields);
+  EXPECT_LT(surface.size(), volume);
+  EXPECT_GT(surface.size(), 20u);
+}
+
+TEST_F(BrushTest, PressureScalesRadiusAndStrengthByTheirShares) {
+  Stroke stroke = stroke_through(sphere_, {{0, 0, 0.28}});
+  stroke.samples[0].pressure = 0.5;
+  const Dab dab = BrushStroke(stroke, {.radius = 0.2, .pressure_to_radius = 0.5}, sphere_).covering_dabs().front();
+  EXPECT_NEAR(dab.radius, 0.15, 1e-12);
+  const Brush brush{.radius = 0.2, .falloff = Falloff::constant, .strength = 0.8, .pressure_to_strength = 0.25};
+  EXPECT_NEAR(region_of(stroke, brush, sphere_, FieldSet(sphere_.mesh().positions.size()))[0].weight, 0.7, 1e-12);
+}
+
+TEST_F(BrushTest, FalloffPointsReplaceTheCurve) {
+  const Brush brush{.falloff = Falloff::constant, .falloff_points = {1, 0.5, 0}};
+  EXPECT_EQ(falloff_weight(brush, 0), 1);
+  EXPECT_EQ(falloff_weight(brush, 0.25), 0.75);
+  EXPECT_EQ(falloff_weight(brush, 0.5), 0.5);
+  EXPECT_EQ(falloff_weight(brush, 1), 0);
+  EXPECT_EQ(falloff_weight(brush, 1.01), 0);
+}
+
+TEST_F(BrushTest, TheCutOffAngleTakesFacesThatTurnAway) {
+  const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.288}});
+  const FieldSet fields(sphere_.mesh().positions.size());
+  Brush brush{.radius = 2, .falloff = Falloff::constant, .cut_off_degrees = 30};
+  for (const VertexWeight w : region_of(stroke, brush, sphere_, fields))
+    EXPECT_GT(sphere_.mesh().normals[w.vertex].z, 0.8f);
+  const std::size_t narrow = region_of(stroke, brush, sphere_, fields).size();
+  brush.cut_off_degrees = 180;
+  EXPECT_GT(region_of(stroke, brush, sphere_, fields).size(), 4 * narrow);
+}
+
+TEST_F(BrushTest, TheMaskScalesEveryWeight) {
+  FieldSet fields(sphere_.mesh().positions.size());
+  fields.set(Field::mask, 5, {0.25f, 0, 0, 0});
+  fields.set(Field::mask, 6, {0, 0, 0, 0});
+  const std::vector<VertexWeight> region = region_of({}, {.strength = 0.8}, sphere_, fields);
+  EXPECT_EQ(region.size(), fields.size() - 1);
+  EXPECT_NEAR(region[5].weight, 0.2, 1e-12);
+  EXPECT_EQ(region[6].vertex, 7u);
+  EXPECT_EQ(region_of({}, {.strength = 0.8}, sphere_, fields, Masked::no).size(), fields.size());
 }
 
 }  // namespace

@@ -84,9 +84,10 @@ TEST(Decode, NamesTheNearestKnownName) {
   EXPECT_EQ(member.nearest, "radius");
   EXPECT_EQ(refusal(R"({"op": "cmob"})").nearest, "comb");
   EXPECT_EQ(refusal(R"({"op": "set_cote"})").nearest, "set_coat");
-  const Status shape = refusal(R"({"op": "comb", "brush": {"falloff_shape": "surface"}})");
+  const Status shape = refusal(R"({"op": "comb", "brush": {"falloff_shape": "surfaces"}})");
   EXPECT_EQ(shape.pointer, "/brush/falloff_shape");
-  EXPECT_EQ(shape.limit, "volume");
+  EXPECT_EQ(shape.limit, "volume | surface | screen");
+  EXPECT_EQ(shape.nearest, "surface");
 }
 
 TEST(Decode, EscapesPointers) {

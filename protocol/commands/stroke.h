@@ -1,0 +1,63 @@
+// Where tools work: strokes and the brush that all tools share.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "protocol/commands/camera.h"
+
+namespace pelage {
+
+enum class Units { relative, world };  // a fraction of the model's size, or its own unit
+enum class RadiusUnits { relative, world, pixels };  // pixels: of the stroke's view, at the depth of the sample
+
+/// How far a vertex is from a dab: through space, along the surface (it does not reach another part of the model that
+/// is only near in space), or in the picture plane of the stroke's view.
+enum class FalloffShape { volume, surface, screen };
+enum class Falloff { constant, linear, smooth, sharp, sphere };
+
+/// Where a stroke passes: a point in the model's coordinates, a pixel of the stroke's view (origin top left, y down,
+/// centres at .5), or a place on a triangle.
+struct PositionPlace { glm::dvec3 position{0}; };
+struct ScreenPlace { glm::dvec2 screen{0}; };
+struct SurfacePlace {
+  std::uint32_t triangle = 0;
+  glm::dvec3 barycentric{1.0 / 3};  // each in [0, 1], sum 1 within 1e-3
+};
+
+struct StrokeSample {
+  std::variant<PositionPlace, ScreenPlace, SurfacePlace> place;
+  double pressure = 1;  // [0, 1]
+  double time = 0;      // seconds, [0, 1e6], not falling
+};
+
+/// A stroke, whole or a live part. Parts with one `id` join one undo step and give what the whole would have given.
+struct Stroke {
+  std::string id;            // "" for a stroke sent whole; at most 200 bytes
+  std::uint32_t part = 0;    // 0, 1, 2 ... within an id
+  bool last = true;
+  std::vector<StrokeSample> samples;  // 1 to 10,000
+  std::optional<View> view;  // required by pixel samples, radii in pixels and the screen shape
+};
+
+/// The brush block that all tools share.
+struct Brush {
+  double radius = 0.05;  // in `units`, [0, 1e6 sizes]
+  RadiusUnits units = RadiusUnits::relative;
+  FalloffShape falloff_shape = FalloffShape::volume;
+  Falloff falloff = Falloff::smooth;
+  std::vector<double> falloff_points = {};  // empty, or 2 to 64 weights [0, 1] from the middle to the rim, in place of the name
+  double strength = 0.8;         // [0, 1]
+  double spacing = 0.25;         // of a dab, in radii, [0.01, 10]
+  double pressure_to_radius = 0;    // share of the radius that pressure scales, [0, 1]
+  double pressure_to_strength = 1;  // share of the strength that pressure scales, [0, 1]
+  bool front_faces_only = true;  // against the view of pixel samples, else the surface normal at the sample
+  double cut_off_degrees = 90;   // angle to the front from which faces count as turned away, [0, 180]
+  bool invert = false;           // the tool's opposite
+};
+
+}  // namespace pelage

@@ -1,0 +1,36 @@
+// Ranges of numbers on the wire.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "protocol/base/limits.h"
+
+namespace pelage {
+
+/// Closed interval of a number.
+struct Range {
+  double low, high;
+  std::string text() const;  // "[0, 1]"
+};
+
+/// How many members a list has.
+struct Count {
+  std::size_t least, most;
+};
+
+namespace json_parts {
+
+// The largest model has a size of about 3.5e20, and commands reach 1e6 sizes; the scene checks the sizes exactly.
+inline constexpr Range coordinate{-1e27, 1e27};
+inline constexpr Range length_in_units{0, 1e27};
+inline constexpr Range width_in_units{1e-27, 1e27};
+inline constexpr Range share{0, 1};
+inline constexpr Range half_circle{0, 180};
+inline constexpr Range clump_size{0.001, 0.5};
+inline constexpr Range feature_size{0.005, 2};
+inline constexpr Range pixels{1, limits::frame_pixels};
+
+}  // namespace json_parts
+
+}  // namespace pelage

@@ -1,0 +1,36 @@
+#include <algorithm>
+
+#include "server/fields/field_writer.h"
+#include "server/groom/region.h"
+#include "server/groom/tools.h"
+#include "server/groom/vertex_frame.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double least_lean = 0.5;  // upright fur has to lean to come together
+
+}  // namespace
+
+// Fur turns to the nearest place of the stroke, and the field rises; inverted it opens again.
+Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& fields) {
+  const Mesh& mesh = surface.mesh();
+  const double sign = command.brush.invert ? -1 : 1, goal = command.brush.invert ? 0 : command.amount;
+  FieldWriter directions(fields, Field::direction), clumps(fields, Field::clump);
+  if (!command.stroke->samples.empty()) {
+    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields)) {
+      const glm::dvec3 position(mesh.positions[v]);
+      const glm::dvec3 middle = sign * safe_unit(nearest_on_path(*command.stroke, surface, position) - position);
+      const glm::dvec2 direction(fields.direction()[v]);
+      const double lean = std::max(glm::length(direction), least_lean);
+      directions.put(v, turned(direction, frame_at(mesh, v), middle, lean, weight * command.gather));
+      clumps.put(v, glm::mix(double{fields.number(Field::clump, v)}, goal, weight));
+    }
+  }
+  Evaluation done;
+  directions.finish(done.delta), clumps.finish(done.delta);
+  return done;
+}
+
+}  // namespace pelage

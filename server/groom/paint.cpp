@@ -1,0 +1,34 @@
+#include "server/fields/field_writer.h"
+#include "server/groom/region.h"
+#include "server/groom/tools.h"
+
+namespace pelage {
+
+namespace {
+
+/// Paint of `cover` laid over paint: both colours by how much of each is seen.
+glm::dvec4 over(glm::dvec4 below, glm::dvec3 colour, double cover, double weight) {
+  const double left = below.w * (1 - weight), laid = cover * weight, both = left + laid;
+  const glm::dvec3 mixed = both > 0 ? (left * glm::dvec3(below) + laid * colour) / both : glm::dvec3(0);
+  return glm::dvec4(mixed, both);
+}
+
+}  // namespace
+
+// Inverted it takes the field back to rest.
+Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& fields) {
+  const FieldShape& shape = shape_of(command.field);
+  const double value = command.brush.invert ? double{shape.rest} : command.value;
+  const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
+  FieldWriter writer(fields, command.field);
+  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, masked)) {
+    const glm::dvec4 now(fields.value(command.field, v));
+    writer.put(v, shape.channels == 4 ? over(now, glm::dvec3(command.colour), value, weight)
+                                      : glm::dvec4(now.x + weight * (value - now.x), 0, 0, 0));
+  }
+  Evaluation done;
+  writer.finish(done.delta);
+  return done;
+}
+
+}  // namespace pelage

@@ -1,0 +1,25 @@
+#include "server/fields/field_writer.h"
+#include "server/groom/region.h"
+#include "server/groom/tools.h"
+#include "server/groom/vertex_frame.h"
+
+namespace pelage {
+
+// Fur leans away from the nearest place of the line, strongest beside it; on the line itself there is no away.
+Evaluation part(const Part& command, const Surface& surface, const FieldSet& fields) {
+  const Mesh& mesh = surface.mesh();
+  const double sign = command.brush.invert ? -1 : 1;
+  FieldWriter writer(fields, Field::direction);
+  if (!command.stroke->samples.empty()) {
+    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields)) {
+      const glm::dvec3 position(mesh.positions[v]);
+      const glm::dvec3 away = sign * safe_unit(position - nearest_on_path(*command.stroke, surface, position));
+      writer.put(v, turned(glm::dvec2(fields.direction()[v]), frame_at(mesh, v), away, command.lean, weight));
+    }
+  }
+  Evaluation done;
+  writer.finish(done.delta);
+  return done;
+}
+
+}  // namespace pelage

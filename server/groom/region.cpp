@@ -1,0 +1,48 @@
+#include "server/groom/region.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace pelage {
+
+namespace {
+
+/// For each vertex under the stroke the largest weight of any dab.
+std::vector<VertexWeight> covered(const Stroke& stroke, const Brush& brush, const Surface& surface) {
+  const BrushStroke painted(stroke, brush, surface);
+  std::unordered_map<std::uint32_t, double> largest;
+  std::vector<VertexWeight> weights;
+  for (const Dab& dab : painted.covering_dabs()) {
+    painted.weigh(dab, weights);
+    for (const auto [vertex, weight] : weights) {
+      double& so_far = largest[vertex];
+      so_far = std::max(so_far, weight);
+    }
+  }
+  weights.clear();
+  for (const auto& [vertex, weight] : largest) weights.push_back({vertex, weight});
+  std::sort(weights.begin(), weights.end(), [](auto a, auto b) { return a.vertex < b.vertex; });
+  return weights;
+}
+
+std::vector<VertexWeight> everywhere(double weight, std::size_t vertices) {
+  std::vector<VertexWeight> all;
+  if (!(weight > 0)) return all;
+  all.resize(vertices);
+  for (std::uint32_t v = 0; v < vertices; ++v) all[v] = {v, weight};
+  return all;
+}
+
+}  // namespace
+
+std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
+                                    const FieldSet& fields, Masked masked) {
+  std::vector<VertexWeight> region =
+      stroke ? covered(*stroke, brush, surface) : everywhere(brush.strength, fields.size());
+  if (masked == Masked::no || fields.at_rest(Field::mask)) return region;
+  for (VertexWeight& place : region) place.weight *= fields.number(Field::mask, place.vertex);
+  std::erase_if(region, [](const VertexWeight& place) { return !(place.weight > 0); });
+  return region;
+}
+
+}  // namespace pelage

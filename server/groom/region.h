@@ -1,0 +1,18 @@
+// Where a tool that visits each vertex once works, and how strongly.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "server/groom/brush.h"
+
+namespace pelage {
+
+enum class Masked { yes, no };
+
+/// Under the stroke the largest weight of any dab; without one everywhere the brush's strength. Times the mask, unless
+/// it is the mask itself that is painted. Rising vertices with weights above 0.
+std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
+                                    const FieldSet& fields, Masked masked = Masked::yes);
+
+}  // namespace pelage
