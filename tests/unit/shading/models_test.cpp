@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/base/random.h"
 #include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/quadrature.h"
 #include "renderer/shading/scattering_block.h"
@@ -122,6 +123,59 @@ TEST(Marschner, EnergyIsNotConserved) {
           << "beta " << row.beta << " alpha " << row.alpha << " theta " << columns[i];
     }
   }
+}
+
+/// science.md 4: beta_TT = beta_R / 2, beta_TRT = 2 beta_R; the tilt of R here is a positive turn about the axis of
+/// fibre.h, and TT and TRT have -1/2 and -3/2 of it.
+TEST(Marschner, LobesHaveThePublishedRatios) {
+  FibreOptics fibre;
+  fibre.highlight_width = 8, fibre.cuticle_tilt = 6;
+  const MarschnerLobes lobes = marschner_lobes(fibre);
+  const double degree = pi / 180, widths[] = {8, 4, 16}, centres[] = {6, -3, -9};
+  for (std::size_t p = 0; p < 3; ++p) {
+    EXPECT_NEAR(lobes.width[p], widths[p] * degree, 1e-15);
+    EXPECT_NEAR(lobes.centre[p], centres[p] * degree, 1e-15);
+    const double at = lobes.centre[p];  // theta_h where both inclinations are this
+    const auto m = [&](double theta) {
+      const Inclination both{std::sin(theta), std::cos(theta)};
+      return marschner_longitudinal(lobes, both, both)[p];
+    };
+    EXPECT_NEAR(m(at), 1 / (2 * lobes.width[p] * std::sqrt(2 * pi)), 1e-12);
+    EXPECT_NEAR(m(at + lobes.width[p]) / m(at), std::exp(-0.5), 1e-12);
+  }
+}
+
+/// The Gaussian of M in a table of `side`^2 over both sines, bilinear, as the survey packs it: the largest error beyond
+/// 60 degrees over the peak.
+double error_of_table(double width, double centre, int side) {
+  const auto value = [&](double light, double eye) {
+    const double off = (std::asin(light) + std::asin(eye)) / 2 - centre;
+    return std::exp(-off * off / (2 * width * width));
+  };
+  const auto node = [&](int i) { return -1 + 2.0 * i / (side - 1); };
+  double largest = 0;
+  for (double eye_angle = 60.1; eye_angle < 90; eye_angle += 0.05) {
+    for (double light_angle = -89.9; light_angle < -50; light_angle += 0.05) {
+      const double eye = std::sin(eye_angle * pi / 180), light = std::sin(light_angle * pi / 180);
+      const double x = (light + 1) / 2 * (side - 1), y = (eye + 1) / 2 * (side - 1);
+      const int i = std::min(static_cast<int>(x), side - 2), j = std::min(static_cast<int>(y), side - 2);
+      const double below = glm::mix(value(node(i), node(j)), value(node(i + 1), node(j)), x - i);
+      const double over = glm::mix(value(node(i), node(j + 1)), value(node(i + 1), node(j + 1)), x - i);
+      largest = std::max(largest, std::abs(glm::mix(below, over, y - j) - value(light, eye)));
+    }
+  }
+  return largest;
+}
+
+/// Why M is computed and not read from a table (science.md 4: 13% and 24% off beyond 60 degrees, at a width of its own).
+TEST(Marschner, ATableOfMWouldNotDo) {
+  const MarschnerLobes lobes = marschner_lobes(FibreOptics());
+  const double reflected = error_of_table(lobes.width[0], lobes.centre[0], 128);
+  const double transmitted = error_of_table(lobes.width[1], lobes.centre[1], 128);
+  EXPECT_GT(reflected, 0.08);
+  EXPECT_LT(reflected, 0.2);
+  EXPECT_GT(transmitted, 0.2);
+  EXPECT_LT(transmitted, 0.4);
 }
 
 /// Nothing is lost around the strand: R, TT and TRT of a clear fibre add up to 1 less the longer paths.
@@ -245,6 +299,40 @@ TEST(SinePower, KeepsItsDigitsWherePowDoesNot) {
   }
   EXPECT_GT(naive, 1e-2);
   EXPECT_LT(ours, 1.5e-7);
+}
+
+/// science.md 4: pow is off by 4.5e-5 at n = 1e3 and 4e-2 at 1e6; the exponential stays below 1e-7.
+TEST(SinePower, PowIsOffByWhatScienceSays) {
+  const auto largest_error = [](float n, bool naive) {
+    double largest = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const float d = 5 / std::sqrt(n) * static_cast<float>(i) / 20000;
+      const double truth = std::exp(0.5 * double(n) * std::log1p(-double(d) * double(d)));
+      const float value = naive ? std::pow(std::sqrt(1 - d * d), n) : sine_power(d, n);
+      largest = std::max(largest, std::abs(double(value) - truth));
+    }
+    return largest;
+  };
+  EXPECT_NEAR(largest_error(1e3f, true), 4.5e-5, 1e-5);
+  EXPECT_NEAR(largest_error(1e6f, true), 4e-2, 1e-2);
+  for (const float n : {1e3f, 1e6f}) EXPECT_LT(largest_error(n, false), 1.2e-7) << n;
+}
+
+/// science.md 4: with T = H, 1 - d^2 is below 0 for a quarter of unit vectors in float.
+TEST(SinePower, OfADirectionWithItselfIsNothing) {
+  Random random(3);
+  int below = 0;
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 any(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+    const glm::vec3 unit = any / glm::length(any);
+    const float d = glm::dot(unit, unit);
+    below += 1 - d * d < 0;
+    EXPECT_LT(sine_power(d, 2.0f), 1e-6f);
+    EXPECT_GE(sine_power(d, 0.5f), 0);
+  }
+  EXPECT_GT(below, 0.15 * count);
+  EXPECT_LT(below, 0.35 * count);
 }
 
 TEST(SinePower, AtTheEnds) {
