@@ -6,6 +6,7 @@
 layout(binding = 0) uniform sampler2DArray cases;
 
 uniform int asked;
+uniform int lamp;  // whose shadow is asked for
 
 layout(location = 0) out vec4 result;
 
@@ -28,6 +29,6 @@ void main() {
   if (asked == 5) fibre_light(fibre), result.r = light_share.y;
 #endif
 #ifdef SHADOW_MAPS
-  if (asked == 6) result = vec4(cast_light(0, fibre.place), layer_depth(0, fibre.place, fibre.height, 1.0, 7.0), 0.0, 0.0);
+  if (asked == 6) result = vec4(cast_light(lamp, fibre.place), layer_depth(lamp, fibre.place, fibre.height, 1.0, 7.0), 0.0, 0.0);
 #endif
 }

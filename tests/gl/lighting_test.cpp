@@ -21,6 +21,7 @@ namespace testing {
 namespace {
 
 constexpr int side = 32, cases = side * side;
+constexpr int lamp = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
 
 struct Case {
   glm::vec3 place, normal, tangent, to_eye, colour;
@@ -66,6 +67,7 @@ class Lighting : public OnBackend {
     gl().BindTextureUnit(0, inputs.id());
     program.use();
     program.set("asked", static_cast<int>(asked));
+    program.set("lamp", lamp);
     return answers(gl(), side);
   }
 };
@@ -238,28 +240,31 @@ TEST_P(Lighting, LampsFallWithTheSquareAndSpotsToTheirEdge) {
   }
 }
 
-/// A light above looks down -Z; the map holds skin at depth .5 everywhere.
+/// A light above looks down -Z; its map holds skin at depth .5 everywhere, those of the first map are of another light.
 class ShadowFormulas : public Lighting {
  protected:
   struct Maps {
-    float white = 1;           // shadow-width map
+    float white = 1;  // shadow-width map
     bool soft = true;
-    float scale = 10;          // Cscale; -1 casts none
-    float layers = 0, depths = 0;  // slots
+    float scale = 10;              // Cscale; -1 casts none
+    float layers = 1, depths = 1;  // slots
   };
 
   /// rg: S, and the optical depth of the layers above, for places at (x, y, z) with height s; the estimate is 7.
   std::vector<glm::vec4> asked(const Maps& maps, const std::vector<Case>& of) {
     ShadowBlock block;
-    block.to_light[0] = glm::mat4(1);
-    block.axis[0] = {0, 0, -1, 0.5f};
-    block.slots[0] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
+    block.to_light[lamp] = glm::mat4(1);
+    block.axis[lamp] = {0, 0, -1, 0.5f};
+    block.slots[lamp] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
     const Buffer buffer = send_block(gl(), 2, block);
-    std::vector<glm::vec4> kept;
+    const auto texels = [&](glm::vec4 value) { return std::vector<glm::vec4>(4, value); };
+    std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));
+    for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(0.5f));
     for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(std::exp(0.2f * float(layer - 16))));
+    depths.insert(depths.end(), 4, glm::vec4(0.5f)), widths.insert(widths.end(), 4, glm::vec4(maps.white));
     const Texture kept_maps = send_layers(gl(), 2, kept, true);
-    const Texture depth_maps = send_layers(gl(), 2, std::vector<glm::vec4>(4, glm::vec4(0.5f)), true);
-    const Texture width_maps = send_layers(gl(), 2, std::vector<glm::vec4>(4, glm::vec4(maps.white)), true);
+    const Texture depth_maps = send_layers(gl(), 2, depths, true);
+    const Texture width_maps = send_layers(gl(), 2, widths, true);
     gl().BindTextureUnit(4, kept_maps.id());
     gl().BindTextureUnit(5, depth_maps.id());
     gl().BindTextureUnit(6, width_maps.id());
