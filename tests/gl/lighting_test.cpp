@@ -248,6 +248,7 @@ class ShadowFormulas : public Lighting {
     bool soft = true;
     float scale = 10;              // Cscale; -1 casts none
     float layers = 1, depths = 1;  // slots
+    float lower = 0.5f;            // depth of the skin on the map's lower half
   };
 
   /// rg: S, and the optical depth of the layers above, for places at (x, y, z) with height s; the estimate is 7.
@@ -261,7 +262,8 @@ class ShadowFormulas : public Lighting {
     std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));
     for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(0.5f));
     for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(std::exp(0.2f * float(layer - 16))));
-    depths.insert(depths.end(), 4, glm::vec4(0.5f)), widths.insert(widths.end(), 4, glm::vec4(maps.white));
+    depths.insert(depths.end(), 2, glm::vec4(0.5f)), depths.insert(depths.end(), 2, glm::vec4(maps.lower));
+    widths.insert(widths.end(), 4, glm::vec4(maps.white));
     const Texture kept_maps = send_layers(gl(), 2, kept, true);
     const Texture depth_maps = send_layers(gl(), 2, depths, true);
     const Texture width_maps = send_layers(gl(), 2, widths, true);
@@ -323,6 +325,18 @@ TEST_P(ShadowFormulas, LayersLetThroughWhatTheirMapsSay) {
   const std::vector<Case> behind = places_below(0.3);
   const std::vector<glm::vec4> other = asked({}, behind);
   EXPECT_EQ(other[cases - 1].g, 7) << "the maps show another part of the body";
+}
+
+/// The first row of a map is the light's upper side.
+TEST_P(ShadowFormulas, MapsStandUpright) {
+  std::vector<Case> of = places_below(0.3);
+  for (Case& c : of) c.place.y = c.place.y > 0 ? 0.6f : -0.6f;
+  const std::vector<glm::vec4> values = asked({.soft = false, .lower = 0.0f}, of);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const double sd = -double(of[i].place.z) + (of[i].place.y > 0 ? 0 : 0.5);
+    if (std::abs(sd - 0.006) < 1e-5) continue;
+    ASSERT_EQ(values[i].r, sd < 0.006 ? 1 : 0) << of[i].place.y;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, Lighting, all_backends(), name_of);

@@ -1,5 +1,6 @@
 // Shadows from maps: they darken what lies behind, agree with the estimate where both are right, and are kept.
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/frame/renderer.h"
 #include "server/scene/fur_view.h"
@@ -54,6 +55,32 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
   EXPECT_LT(mean(hard), 0.95 * mean(open));
   EXPECT_LT(mean(soft), 0.97 * mean(open));
   EXPECT_GT(mean(soft), 1.002 * mean(hard));
+}
+
+/// On bare skin a hard shadow is where a ray to the light meets the body, from whatever side the light comes.
+TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
+  FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
+  FrameRequest request = small_frame(AutoView::front, 128);
+  request.knobs.shadow_maps = true;
+  for (const glm::dvec3 along : {glm::dvec3(0.3, -1, -0.6), glm::dvec3(-1, 0.4, -0.5)}) {
+    model.settings.lights = {{.direction = along, .cast_shadow = CastShadow::hard}};
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const FurFrame frame = make_frame(model.view(), request);
+    const std::vector<FrameLayer> asked{FrameLayer::position, FrameLayer::normal, FrameLayer::shadow};
+    const std::vector<FloatImage> layers = renderer->draw_layers(frame, asked).value();
+    const glm::dvec3 to_light = -glm::dvec3(frame.lights[0].direction);
+    int blocked = 0, open = 0, wrong = 0;
+    for (std::size_t i = 0; i < layers[0].rgba.size(); i += 4) {
+      const auto value = [&](int layer) { return glm::dvec3(glm::make_vec3(&layers[static_cast<std::size_t>(layer)].rgba[i])); };
+      if (layers[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
+      const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
+      (hidden ? blocked : open) += 1;
+      wrong += hidden != (value(2).r < 0.5);
+    }
+    EXPECT_GT(blocked, 100);
+    EXPECT_GT(open, 500);
+    EXPECT_LT(wrong, 0.05 * (blocked + open));
+  }
 }
 
 TEST_P(Shadows, KnobAndLightMustBothAsk) {
