@@ -39,6 +39,35 @@ TEST_P(Shadows, LayerMapsAgreeWithTheEstimateOnAPlane) {
   EXPECT_GT(mean(picture(model, light, false)), estimate * 1.05);  // so there is a shadow to agree on
 }
 
+/// The share of light that black fur, which keeps what it takes, leaves: from the maps and from the estimate. The light
+/// comes from a side, as what is seen along it has nothing above it. The maps leave more: gaps let light in to what is
+/// seen through them, and the mean of what strands let through is more than the mean depth does.
+TEST_P(Shadows, LayerMapsHoldTheOpticalDepthOfTheFur) {
+  FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
+  model.settings.coat.ramp = {{0, glm::vec3(0)}};
+  model.settings.coat.count = 4000;
+  FrameRequest request = small_frame(AutoView::top, 160);
+  const auto share_left = [&](bool maps) {
+    model.settings.lights = {{.direction = {1, -1, 0.3}}};
+    model.settings.lights[0].self_shadow_maps = maps;
+    request.knobs.shadow_maps = maps;
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const std::vector<FrameLayer> asked{FrameLayer::shadow};
+    const FloatImage image = renderer->draw_layers(make_frame(model.view(), request), asked).value()[0];
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      if (image.rgba[i + 3] > 0.9f) sum += double(image.rgba[i]), ++count;
+    }
+    return sum / count;
+  };
+  const double estimate = share_left(false), maps = share_left(true);
+  RecordProperty("shares", std::to_string(estimate) + " " + std::to_string(maps));
+  EXPECT_GT(estimate, 0.2);
+  EXPECT_LT(estimate, 0.9);
+  EXPECT_GT(std::log(maps) / std::log(estimate), 0.5);
+  EXPECT_LT(std::log(maps) / std::log(estimate), 1);
+}
+
 TEST_P(Shadows, CastShadowOnlyDarkens) {
   FurredModel model = furred({Builtin::knot, 2000}, {.length = 0.01});
   Light light = from_above;
