@@ -102,13 +102,13 @@ std::vector<double> heights_with(const FurredSurface& fur, std::span<const float
   return lowest;
 }
 
-/// One pass: the factors around each triangle that folds are scaled until it does not. False where none does.
+/// One pass: the factors around each triangle that folds are scaled until it does not. False where none can be.
 bool limit_once(const FurredSurface& fur, std::vector<float>& factors) {
   const std::vector<double> lowest = heights_with(fur, factors, least_width);
   std::vector<float> scales(factors.size(), 1);
   bool any = false;
   for (std::size_t t = 0; t < lowest.size(); ++t) {
-    if (lowest[t] == no_fold) continue;
+    if (lowest[t] == no_fold || folds_anywhere(fur, fur.triangles[t], factors, 0)) continue;
     any = true;
     const float scale = static_cast<float>(largest_scale(fur, fur.triangles[t], factors));
     for (int c = 0; c < 3; ++c) scales[fur.triangles[t][c]] = std::min(scales[fur.triangles[t][c]], scale);

@@ -24,8 +24,8 @@ struct FurredSurface {
 
 /// The lowest height in (0, 1] at which the shell over each triangle has turned over, of the eight heights that are
 /// looked at; 2 where it has not. A shell is the triangle with each corner moved along its strand. Seen in the plane of
-/// the triangle that is a linear map J = I + grad(shift); the shell turns over where an eigenvalue of J falls to 0. That
-/// is where its determinant does, and it stays so where both fall below, so that the determinant is above 0 again.
+/// the triangle that is a linear map J = I + grad(shift); the shell turns over where an eigenvalue of J falls to 0.
+/// That is where its determinant does, and it stays so where both fall below, so that the determinant is above 0 again.
 /// Triangles without an area never turn over.
 std::vector<double> fold_heights(const FurredSurface& surface);
 
@@ -34,8 +34,8 @@ std::size_t count_folds(const FurredSurface& surface);
 
 /// A factor in [0, 1] on the inclination for each vertex, 1 where nothing folds: with it the shell over each triangle
 /// keeps a tenth of its width at all heights that are looked at. Only vertices of triangles that would not are changed.
-/// Upright fur in a hollow that is narrower than the fur is long folds at any inclination: there it is 0, and
-/// `count_folds` still counts it. Does not depend on the order of the triangles.
+/// Where upright fur folds as well, in a hollow narrower than the fur is long, leaning less is no help, and the
+/// triangle is left as it is; `count_folds` then still counts it. Does not depend on the order of the triangles.
 std::vector<float> fold_limits(const FurredSurface& surface);
 
 }  // namespace pelage

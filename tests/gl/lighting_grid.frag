@@ -29,6 +29,9 @@ void main() {
   if (asked == 5) fibre_light(fibre), result.r = light_share.y;
 #endif
 #ifdef SHADOW_MAPS
-  if (asked == 6) result = vec4(cast_light(lamp, fibre.place), layer_depth(lamp, fibre.place, fibre.height, 1.0, 7.0), 0.0, 0.0);
+  if (asked == 6) {
+    result.r = cast_light(lamp, fibre.place);
+    result.g = layer_depth(lamp, fibre.place, fibre.height, 1.0, 7.0);
+  }
 #endif
 }

@@ -125,12 +125,18 @@ FurFrame lit_frame() {
   FurFrame frame;
   frame.width = frame.height = side;
   frame.look.back_attenuation = 0.7, frame.look.self_shadow = 0.8, frame.look.ambient_floor = 0.2;
-  frame.environment = {.sky = {1, 0.5f, 0.2f}, .horizon = {0.2f, 0.4f, 0.6f}, .ground = {0.3f, 0.1f, 0}, .harmonics = {}};
-  frame.lights = {
-      {.kind = LightKind::directional, .direction = glm::normalize(glm::vec3(1, -2, 0.5f)), .radiance = {1, 0.8f, 0.5f}},
-      {.kind = LightKind::point, .position = {0.5f, 0.9f, -0.6f}, .radiance = {0.1f, 0.3f, 0.6f}},
-      {.kind = LightKind::spot, .direction = {0, -1, 0}, .position = {0, 1.5f, 0}, .radiance = {0.8f, 0.9f, 0.3f},
-       .cone = 0.95f, .soft_cone = 0.99f}};
+  frame.environment = {
+      .sky = {1, 0.5f, 0.2f}, .horizon = {0.2f, 0.4f, 0.6f}, .ground = {0.3f, 0.1f, 0}, .harmonics = {}};
+  frame.lights = {{.kind = LightKind::directional,
+                   .direction = glm::normalize(glm::vec3(1, -2, 0.5f)),
+                   .radiance = {1, 0.8f, 0.5f}},
+                  {.kind = LightKind::point, .position = {0.5f, 0.9f, -0.6f}, .radiance = {0.1f, 0.3f, 0.6f}},
+                  {.kind = LightKind::spot,
+                   .direction = {0, -1, 0},
+                   .position = {0, 1.5f, 0},
+                   .radiance = {0.8f, 0.9f, 0.3f},
+                   .cone = 0.95f,
+                   .soft_cone = 0.99f}};
   return frame;
 }
 
@@ -231,9 +237,11 @@ TEST_P(Lighting, LampsFallWithTheSquareAndSpotsToTheirEdge) {
       const Arriving truth = arriving_from(light, glm::dvec3(of[i].place));
       ASSERT_LT(apart(values[i], truth.to_light), 1e-5);
       ASSERT_NEAR(values[i].a, truth.radiance.g, 2e-5 * std::max(1.0, truth.radiance.g));
-      const double full = truth.radiance.g / arriving_from({.kind = LightKind::point, .position = light.position,
-                                                            .radiance = light.radiance},
-                                                           glm::dvec3(of[i].place)).radiance.g;
+      const double full =
+          truth.radiance.g /
+          arriving_from({.kind = LightKind::point, .position = light.position, .radiance = light.radiance},
+                        glm::dvec3(of[i].place))
+              .radiance.g;
       part += full > 0.01 && full < 0.99;
     }
     EXPECT_GE(part, light.kind == LightKind::spot ? 50 : 0);
@@ -318,7 +326,8 @@ TEST_P(ShadowFormulas, LayersLetThroughWhatTheirMapsSay) {
   const std::vector<glm::vec4> values = asked({}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const double layer = 16 * double(of[i].height), low = std::floor(layer);
-    const double kept = glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (std::min(low + 1, 16.0) - 16)), layer - low);
+    const double kept =
+        glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (std::min(low + 1, 16.0) - 16)), layer - low);
     ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
   }
   for (const glm::vec4& value : asked({.layers = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate

@@ -165,7 +165,8 @@ LobeValues lobes_of(const FibreShading& shading, const Look& look, const Case& c
                                  : longitudinal_lobes(energy_conserving_lobes(look.fibre), light, eye);
   const glm::dvec3 across_light = geometry.to_light + geometry.tangent * light.sine;
   const glm::dvec3 across_eye = geometry.to_eye + geometry.tangent * eye.sine;
-  const double azimuth = std::acos(std::clamp(glm::dot(glm::normalize(across_light), glm::normalize(across_eye)), -1.0, 1.0));
+  const double azimuth =
+      std::acos(std::clamp(glm::dot(glm::normalize(across_light), glm::normalize(across_eye)), -1.0, 1.0));
   const double sigma_a = shading.absorption(glm::dvec3(c.colour)).r;
   LobeValues n = table.at(marschner ? cos_difference(light, eye) : eye.cosine, azimuth, absorption_coordinate(sigma_a));
   for (std::size_t p = 0; p < lobe_count; ++p) n[p] *= m[p];
@@ -208,8 +209,8 @@ TEST_P(Scattering, EveryLobeOfAFormulaAgreesWithTheCpu) {
   }
 }
 
-/// All that a white fibre sends into one direction, summed on the GPU over light from everywhere: pi, as `scatter` is pi
-/// times a distribution. Gauss-Legendre along the strand, midpoints around it.
+/// All that a white fibre sends into one direction, summed on the GPU over light from everywhere: pi, as `scatter` is
+/// pi times a distribution. Gauss-Legendre along the strand, midpoints around it.
 TEST_P(Scattering, WhiteFurnace) {
   Look look;
   look.shading = ShadingModel::energy_conserving;

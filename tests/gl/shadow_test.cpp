@@ -100,7 +100,7 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
     const glm::dvec3 to_light = -glm::dvec3(frame.lights[0].direction);
     int blocked = 0, open = 0, wrong = 0;
     for (std::size_t i = 0; i < layers[0].rgba.size(); i += 4) {
-      const auto value = [&](int layer) { return glm::dvec3(glm::make_vec3(&layers[static_cast<std::size_t>(layer)].rgba[i])); };
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&layers[layer].rgba[i])); };
       if (layers[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
       const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
       (hidden ? blocked : open) += 1;

@@ -17,9 +17,9 @@ namespace testing {
 namespace {
 
 constexpr int side = 16;
-constexpr float longest = 0.24f;                // the longest pull
+constexpr float longest = 0.24f;                  // the longest pull
 const glm::vec3 to_middle(0.02f, -0.03f, 0.05f);  // from every place
-constexpr float inside = 0.4f;                  // of the tuft, everywhere
+constexpr float inside = 0.4f;                    // of the tuft, everywhere
 
 class TuftsOnGpu : public OnBackend {
  protected:
@@ -62,7 +62,8 @@ TEST_P(TuftsOnGpu, TheStrandThatIsHereHasItsRootFurtherOut) {
 TEST_P(TuftsOnGpu, TheLeanIsTheSlopeOfTheStrand) {
   const Tufts tufts{.gather = 1};
   constexpr float s = 0.6f, h = 1e-2f;
-  const auto lean = asked(1, s, tufts), here = asked(0, s, tufts), over = asked(0, s + h, tufts), under = asked(0, s - h, tufts);
+  const auto lean = asked(1, s, tufts), here = asked(0, s, tufts), over = asked(0, s + h, tufts),
+             under = asked(0, s - h, tufts);
   for (std::size_t i = 0; i < lean.size(); ++i) {
     const float length = 0.2f * (static_cast<float>(i / side) + 0.5f) / side;
     const glm::vec3 root_to_middle = to_middle - glm::vec3(here[i]);

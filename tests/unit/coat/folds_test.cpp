@@ -28,7 +28,8 @@ struct Furred {
   }
 };
 
-/// The square [-1, 1]^2 in `cells`^2 pairs of triangles, with fur that moves the tips of the shells by `shift` along it.
+/// The square [-1, 1]^2 in `cells`^2 pairs of triangles, with fur that moves the tips of the shells by `shift` along
+/// it.
 Furred sheet(int cells, const std::function<glm::dvec2(glm::dvec2)>& shift) {
   Furred made;
   for (int j = 0; j <= cells; ++j) {
@@ -104,7 +105,8 @@ TEST(Folds, WhereFurPartsOrSwirlsNothingTurnsOver) {
 }
 
 /// 30 mm of fur on a body of 1 m whose heading jumps from one side to the other between vertices 10 mm apart: the shift
-/// is 19 mm to either side. Parted fur tears the shell open, fur that meets turns it over, in that column of cells alone.
+/// is 19 mm to either side. Parted fur tears the shell open, fur that meets turns it over, in that column of cells
+/// alone.
 TEST(Folds, AJumpOfTheHeadingTurnsOverOnlyWhereFurMeets) {
   const auto jump = [](double sign) {
     return sheet(201, [sign](glm::dvec2 at) { return glm::dvec2(at.x < 0 ? sign : -sign, 0) * 0.03 * whole_shift; });

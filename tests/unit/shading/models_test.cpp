@@ -1,5 +1,33 @@
 // The models behind their one interface: values of science.md 4, extremes of science.md 7, and what must hold between
-// them.
+// them. Where each row of science.md 4, 5 and 6 is held (GL: tests/gl; the others: tests/unit):
+//
+//   4  GPU fur eq 1, diffuse and specular      Kajiya.IsEquationOne; GL Scattering.AgreesWithTheCpu
+//      g, ka C, sum over lights                GL Lighting.SumsUpAmbientLightAndLamps
+//      B                                       LightBehind.*; GL Scattering.LightFromBehindAgreesWithTheCpu
+//      S, sd and sw                            GL ShadowFormulas.SoftShadowIsTheWidthOverTheDepth, .HardShadow...
+//      t through layer-wise maps               GL ShadowFormulas.LayersLetThrough..., .MapsStandUpright;
+//                                              GL Shadows.LayerMapsHoldTheOpticalDepthOfTheFur, .HardShadowsFall...
+//      t without maps (n.l over .3: fur.md)    GL Lighting.SumsUpAmbientLightAndLamps, .KeepsTheLightOfLampsApart
+//      t_c = t^(1 - f_c), back-scatter         GL Lighting.PaleFurLetsLight..., .FibreModelsScatterAgain...
+//      Kajiya-Kay, 1 and .28                   KajiyaKay.IsOneInTheMirrorDirection
+//      Scheuermann, four values and wrap       Scheuermann.*
+//      Marschner, table of energies            Marschner.EnergyIsNotConserved
+//      widths and tilts of R, TT, TRT          Marschner.LobesHaveThePublishedRatios
+//      a table of M is 13 and 24 % off         Marschner.ATableOfMWouldNotDo
+//      cos phi is 0/0 along the strand         Extremes.EveryModelStaysFinite; GL Scattering.ExtremesAreFinite
+//      Mp in float, the shortcut               Fibre.LongitudinalInFloatKeepsItsDigits, .TheCommonShortcut...
+//      the mean over h, .702 and .234          Fibre.TheMiddleIsNotTheAverage, .AverageIsTheMeanOfOffsets
+//      seven values of sum Mp Ap Np            Fibre.SumOfMpApNpAtAnOffset
+//      v and s                                 Fibre.VarianceAndScale
+//      furnace at 1e-3 by quadrature           Fibre.WhiteFurnace, .FurnaceAtOneOffset; GL Scattering.WhiteFurnace
+//      absorption                              Absorption.OfColoursAndPigments
+//      pow at extremes, T = H                  SinePower.*
+//      GLSL against C++, lobe by lobe          GL Scattering.EveryLobeOfAFibre..., .EveryLobeOfAFormula...
+//   5  angles and Fresnel from air, 46.61      Optics.*; GL Eyes.MirrorWhatFresnelSays
+//      shift of the iris, 2.916 and 6.235 mm   Optics.ShiftOfTheIrisAtSixtyDegrees; GL Eyes.PupilLies...
+//      pupil, tint, march, caustic             Pupil.*; GL Eyes.TheIrisTakesItsTint, .TheMarchConverges;
+//                                              Caustics.GatherWhatCameThroughTheCornea
+//   6  FLIP's feel, authors' values            Flip.FeelOfGreyLevels, .FeelOfShiftedStrands, .AgreesWithItsAuthors...
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -167,7 +195,7 @@ double error_of_table(double width, double centre, int side) {
   return largest;
 }
 
-/// Why M is computed and not read from a table (science.md 4: 13% and 24% off beyond 60 degrees, at a width of its own).
+/// Why M is computed and not read from a table: science.md 4 has 13% and 24% beyond 60 degrees, at a width of its own.
 TEST(Marschner, ATableOfMWouldNotDo) {
   const MarschnerLobes lobes = marschner_lobes(FibreOptics());
   const double reflected = error_of_table(lobes.width[0], lobes.centre[0], 128);
