@@ -75,6 +75,19 @@ TEST_P(BareSkinFrames, LaterRegionsLieOverEarlierOnes) {
   EXPECT_EQ(middle_of(drawn(model)).x, 0);
 }
 
+TEST_P(BareSkinFrames, AtHalfItsSoftnessHalfOfItsLightIsSeen) {
+  FurredModel model = ball(0);
+  model.settings.look.skin = glm::vec3(0);
+  model.settings.skin = {everywhere(model)};
+  const auto blue = [&] { return std::pow((middle_of(drawn(model)).z / 255.0 + 0.055) / 1.055, 2.4); };
+  const double whole = blue();
+  EXPECT_GT(whole, 0.02);
+  // The skin lies at 1.5 radii of the region, half way over its edge of one radius.
+  model.settings.skin[0].radii = glm::dvec3(0.5 / std::sqrt(3.0) / 1.5);
+  model.settings.skin[0].softness = 2;
+  EXPECT_NEAR(blue(), 0.5 * whole, 0.04 * whole);
+}
+
 TEST_P(BareSkinFrames, FacesADirection) {
   FurredModel model = ball();
   SkinRegion front = everywhere(model);

@@ -43,6 +43,16 @@ TEST_P(BasePicture, LiesWhereTheTextureCoordinatesSay) {
   EXPECT_GT(right.z, right.x + 60);
 }
 
+TEST_P(BasePicture, RowsCountFromTheTop) {
+  FurredModel model = ball();
+  model.base_picture = RawImage{1, 2, {255, 0, 0, 255, 0, 0, 255, 255}};  // red over blue
+  model.settings.base_picture = std::string(32, 'a');
+  const Image image = draw_front(model);
+  const auto at = [&](int row) { return 4 * static_cast<std::size_t>(row * image.width + image.width / 2); };
+  EXPECT_GT(image.rgba[at(40)], image.rgba[at(40) + 2] + 60);
+  EXPECT_GT(image.rgba[at(88) + 2], image.rgba[at(88)] + 60);
+}
+
 TEST_P(BasePicture, TakingItOffGivesTheSamePictureAsBefore) {
   FurredModel model = ball();
   const Image before = draw_front(model);

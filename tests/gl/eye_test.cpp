@@ -180,6 +180,67 @@ TEST_P(Eyes, PupilLiesWhereRefractionPutsIt) {
   }
 }
 
+/// The cosine to the normal at which the ray of a pixel meets a ball without a bulge; none where it misses.
+std::optional<double> cosine_on_ball(const FurFrame& frame, int x, int y) {
+  const double span = 2 * double{frame.camera.tan_half_fov} / size;
+  const glm::dvec3 along = glm::normalize(glm::dvec3((x + 0.5 - size / 2) * span, -(y + 0.5 - size / 2) * span, -1));
+  const glm::dvec3 from = glm::dvec3(frame.camera.eye) / 0.1;
+  const double half = glm::dot(from, along), inner = half * half - glm::dot(from, from) + 1;
+  if (inner <= 0) return std::nullopt;
+  return std::sqrt(inner);
+}
+
+/// science.md 5: what the cornea mirrors is Fresnel's share of the same surroundings, whatever the index.
+TEST_P(Eyes, MirrorWhatFresnelSays) {
+  FurEye eye;
+  eye.bulge = 0, eye.wetness = 1;
+  eye.sclera = eye.iris.colour = eye.iris.inner_colour = glm::vec3(0);
+  const auto drawn = [&](double refraction) {
+    eye.refraction = refraction;
+    FurFrame frame = frame_with(eye);
+    frame.lights.clear();
+    return draw(frame);
+  };
+  const std::vector<glm::vec4> cornea = drawn(1.376), glass = drawn(3), nothing = drawn(1);
+  int seen = 0;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const std::optional<double> cosine = cosine_on_ball(frame_with(eye), x, y);
+      const std::size_t i = static_cast<std::size_t>(y * size + x);
+      if (!cosine || *cosine < 0.05 || cornea[i].a < 1) continue;
+      ++seen;
+      ASSERT_LT(nothing[i].g, 1e-6f);
+      ASSERT_NEAR(double(cornea[i].g) / double(glass[i].g) / (fresnel(*cosine, 1.376) / fresnel(*cosine, 3)), 1, 5e-3)
+          << *cosine;
+    }
+  }
+  EXPECT_GT(seen, 2000);
+}
+
+/// science.md 5: a grey picture of an iris, tinted to any colour.
+TEST_P(Eyes, TheIrisTakesItsTint) {
+  FurEye eye;
+  eye.wetness = 0, eye.refraction = 1;
+  eye.iris.limbal_ring = 0, eye.iris.size = 0.8, eye.pupil.size = 0.2;
+  const auto drawn = [&](glm::vec3 colour) {
+    eye.iris.colour = eye.iris.inner_colour = colour;
+    FurFrame frame = frame_with(eye);
+    frame.knobs.eye_steps = 1;
+    return draw(frame);
+  };
+  const glm::vec3 tint(0.2f, 0.5f, 0.9f);
+  const std::vector<glm::vec4> grey = drawn(glm::vec3(1)), tinted = drawn(tint);
+  int seen = 0;
+  for (int y = size / 2 - 12; y < size / 2 + 12; ++y) {
+    for (int x = size / 2 - 12; x < size / 2 + 12; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y * size + x);
+      seen += grey[i].g > 0.05f;
+      ASSERT_LT(glm::distance(glm::vec3(tinted[i]), tint * glm::vec3(grey[i])), 1e-4f) << x << " " << y;
+    }
+  }
+  EXPECT_GT(seen, 300);
+}
+
 /// Mean light of the pixels of the left and the right half.
 glm::dvec2 halves(const std::vector<glm::vec4>& pixels) {
   glm::dvec2 sum(0);

@@ -92,6 +92,24 @@ TEST_P(Fins, ChangeTheOutlineAndHardlyTheInside) {
   RecordProperty("hairs", std::to_string(hairs.band) + " " + std::to_string(hairs.inside));
 }
 
+/// An edge that is narrower than a slab of the side view stands for the fur of its own width: there, what fins add does
+/// not grow with the number of edges. (Wider edges show one slab each, so that coarse meshes get thinner fins.)
+TEST_P(Fins, AddAsMuchHoweverFineTheMeshIs) {
+  const auto added = [&](int triangles) {
+    FurredModel model = furred({Builtin::sphere, triangles}, {.length = 0.05, .inclination = 0.2});
+    model.settings.coat.tile = 1, model.settings.coat.count = 3000;  // slabs of .008, and thin fur
+    const Image plain = draw(*renderer, model, request_with(false, 0, 128));
+    const Image fins = draw(*renderer, model, request_with(true, 0, 128));
+    double sum = 0;
+    for (std::size_t i = 3; i < plain.rgba.size(); i += 4) sum += fins.rgba[i] - plain.rgba[i];
+    return sum;
+  };
+  const double coarse = added(12000), fine = added(48000);
+  RecordProperty("sums", std::to_string(coarse) + " " + std::to_string(fine));
+  EXPECT_GT(coarse, 500);
+  EXPECT_NEAR(fine / coarse, 1, 0.25);
+}
+
 TEST_P(Fins, RootsOfGuardHairsDoNotShowThroughTheFur) {
   FurredModel model = furred({Builtin::sphere, 3000}, {.length = 0.05, .inclination = 0.4});
   model.settings.coat.ramp = {{0, {0, 0, 0}}, {0.6, {0, 0, 0}}, {0.7, {0.7f, 0.7f, 0.7f}}, {1, {0.7f, 0.7f, 0.7f}}};

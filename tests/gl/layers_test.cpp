@@ -184,6 +184,73 @@ TEST_P(Layers, OverlaysShowOnTheSkinAlone) {
   EXPECT_EQ(pictures.size(), 5u);
 }
 
+/// What fur of one colour reflects, whatever light falls on it; as in the beauty, multiplied by alpha.
+TEST_P(Layers, AlbedoIsTheColourOfTheCoat) {
+  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05, .inclination = 0.4});
+  const glm::vec3 colour(0.6f, 0.3f, 0.12f);
+  model.settings.coat.ramp = {{0, colour}};
+  model.settings.coat.colour_spread = 0;
+  const auto lit = layers_of(model, small_frame(), {FrameLayer::albedo});
+  for (std::size_t i = 0; i < lit[0].rgba.size() / 4; ++i) {
+    ASSERT_LT(glm::distance(pixel(lit[0], i), colour * lit[0].rgba[4 * i + 3]), 0.015f);
+  }
+  model.settings.lights.clear();
+  EXPECT_EQ(layers_of(model, small_frame(), {FrameLayer::albedo})[0].rgba, lit[0].rgba);
+}
+
+/// Red to the right, then yellow, green, blue and violet against the clock, as it shows on the screen.
+TEST_P(Layers, HueTurnsWithTheDirectionOnTheScreen) {
+  FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0});
+  model.settings.coat.ramp = {{0, glm::vec3(0.2f)}};
+  FrameRequest request = small_frame(AutoView::top);
+  request.overlay = Overlay::direction;
+  request.background = Background::colour;
+  const Mesh& mesh = model.model.surface.mesh();
+  const FurCamera camera = make_frame(model.view(), request).camera;
+  for (int turn = 0; turn < 6; ++turn) {
+    const float angle = glm::radians(60.0f * static_cast<float>(turn));
+    const glm::vec3 lean = std::cos(angle) * camera.right + std::sin(angle) * camera.up;
+    for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
+      const glm::vec3 bitangent = glm::cross(mesh.normals[v], mesh.tangents[v]);
+      Groom groom = model.fields.at(v);
+      groom.direction = 0.99f * glm::vec2(glm::dot(lean, mesh.tangents[v]), glm::dot(lean, bitangent));
+      model.fields.set(v, groom);
+    }
+    const glm::dvec3 shown = mean_colour(draw(*renderer, model, request));
+    // At 0, 60, ... 300 degrees red, yellow, green, cyan, blue and violet.
+    const glm::dvec3 pure[] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}};
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) EXPECT_GT(shown[a], shown[b] + (pure[turn][a] > pure[turn][b] ? 40 : -255)) << turn;
+    }
+  }
+}
+
+/// Lines along fur that leans to the right run from left to right: along them the picture changes less than across.
+TEST_P(Layers, StrokesRunAlongTheFur) {
+  const FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 1});
+  FrameRequest request = small_frame(AutoView::top, 192);
+  request.background = Background::colour;
+  const Image plain = draw(*renderer, model, request);
+  request.overlay = Overlay::strokes;
+  const Image image = draw(*renderer, model, request);
+  const auto stroke = [&](int x, int y) {
+    const std::size_t i = 4 * static_cast<std::size_t>(y * image.width + x);
+    return double(image.rgba[i] - plain.rgba[i]);
+  };
+  double across = 0, along = 0;
+  for (int y = 64; y < 128; ++y) {
+    for (int x = 64; x < 128; ++x) {
+      across += std::abs(stroke(x + 1, y) - stroke(x, y)), along += std::abs(stroke(x, y + 1) - stroke(x, y));
+    }
+  }
+  const Mesh& mesh = model.model.surface.mesh();
+  const FurCamera camera = make_frame(model.view(), request).camera;
+  const glm::vec2 direction = model.fields.at(0).direction;
+  const glm::vec3 lean = direction.x * mesh.tangents[0] + direction.y * glm::cross(mesh.normals[0], mesh.tangents[0]);
+  const bool level = std::abs(glm::dot(lean, camera.right)) > std::abs(glm::dot(lean, camera.up));
+  EXPECT_GT(level ? along : across, 1.8 * (level ? across : along));
+}
+
 TEST_P(Layers, HueFollowsTheDirection) {
   const FurredModel lying = furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 1});
   const FurredModel standing = furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 0});

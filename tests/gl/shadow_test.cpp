@@ -1,5 +1,6 @@
 // Shadows from maps: they darken what lies behind, agree with the estimate where both are right, and are kept.
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/frame/renderer.h"
 #include "server/scene/fur_view.h"
@@ -38,6 +39,35 @@ TEST_P(Shadows, LayerMapsAgreeWithTheEstimateOnAPlane) {
   EXPECT_GT(mean(picture(model, light, false)), estimate * 1.05);  // so there is a shadow to agree on
 }
 
+/// The share of light that black fur, which keeps what it takes, leaves: from the maps and from the estimate. The light
+/// comes from a side, as what is seen along it has nothing above it. The maps leave more: gaps let light in to what is
+/// seen through them, and the mean of what strands let through is more than the mean depth does.
+TEST_P(Shadows, LayerMapsHoldTheOpticalDepthOfTheFur) {
+  FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
+  model.settings.coat.ramp = {{0, glm::vec3(0)}};
+  model.settings.coat.count = 4000;
+  FrameRequest request = small_frame(AutoView::top, 160);
+  const auto share_left = [&](bool maps) {
+    model.settings.lights = {{.direction = {1, -1, 0.3}}};
+    model.settings.lights[0].self_shadow_maps = maps;
+    request.knobs.shadow_maps = maps;
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const std::vector<FrameLayer> asked{FrameLayer::shadow};
+    const FloatImage image = renderer->draw_layers(make_frame(model.view(), request), asked).value()[0];
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      if (image.rgba[i + 3] > 0.9f) sum += double(image.rgba[i]), ++count;
+    }
+    return sum / count;
+  };
+  const double estimate = share_left(false), maps = share_left(true);
+  RecordProperty("shares", std::to_string(estimate) + " " + std::to_string(maps));
+  EXPECT_GT(estimate, 0.2);
+  EXPECT_LT(estimate, 0.9);
+  EXPECT_GT(std::log(maps) / std::log(estimate), 0.5);
+  EXPECT_LT(std::log(maps) / std::log(estimate), 1);
+}
+
 TEST_P(Shadows, CastShadowOnlyDarkens) {
   FurredModel model = furred({Builtin::knot, 2000}, {.length = 0.01});
   Light light = from_above;
@@ -54,6 +84,32 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
   EXPECT_LT(mean(hard), 0.95 * mean(open));
   EXPECT_LT(mean(soft), 0.97 * mean(open));
   EXPECT_GT(mean(soft), 1.002 * mean(hard));
+}
+
+/// On bare skin a hard shadow is where a ray to the light meets the body, from whatever side the light comes.
+TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
+  FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
+  FrameRequest request = small_frame(AutoView::front, 128);
+  request.knobs.shadow_maps = true;
+  for (const glm::dvec3 along : {glm::dvec3(0.3, -1, -0.6), glm::dvec3(-1, 0.4, -0.5)}) {
+    model.settings.lights = {{.direction = along, .cast_shadow = CastShadow::hard}};
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const FurFrame frame = make_frame(model.view(), request);
+    const std::vector<FrameLayer> asked{FrameLayer::position, FrameLayer::normal, FrameLayer::shadow};
+    const std::vector<FloatImage> layers = renderer->draw_layers(frame, asked).value();
+    const glm::dvec3 to_light = -glm::dvec3(frame.lights[0].direction);
+    int blocked = 0, open = 0, wrong = 0;
+    for (std::size_t i = 0; i < layers[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&layers[layer].rgba[i])); };
+      if (layers[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
+      const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
+      (hidden ? blocked : open) += 1;
+      wrong += hidden != (value(2).r < 0.5);
+    }
+    EXPECT_GT(blocked, 100);
+    EXPECT_GT(open, 500);
+    EXPECT_LT(wrong, 0.05 * (blocked + open));
+  }
 }
 
 TEST_P(Shadows, KnobAndLightMustBothAsk) {

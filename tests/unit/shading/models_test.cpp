@@ -1,10 +1,39 @@
 // The models behind their one interface: values of science.md 4, extremes of science.md 7, and what must hold between
-// them.
+// them. Where each row of science.md 4, 5 and 6 is held (GL: tests/gl; the others: tests/unit):
+//
+//   4  GPU fur eq 1, diffuse and specular      Kajiya.IsEquationOne; GL Scattering.AgreesWithTheCpu
+//      g, ka C, sum over lights                GL Lighting.SumsUpAmbientLightAndLamps
+//      B                                       LightBehind.*; GL Scattering.LightFromBehindAgreesWithTheCpu
+//      S, sd and sw                            GL ShadowFormulas.SoftShadowIsTheWidthOverTheDepth, .HardShadow...
+//      t through layer-wise maps               GL ShadowFormulas.LayersLetThrough..., .MapsStandUpright;
+//                                              GL Shadows.LayerMapsHoldTheOpticalDepthOfTheFur, .HardShadowsFall...
+//      t without maps (n.l over .3: fur.md)    GL Lighting.SumsUpAmbientLightAndLamps, .KeepsTheLightOfLampsApart
+//      t_c = t^(1 - f_c), back-scatter         GL Lighting.PaleFurLetsLight..., .FibreModelsScatterAgain...
+//      Kajiya-Kay, 1 and .28                   KajiyaKay.IsOneInTheMirrorDirection
+//      Scheuermann, four values and wrap       Scheuermann.*
+//      Marschner, table of energies            Marschner.EnergyIsNotConserved
+//      widths and tilts of R, TT, TRT          Marschner.LobesHaveThePublishedRatios
+//      a table of M is 13 and 24 % off         Marschner.ATableOfMWouldNotDo
+//      cos phi is 0/0 along the strand         Extremes.EveryModelStaysFinite; GL Scattering.ExtremesAreFinite
+//      Mp in float, the shortcut               Fibre.LongitudinalInFloatKeepsItsDigits, .TheCommonShortcut...
+//      the mean over h, .702 and .234          Fibre.TheMiddleIsNotTheAverage, .AverageIsTheMeanOfOffsets
+//      seven values of sum Mp Ap Np            Fibre.SumOfMpApNpAtAnOffset
+//      v and s                                 Fibre.VarianceAndScale
+//      furnace at 1e-3 by quadrature           Fibre.WhiteFurnace, .FurnaceAtOneOffset; GL Scattering.WhiteFurnace
+//      absorption                              Absorption.OfColoursAndPigments
+//      pow at extremes, T = H                  SinePower.*
+//      GLSL against C++, lobe by lobe          GL Scattering.EveryLobeOfAFibre..., .EveryLobeOfAFormula...
+//   5  angles and Fresnel from air, 46.61      Optics.*; GL Eyes.MirrorWhatFresnelSays
+//      shift of the iris, 2.916 and 6.235 mm   Optics.ShiftOfTheIrisAtSixtyDegrees; GL Eyes.PupilLies...
+//      pupil, tint, march, caustic             Pupil.*; GL Eyes.TheIrisTakesItsTint, .TheMarchConverges;
+//                                              Caustics.GatherWhatCameThroughTheCornea
+//   6  FLIP's feel, authors' values            Flip.FeelOfGreyLevels, .FeelOfShiftedStrands, .AgreesWithItsAuthors...
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "protocol/base/random.h"
 #include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/quadrature.h"
 #include "renderer/shading/scattering_block.h"
@@ -122,6 +151,59 @@ TEST(Marschner, EnergyIsNotConserved) {
           << "beta " << row.beta << " alpha " << row.alpha << " theta " << columns[i];
     }
   }
+}
+
+/// science.md 4: beta_TT = beta_R / 2, beta_TRT = 2 beta_R; the tilt of R here is a positive turn about the axis of
+/// fibre.h, and TT and TRT have -1/2 and -3/2 of it.
+TEST(Marschner, LobesHaveThePublishedRatios) {
+  FibreOptics fibre;
+  fibre.highlight_width = 8, fibre.cuticle_tilt = 6;
+  const MarschnerLobes lobes = marschner_lobes(fibre);
+  const double degree = pi / 180, widths[] = {8, 4, 16}, centres[] = {6, -3, -9};
+  for (std::size_t p = 0; p < 3; ++p) {
+    EXPECT_NEAR(lobes.width[p], widths[p] * degree, 1e-15);
+    EXPECT_NEAR(lobes.centre[p], centres[p] * degree, 1e-15);
+    const double at = lobes.centre[p];  // theta_h where both inclinations are this
+    const auto m = [&](double theta) {
+      const Inclination both{std::sin(theta), std::cos(theta)};
+      return marschner_longitudinal(lobes, both, both)[p];
+    };
+    EXPECT_NEAR(m(at), 1 / (2 * lobes.width[p] * std::sqrt(2 * pi)), 1e-12);
+    EXPECT_NEAR(m(at + lobes.width[p]) / m(at), std::exp(-0.5), 1e-12);
+  }
+}
+
+/// The Gaussian of M in a table of `side`^2 over both sines, bilinear, as the survey packs it: the largest error beyond
+/// 60 degrees over the peak.
+double error_of_table(double width, double centre, int side) {
+  const auto value = [&](double light, double eye) {
+    const double off = (std::asin(light) + std::asin(eye)) / 2 - centre;
+    return std::exp(-off * off / (2 * width * width));
+  };
+  const auto node = [&](int i) { return -1 + 2.0 * i / (side - 1); };
+  double largest = 0;
+  for (double eye_angle = 60.1; eye_angle < 90; eye_angle += 0.05) {
+    for (double light_angle = -89.9; light_angle < -50; light_angle += 0.05) {
+      const double eye = std::sin(eye_angle * pi / 180), light = std::sin(light_angle * pi / 180);
+      const double x = (light + 1) / 2 * (side - 1), y = (eye + 1) / 2 * (side - 1);
+      const int i = std::min(static_cast<int>(x), side - 2), j = std::min(static_cast<int>(y), side - 2);
+      const double below = glm::mix(value(node(i), node(j)), value(node(i + 1), node(j)), x - i);
+      const double over = glm::mix(value(node(i), node(j + 1)), value(node(i + 1), node(j + 1)), x - i);
+      largest = std::max(largest, std::abs(glm::mix(below, over, y - j) - value(light, eye)));
+    }
+  }
+  return largest;
+}
+
+/// Why M is computed and not read from a table: science.md 4 has 13% and 24% beyond 60 degrees, at a width of its own.
+TEST(Marschner, ATableOfMWouldNotDo) {
+  const MarschnerLobes lobes = marschner_lobes(FibreOptics());
+  const double reflected = error_of_table(lobes.width[0], lobes.centre[0], 128);
+  const double transmitted = error_of_table(lobes.width[1], lobes.centre[1], 128);
+  EXPECT_GT(reflected, 0.08);
+  EXPECT_LT(reflected, 0.2);
+  EXPECT_GT(transmitted, 0.2);
+  EXPECT_LT(transmitted, 0.4);
 }
 
 /// Nothing is lost around the strand: R, TT and TRT of a clear fibre add up to 1 less the longer paths.
@@ -245,6 +327,40 @@ TEST(SinePower, KeepsItsDigitsWherePowDoesNot) {
   }
   EXPECT_GT(naive, 1e-2);
   EXPECT_LT(ours, 1.5e-7);
+}
+
+/// science.md 4: pow is off by 4.5e-5 at n = 1e3 and 4e-2 at 1e6; the exponential stays below 1e-7.
+TEST(SinePower, PowIsOffByWhatScienceSays) {
+  const auto largest_error = [](float n, bool naive) {
+    double largest = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const float d = 5 / std::sqrt(n) * static_cast<float>(i) / 20000;
+      const double truth = std::exp(0.5 * double(n) * std::log1p(-double(d) * double(d)));
+      const float value = naive ? std::pow(std::sqrt(1 - d * d), n) : sine_power(d, n);
+      largest = std::max(largest, std::abs(double(value) - truth));
+    }
+    return largest;
+  };
+  EXPECT_NEAR(largest_error(1e3f, true), 4.5e-5, 1e-5);
+  EXPECT_NEAR(largest_error(1e6f, true), 4e-2, 1e-2);
+  for (const float n : {1e3f, 1e6f}) EXPECT_LT(largest_error(n, false), 1.2e-7) << n;
+}
+
+/// science.md 4: with T = H, 1 - d^2 is below 0 for a quarter of unit vectors in float.
+TEST(SinePower, OfADirectionWithItselfIsNothing) {
+  Random random(3);
+  int below = 0;
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 any(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+    const glm::vec3 unit = any / glm::length(any);
+    const float d = glm::dot(unit, unit);
+    below += 1 - d * d < 0;
+    EXPECT_LT(sine_power(d, 2.0f), 1e-6f);
+    EXPECT_GE(sine_power(d, 0.5f), 0);
+  }
+  EXPECT_GT(below, 0.15 * count);
+  EXPECT_LT(below, 0.35 * count);
 }
 
 TEST(SinePower, AtTheEnds) {

@@ -1,0 +1,37 @@
+#version 450 core
+#include "frame.glsl"
+#include "lighting.glsl"
+
+// One layer each: place with height, normal with depth, tangent with the strand's number, to eye, colour.
+layout(binding = 0) uniform sampler2DArray cases;
+
+uniform int asked;
+uniform int lamp;  // whose shadow is asked for
+
+layout(location = 0) out vec4 result;
+
+vec4 given(int layer) { return texelFetch(cases, ivec3(gl_FragCoord.xy, layer), 0); }
+
+void main() {
+  Fibre fibre = Fibre(given(0).xyz, given(1).xyz, given(2).xyz, given(3).xyz, given(4).rgb, given(0).w, given(1).w,
+                      given(2).w);
+  result = vec4(0.0);
+  if (asked == 0) result.rgb = fibre_light(fibre);
+  if (asked == 1) result.rgb = transmittance(fibre.depth, fibre.colour);
+  if (asked == 2) result.rgb = environment_light(fibre.normal);
+  if (asked == 3) {
+    vec3 to_light, radiance;
+    light_at(0, fibre.place, to_light, radiance);
+    result = vec4(to_light, radiance.g);
+  }
+#ifdef LAYERS
+  if (asked == 4) fibre_light(fibre), result = vec4(direct_light, light_share.x);
+  if (asked == 5) fibre_light(fibre), result.r = light_share.y;
+#endif
+#ifdef SHADOW_MAPS
+  if (asked == 6) {
+    result.r = cast_light(lamp, fibre.place);
+    result.g = layer_depth(lamp, fibre.place, fibre.height, 1.0, 7.0);
+  }
+#endif
+}

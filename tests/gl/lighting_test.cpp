@@ -1,0 +1,356 @@
+// The light on a fibre in GLSL against the formulas of GPU fur eq 1 to 3 and of science.md 4, in double.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "renderer/light/spherical_harmonics.h"
+#include "renderer/shading/fibre_shading.h"
+#include "renderer/shading/scattering_block.h"
+#include "renderer/upload/frame_block.h"
+#include "renderer/upload/shadow_block.h"
+#include "tests/gl/backends.h"
+#include "tests/gl/grid.h"
+
+namespace pelage {
+namespace shaders {
+extern const char* const lean_grid_vert;
+extern const char* const lighting_grid_frag;
+}  // namespace shaders
+
+namespace testing {
+namespace {
+
+constexpr int side = 32, cases = side * side;
+constexpr int lamp = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
+
+struct Case {
+  glm::vec3 place, normal, tangent, to_eye, colour;
+  float height, depth, strand;
+};
+
+std::vector<Case> random_cases() {
+  std::mt19937 random(5);
+  const auto number = [&] { return static_cast<float>(random()) / 4294967296.0f; };
+  const auto direction = [&] {
+    const float z = 2 * number() - 1, turn = 6.2831853f * number(), r = std::sqrt(1 - z * z);
+    return glm::vec3(r * std::cos(turn), r * std::sin(turn), z);
+  };
+  std::vector<Case> made;
+  for (int i = 0; i < cases; ++i) {
+    Case c;
+    c.place = 0.6f * glm::vec3(number(), number(), number()) - 0.3f;
+    c.normal = direction(), c.tangent = direction(), c.to_eye = direction();
+    c.colour = {number(), number(), number()};
+    c.height = number(), c.depth = 3 * number(), c.strand = number();
+    made.push_back(c);
+  }
+  return made;
+}
+
+enum Asked { whole_light, transmitted, surroundings, arriving, direct, unshadowed, mapped };
+
+class Lighting : public OnBackend {
+ protected:
+  std::vector<glm::vec4> on_gpu(Asked asked, const FurFrame& frame, const std::vector<Case>& of,
+                                const std::string& defines = {}) {
+    const Program program(gl(), shaders::lean_grid_vert, shaders::lighting_grid_frag, defines);
+    EXPECT_EQ(program.log(), "");
+    const Buffer block = send_block(gl(), 0, make_frame_block(frame, Slices{}, false, side));
+    const Buffer scattering = send_block(gl(), 3, scattering_block(frame.look));
+    std::vector<glm::vec4> texels;
+    for (const Case& c : of) texels.emplace_back(c.place, c.height);
+    for (const Case& c : of) texels.emplace_back(c.normal, c.depth);
+    for (const Case& c : of) texels.emplace_back(c.tangent, c.strand);
+    for (const Case& c : of) texels.emplace_back(c.to_eye, 0);
+    for (const Case& c : of) texels.emplace_back(c.colour, 0);
+    const Texture inputs = send_layers(gl(), side, texels);
+    gl().BindTextureUnit(0, inputs.id());
+    program.use();
+    program.set("asked", static_cast<int>(asked));
+    program.set("lamp", lamp);
+    return answers(gl(), side);
+  }
+};
+
+/// t of fur of that colour: t^(1 - f_c), f_c = .82 sqrt(C).
+glm::dvec3 let_through(double depth, const glm::vec3& colour) {
+  glm::dvec3 kept;
+  for (int k = 0; k < 3; ++k) kept[k] = std::pow(std::exp(-depth), 1 - 0.82 * std::sqrt(double(colour[k])));
+  return kept;
+}
+
+struct Arriving {
+  glm::dvec3 to_light{0}, radiance{0};
+};
+
+Arriving arriving_from(const FurLight& light, const glm::dvec3& place) {
+  if (light.kind == LightKind::directional) return {-glm::dvec3(light.direction), glm::dvec3(light.radiance)};
+  const glm::dvec3 apart = glm::dvec3(light.position) - place;
+  Arriving found{glm::normalize(apart), glm::dvec3(light.radiance) / glm::dot(apart, apart)};
+  if (light.kind == LightKind::spot) {
+    const double inside = glm::dot(-found.to_light, glm::dvec3(light.direction));
+    const double edge = double(light.cone), full = double(light.soft_cone);
+    found.radiance *= std::clamp((inside - edge) / (full - edge), 0.0, 1.0);
+  }
+  return found;
+}
+
+struct Expected {
+  glm::dvec3 light{0};
+  glm::dvec3 direct{0}, unshadowed{0};  // of lamps
+};
+
+/// c = ka g C t E + sum of [scattered] t B L.
+Expected expected_light(const FurFrame& frame, const FibreShading& shading, const Case& c) {
+  const Look& look = frame.look;
+  const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));
+  const glm::dvec3 colour(c.colour), normal(c.normal);
+  const double g = (1 - look.ambient_floor) * double(c.height) + look.ambient_floor;
+  Expected sum;
+  for (const FurLight& light : frame.lights) {
+    const Arriving from = arriving_from(light, glm::dvec3(c.place));
+    const double facing = glm::dot(normal, from.to_light);
+    const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_eye)};
+    const double behind = light_behind(look.shading, facing, look.back_attenuation);
+    const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
+    sum.direct += whole * let_through(look.self_shadow * double(c.depth) / std::max(facing, 0.3), c.colour);
+    sum.unshadowed += whole;
+  }
+  sum.light = sum.direct + look.ambient * g * colour * let_through(0.6 * look.self_shadow * double(c.depth), c.colour) *
+                               glm::max(evaluate(around, normal), 0.0);
+  return sum;
+}
+
+FurFrame lit_frame() {
+  FurFrame frame;
+  frame.width = frame.height = side;
+  frame.look.back_attenuation = 0.7, frame.look.self_shadow = 0.8, frame.look.ambient_floor = 0.2;
+  frame.environment = {
+      .sky = {1, 0.5f, 0.2f}, .horizon = {0.2f, 0.4f, 0.6f}, .ground = {0.3f, 0.1f, 0}, .harmonics = {}};
+  frame.lights = {{.kind = LightKind::directional,
+                   .direction = glm::normalize(glm::vec3(1, -2, 0.5f)),
+                   .radiance = {1, 0.8f, 0.5f}},
+                  {.kind = LightKind::point, .position = {0.5f, 0.9f, -0.6f}, .radiance = {0.1f, 0.3f, 0.6f}},
+                  {.kind = LightKind::spot,
+                   .direction = {0, -1, 0},
+                   .position = {0, 1.5f, 0},
+                   .radiance = {0.8f, 0.9f, 0.3f},
+                   .cone = 0.95f,
+                   .soft_cone = 0.99f}};
+  return frame;
+}
+
+double apart(const glm::vec4& value, const glm::dvec3& truth) {
+  return glm::length(glm::dvec3(value) - truth) / std::max(1.0, glm::length(truth));
+}
+
+TEST_P(Lighting, SumsUpAmbientLightAndLamps) {
+  FurFrame frame = lit_frame();
+  const std::vector<Case> of = random_cases();
+  for (const ShadingModel model : {ShadingModel::kajiya, ShadingModel::kajiya_kay, ShadingModel::scheuermann}) {
+    frame.look.shading = model;
+    const std::string defines = "#define ENVIRONMENT\n#define SHADING_MODEL " + std::to_string(int(model)) + "\n";
+    const std::vector<glm::vec4> values = on_gpu(whole_light, frame, of, defines);
+    const FibreShading shading(frame.look);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      ASSERT_LT(apart(values[i], expected_light(frame, shading, of[i]).light), 1e-4) << int(model) << " " << i;
+    }
+  }
+}
+
+/// The fibre models scatter once; .55 kd C sin(T, L) stands for what goes on from fibre to fibre.
+TEST_P(Lighting, FibreModelsScatterAgainInTheFursColour) {
+  FurFrame frame = lit_frame();
+  frame.lights.resize(1), frame.look.ambient = 0, frame.look.self_shadow = 0;
+  frame.look.shading = ShadingModel::energy_conserving;
+  const Texture nothing(gl(), GLenum{GL_TEXTURE_3D});  // a table in which a fibre scatters nothing at first
+  const glm::vec4 zero(0);
+  gl().TextureStorage3D(nothing.id(), 1, GL_RGBA32F, 1, 1, 1);
+  gl().TextureSubImage3D(nothing.id(), 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, &zero);
+  gl().BindTextureUnit(3, nothing.id());
+  const std::vector<Case> of = random_cases();
+  const std::vector<glm::vec4> values = on_gpu(whole_light, frame, of, "#define SHADING_MODEL 2\n");
+  const glm::dvec3 to_light = -glm::dvec3(frame.lights[0].direction), radiance(frame.lights[0].radiance);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const double along = glm::dot(glm::dvec3(of[i].tangent), to_light);
+    const glm::dvec3 again = 0.55 * frame.look.diffuse * glm::dvec3(of[i].colour) * std::sqrt(1 - along * along);
+    ASSERT_LT(apart(values[i], radiance * again), 1e-5) << i;
+  }
+}
+
+TEST_P(Lighting, KeepsTheLightOfLampsApart) {
+  const FurFrame frame = lit_frame();
+  const FibreShading shading(frame.look);
+  const std::vector<Case> of = random_cases();
+  const std::vector<glm::vec4> kept = on_gpu(direct, frame, of, "#define LAYERS\n");
+  const std::vector<glm::vec4> whole = on_gpu(unshadowed, frame, of, "#define LAYERS\n");
+  const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const Expected expected = expected_light(frame, shading, of[i]);
+    ASSERT_LT(apart(kept[i], expected.direct), 1e-4);
+    ASSERT_NEAR(kept[i].a, glm::dot(expected.direct, luminance), 1e-4);
+    ASSERT_NEAR(whole[i].r, glm::dot(expected.unshadowed, luminance), 1e-4);
+  }
+}
+
+/// Black fur lets through t; the paler, the more, and white fur much of the light (science.md 4).
+TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
+  std::vector<Case> of = random_cases();
+  of[0].colour = {0, 0.25f, 1}, of[0].depth = 2;
+  const std::vector<glm::vec4> values = on_gpu(transmitted, lit_frame(), of);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    ASSERT_LT(apart(values[i], let_through(double(of[i].depth), of[i].colour)), 1e-5);
+  }
+  EXPECT_NEAR(values[0].r, std::exp(-2), 1e-5);
+  EXPECT_GT(values[0].g, 1.5f * values[0].r);
+  EXPECT_GT(values[0].b, 0.6f);
+}
+
+TEST_P(Lighting, SurroundingsAreTheHarmonicsOfTheFrame) {
+  FurFrame frame = lit_frame();
+  std::mt19937 random(9);
+  SphericalHarmonics harmonics;
+  for (glm::dvec3& v : harmonics) {
+    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(random()) / 4294967296.0 - 0.4;
+  }
+  harmonics[0] += 2.0;
+  frame.environment.harmonics = harmonics, frame.environment.turn_degrees = 30;
+  const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));
+  const std::vector<Case> of = random_cases();
+  const std::vector<glm::vec4> values = on_gpu(surroundings, frame, of, "#define ENVIRONMENT\n");
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    ASSERT_LT(apart(values[i], glm::max(evaluate(around, glm::dvec3(of[i].normal)), 0.0)), 1e-5);
+  }
+  const std::vector<glm::vec4> constant = on_gpu(surroundings, frame, of);
+  EXPECT_EQ(glm::vec3(constant[0]), glm::vec3(1));
+}
+
+TEST_P(Lighting, LampsFallWithTheSquareAndSpotsToTheirEdge) {
+  const FurFrame all = lit_frame();
+  const std::vector<Case> of = random_cases();
+  for (const FurLight& light : all.lights) {
+    FurFrame frame = all;
+    frame.lights = {light};
+    const std::vector<glm::vec4> values = on_gpu(arriving, frame, of);
+    int part = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const Arriving truth = arriving_from(light, glm::dvec3(of[i].place));
+      ASSERT_LT(apart(values[i], truth.to_light), 1e-5);
+      ASSERT_NEAR(values[i].a, truth.radiance.g, 2e-5 * std::max(1.0, truth.radiance.g));
+      const double full =
+          truth.radiance.g /
+          arriving_from({.kind = LightKind::point, .position = light.position, .radiance = light.radiance},
+                        glm::dvec3(of[i].place))
+              .radiance.g;
+      part += full > 0.01 && full < 0.99;
+    }
+    EXPECT_GE(part, light.kind == LightKind::spot ? 50 : 0);
+  }
+}
+
+/// A light above looks down -Z; its map holds skin at depth .5 everywhere, those of the first map are of another light.
+class ShadowFormulas : public Lighting {
+ protected:
+  struct Maps {
+    float white = 1;  // shadow-width map
+    bool soft = true;
+    float scale = 10;              // Cscale; -1 casts none
+    float layers = 1, depths = 1;  // slots
+    float lower = 0.5f;            // depth of the skin on the map's lower half
+  };
+
+  /// rg: S, and the optical depth of the layers above, for places at (x, y, z) with height s; the estimate is 7.
+  std::vector<glm::vec4> asked(const Maps& maps, const std::vector<Case>& of) {
+    ShadowBlock block;
+    block.to_light[lamp] = glm::mat4(1);
+    block.axis[lamp] = {0, 0, -1, 0.5f};
+    block.slots[lamp] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
+    const Buffer buffer = send_block(gl(), 2, block);
+    const auto texels = [&](glm::vec4 value) { return std::vector<glm::vec4>(4, value); };
+    std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));
+    for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(0.5f));
+    for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(std::exp(0.2f * float(layer - 16))));
+    depths.insert(depths.end(), 2, glm::vec4(0.5f)), depths.insert(depths.end(), 2, glm::vec4(maps.lower));
+    widths.insert(widths.end(), 4, glm::vec4(maps.white));
+    const Texture kept_maps = send_layers(gl(), 2, kept, true);
+    const Texture depth_maps = send_layers(gl(), 2, depths, true);
+    const Texture width_maps = send_layers(gl(), 2, widths, true);
+    gl().BindTextureUnit(4, kept_maps.id());
+    gl().BindTextureUnit(5, depth_maps.id());
+    gl().BindTextureUnit(6, width_maps.id());
+    return on_gpu(mapped, lit_frame(), of, "#define SHADOW_MAPS\n");
+  }
+
+  /// Places `below` the skin that the light sees.
+  static std::vector<Case> places_below(double deepest) {
+    std::vector<Case> of = random_cases();
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      of[i].place.z = static_cast<float>(-deepest * double(i) / cases);
+      of[i].height = static_cast<float>(i) / cases;
+    }
+    return of;
+  }
+};
+
+/// S = clamp(1 - Cscale sw / sd, 0, 1) behind what the light sees, 1 before it (GPU fur 4), past the bias.
+TEST_P(ShadowFormulas, SoftShadowIsTheWidthOverTheDepth) {
+  const std::vector<Case> of = places_below(0.3);
+  for (const float white : {0.4f, 0.55f, 0.7f, 1.0f}) {
+    for (const float scale : {0.5f, 2.0f, 10.0f}) {
+      const std::vector<glm::vec4> values = asked({.white = white, .scale = scale}, of);
+      const double sw = 0.03 * std::max(2 * double(white) - 1, 0.0);
+      for (std::size_t i = 0; i < of.size(); ++i) {
+        const double sd = -double(of[i].place.z);
+        if (sd > 0.0059 && sd < 0.0181) continue;  // the bias fades in
+        const double expected = sd < 0.006 ? 1 : 1 - std::clamp(double(scale) * sw / sd, 0.0, 1.0);
+        ASSERT_NEAR(values[i].r, expected, 2e-5) << white << " " << sd;
+      }
+    }
+  }
+}
+
+TEST_P(ShadowFormulas, HardShadowIsAllOrNothingPastTheBias) {
+  const std::vector<Case> of = places_below(0.02);
+  const std::vector<glm::vec4> hard = asked({.soft = false}, of), none = asked({.scale = -1}, of);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const double sd = -double(of[i].place.z);
+    ASSERT_EQ(none[i].r, 1);
+    if (std::abs(sd - 0.006) < 1e-5) continue;
+    ASSERT_EQ(hard[i].r, sd < 0.006 ? 1 : 0);
+  }
+}
+
+/// The maps hold exp(-.2 (16 - i)) at boundary i: between two of them what is let through is mixed.
+TEST_P(ShadowFormulas, LayersLetThroughWhatTheirMapsSay) {
+  const std::vector<Case> of = places_below(0);
+  const std::vector<glm::vec4> values = asked({}, of);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const double layer = 16 * double(of[i].height), low = std::floor(layer);
+    const double kept =
+        glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (std::min(low + 1, 16.0) - 16)), layer - low);
+    ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
+  }
+  for (const glm::vec4& value : asked({.layers = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate
+  const std::vector<Case> behind = places_below(0.3);
+  const std::vector<glm::vec4> other = asked({}, behind);
+  EXPECT_EQ(other[cases - 1].g, 7) << "the maps show another part of the body";
+}
+
+/// The first row of a map is the light's upper side.
+TEST_P(ShadowFormulas, MapsStandUpright) {
+  std::vector<Case> of = places_below(0.3);
+  for (Case& c : of) c.place.y = c.place.y > 0 ? 0.6f : -0.6f;
+  const std::vector<glm::vec4> values = asked({.soft = false, .lower = 0.0f}, of);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const double sd = -double(of[i].place.z) + (of[i].place.y > 0 ? 0 : 0.5);
+    if (std::abs(sd - 0.006) < 1e-5) continue;
+    ASSERT_EQ(values[i].r, sd < 0.006 ? 1 : 0) << of[i].place.y;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Lighting, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, ShadowFormulas, all_backends(), name_of);
+
+}  // namespace
+}  // namespace testing
+}  // namespace pelage

@@ -1,0 +1,91 @@
+// From linear light to the picture: exposure, tone map, background and sRGB, against their formulas.
+#include <algorithm>
+#include <cmath>
+
+#include "server/scene/fur_view.h"
+#include "tests/gl/with_renderer.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+namespace {
+
+class Resolve : public WithRenderer {
+ protected:
+  Image16 picture(const FrameRequest& request) {
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    return renderer->draw_deep(make_frame(model.view(), request)).value();
+  }
+  FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.04});
+};
+
+double linear(std::uint16_t srgb) {
+  const double v = srgb / 65535.0;
+  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+double filmic(double x) {
+  x *= 0.72;
+  return std::clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+}
+
+/// Calls with each channel of colour of the pixels that fur or skin covers at least in part: its place and its opacity.
+template <class Visit>
+int for_each_channel(const Image16& image, Visit visit) {
+  int seen = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] < 6000) continue;  // little of it is known to few digits
+    for (std::size_t k = 0; k < 3; ++k) visit(i + k, image.rgba[i + 3] / 65535.0);
+    ++seen;
+  }
+  return seen;
+}
+
+TEST_P(Resolve, AStopOfExposureDoublesTheLight) {
+  FrameRequest request = small_frame();
+  request.exposure = -2;
+  const Image16 dark = picture(request);
+  for (const double stops : {-3.0, -1.0, 0.5}) {
+    request.exposure = stops;
+    const Image16 other = picture(request);
+    const int seen = for_each_channel(dark, [&](std::size_t i, double) {
+      const double expected = std::min(linear(dark.rgba[i]) * std::exp2(stops + 2), 1.0);
+      ASSERT_NEAR(linear(other.rgba[i]), expected, 2e-4 + 1e-3 * expected) << stops;
+    });
+    EXPECT_GT(seen, 3000);
+  }
+}
+
+TEST_P(Resolve, TheFilmicCurveIsItsFormula) {
+  FrameRequest request = small_frame();
+  request.exposure = -1;
+  const Image16 plain = picture(request);
+  request.tone_map = ToneMap::filmic;
+  const Image16 film = picture(request);
+  for_each_channel(plain, [&](std::size_t i, double) {
+    if (plain.rgba[i] == 65535) return;  // brighter than white
+    ASSERT_NEAR(linear(film.rgba[i]), filmic(linear(plain.rgba[i])), 3e-4);
+  });
+  EXPECT_NEAR(filmic(0.18), 0.18, 0.005);
+}
+
+TEST_P(Resolve, TheBackgroundShowsInLinearLight) {
+  FrameRequest request = small_frame();
+  const Image16 fur = picture(request);
+  request.background = Background::colour;
+  request.background_colour = {0.1f, 0.5f, 0.9f};
+  const Image16 over = picture(request);
+  int partial = 0;
+  for_each_channel(fur, [&](std::size_t i, double alpha) {
+    const double behind = double(request.background_colour[static_cast<int>(i % 4)]);
+    partial += alpha < 0.9;
+    ASSERT_NEAR(linear(over.rgba[i]), linear(fur.rgba[i]) * alpha + behind * (1 - alpha), 5e-4);
+  });
+  EXPECT_GT(partial, 100);
+  EXPECT_NEAR(linear(over.rgba[1]), 0.5, 1e-4);
+  EXPECT_EQ(over.rgba[3], 65535);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Resolve, all_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing
