@@ -70,6 +70,9 @@ CLOSE = eye([0.0, 0.55, 0.75], [0.0, 0.0, 0.0], 25)
 FACE = eye([-0.75, 1.1, 1.9], [0.0, 0.86, 0.42], 19)
 BACK = eye([-2.3, 1.5, 0.2], [0.0, 0.72, -0.3], 26)
 PULL = {"op": "attract", "point": [-0.15, 1.1, -0.25], "radius": 0.35, "strength": 1, "duration": 10, "threshold": 0}
+WHISKERS = {"op": "set_curves", "groups": [{"width_root": 0.004, "width_tip": 0.001, "fill": 5, "curves": [
+    [[0.1, 0.5, 0.8], [0.3, 0.9, 1.0], [0.7, 1.15, 1.1]], [[0.1, 0.75, 0.6], [0.35, 1.1, 0.7], [0.8, 1.3, 0.6]],
+    [[0.1, 0.95, 0.25], [0.35, 1.3, 0.2], [0.8, 1.4, 0.0]]]}]}
 EAR = eye([-0.35, 2.3, 1.9], [0.05, 0.9, 0.12], 17)
 
 
@@ -106,11 +109,12 @@ FIGURES = [
                   for title, kind, overlay in (("depth", "soft", "light_depth"), ("inverted occlusion", "soft", "light_occlusion"),
                                                ("shadow width", "soft", "shadow_width"), ("hard", "hard", "none"),
                                                ("soft", "soft", "none"))]},
-    {"name": "curve_shadows", "title": "Shadows of whiskers",
-     "text": "The creature's face in one light: without and with its shadow maps.",
-     "pictures": [picture(title, CREATURE, studio(lights({"direction": [-0.35, -1, -0.3], "intensity": 1.8, "cast_shadow": "hard"})),
-                          camera=FACE, quality={**FINE, "shadow_maps": maps, "shadow_resolution": 2048})
-                  for title, maps in (("without", False), ("with", True))]},
+    {"name": "curve_shadows", "title": "Shadows of guided curves",
+     "text": "Thirteen curves over short fur: without shadow maps, with a hard shadow, with a soft one that fades the further it falls.",
+     "pictures": [picture(title, builtin("sphere", 3000), WHISKERS, coat(clump=0.1), fur_of=fur(0.008, 0.6),
+                          *([lights({"direction": [-0.25, -1, -0.25], "intensity": 1.7, "cast_shadow": kind})]),
+                          camera=eye([1.2, 2.6, 2.6], [0.1, 0.35, 0.35], 24))
+                  for title, kind in (("none", "none"), ("hard", "hard"), ("soft", "soft"))]},
     {"name": "curves", "title": "Both lean curves, light and strong (fur modelling, 5.1)",
      "text": "The arc, and y = K sqrt(x), whose tail goes on rising when the lean is strong.",
      "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),

@@ -144,6 +144,8 @@ std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame
             RenderTarget(gl, GL_RG32F, resolution, resolution, 1, false),
             RenderTarget(gl, GL_RG32F, reduced, reduced, 1, false), *view, radius};
   if (!maps.complete()) return maps;
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TextureParameteri(maps.width.texture(), name, GL_LINEAR);  // enlarged again, as shadows read it
   see_from(gl, block, *view);
   FurPass::bind(gl, drawing);
   scene_.draw(gl, drawing.lists.all, *view, {maps.depth, maps.occlusion, maps.width});

@@ -6,6 +6,7 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/eye/optics.h"
+#include "renderer/gl/render_target.h"
 #include "renderer/upload/frame_block.h"
 #include "tests/gl/backends.h"
 
