@@ -44,10 +44,9 @@ std::string variant_of(const FurFrame& frame) {
   const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
-         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") +
-         (constant ? "" : "#define ENVIRONMENT\n") + shape_of(frame.coat) +
-         (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
-         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
+         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
+         shape_of(frame.coat) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
+         "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
@@ -206,7 +205,8 @@ void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, c
 
 Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
   const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
-  if (!maps) return failure(Code::invalid, "no light of this frame has shadow maps and casts a soft shadow", "/overlay");
+  if (!maps)
+    return failure(Code::invalid, "no light of this frame has shadow maps and casts a soft shadow", "/overlay");
   if (!maps->complete()) return no_memory();
   const float middle = maps->view.axis.w;  // depth of the model's centre
   switch (frame.overlay) {

@@ -113,7 +113,8 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
   const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true),
       depth(gl, GL_R32F, resolution, resolution, 1, true), occlusion(gl, GL_RG32F, resolution, resolution, 1, false),
       width(gl, GL_RG32F, reduced, reduced, 1, false);
-  const RenderTarget crossed = curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, 1, false) : RenderTarget();
+  const RenderTarget crossed =
+      curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, 1, false) : RenderTarget();
   std::size_t next = 0;
   for (std::size_t i = 0; i < slots_.slots.size() && next < views.size(); ++i) {
     const glm::ivec2 slot(slots_.slots[i]);
@@ -124,8 +125,7 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
     scene_.draw(gl, drawing.lists.all, view, {depth, occlusion, width});
     keep(gl, depth, depth_, slot.y);
     keep(gl, width, width_, slot.y);
-    if (slot.x >= 0)
-      shells_.draw(gl, drawing.variant, drawing.lists.all, kept, kept_.id(), slot.x * shadow_boundaries);
+    if (slot.x >= 0) shells_.draw(gl, drawing.variant, drawing.lists.all, kept, kept_.id(), slot.x * shadow_boundaries);
     if (!curves_) continue;
     curves.draw_shadow(gl, frame, view, crossed);
     keep(gl, crossed, curves_, slot.y);

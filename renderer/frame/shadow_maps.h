@@ -47,7 +47,7 @@ class ShadowMaps {
     RenderTarget occlusion;  // RG32F: 1 where skin that faces the light is hidden from it
     RenderTarget width;      // RG32F: the same, reduced
     LightView view;
-    float radius = 0;        // of the ball that the view holds, sizes
+    float radius = 0;  // of the ball that the view holds, sizes
     bool complete() const { return depth.complete() && occlusion.complete() && width.complete(); }
   };
   /// Draws them for the first light that casts a soft shadow; none where the frame has no such light or no maps. Leaves

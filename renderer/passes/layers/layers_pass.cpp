@@ -51,7 +51,8 @@ const LayersPass::DistancePrograms& LayersPass::distance_programs(const Gl& gl, 
   return place->second;
 }
 
-// What a frame blends, the other way round: guided curves and guard hairs, fur that faces the eye, fins, fur turned away.
+// What a frame blends, the other way round: guided curves and guard hairs, fur that faces the eye, fins, fur turned
+// away.
 std::vector<LayersPass::Piece> LayersPass::pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
                                                           const FurDrawing& drawing) {
   const auto variant = [&](bool crossing) {

@@ -43,7 +43,8 @@ const OverlayPass::Programs& OverlayPass::programs(const Gl& gl) {
 }
 
 std::string OverlayPass::failure() const {
-  return programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() + programs_->map.log() : "";
+  return programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() + programs_->map.log()
+                   : "";
 }
 
 RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
