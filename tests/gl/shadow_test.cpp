@@ -53,7 +53,7 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
     ASSERT_LE(soft.rgba[i], open.rgba[i] + 1);
   }
   EXPECT_LT(mean(hard), 0.95 * mean(open));
-  EXPECT_LT(mean(soft), 0.97 * mean(open));
+  EXPECT_LT(mean(soft), 0.98 * mean(open));
   EXPECT_GT(mean(soft), 1.002 * mean(hard));
 }
 
