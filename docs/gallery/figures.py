@@ -51,11 +51,6 @@ def lights(*members):
     return {"op": "set_lights", "lights": list(members)}
 
 
-def combed(*tools):
-    """All fur combed up, and what else is asked for."""
-    return {"commands": [{"op": "comb", "flood": True, "direction": [0, 1, 0], "brush": {"strength": 1}, "lean": 0.9}, *tools]}
-
-
 def look_file(name):
     return json.loads((LOOKS / f"{name}.json").read_text(encoding="utf-8"))
 
@@ -73,6 +68,11 @@ CREATURE = builtin("creature", 20000)
 PLANE = builtin("plane", 400)
 CLOSE = eye([0.0, 0.55, 0.75], [0.0, 0.0, 0.0], 25)
 FACE = eye([-0.75, 1.1, 1.9], [0.0, 0.86, 0.42], 19)
+BACK = eye([-2.3, 1.5, 0.2], [0.0, 0.72, -0.3], 26)
+PULL = {"op": "attract", "point": [-0.15, 1.1, -0.25], "radius": 0.35, "strength": 1, "duration": 10, "threshold": 0}
+WHISKERS = {"op": "set_curves", "groups": [{"width_root": 0.004, "width_tip": 0.001, "fill": 5, "curves": [
+    [[0.1, 0.5, 0.8], [0.3, 0.9, 1.0], [0.7, 1.15, 1.1]], [[0.1, 0.75, 0.6], [0.35, 1.1, 0.7], [0.8, 1.3, 0.6]],
+    [[0.1, 0.95, 0.25], [0.35, 1.3, 0.2], [0.8, 1.4, 0.0]]]}]}
 EAR = eye([-0.35, 2.3, 1.9], [0.05, 0.9, 0.12], 17)
 
 
@@ -100,20 +100,35 @@ FIGURES = [
      "text": "No shadow, a hard one from the depth map, a soft one with the shadow width.",
      "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "cast_shadow": kind}),
                           fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft")]},
+    {"name": "light_maps", "title": "The three maps of a soft shadow (GPU fur, figure 9)",
+     "text": "What the light sees from above: the depth map (nearer is lighter), the inverted occlusion map (white where skin that faces "
+             "the light is hidden from it), the shadow-width map (that one reduced and enlarged again); and the knot with hard and soft "
+             "shadow, seen from the front.",
+     "pictures": [picture(title, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "cast_shadow": kind}), overlay=overlay,
+                          fur_of=fur(0.015, 0.6), quality={**FINE, "shadow_resolution": 512})
+                  for title, kind, overlay in (("depth", "soft", "light_depth"), ("inverted occlusion", "soft", "light_occlusion"),
+                                               ("shadow width", "soft", "shadow_width"), ("hard", "hard", "none"),
+                                               ("soft", "soft", "none"))]},
+    {"name": "curve_shadows", "title": "Shadows of guided curves",
+     "text": "Thirteen curves over short fur: without shadow maps, with a hard shadow, with a soft one that fades the further it falls.",
+     "pictures": [picture(title, builtin("sphere", 3000), WHISKERS, coat(clump=0.1), fur_of=fur(0.008, 0.6),
+                          *([lights({"direction": [-0.25, -1, -0.25], "intensity": 1.7, "cast_shadow": kind})]),
+                          camera=eye([1.2, 2.6, 2.6], [0.1, 0.35, 0.35], 24))
+                  for title, kind in (("none", "none"), ("hard", "hard"), ("soft", "soft"))]},
     {"name": "curves", "title": "Both lean curves, light and strong (fur modelling, 5.1)",
      "text": "The arc, and y = K sqrt(x), whose tail goes on rising when the lean is strong.",
      "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),
                           fur_of=fur(0.08, lean), quality=SIMPLE)
                   for lean in (0.35, 0.95) for curve in ("arc", "root")]},
     {"name": "fields", "title": "Fields as colours and as short lines (fur modelling)",
-     "text": "The way the fur leans as hue and as short lines, its length, and after the comb went up and a stick pulled at the back.",
-     "pictures": [picture(title, CREATURE, studio(), *steps, overlay=overlay, quality=SIMPLE)
-                  for title, overlay, steps in (("direction", "direction", []), ("short lines", "strokes", []), ("length", "length", []),
-                                                ("combed", "strokes", [combed()]),
-                                                ("pulled", "strokes", [combed({"op": "attract", "point": [-0.2, 1.2, -0.1], "radius": 0.35,
-                                                                               "strength": 1, "duration": 3})]),
-                                                ("fur of the last", "none", [combed({"op": "attract", "point": [-0.2, 1.2, -0.1], "radius": 0.35,
-                                                                                     "strength": 1, "duration": 3})]))]},
+     "text": "The way the fur leans as hue and as short lines, and its length.",
+     "pictures": [picture(title, CREATURE, studio(), overlay=overlay, quality=SIMPLE)
+                  for title, overlay in (("direction", "direction"), ("short lines", "strokes"), ("length", "length"))]},
+    {"name": "attract", "title": "A stick that pulls (fur modelling)",
+     "text": "A stick above the back pulls for ten seconds. Fur turns to it and grows, up to three times.",
+     "pictures": [picture(f"{title}, {kind}", CREATURE, studio(), tool, camera=BACK, overlay=overlay, quality=SIMPLE)
+                  for kind, overlay in (("fur", "none"), ("short lines", "strokes"))
+                  for title, tool in (("before", None), ("after", PULL))]},
     {"name": "stages", "title": "From layers to fur",
      "text": "4, 8 and 16 shells everywhere; then as many as each place needs, how many those are, and with fins and guard hairs.",
      "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)

@@ -33,16 +33,20 @@ class Stopwatch {
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
+/// The #define lines of what shapes the fur beside its fields.
+std::string shape_of(const Coat& coat) {
+  return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "");
+}
+
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame) {
   const Environment& light = frame.environment;
   const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
-         (constant ? "" : "#define ENVIRONMENT\n") + (has_pattern(frame.coat) ? "#define PATTERN\n" : "") +
-         (has_tufts(frame.coat) ? "#define TUFTS\n" : "") +
-         (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
-         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
+         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
+         shape_of(frame.coat) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
+         "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
@@ -56,6 +60,7 @@ struct Renderer::Prepared {
   ModelBuffers& model;
   ModelBuffers::DrawLists lists;
   std::string variant;
+  FrameBlock block;
 
   FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
 };
@@ -148,7 +153,11 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   const Stopwatch making;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
   const auto lists = model.sort_for(gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy});
-  if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, model, coat, lists)) {
+  if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
+  if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
+  const std::string shape = shape_of(frame.coat);
+  const FurDrawing shaped{frame.knobs, shape, model, lists, coat};
+  if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
     gl_.Finish();
     times.shadow = making.milliseconds();
   }
@@ -161,9 +170,19 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, skin_binding, skin_block_.id());
   }
   scattering_.prepare(gl_, frame);
-  if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
-  if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
-  return {coat, model, lists, variant_of(frame)};
+  return {coat, model, lists, variant_of(frame), block};
+}
+
+void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs) {
+  const std::string variant = scene.variant + outputs;
+  const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
+  fur_.draw_skin(gl_, drawing);
+  if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
+  fur_.draw_averted(gl_, drawing);
+  if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
+  fur_.draw_facing(gl_, drawing);
+  if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
+  if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
 }
 
 void Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
@@ -171,17 +190,31 @@ void Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, drawn_, {});
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
-  const FurDrawing drawing = scene.drawing(frame);
-  fur_.draw_skin(gl_, drawing);
-  if (!frame.eyes.empty()) eyes_.draw(gl_, frame, drawn_);
-  fur_.draw_averted(gl_, drawing);
-  if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
-  fur_.draw_facing(gl_, drawing);
-  if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-  if (!frame.curves.empty()) curves_.draw(gl_, frame, scene.variant);
+  draw_body(frame, scene, "");
   if (frame.knobs.samples == 1) return;
   gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                            drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target) {
+  set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
+  gl_.DepthMask(GL_TRUE);
+  target.clear(gl_);
+  draw_body(frame, scene, "#define LAYERS\n");
+}
+
+Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
+  const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
+  if (!maps)
+    return failure(Code::invalid, "no light of this frame has shadow maps and casts a soft shadow", "/overlay");
+  if (!maps->complete()) return no_memory();
+  const float middle = maps->view.axis.w;  // depth of the model's centre
+  switch (frame.overlay) {
+    case Overlay::light_depth:
+      return overlay_.draw_map(gl_, frame, maps->depth.texture(), {middle + maps->radius, middle - maps->radius});
+    case Overlay::light_occlusion: return overlay_.draw_map(gl_, frame, maps->occlusion.texture(), {0, 1});
+    default: return overlay_.draw_map(gl_, frame, maps->width.texture(), {0, 1});
+  }
 }
 
 Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepared& scene) {
@@ -190,9 +223,13 @@ Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepare
   if (frame.overlay == Overlay::layer_count) {
     const LayerTarget counts(gl_, std::array{FrameLayer::layer_count}, drawn_.width(), drawn_.height());
     if (!counts.complete()) return no_memory();
-    layers_.draw(gl_, fur_, scene.drawing(frame), counts);
+    draw_beside_light(frame, scene, counts);
     const float scale = static_cast<float>(drawn_.height()) / static_cast<float>(frame.height);
     overlay = overlay_.draw_count(gl_, frame, counts.texture(FrameLayer::layer_count), scale);
+  } else if (OverlayPass::is_map(frame.overlay)) {
+    Result<RenderTarget> map = draw_light_map(frame, scene);
+    if (!map) return map.status();
+    overlay = std::move(map).value();
   } else {
     overlay = overlay_.draw_field(gl_, frame, scene.model, scene.lists.all);
   }
@@ -255,7 +292,7 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
   if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
     target.emplace(gl_, layers, drawn_.width(), drawn_.height());
     if (!target->complete()) return no_memory();
-    layers_.draw(gl_, fur_, scene.drawing(frame), *target);
+    draw_beside_light(frame, scene, *target);
   }
   std::vector<FloatImage> images;
   for (const FrameLayer layer : layers) {
@@ -279,7 +316,7 @@ Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& s
     distance = RenderTarget(gl_, GL_R32F, drawn_.width(), drawn_.height(), 1, true);
     const RenderTarget covered(gl_, GL_RG32F, drawn_.width(), drawn_.height(), 1, true);
     if (!distance.complete() || !covered.complete()) return no_memory();
-    layers_.draw_distance(gl_, fur_, scene.drawing(frame), distance, covered);
+    layers_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
     source = distance.texture();
   } else if (LayerTarget::holds(layer)) {
     source = target->texture(layer);

@@ -74,9 +74,14 @@ class Renderer {
   /// What a frame draws, with its blocks and maps bound.
   struct Prepared;
   Prepared prepare_scene(const FurFrame& frame, DrawTimes& times);
+  /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
+  /// are the #define lines of what is written beside light.
+  void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
   void draw_light(const FurFrame& frame, const Prepared& scene);
+  void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
   const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? single_ : drawn_; }
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
+  Result<RenderTarget> draw_light_map(const FurFrame& frame, const Prepared& scene);
   template <class Picture>
   Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times);
   Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,

@@ -9,8 +9,11 @@ namespace pelage {
 namespace {
 
 constexpr float half_diagonal = 0.5f;  // of every model's box, sizes
+constexpr GLuint curves_unit = 12;     // as in shadow.glsl
 
-bool has_maps(const FurLight& light) { return light.self_shadow_maps || light.cast_shadow != CastShadow::none; }
+bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
+bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShadow::soft; }
+bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
 /// The paper reduces to a quarter at 512 x 512; the blur must not shrink with finer maps, so a texel is about .03 sizes
 /// wide (a quarter of what smaller maps have).
@@ -30,6 +33,13 @@ Texture map_array(const Gl& gl, GLenum format, int size, int slices, GLint filte
   return texture;
 }
 
+void keep(const Gl& gl, const RenderTarget& target, const Texture& maps, int slot) {
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
+  gl.CopyTextureSubImage3D(maps.id(), 0, 0, 0, slot, 0, 0, target.width(), target.height());
+}
+
+float radius_around(const ModelBuffers& model) { return half_diagonal + model.longest_fur(); }
+
 }  // namespace
 
 ShadowMaps::ShadowMaps(const Gl& gl) : shells_(gl), scene_(gl), view_block_(gl), shadow_block_(gl) {
@@ -41,23 +51,25 @@ bool ShadowMaps::wanted(const FurFrame& frame) {
   return frame.knobs.shadow_maps && std::any_of(frame.lights.begin(), frame.lights.end(), has_maps);
 }
 
-bool ShadowMaps::prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const ModelBuffers& model,
-                         const CoatTextures& coat, const ModelBuffers::DrawLists& lists) {
-  Key key{frame.model, model.version(), frame.coat, frame.lights, frame.knobs.shadow_resolution};
+bool ShadowMaps::of_curves(const FurFrame& frame) {
+  return frame.knobs.shadow_maps && !frame.curves.empty() &&
+         std::any_of(frame.lights.begin(), frame.lights.end(), casts);
+}
+
+bool ShadowMaps::prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing,
+                         CurvesPass& curves) {
+  const int resolution = frame.knobs.shadow_resolution;
+  Key key{frame.model, drawing.model.version(), frame.coat, frame.lights, frame.curves, resolution};
   if (key == key_) {
     bind(gl);
     return false;
   }
   key_ = std::move(key);
   std::vector<LightView> views;
-  const Counts counts = place_slots(frame, half_diagonal + model.longest_fur(), views);
-  make_textures(gl, counts, frame.knobs.shadow_resolution);
+  const Counts counts = place_slots(frame, radius_around(drawing.model), views);
+  make_textures(gl, counts, resolution, of_curves(frame));
   gl.NamedBufferSubData(shadow_block_.id(), 0, sizeof(ShadowBlock), &slots_);
-  gl.BindVertexArray(model.vertex_array());
-  gl.BindTextureUnit(0, coat.shapes());
-  gl.BindTextureUnit(1, coat.colours());
-  gl.BindTextureUnit(2, model.base_images());
-  draw_maps(gl, block, views, lists.all, frame.knobs.shadow_resolution);
+  draw_maps(gl, frame, block, views, drawing, curves);
   bind(gl);
   return true;
 }
@@ -72,38 +84,72 @@ ShadowMaps::Counts ShadowMaps::place_slots(const FurFrame& frame, float radius, 
     if (!view) continue;
     slots_.to_light[i] = view->world_to_clip;
     slots_.axis[i] = view->axis;
-    const bool casts = light.cast_shadow != CastShadow::none;
     slots_.slots[i] = {light.self_shadow_maps ? static_cast<float>(counts.layers++) : -1.0f,
-                       static_cast<float>(counts.casts++), light.cast_shadow == CastShadow::soft ? 1.0f : 0.0f,
-                       casts ? light.shadow_scale : -1.0f};
+                       static_cast<float>(counts.casts++), casts_softly(light) ? 1.0f : 0.0f,
+                       casts(light) ? light.shadow_scale : -1.0f};
     views.push_back(*view);
   }
   return counts;
 }
 
-void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolution) {
+void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolution, bool curves) {
   kept_ = map_array(gl, GL_R16F, counts.layers ? resolution : 1, counts.layers * shadow_boundaries, GL_LINEAR);
   depth_ = map_array(gl, GL_R32F, resolution, counts.casts, GL_NEAREST);
-  width_ = map_array(gl, GL_R16F, width_texels(resolution), counts.casts, GL_LINEAR);
+  width_ = map_array(gl, GL_RG32F, width_texels(resolution), counts.casts, GL_LINEAR);
+  curves_ = curves ? map_array(gl, GL_RGBA32F, resolution, counts.casts, GL_LINEAR) : Texture();
 }
 
-void ShadowMaps::draw_maps(const Gl& gl, const FrameBlock& block, const std::vector<LightView>& views,
-                           const ModelBuffers::DrawList& triangles, int resolution) {
-  const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true),
-      depth(gl, GL_R32F, resolution, resolution, 1, true);
-  const RenderTarget width(gl, GL_R16F, width_texels(resolution), width_texels(resolution), 1, false);
+void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView& view) {
+  FrameBlock seen = block;
+  seen.world_to_clip = view.world_to_clip;
+  seen.eye = {view.eye, view.texel};
+  gl.NamedBufferSubData(view_block_.id(), 0, sizeof(FrameBlock), &seen);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_.id());
+}
+
+void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
+                           const std::vector<LightView>& views, const FurDrawing& drawing, CurvesPass& curves) {
+  const int resolution = frame.knobs.shadow_resolution, reduced = width_texels(resolution);
+  const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true),
+      depth(gl, GL_R32F, resolution, resolution, 1, true), occlusion(gl, GL_RG32F, resolution, resolution, 1, false),
+      width(gl, GL_RG32F, reduced, reduced, 1, false);
+  const RenderTarget crossed =
+      curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, 1, false) : RenderTarget();
   std::size_t next = 0;
-  for (const glm::vec4& slot : slots_.slots) {
-    if (slot.y < 0 || next == views.size()) continue;
+  for (std::size_t i = 0; i < slots_.slots.size() && next < views.size(); ++i) {
+    const glm::ivec2 slot(slots_.slots[i]);
+    if (slot.y < 0) continue;
     const LightView& view = views[next++];
-    FrameBlock seen = block;
-    seen.world_to_clip = view.world_to_clip;
-    seen.eye = {view.eye, view.texel};
-    gl.NamedBufferSubData(view_block_.id(), 0, sizeof(FrameBlock), &seen);
-    scene_.draw(gl, triangles, view, {depth, kept, width}, depth_.id(), width_.id(), static_cast<int>(slot.y));
-    if (slot.x >= 0) shells_.draw(gl, triangles, kept, kept_.id(), static_cast<int>(slot.x) * shadow_boundaries);
+    see_from(gl, block, view);
+    FurPass::bind(gl, drawing);
+    scene_.draw(gl, drawing.lists.all, view, {depth, occlusion, width});
+    keep(gl, depth, depth_, slot.y);
+    keep(gl, width, width_, slot.y);
+    if (slot.x >= 0) shells_.draw(gl, drawing.variant, drawing.lists.all, kept, kept_.id(), slot.x * shadow_boundaries);
+    if (!curves_) continue;
+    curves.draw_shadow(gl, frame, view, crossed);
+    keep(gl, crossed, curves_, slot.y);
   }
+}
+
+std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
+                                                    const FurDrawing& drawing) {
+  const auto light = std::find_if(frame.lights.begin(), frame.lights.end(), casts_softly);
+  if (!frame.knobs.shadow_maps || light == frame.lights.end()) return {};
+  const int resolution = frame.knobs.shadow_resolution, reduced = width_texels(resolution);
+  const float radius = radius_around(drawing.model);
+  const std::optional<LightView> view = view_of_light(*light, radius, resolution);
+  if (!view) return {};
+  Maps maps{RenderTarget(gl, GL_R32F, resolution, resolution, 1, true),
+            RenderTarget(gl, GL_RG32F, resolution, resolution, 1, false),
+            RenderTarget(gl, GL_RG32F, reduced, reduced, 1, false), *view, radius};
+  if (!maps.complete()) return maps;
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TextureParameteri(maps.width.texture(), name, GL_LINEAR);  // enlarged again, as shadows read it
+  see_from(gl, block, *view);
+  FurPass::bind(gl, drawing);
+  scene_.draw(gl, drawing.lists.all, *view, {maps.depth, maps.occlusion, maps.width});
+  return maps;
 }
 
 void ShadowMaps::bind(const Gl& gl) const {
@@ -111,6 +157,7 @@ void ShadowMaps::bind(const Gl& gl) const {
   gl.BindTextureUnit(4, kept_.id());
   gl.BindTextureUnit(5, depth_.id());
   gl.BindTextureUnit(6, width_.id());
+  if (curves_) gl.BindTextureUnit(curves_unit, curves_.id());
 }
 
 }  // namespace pelage

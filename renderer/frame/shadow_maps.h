@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/gl/handles.h"
 #include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/passes/curves/curves_pass.h"
+#include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/scene_shadow/scene_shadow_pass.h"
 #include "renderer/passes/shell_shadow/shell_shadow_pass.h"
 #include "renderer/upload/coat_textures.h"
@@ -21,6 +24,7 @@ class ShadowMaps {
  public:
   explicit ShadowMaps(const Gl& gl);
 
+  /// "" when the programs so far were built.
   std::string failure() const { return shells_.failure() + scene_.failure(); }
 
   /// Draws depth for other passes too.
@@ -28,17 +32,34 @@ class ShadowMaps {
 
   /// Whether a frame has shadows from maps at all.
   static bool wanted(const FurFrame& frame);
+  /// Whether guided curves cast any.
+  static bool of_curves(const FurFrame& frame);
 
-  /// Makes the maps unless the kept ones serve; true when it drew. `block` is the frame's own. Leaves the maps bound
-  /// to texture units 4 to 6 and the block to binding 2.
-  bool prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const ModelBuffers& model,
-               const CoatTextures& coat, const ModelBuffers::DrawLists& lists);
+  /// Makes the maps unless the kept ones serve; true when it drew. `block` is the frame's own, the drawing's variant
+  /// says what shapes the fur (PATTERN, TUFTS), and what that reads is bound. Leaves the maps bound to texture units 4
+  /// to 6 and 12, and the block to binding 2.
+  bool prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing,
+               CurvesPass& curves);
+
+  /// The three maps of one light, to look at.
+  struct Maps {
+    RenderTarget depth;      // R32F: linear depth of the skin, sizes
+    RenderTarget occlusion;  // RG32F: 1 where skin that faces the light is hidden from it
+    RenderTarget width;      // RG32F: the same, reduced
+    LightView view;
+    float radius = 0;  // of the ball that the view holds, sizes
+    bool complete() const { return depth.complete() && occlusion.complete() && width.complete(); }
+  };
+  /// Draws them for the first light that casts a soft shadow; none where the frame has no such light or no maps. Leaves
+  /// another block at binding 0.
+  std::optional<Maps> maps_of(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing);
 
  private:
   struct Key {
     std::uint64_t model = 0, version = 0;
     Coat coat;
     std::vector<FurLight> lights;
+    std::vector<FurCurves> curves;
     int resolution = 0;
     bool operator==(const Key&) const = default;
   };
@@ -46,16 +67,17 @@ class ShadowMaps {
     int layers = 0, casts = 0;  // lights with layer maps, lights with any map
   };
   Counts place_slots(const FurFrame& frame, float radius, std::vector<LightView>& views);
-  void make_textures(const Gl& gl, const Counts& counts, int resolution);
-  void draw_maps(const Gl& gl, const FrameBlock& block, const std::vector<LightView>& views,
-                 const ModelBuffers::DrawList& triangles, int resolution);
+  void make_textures(const Gl& gl, const Counts& counts, int resolution, bool curves);
+  void see_from(const Gl& gl, const FrameBlock& block, const LightView& view);
+  void draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const std::vector<LightView>& views,
+                 const FurDrawing& drawing, CurvesPass& curves);
   void bind(const Gl& gl) const;
 
   ShellShadowPass shells_;
   SceneShadowPass scene_;
   Buffer view_block_, shadow_block_;
   ShadowBlock slots_;
-  Texture kept_, depth_, width_;
+  Texture kept_, depth_, width_, curves_;
   Key key_;
 };
 

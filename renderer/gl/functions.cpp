@@ -72,6 +72,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(counted_.BindTextureUnit, "glBindTextureUnit");
   get(BindVertexArray, "glBindVertexArray");
   get(BlendEquation, "glBlendEquation");
+  get(BlendEquationSeparate, "glBlendEquationSeparate");
   get(BlendFunc, "glBlendFunc");
   get(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");

@@ -26,6 +26,7 @@ struct Gl {
   PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
   PFNGLBINDVERTEXARRAYPROC BindVertexArray = nullptr;
   PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
+  PFNGLBLENDEQUATIONSEPARATEPROC BlendEquationSeparate = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;

@@ -9,7 +9,8 @@ layout(std140, binding = 2) uniform ShadowBlock {
 
 layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
 layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, sizes
-layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge
+layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge; and
+                                                        // its mean times the depth of what casts it
 
 const float shadow_layers = 16.0;
 const float cast_bias = 0.006;   // sizes
@@ -25,17 +26,55 @@ float depth_below(int i, vec3 place, vec2 at) {
   return dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - texture(depth_maps, vec3(at, shadow.slots[i].y)).r;
 }
 
-// AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin (GPU fur 4).
-float cast_light(int i, vec3 place) {
-  if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
+#ifdef CURVE_SHADOWS
+layout(binding = 12) uniform sampler2DArray curve_maps;  // light that guided curves let through; a: depth of the nearest
+
+const float curve_bias = 0.001;  // sizes
+const float penumbra = 0.09;     // width of a soft light's over the distance that it falls, as on the ground
+
+// A curve is thinner than a texel. A depth map would hold it as a whole texel or not at all, so this one holds the share of
+// light that passes; it counts below the nearest curve of the four texels that are mixed. The penumbra of a soft light
+// thins it out the further it falls.
+float past_curves(int i, vec3 place) {
+  vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
+  vec2 at = vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5;
+  if (clip.w <= 0.0 || any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) return 1.0;
+  vec4 near = textureGather(curve_maps, vec3(at, shadow.slots[i].y), 3);
+  float nearest = min(min(near.x, near.y), min(near.z, near.w));
+  float below = dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - nearest;
+  if (below <= curve_bias) return 1.0;
+  float stopped = 1.0 - texture(curve_maps, vec3(at, shadow.slots[i].y)).r;
+  mat4 to_clip = shadow.to_light[i];
+  float texels = 0.5 * float(textureSize(curve_maps, 0).x) * length(vec3(to_clip[0].x, to_clip[1].x, to_clip[2].x)) / clip.w;
+  if (shadow.slots[i].z > 0.5) stopped /= 1.0 + penumbra * below * texels;
+  return 1.0 - stopped * smoothstep(curve_bias, 3.0 * curve_bias, below);
+}
+#endif
+
+// AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin (GPU fur 4). Where three bars cross, the map is white on both
+// sides of a shadow's edge: under the first bar the second is dark, beside it the third is. So white counts by how far in
+// front of the place the caster lies, over how far the one does that hides it.
+float past_body(int i, vec3 place) {
   vec2 at = place_on_map(i, place);
   float below = depth_below(i, place, at);
   if (below <= cast_bias) return 1.0;
   if (shadow.slots[i].z < 0.5) return 0.0;
-  float white = texture(width_maps, vec3(at, shadow.slots[i].y)).r;  // .5 at the edge
+  vec2 nearby = texture(width_maps, vec3(at, shadow.slots[i].y)).rg;
+  float depth = dot(shadow.axis[i].xyz, place) + shadow.axis[i].w;
+  float white = clamp((nearby.x * depth - nearby.y) / below, 0.0, nearby.x);  // .5 at the edge
   float width = shadow_width * max(2.0 * white - 1.0, 0.0);
   float fade = smoothstep(cast_bias, 3.0 * cast_bias, below);
   return 1.0 - fade * clamp(shadow.slots[i].w * width / below, 0.0, 1.0);
+}
+
+// Share of light i that other parts of the body and guided curves let through.
+float cast_light(int i, vec3 place) {
+  if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
+  float kept = past_body(i, place);
+#ifdef CURVE_SHADOWS
+  kept *= past_curves(i, place);
+#endif
+  return kept;
 }
 
 // Optical depth of the layers above a place; what the estimate says where the map shows another part of the body, or

@@ -10,18 +10,24 @@ in vec2 tile_per_height;
 in float level;
 in float slant;
 
+float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
+
 #ifdef TUFTS
 #include "tufts.glsl"
 
-vec2 tuft_shift = vec2(0.0);  // on the tile, set by who reads colours too
+vec2 tuft_shift = vec2(0.0);  // on the tile
+
+// To the strand that is here at the middle of the slab: with it come its holes, its shadow and its colour.
+void shift_to_strand(vec3 normal, vec3 tile_u) {
+  vec3 way = tuft_way(tuft_here(), shell_height());
+  tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
+}
 #endif
 
 struct Slab {
   float opacity, height, light;  // the last two weighted by opacity
   vec2 slope;
 };
-
-float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
 
 // Place on the tile of the strand that the ray crosses at height s.
 vec2 tile_at(float s) {

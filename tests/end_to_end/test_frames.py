@@ -123,11 +123,24 @@ class Frames(ServedTest):
                                  ({"format": "exr", "layers": []}, "/layers"), ({"format": "exr", "layers": ["depht"]}, "/layers/0"),
                                  ({"format": "exr", "layers": ["depth", "depth"]}, "/layers/1"),
                                  ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "density"}, "/overlay"),
+                                 ({"overlay": "shadow_width", "quality": {"shadow_maps": False}}, "/overlay"),
                                  ({"format": "jpeg", "background": "transparent"}, "/background"),
                                  ({"format": "jpeg", "jpeg_quality": 0}, "/jpeg_quality"), ({"format": "tiff"}, "/format"),
                                  ({"format": "exr", "width": 8192, "height": 8192, "layers": ["beauty", "depth"]}, "/layers")):
             self.assert_problem(scene.post("frames", request), 422, pointer)
         self.assert_problem(self.server.get(f"{scene.path}/frame.png?format=exr"), 422, "/format")
+
+    def test_the_maps_of_a_light(self):
+        scene = self.server.new_scene("knot", 1000)
+        scene.run({"op": "set_lights", "lights": [{"direction": [0, -1, 0], "cast_shadow": "soft"}]})
+        maps = [scene.frame(overlay=name, width=96, height=96, quality={"shadow_maps": True}).image[..., 0]
+                for name in ("light_depth", "light_occlusion", "shadow_width")]
+        depth, occlusion, width = maps
+        self.assertEqual(set(numpy.unique(occlusion)), {0, 255})
+        self.assertGreater(len(numpy.unique(width)), 20)
+        self.assertEqual(depth[0, 0], 0)
+        self.assertGreater(depth.max(), 150)
+        self.assertTrue((depth[occlusion > 0] > 0).all())
 
     def test_the_client_goes_by_the_ending(self):
         scene = self.server.new_scene("sphere", 500)

@@ -6,6 +6,7 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/eye/optics.h"
+#include "renderer/gl/render_target.h"
 #include "renderer/upload/frame_block.h"
 #include "tests/gl/backends.h"
 
@@ -61,7 +62,7 @@ class Eyes : public OnBackend {
     const FrameBlock content = make_frame_block(frame, Slices{}, false, size);
     gl().NamedBufferData(block.id(), sizeof content, &content, GL_STREAM_DRAW);
     gl().BindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
-    pass->draw(gl(), frame, target);
+    pass->draw(gl(), frame);
     std::vector<glm::vec4> pixels(size * size);
     gl().ReadPixels(0, 0, size, size, GL_RGBA, GL_FLOAT, pixels.data());
     return pixels;

@@ -263,6 +263,121 @@ TEST_P(Layers, HueFollowsTheDirection) {
   EXPECT_GT(spread(first), spread(upright) + 20);
 }
 
+/// A bare sphere of radius .289 with an eye in front of its middle.
+FurredModel with_eye() {
+  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0});
+  model.settings.eyes = {{.position = model.model.surface.mesh().to_model({0, 0, 0.25}), .radius = 0.1}};
+  return model;
+}
+
+TEST_P(Layers, HoldEyes) {
+  const FurredModel model = with_eye();
+  FrameRequest request = small_frame();
+  request.knobs.accumulation = Accumulation::full;
+  const FurFrame frame = make_frame(model.view(), request);
+  const auto images = layers_of(model, request, {FrameLayer::depth, FrameLayer::position, FrameLayer::normal, FrameLayer::albedo,
+                                                 FrameLayer::direct, FrameLayer::beauty, FrameLayer::shadow, FrameLayer::tangent});
+  const glm::vec3 centre = frame.eyes[0].position;
+  int seen = 0;
+  for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
+    const glm::vec3 place = pixel(images[1], i);
+    if (glm::distance(place, centre) > 1.01f * frame.eyes[0].radius || place.z < centre.z + 0.5f * frame.eyes[0].radius) continue;
+    ++seen;
+    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.eye, frame.camera.forward), 1e-4);
+    EXPECT_GT(glm::dot(pixel(images[2], i), glm::normalize(place - centre)), 0.8f);
+    EXPECT_EQ(pixel(images[7], i), glm::vec3(0));
+    EXPECT_NEAR(images[6].rgba[4 * i], 1, 1e-4);
+    const glm::vec3 direct = pixel(images[4], i), beauty = pixel(images[5], i);
+    for (int k = 0; k < 3; ++k) EXPECT_LE(direct[k], beauty[k] + 1e-4f);
+  }
+  EXPECT_GT(seen, 200);
+}
+
+TEST_P(Layers, WithoutAmbientAnEyesLightIsDirect) {
+  FurredModel model = with_eye();
+  model.settings.look.ambient = 0;
+  FrameRequest request = small_frame();
+  request.background_colour = glm::vec3(0);  // which the cornea mirrors
+  request.knobs.accumulation = Accumulation::full;
+  const auto images = layers_of(model, request, {FrameLayer::beauty, FrameLayer::direct});
+  for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i)
+    ASSERT_LT(glm::distance(pixel(images[0], i), pixel(images[1], i)), 2e-3f);  // the edge of a highlight is steep, and two programs round differently
+}
+
+TEST_P(Layers, HoldCurves) {
+  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.02});
+  const Mesh& mesh = model.model.surface.mesh();
+  CurveGroup group;
+  group.curves = {{mesh.to_model({-0.1, 0, 0.4}), mesh.to_model({0.1, 0, 0.4})}};
+  group.width_root = group.width_tip = 0.02;
+  group.root_colour = group.tip_colour = {0.1f, 0.9f, 0.1f};
+  model.settings.curves = {group};
+  const FrameRequest request = small_frame();
+  const FurFrame frame = make_frame(model.view(), request);
+  const auto images = layers_of(model, request, {FrameLayer::depth, FrameLayer::position, FrameLayer::tangent, FrameLayer::albedo,
+                                                 FrameLayer::shadow, FrameLayer::direct, FrameLayer::beauty});
+  int seen = 0;
+  for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
+    const glm::vec3 albedo = pixel(images[3], i), place = pixel(images[1], i);
+    if (images[3].rgba[4 * i + 3] < 0.99f || place.z < 0.35f) continue;
+    ++seen;
+    EXPECT_NEAR(albedo.g, 0.9f, 0.02);
+    EXPECT_NEAR(place.z, 0.4f, 0.005);
+    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.eye, frame.camera.forward), 0.01);
+    EXPECT_GT(std::abs(pixel(images[2], i).x), 0.99f);
+    EXPECT_GT(images[5].rgba[4 * i + 1], 0);
+    EXPECT_NEAR(images[4].rgba[4 * i], 1, 1e-3);  // nothing stands above it
+  }
+  EXPECT_GT(seen, 20);
+}
+
+TEST_P(Layers, HoldFinsAndGuardHairs) {
+  // Beyond the outline there is nothing but them, and the layers cover what the picture covers.
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.3});
+  FrameRequest request = small_frame();
+  request.knobs.accumulation = Accumulation::full;
+  const std::vector<FrameLayer> layers{FrameLayer::alpha, FrameLayer::albedo, FrameLayer::depth, FrameLayer::tangent};
+  const auto plain = layers_of(model, request, layers);
+  for (const bool fins : {true, false}) {
+    request.knobs.fins = fins, request.knobs.guard_hairs = fins ? 0 : 20000;
+    const auto images = layers_of(model, request, layers);
+    int more = 0, deeper = 0, wrong = 0;
+    for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
+      const float alpha = images[0].rgba[4 * i + 3];
+      ASSERT_NEAR(images[1].rgba[4 * i + 3], alpha, 0.02) << i;
+      more += alpha > plain[0].rgba[4 * i + 3] + 0.1f;
+      deeper += images[2].rgba[4 * i] > 0 && plain[2].rgba[4 * i] == 0;
+      if (std::abs(alpha - 0.5f) > 0.03f) wrong += (images[2].rgba[4 * i] > 0) != (alpha > 0.5f);
+    }
+    EXPECT_GT(more, 50) << fins;
+    EXPECT_GT(deeper, fins ? 0 : 20);
+    EXPECT_LE(wrong, fins ? 2 : 30);  // hairs that hide each other count once in the picture and twice in the depth
+  }
+}
+
+TEST_P(Layers, MapsOfALightHideTheFrame) {
+  FurredModel model = furred({Builtin::knot, 1000});
+  model.settings.lights = {{.direction = {0, -1, 0}}, {.direction = {0, -1, 0}, .cast_shadow = CastShadow::soft}};
+  FrameRequest request = small_frame();
+  request.knobs.shadow_maps = true;
+  std::set<std::vector<std::uint8_t>> pictures;
+  for (const Overlay overlay : {Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
+    request.overlay = overlay;
+    const Image image = draw(*renderer, model, request);
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      ASSERT_EQ(image.rgba[i + 3], 255);
+      ASSERT_EQ(image.rgba[i], image.rgba[i + 1]);
+    }
+    pictures.insert(image.rgba);
+  }
+  EXPECT_EQ(pictures.size(), 3u);
+  model.settings.lights.pop_back();
+  const Result<Image> refused = renderer->draw(make_frame(model.view(), request));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().code, Code::invalid);
+  EXPECT_EQ(refused.status().pointer, "/overlay");
+}
+
 INSTANTIATE_TEST_SUITE_P(Gl, Layers, all_backends(), name_of);
 
 }  // namespace

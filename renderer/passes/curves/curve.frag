@@ -1,6 +1,13 @@
 #version 450 core
+#undef CURVE_SHADOWS  // on the map a curve cannot be told from its neighbours
 #include "frame.glsl"
 #include "lighting.glsl"
+#ifdef LAYERS
+#include "layers.glsl"
+#endif
+#ifdef COVERING
+#include "covering.glsl"
+#endif
 
 uniform float least_opacity;
 
@@ -19,7 +26,17 @@ layout(location = 0) out vec4 result;  // premultiplied
 void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
   if (opacity < least_opacity) discard;
-  vec3 to_eye = unit_or_zero(frame.eye.xyz - place);
-  Fibre fibre = Fibre(place, normal, unit_or_zero(tangent), to_eye, colour, 1.0, 0.0, number);
+#ifdef COVERING
+#ifdef CROSSING
+  keep_crossings();
+#endif
+  result = covering(opacity);
+#else
+  vec3 to_eye = unit_or_zero(frame.eye.xyz - place), along = unit_or_zero(tangent);
+  Fibre fibre = Fibre(place, normal, along, to_eye, colour, 1.0, 0.0, number);
   result = vec4(fibre_light(fibre) * opacity, opacity);
+#ifdef LAYERS
+  write_layers(place, normal, along, colour, 0.0, opacity);
+#endif
+#endif
 }

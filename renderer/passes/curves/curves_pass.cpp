@@ -3,6 +3,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "renderer/passes/draw/draw_state.h"
 #include "renderer/passes/draw/strips.h"
 
 namespace pelage {
@@ -10,11 +11,13 @@ namespace pelage {
 namespace shaders {
 extern const char* const curve_vert;
 extern const char* const curve_frag;
+extern const char* const curve_shadow_frag;
 }  // namespace shaders
 
 namespace {
 
 constexpr GLuint points_binding = 4, styles_binding = 5, numbers_binding = 6;  // as curve.vert
+constexpr float nowhere = 1e30f;  // depth of the nearest curve where there is none, sizes
 
 template <class T>
 void send(const Gl& gl, const Buffer& buffer, const std::vector<T>& values, GLenum usage) {
@@ -46,20 +49,50 @@ void CurvesPass::send_strips(const Gl& gl, const std::vector<FurCurves>& curves)
   sent_ = curves;
 }
 
-void CurvesPass::draw(const Gl& gl, const FurFrame& frame, const std::string& variant) {
+CurveOrder CurvesPass::bind(const Gl& gl, const FurFrame& frame, glm::vec3 eye) {
   assert(!frame.curves.empty());
   if (!array_) make_buffers(gl);
   send_strips(gl, frame.curves);
-  const CurveOrder order = order_strips(strips_, frame.camera.eye);
+  CurveOrder order = order_strips(strips_, eye);
   send(gl, numbers_, order.curves, GL_STREAM_DRAW);
   gl.BindVertexArray(array_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, points_binding, points_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, styles_binding, styles_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, numbers_binding, numbers_.id());
+  return order;
+}
+
+void CurvesPass::draw(const Gl& gl, const FurFrame& frame, const std::string& variant) {
+  const CurveOrder order = bind(gl, frame, frame.camera.eye);
   const Program& program = program_of(gl, variant);
   program.use();
   program.set("segments", curve_segments);
   draw_four_passes(gl, program, curve_segments, order.averted, order.curves.size());
+}
+
+void CurvesPass::draw_plain(const Gl& gl, const FurFrame& frame, const std::string& variant) {
+  const CurveOrder order = bind(gl, frame, frame.camera.eye);
+  draw_all_strips(gl, program_of(gl, variant), curve_segments, order.curves.size());
+}
+
+void CurvesPass::draw_shadow(const Gl& gl, const FurFrame& frame, const LightView& light, const RenderTarget& target) {
+  const CurveOrder order = bind(gl, frame, light.eye);
+  if (!shadow_) {
+    shadow_.emplace(gl, shaders::curve_vert, shaders::curve_shadow_frag);
+    failure_ += shadow_->log();
+  }
+  set_draw_state(gl, target);
+  clear_target(gl, target, {1, 1, 1, nowhere});
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+  gl.BlendEquationSeparate(GL_FUNC_ADD, GL_MIN);
+  shadow_->use();
+  shadow_->set("axis", glm::vec3(light.axis));
+  shadow_->set("offset", light.axis.w);
+  draw_all_strips(gl, *shadow_, curve_segments, order.curves.size());
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.Disable(GL_BLEND);
 }
 
 }  // namespace pelage

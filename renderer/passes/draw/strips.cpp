@@ -14,6 +14,14 @@ void draw_strips(const Gl& gl, int segments, std::size_t count) {
                            static_cast<GLsizei>(count));
 }
 
+void draw_all_strips(const Gl& gl, const Program& program, int segments, std::size_t count) {
+  program.use();
+  program.set("segments", segments);
+  program.set("first", 0);
+  program.set("least_opacity", visible);
+  draw_strips(gl, segments, count);
+}
+
 void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t averted, std::size_t count) {
   const auto draw = [&](std::size_t first, std::size_t number, float least_opacity) {
     program.set("first", static_cast<int>(first));

@@ -10,6 +10,10 @@ namespace pelage {
 /// Elements that count from 0 to at least 2 (segments + 1) are bound. Draws nothing when the count is 0.
 void draw_strips(const Gl& gl, int segments, std::size_t count);
 
+/// All strips once, whatever state is set. The program draws from its uniform `first` on, has `segments` and discards
+/// what is under its uniform `least_opacity` (where it has one).
+void draw_all_strips(const Gl& gl, const Program& program, int segments, std::size_t count);
+
 /// Hairs that are blended, far ones first, in four passes (character rendering; Scheuermann 2004): depth of opaque
 /// hair; opaque hair at equal depth; blended hair on surface turned away, which is the first `averted`; blended hair on
 /// surface that faces the eye, with depth. The program is in use; it draws from its uniform `first` on and discards

@@ -3,6 +3,9 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "eye_block.glsl"
+#ifdef LAYERS
+#include "layers.glsl"
+#endif
 
 // x^p for x in [0, 1] as an exponential of a logarithm that stays finite.
 float power(float x, float p) { return exp2(p * log2(max(x, 1e-12))); }
@@ -26,6 +29,7 @@ const float forward_scatter = 0.2;  // Henyey and Greenstein's g
 
 Eye eye;
 float pixel;  // its size at the eye, radii
+int lamps;    // that light it
 
 vec3 in_frame(vec3 v) { return vec3(dot(eye.right.xyz, v), dot(eye.up.xyz, v), dot(eye.forward.xyz, v)); }
 vec3 in_world(vec3 v) { return eye.right.xyz * v.x + eye.up.xyz * v.y + eye.forward.xyz * v.z; }
@@ -120,7 +124,7 @@ struct IrisLight {
 
 IrisLight light_on_iris(vec3 surface, vec3 normal, vec3 inside, vec2 at) {
   IrisLight lights;
-  for (int i = 0; i < int(frame.counts.z); ++i) {
+  for (int i = 0; i < lamps; ++i) {
     Lit lit = lit_by(i, surface);
     lights.arriving[i] = lit.radiance * gathered(at, lit.to_light) * past_lids(surface, lit.to_light);
     vec3 way = refracted(-lit.to_light, dot(lit.to_light, normal) > 0.0 ? normal : lit.to_light);
@@ -136,7 +140,7 @@ vec3 tint(vec4 tissue) { return mix(eye.iris.rgb, eye.inner.rgb, tissue.b); }
 vec3 flat_iris(vec2 at, IrisLight lights, float sky) {
   vec4 tissue = tissue_at(at, pupil_edge(at));
   vec3 sum = vec3(frame.weights.x * sky);
-  for (int i = 0; i < int(frame.counts.z); ++i) sum += lights.arriving[i];
+  for (int i = 0; i < lamps; ++i) sum += lights.arriving[i];
   return sum * tint(tissue) * tissue.r * 1.5;
 }
 
@@ -166,7 +170,7 @@ vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sk
     float above = density * max(below - 0.5 * share, 0.0);
     vec3 colour = tint(tissue);
     vec3 light = frame.weights.x * sky * vec3(sent_back(above, thick, slant, 2.0));
-    for (int i = 0; i < int(frame.counts.z); ++i) {
+    for (int i = 0; i < lamps; ++i) {
       light += lights.arriving[i] * (lights.scattered[i] * sent_back(above, thick, slant, lights.rising[i]));
     }
     sum += passed * there * light * mix(colour, colour * colour, clamp(below, 0.0, 1.0)) * tissue.r * 1.5;
@@ -175,15 +179,24 @@ vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sk
   float edge = pupil_edge(bottom);
   vec3 pigment = eye.iris.rgb * eye.iris.rgb * smoothstep(-pixel, pixel, length(bottom) - edge);
   vec3 light = vec3(frame.weights.x * sky);
-  for (int i = 0; i < int(frame.counts.z); ++i) light += lights.arriving[i];
+  for (int i = 0; i < lamps; ++i) light += lights.arriving[i];
   return sum + passed * 0.25 * light * pigment;
+}
+
+// Where a ray goes on behind the cornea.
+vec3 through_cornea(vec3 normal, vec3 along) {
+  return steps == 0 ? vec3(0.0, 0.0, -1.0) : refracted(along, normal);
+}
+
+vec2 place_on_iris(vec3 place, vec3 inside) {
+  return place.xy + inside.xy * (max(place.z - eye.cornea.z, 0.0) / max(-inside.z, 0.05));
 }
 
 // What is seen through the cornea at a place on it.
 vec3 iris_light(vec3 place, vec3 normal, vec3 along) {
-  vec3 inside = steps == 0 ? vec3(0.0, 0.0, -1.0) : refracted(along, normal);
+  vec3 inside = through_cornea(normal, along);
   float falling = max(-inside.z, 0.05);
-  vec2 bottom = place.xy + inside.xy * (max(place.z - eye.cornea.z, 0.0) / falling);
+  vec2 bottom = place_on_iris(place, inside);
   vec2 top = bottom - inside.xy * (eye.cornea.w / falling);
   float reach = length(bottom);
   if (steps == 0 || reach > eye.up.w) bottom *= min(1.0, eye.up.w / max(reach, 1e-6));
@@ -202,9 +215,8 @@ vec3 iris_light(vec3 place, vec3 normal, vec3 along) {
   return mix(seen * (1.0 - 0.92 * ring), eye.iris.rgb * 0.03 * sky, wall);
 }
 
-// The white: light wraps around it, red the furthest, and vessels redden it away from the iris.
-vec3 sclera_light(vec3 place, vec3 normal) {
-  const vec3 wrap = vec3(0.45, 0.28, 0.22);
+// The white: vessels redden it away from the iris, and light wraps around it, red the furthest.
+vec3 sclera_colour(vec3 place) {
   float back = acos(clamp(place.z, -1.0, 1.0)) - asin(clamp(eye.up.w, 0.0, 1.0));
   vec2 at = vec2(atan(place.y, place.x) * 0.15915494 + eye.inner.w, clamp(back / 1.2, 0.0, 1.0));
   vec4 tissue = textureLod(tissues, vec3(at, 0.0), max(log2(pixel * rows / 1.2), 0.0));
@@ -212,14 +224,18 @@ vec3 sclera_light(vec3 place, vec3 normal) {
   float red = clamp(0.75 * lid + 0.5 * smoothstep(0.15, 1.0, back), 0.0, 1.0);
   vec3 colour = eye.sclera.rgb * mix(vec3(1.0), vec3(0.80, 0.42, 0.36), 0.6 * red);
   colour *= mix(vec3(1.0), vec3(0.72, 0.25, 0.20), 0.65 * tissue.a * (0.35 + 0.65 * red));
-  colour *= 1.0 - 0.9 * eye.iris.w * (1.0 - smoothstep(0.0, 0.16, back));
+  return colour * (1.0 - 0.9 * eye.iris.w * (1.0 - smoothstep(0.0, 0.16, back)));
+}
+
+vec3 sclera_light(vec3 place, vec3 normal) {
+  const vec3 wrap = vec3(0.45, 0.28, 0.22);
   vec3 sum = vec3(frame.weights.x * open_sky(place));
-  for (int i = 0; i < int(frame.counts.z); ++i) {
+  for (int i = 0; i < lamps; ++i) {
     Lit lit = lit_by(i, place);
     vec3 wrapped = max((dot(normal, lit.to_light) + wrap) / (1.0 + wrap), 0.0);
     sum += lit.radiance * wrapped * past_lids(place, lit.to_light);
   }
-  return colour * sum;
+  return sclera_colour(place) * sum;
 }
 
 // What the head's surroundings send along a reflected ray: a soft sky, a darker ground, and fur beside the eye.
@@ -237,7 +253,7 @@ vec3 reflected_light(vec3 place, vec3 normal, vec3 along) {
   float disc = mix(0.5, 0.11, eye.sclera.w);  // radians
   float gain = 1.0 / (sin(disc) * sin(disc));
   vec3 sum = surroundings_along(way, place);
-  for (int i = 0; i < int(frame.counts.z); ++i) {
+  for (int i = 0; i < lamps; ++i) {
     Lit lit = lit_by(i, place);
     float off = acos(clamp(dot(way, lit.to_light), -1.0, 1.0));
     sum += lit.radiance * gain * (1.0 - smoothstep(0.85 * disc, 1.15 * disc, off)) * past_lids(place, lit.to_light);
@@ -245,12 +261,14 @@ vec3 reflected_light(vec3 place, vec3 normal, vec3 along) {
   return mirrored * mix(0.35, 1.0, eye.sclera.w) * sum;
 }
 
+float lid_margin(vec3 place) { return 1.0 - smoothstep(0.02, 0.14, -opening(unit(place))); }  // moist along the edge
+vec3 lid_colour(vec3 place) { return mix(eye.lid.rgb, eye.lid.rgb * vec3(0.7, 0.55, 0.55), lid_margin(place)); }
+
 vec3 lid_light(vec3 place, vec3 along) {
-  vec3 normal = unit(place);
-  float margin = 1.0 - smoothstep(0.02, 0.14, -opening(normal));  // moist along the edge
-  vec3 colour = mix(eye.lid.rgb, eye.lid.rgb * vec3(0.7, 0.55, 0.55), margin);
+  vec3 normal = unit(place), colour = lid_colour(place);
+  float margin = lid_margin(place);
   vec3 sum = frame.weights.x * colour;
-  for (int i = 0; i < int(frame.counts.z); ++i) {
+  for (int i = 0; i < lamps; ++i) {
     Lit lit = lit_by(i, place);
     vec3 middle = unit(lit.to_light - along);
     float facing = max(dot(normal, lit.to_light), 0.0);
@@ -278,12 +296,22 @@ Surface enter(vec3 along, float centre, float radius) {
   return surface;
 }
 
-vec3 eyeball_light(vec3 place, vec3 along) {
-  float soft = max(0.04 * eye.up.w, pixel), across = length(place.xy);
-  float cornea = place.z > 0.0 ? 1.0 - smoothstep(eye.up.w - soft, eye.up.w + soft, across) : 0.0;
+// 1 on the cornea, 0 on the white.
+float cornea_share(vec3 place) {
+  float soft = max(0.04 * eye.up.w, pixel);
+  return place.z > 0.0 ? 1.0 - smoothstep(eye.up.w - soft, eye.up.w + soft, length(place.xy)) : 0.0;
+}
+
+// Of ball and cornea; it never turns away from the ray.
+vec3 eyeball_normal(vec3 place, vec3 along) {
   vec3 bulged = unit(place - vec3(0.0, 0.0, eye.cornea.x));
-  vec3 normal = unit(mix(unit(place), bulged, cornea));
-  if (dot(normal, along) > -1e-3) normal = unit(normal - along * (dot(normal, along) + 1e-3));
+  vec3 normal = unit(mix(unit(place), bulged, cornea_share(place)));
+  return dot(normal, along) > -1e-3 ? unit(normal - along * (dot(normal, along) + 1e-3)) : normal;
+}
+
+vec3 eyeball_light(vec3 place, vec3 along) {
+  float cornea = cornea_share(place);
+  vec3 normal = eyeball_normal(place, along);
   vec3 seen = cornea < 1.0 ? sclera_light(place, normal) : vec3(0.0);
   if (cornea > 0.0) seen = mix(seen, iris_light(place, normal, along), cornea);
   float kept = 1.0 - reflectance(-dot(along, normal), eye.position.w);
@@ -291,24 +319,65 @@ vec3 eyeball_light(vec3 place, vec3 along) {
   return shaded * (seen * kept + reflected_light(place, normal, along));
 }
 
+struct Seen {
+  vec3 ball, lid;       // places
+  float open, covered;  // share of the ball that is seen, share of the pixel
+  float shut;           // share of that which lids hide
+};
+
+vec3 light_of(Seen seen, vec3 along) {
+  vec3 light = vec3(0.0);
+  if (seen.shut < 1.0 && seen.open > 0.0) light = eyeball_light(seen.ball, along);
+  return seen.shut > 0.0 ? mix(light, lid_light(seen.lid, along), seen.shut) : light;
+}
+
+#ifdef LAYERS
+vec3 albedo_of(Seen seen, vec3 along) {
+  vec2 at = place_on_iris(seen.ball, through_cornea(eyeball_normal(seen.ball, along), along));
+  vec4 tissue = tissue_at(at, pupil_edge(at));
+  float there = smoothstep(-pixel, pixel, length(at) - pupil_edge(at));
+  vec3 ball = mix(sclera_colour(seen.ball), there * tint(tissue) * tissue.r, cornea_share(seen.ball));
+  return mix(ball, lid_colour(seen.lid), seen.shut);
+}
+
+// Lids and cornea count as what reflects, not as shadow: all of an eye's lamp light is left.
+void write_eye_layers(Seen seen, vec3 along, vec3 hit, vec3 light) {
+  lamps = 0;
+  direct_light = clamp(light - light_of(seen, along), 0.0, most);
+  light_share = vec2(dot(direct_light, vec3(0.2126, 0.7152, 0.0722)));
+  vec3 normal = seen.shut > 0.5 ? unit(seen.lid) : eyeball_normal(seen.ball, along);
+  write_layers(eye.position.xyz + eye.right.w * in_world(hit), in_world(normal), vec3(0.0), albedo_of(seen, along), 0.0,
+               seen.covered);
+}
+#endif
+
 void main() {
   eye = eyes[number];
+  lamps = int(frame.counts.z);
   vec3 along = unit(local - viewer);
   pixel = max(frame.eye.w * distance(local, viewer), 1e-6);
   Surface ball = enter(along, 0.0, 1.0), dome = enter(along, eye.cornea.x, eye.cornea.y);
   bool over = dome.covered > 0.0 && (ball.covered <= 0.0 || dot(dome.place - ball.place, along) < 0.0);
-  Surface hit = over ? dome : ball;
-  hit.covered = max(ball.covered, dome.covered);
-  vec3 light = vec3(0.0);
   Surface lid = enter(along, 0.0, lid_radius);
-  float shut = eye.lid_right.w == 0.0 || length(viewer) <= lid_radius ? 0.0
-               : 1.0 - smoothstep(-0.5 * pixel, 0.5 * pixel, opening(unit(lid.place)));
-  float covered = mix(hit.covered, lid.covered, shut);
-  if (covered <= 0.0) discard;
-  if (shut < 1.0 && hit.covered > 0.0) light = eyeball_light(hit.place, along);
-  if (shut > 0.0) light = mix(light, lid_light(lid.place, along), shut), hit.place = shut > 0.5 ? lid.place : hit.place;
-  if (dot(hit.place - viewer, along) <= 0.0) discard;  // behind the camera, or around it
-  vec4 clip = frame.world_to_clip * vec4(eye.position.xyz + eye.right.w * in_world(hit.place), 1.0);
+  Seen seen;
+  seen.ball = over ? dome.place : ball.place, seen.lid = lid.place;
+  seen.open = max(ball.covered, dome.covered);
+  seen.shut = eye.lid_right.w == 0.0 || length(viewer) <= lid_radius ? 0.0
+              : 1.0 - smoothstep(-0.5 * pixel, 0.5 * pixel, opening(unit(lid.place)));
+  seen.covered = mix(seen.open, lid.covered, seen.shut);
+  if (seen.covered <= 0.0) discard;
+  vec3 hit = seen.shut > 0.5 ? seen.lid : seen.ball;
+  if (dot(hit - viewer, along) <= 0.0) discard;  // behind the camera, or around it
+  vec4 clip = frame.world_to_clip * vec4(eye.position.xyz + eye.right.w * in_world(hit), 1.0);
   gl_FragDepth = clamp(clip.z / max(clip.w, 1e-12), 0.0, 1.0);
-  result = vec4(clamp(light, 0.0, most) * covered, covered);  // mixing with a blinding light may end below 0
+#ifdef COVERING
+  if (seen.covered < 0.5) discard;
+  result = vec4(1.0 / max(clip.w, 1e-12), 0.0, 0.0, 1.0);
+#else
+  vec3 light = clamp(light_of(seen, along), 0.0, most);  // mixing with a blinding light may end below 0
+  result = vec4(light * seen.covered, seen.covered);
+#ifdef LAYERS
+  write_eye_layers(seen, along, hit, light);
+#endif
+#endif
 }

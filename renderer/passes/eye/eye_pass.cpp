@@ -32,8 +32,14 @@ Texture make_texture(const Gl& gl, GLenum format, int levels, int width, int hei
 
 }  // namespace
 
-EyePass::EyePass(const Gl& gl) : program_(gl, shaders::eye_vert, shaders::eye_frag), nothing_(gl), block_(gl) {
+EyePass::EyePass(const Gl& gl) : nothing_(gl), block_(gl) {
   gl.NamedBufferData(block_.id(), sizeof(EyeBlock), nullptr, GL_STREAM_DRAW);
+}
+
+const Program& EyePass::program_of(const Gl& gl, const std::string& outputs) {
+  const auto [place, made] = programs_.try_emplace(outputs, gl, shaders::eye_vert, shaders::eye_frag, outputs);
+  if (made) failure_ += place->second.log();
+  return place->second;
 }
 
 void EyePass::make_textures(const Gl& gl) {
@@ -60,7 +66,7 @@ int EyePass::caustics_of(const Gl& gl, const EyeShape& shape) {
   return first;
 }
 
-void EyePass::draw(const Gl& gl, const FurFrame& frame, const RenderTarget& target) {
+void EyePass::draw(const Gl& gl, const FurFrame& frame, const std::string& outputs) {
   assert(!frame.eyes.empty() && frame.eyes.size() <= limits::eyes);
   if (!tissues_) make_textures(gl);
   ++draws_;
@@ -71,15 +77,15 @@ void EyePass::draw(const Gl& gl, const FurFrame& frame, const RenderTarget& targ
   }
   gl.NamedBufferSubData(block_.id(), 0, sizeof(EyeBlock), &block);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 4, block_.id());
-  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   gl.BindVertexArray(nothing_.id());
   gl.BindTextureUnit(9, tissues_.id());
   gl.BindTextureUnit(10, caustics_.id());
   gl.Enable(GL_BLEND);  // for the softened outline
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.Enable(GL_CULL_FACE);  // one side of the box, the far one: a camera inside the box still sees it
-  program_.use();
-  program_.set("steps", frame.knobs.eye_steps);
+  const Program& program = program_of(gl, outputs);
+  program.use();
+  program.set("steps", frame.knobs.eye_steps);
   gl.DrawArrays(GL_TRIANGLES, 0, vertices_of_box * static_cast<int>(frame.eyes.size()));
   gl.Disable(GL_CULL_FACE);
   gl.Disable(GL_BLEND);

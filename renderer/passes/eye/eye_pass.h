@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/eye/shape.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
 
 namespace pelage {
@@ -19,11 +19,14 @@ class EyePass {
  public:
   explicit EyePass(const Gl& gl);
 
-  std::string failure() const { return program_.log(); }
+  /// "" when the programs of all variants so far were built.
+  std::string failure() const { return failure_; }
 
-  /// Expects the frame's uniform block at binding 0 and depth testing as the fur pass sets it up; leaves a vertex
-  /// array, a program and textures of its own bound. The frame has 1 to 8 eyes.
-  void draw(const Gl& gl, const FurFrame& frame, const RenderTarget& target);
+  /// Into the bound target. Expects the frame's uniform block at binding 0 and depth testing as the fur pass sets it
+  /// up; leaves a vertex array, a program and textures of its own bound. The frame has 1 to 8 eyes. The #define lines
+  /// of `outputs` say what is written: "" light, LAYERS the layers beside it, COVERING one over the distance of what
+  /// covers half of a pixel.
+  void draw(const Gl& gl, const FurFrame& frame, const std::string& outputs = {});
 
  private:
   struct Kept {
@@ -31,10 +34,12 @@ class EyePass {
     std::uint64_t used = 0;  // number of the draw that needed it last
   };
 
+  const Program& program_of(const Gl& gl, const std::string& outputs);
   void make_textures(const Gl& gl);
   int caustics_of(const Gl& gl, const EyeShape& shape);  // first layer
 
-  Program program_;
+  std::map<std::string, Program> programs_;  // by outputs, made when first used
+  std::string failure_;
   VertexArray nothing_;
   Buffer block_;
   Texture tissues_, caustics_;

@@ -6,6 +6,12 @@
 #include "pattern.glsl"
 #endif
 #include "strip_light.glsl"
+#ifdef LAYERS
+#include "layers.glsl"
+#endif
+#ifdef COVERING
+#include "covering.glsl"
+#endif
 
 layout(binding = 11) uniform sampler2D side_view;  // colour times opacity, opacity
 
@@ -18,5 +24,16 @@ void main() {
   vec4 texel = texture(side_view, vec2(along, height));
   float opacity = 1.0 - pow(max(1.0 - texel.a, 1e-3), strength);
   if (opacity < 0.004) discard;
-  result = vec4(strip_light(texel.rgb / texel.a, 0.5) * opacity, opacity);
+#ifdef COVERING
+#ifdef CROSSING
+  keep_crossings();
+#endif
+  result = covering(opacity);
+#else
+  vec3 colour = strip_colour(texel.rgb / texel.a);
+  result = vec4(strip_light(colour, 0.5) * opacity, opacity);
+#ifdef LAYERS
+  write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
+#endif
+#endif
 }

@@ -77,6 +77,15 @@ void FinsPass::bind(const Gl& gl, const FurDrawing& drawing) const {
 }
 
 void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  draw_plain_fins(gl, frame, drawing);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+}
+
+void FinsPass::draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
   Geometry& geometry = geometry_of(frame.model);
   if (!geometry.edges) geometry.edges = list_edges(mesh_of(drawing.model));
   const ShownStrips<FinEdge> shown = shown_fins(mesh_of(drawing.model), *geometry.edges, frame.camera.eye);
@@ -89,12 +98,7 @@ void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& 
   fin.set("segments", fin_segments);
   fin.set("limit", fin_limit);
   fin.set("slab_depth", static_cast<float>(side_view_depth * frame.coat.tile));
-  gl.DepthMask(GL_FALSE);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   draw_strips(gl, fin_segments, shown.strips.size());
-  gl.DepthMask(GL_TRUE);
-  gl.Disable(GL_BLEND);
 }
 
 void FinsPass::set_hair(const Program& hair, const Coat& coat) const {
@@ -106,7 +110,7 @@ void FinsPass::set_hair(const Program& hair, const Coat& coat) const {
   hair.set("spread", static_cast<float>(coat.colour_spread));
 }
 
-void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
+FinsPass::BoundHairs FinsPass::bind_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
   Geometry& geometry = geometry_of(frame.model);
   if (geometry.hair_count != frame.knobs.guard_hairs) {
     geometry.hair_count = frame.knobs.guard_hairs;
@@ -118,7 +122,17 @@ void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing&
   const Program& hair = programs_of(gl, drawing.variant).hair;
   hair.use();
   set_hair(hair, frame.coat);
-  draw_four_passes(gl, hair, hair_segments, shown.averted, shown.strips.size());
+  return {hair, shown.averted, shown.strips.size()};
+}
+
+void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
+  const BoundHairs hairs = bind_hairs(gl, frame, drawing);
+  draw_four_passes(gl, hairs.program, hair_segments, hairs.averted, hairs.count);
+}
+
+void FinsPass::draw_plain_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
+  const BoundHairs hairs = bind_hairs(gl, frame, drawing);
+  draw_all_strips(gl, hairs.program, hair_segments, hairs.count);
 }
 
 }  // namespace pelage

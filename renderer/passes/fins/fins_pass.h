@@ -31,6 +31,11 @@ class FinsPass {
   /// Guard hairs near the outline, after all other fur, in four passes (draw_four_passes).
   void draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
+  /// The same fins and hairs once, with whatever blending and depth is set: for variants that write something other
+  /// than light.
+  void draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
+  void draw_plain_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
+
  private:
   struct Programs {
     Programs(const Gl& gl, const std::string& defines);
@@ -49,6 +54,11 @@ class FinsPass {
   void send_side_view(const Gl& gl, const Coat& coat);
   void bind(const Gl& gl, const FurDrawing& drawing) const;
   void set_hair(const Program& hair, const Coat& coat) const;
+  struct BoundHairs {
+    const Program& program;
+    std::size_t averted, count;
+  };
+  BoundHairs bind_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
   VertexArray array_;
   Buffer elements_, strips_;

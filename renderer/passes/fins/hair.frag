@@ -6,6 +6,12 @@
 #include "pattern.glsl"
 #endif
 #include "strip_light.glsl"
+#ifdef LAYERS
+#include "layers.glsl"
+#endif
+#ifdef COVERING
+#include "covering.glsl"
+#endif
 
 layout(binding = 1) uniform sampler2DArray colours;  // as fur.frag
 
@@ -24,7 +30,18 @@ const float local_mean = 5.0;  // level whose texels hold a few strands' colours
 void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
   if (opacity < least_opacity) discard;
+#ifdef COVERING
+#ifdef CROSSING
+  keep_crossings();
+#endif
+  result = covering(opacity);
+#else
   int slice = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   vec3 strand = textureLod(colours, vec3(tile, float(slice)), local_mean).rgb;
-  result = vec4(strip_light(strand * strand * lightness, 0.5) * opacity, opacity);
+  vec3 colour = strip_colour(strand * strand * lightness);
+  result = vec4(strip_light(colour, 0.5) * opacity, opacity);
+#ifdef LAYERS
+  write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
+#endif
+#endif
 }

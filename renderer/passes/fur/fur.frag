@@ -39,8 +39,7 @@ layout(location = 0) out vec4 result;  // premultiplied
 void main() {
   vec3 normal = normalize(fibre_normal);
 #ifdef TUFTS
-  vec3 way = tuft_way(tuft_here(), shell_height());
-  tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
+  shift_to_strand(normal, tile_u);
 #endif
   Slab slab = march(step_count, 0.0, density_share);
   if (slab.opacity * float(shell_count) < 0.02) discard;  // together less than one step of 255 over most of the fur

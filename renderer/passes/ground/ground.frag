@@ -40,9 +40,8 @@ float contact() {
 }
 
 #ifdef SHADOW_MAPS
-// Share of light i that gets here: the body's shadow, softer the further it falls.
-float light_here(int i) {
-  if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
+// Share of light i that the body lets through: its shadow is softer the further it falls.
+float past_body_softly(int i) {
   vec2 middle = place_on_map(i, place);
   float depth = dot(shadow.axis[i].xyz, place) + shadow.axis[i].w;
   float blocked = 0.0, blocker = 0.0;
@@ -59,6 +58,14 @@ float light_here(int i) {
     sum += beside || texture(depth_maps, vec3(at, shadow.slots[i].y)).r >= depth - cast_bias ? 1.0 : 0.0;
   }
   return sum / float(taps);
+}
+
+float light_here(int i) {
+  float kept = past_body_softly(i);
+#ifdef CURVE_SHADOWS
+  kept *= past_curves(i, place);
+#endif
+  return kept;
 }
 #endif
 

@@ -1,4 +1,4 @@
-// Where fur.frag and skin.frag with LAYERS write what a frame keeps beside colour.
+// Where shaders with LAYERS write what a frame keeps beside colour.
 #pragma once
 
 #include <array>

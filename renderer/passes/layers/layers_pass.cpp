@@ -17,6 +17,8 @@ extern const char* const coverage_frag;
 
 namespace {
 
+constexpr GLuint covered_unit = 14;  // as in covering.glsl
+
 enum class GatherRule { mean, straight, unit, light_share, middle };  // numbers of gather.frag
 
 GatherRule rule_of(FrameLayer layer) {
@@ -49,65 +51,85 @@ const LayersPass::DistancePrograms& LayersPass::distance_programs(const Gl& gl, 
   return place->second;
 }
 
-void LayersPass::draw(const Gl& gl, FurPass& fur, const FurDrawing& drawing, const LayerTarget& target) {
-  set_draw_state(gl, target.framebuffer(), target.width(), target.height());
-  gl.DepthMask(GL_TRUE);
-  target.clear(gl);
-  const std::string variant = drawing.variant + "#define LAYERS\n";
-  const FurDrawing layers{drawing.knobs, variant, drawing.model, drawing.lists, drawing.coat};
-  fur.draw_skin(gl, layers);
-  fur.draw_averted(gl, layers);
-  fur.draw_facing(gl, layers);
-}
-
-void LayersPass::draw_distance(const Gl& gl, FurPass& fur, const FurDrawing& drawing, const RenderTarget& distance,
-                               const RenderTarget& covered) {
-  const DistancePrograms& with = distance_programs(gl, drawing.variant);
-  for (const RenderTarget* target : {&covered, &distance}) {
-    set_draw_state(gl, *target);
-    gl.DepthMask(GL_TRUE);
-    gl.Disable(GL_BLEND);
-    clear_target(gl, *target, {});
-    FurPass::bind(gl, drawing);
-    if (target == &distance) {
-      with.skin.use();
-      draw_list(gl, drawing.lists.all);
-    }
-    fur.draw_depth(gl, drawing);
-  }
-  draw_crossings(gl, with, drawing, distance, covered);
-}
-
-// Three draws of each shell, from the eye inwards: add its opacity to what covers a pixel after it; where that crosses
-// half, keep the nearest distance; add it to what covers a pixel before the next one. Pieces of one shell that share a
-// place count together, and no fragment reads what is being written.
-void LayersPass::draw_crossings(const Gl& gl, const DistancePrograms& with, const FurDrawing& drawing,
-                                const RenderTarget& distance, const RenderTarget& covered) const {
-  const auto draw = [&](const Program& program, const RenderTarget& target, const FurPass::Shell& shell) {
-    gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-    program.use();
-    program.set("push", 0.0f);
-    FurPass::draw_shell(gl, program, shell);
+// What a frame blends, the other way round: guided curves and guard hairs, fur that faces the eye, fins, fur turned
+// away.
+std::vector<LayersPass::Piece> LayersPass::pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
+                                                          const FurDrawing& drawing) {
+  const auto variant = [&](bool crossing) {
+    return drawing.variant + (crossing ? "#define COVERING\n#define CROSSING\n" : "#define COVERING\n");
   };
+  std::vector<Piece> pieces;
+  const auto add_shells = [&](const std::vector<FurPass::Shell>& shells) {
+    const DistancePrograms& with = distance_programs(gl, drawing.variant);
+    for (auto shell = shells.rbegin(); shell != shells.rend(); ++shell) {
+      pieces.push_back([&gl, &with, &drawing, shell = *shell](bool crossing) {
+        const Program& program = crossing ? with.crossing : with.coverage;
+        FurPass::bind(gl, drawing);
+        program.use();
+        program.set("push", 0.0f);
+        FurPass::draw_shell(gl, program, shell);
+      });
+    }
+  };
+  const auto add_strips = [&](void (FinsPass::*draw)(const Gl&, const FurFrame&, const FurDrawing&)) {
+    pieces.push_back([&gl, &body, &frame, &drawing, variant, draw](bool crossing) {
+      const std::string with = variant(crossing);
+      (body.fins.*draw)(gl, frame, {drawing.knobs, with, drawing.model, drawing.lists, drawing.coat});
+    });
+  };
+  if (!frame.curves.empty())
+    pieces.push_back([&, variant](bool crossing) { body.curves.draw_plain(gl, frame, variant(crossing)); });
+  if (frame.knobs.guard_hairs > 0) add_strips(&FinsPass::draw_plain_hairs);
+  add_shells(FurPass::facing_shells(drawing.knobs, drawing.lists));
+  if (frame.knobs.fins) add_strips(&FinsPass::draw_plain_fins);
+  add_shells(FurPass::averted_shells(drawing.knobs, drawing.lists));
+  return pieces;
+}
+
+// Three draws of each piece, from the eye inwards: add its opacity to what covers a pixel after it; where that crosses
+// half, keep the nearest distance; add it to what covers a pixel before the next one. Parts of one piece that share a
+// place count together, and no fragment reads what is being written.
+void LayersPass::draw_distance(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
+                               const RenderTarget& distance, const RenderTarget& covered) {
+  draw_solid(gl, body, frame, drawing, covered, false);
+  draw_solid(gl, body, frame, drawing, distance, true);
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE_MINUS_DST_COLOR, GL_ONE);
-  gl.BindTextureUnit(1, covered.texture());
-  std::vector<FurPass::Shell> shells = FurPass::averted_shells(drawing.knobs, drawing.lists);
-  const std::vector<FurPass::Shell> facing = FurPass::facing_shells(drawing.knobs, drawing.lists);
-  shells.insert(shells.end(), facing.begin(), facing.end());
-  for (auto shell = shells.rbegin(); shell != shells.rend(); ++shell) {
+  gl.BindTextureUnit(covered_unit, covered.texture());
+  for (const Piece& piece : pieces_inwards(gl, body, frame, drawing)) {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, covered.framebuffer());
     gl.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw(with.coverage, covered, *shell);
+    piece(false);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, distance.framebuffer());
     gl.BlendEquation(GL_MAX);
-    draw(with.crossing, distance, *shell);
+    piece(true);
     gl.BlendEquation(GL_FUNC_ADD);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, covered.framebuffer());
     gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
-    draw(with.coverage, covered, *shell);
+    piece(false);
   }
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.Disable(GL_BLEND);
   gl.DepthMask(GL_TRUE);
+}
+
+void LayersPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
+                            const RenderTarget& target, bool distance) {
+  set_draw_state(gl, target);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  clear_target(gl, target, {});
+  FurPass::bind(gl, drawing);
+  if (distance) {
+    distance_programs(gl, drawing.variant).skin.use();
+    draw_list(gl, drawing.lists.all);
+  }
+  body.fur.draw_depth(gl, drawing);
+  if (frame.eyes.empty()) return;
+  if (!distance) gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  body.eyes.draw(gl, frame, "#define COVERING\n");
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void LayersPass::gather(const Gl& gl, FrameLayer layer, GLuint drawn, float scale, const RenderTarget& picture) {

@@ -1,17 +1,30 @@
 // What an EXR holds beside colour: drawn again, only when asked for.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
+#include "renderer/passes/curves/curves_pass.h"
+#include "renderer/passes/eye/eye_pass.h"
+#include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/layers/layer_target.h"
 
 namespace pelage {
+
+/// The passes that draw what a frame shows of a model.
+struct BodyPasses {
+  FurPass& fur;
+  FinsPass& fins;
+  CurvesPass& curves;
+  EyePass& eyes;
+};
 
 class LayersPass {
  public:
@@ -20,13 +33,11 @@ class LayersPass {
   /// "" when the programs so far were built.
   std::string failure() const { return failure_; }
 
-  /// Draws the layers that a LayerTarget holds. The frame's blocks and maps are bound.
-  void draw(const Gl& gl, FurPass& fur, const FurDrawing& drawing, const LayerTarget& target);
-
-  /// One over the distance along the view of the first fur or skin over half opacity into the first channel of
-  /// `distance` (R32F with depth); 0 where there is none. `covered` (RG32F with depth, same size) is worked on.
-  void draw_distance(const Gl& gl, FurPass& fur, const FurDrawing& drawing, const RenderTarget& distance,
-                     const RenderTarget& covered);
+  /// One over the distance along the view of what first brings the opacity over half into the first channel of
+  /// `distance` (R32F with depth); 0 where there is none. `covered` (RG32F with depth, same size) is worked on. The
+  /// frame's blocks and maps are bound.
+  void draw_distance(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
+                     const RenderTarget& distance, const RenderTarget& covered);
 
   /// Brings a layer to the picture's size (RGBA32F): colours, alpha and count as means; position, normal, tangent and
   /// shadow as FrameLayer says, with the coverage in the fourth channel; depth as it is in the middle of the pixel.
@@ -38,8 +49,13 @@ class LayersPass {
     Program skin, coverage, crossing;
   };
   const DistancePrograms& distance_programs(const Gl& gl, const std::string& variant);
-  void draw_crossings(const Gl& gl, const DistancePrograms& with, const FurDrawing& drawing,
-                      const RenderTarget& distance, const RenderTarget& covered) const;
+  /// Depth of skin, dense fur and eyes, and one over their distance where that is asked for.
+  void draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
+                  const RenderTarget& target, bool distance);
+  /// Draws something that may cover a pixel: its opacity, or one over its distance.
+  using Piece = std::function<void(bool crossing)>;
+  std::vector<Piece> pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
+                                    const FurDrawing& drawing);
 
   // Made when first used.
   std::optional<Program> gather_;

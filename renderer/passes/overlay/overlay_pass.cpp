@@ -1,5 +1,6 @@
 #include "renderer/passes/overlay/overlay_pass.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "renderer/passes/draw/draw_state.h"
@@ -12,6 +13,7 @@ extern const char* const field_vert;
 extern const char* const field_frag;
 extern const char* const strokes_frag;
 extern const char* const count_frag;
+extern const char* const map_frag;
 }  // namespace shaders
 
 namespace {
@@ -22,7 +24,7 @@ constexpr float full_layers = 2.0f;  // times the shells: what the end of the ra
 enum class FieldKind { direction, strokes, length };  // numbers of field.frag
 
 FieldKind kind_of(Overlay overlay) {
-  assert(overlay != Overlay::none && overlay != Overlay::layer_count);
+  assert(overlay == Overlay::direction || overlay == Overlay::strokes || overlay == Overlay::length);
   if (overlay == Overlay::direction) return FieldKind::direction;
   return overlay == Overlay::strokes ? FieldKind::strokes : FieldKind::length;
 }
@@ -32,7 +34,8 @@ FieldKind kind_of(Overlay overlay) {
 OverlayPass::Programs::Programs(const Gl& gl)
     : field(gl, shaders::field_vert, shaders::field_frag),
       strokes(gl, shaders::whole_target_vert, shaders::strokes_frag),
-      count(gl, shaders::whole_target_vert, shaders::count_frag) {}
+      count(gl, shaders::whole_target_vert, shaders::count_frag),
+      map(gl, shaders::whole_target_vert, shaders::map_frag) {}
 
 const OverlayPass::Programs& OverlayPass::programs(const Gl& gl) {
   if (!programs_) programs_.emplace(gl);
@@ -40,7 +43,8 @@ const OverlayPass::Programs& OverlayPass::programs(const Gl& gl) {
 }
 
 std::string OverlayPass::failure() const {
-  return programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() : "";
+  return programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() + programs_->map.log()
+                   : "";
 }
 
 RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
@@ -77,6 +81,24 @@ RenderTarget OverlayPass::draw_count(const Gl& gl, const FurFrame& frame, GLuint
   count.set("strength", strength);
   draw_whole(gl, colours, counts);
   return colours;
+}
+
+bool OverlayPass::is_map(Overlay overlay) {
+  return overlay == Overlay::light_depth || overlay == Overlay::light_occlusion || overlay == Overlay::shadow_width;
+}
+
+RenderTarget OverlayPass::draw_map(const Gl& gl, const FurFrame& frame, GLuint map, std::array<float, 2> ends) {
+  RenderTarget greys(gl, GL_RGBA16F, frame.width, frame.height, 1, false);
+  if (!greys.complete()) return greys;
+  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl.TextureParameteri(map, name, GL_CLAMP_TO_EDGE);
+  const int side = std::min(frame.width, frame.height);
+  const Program& program = programs(gl).map;
+  program.use();
+  program.set("square", glm::vec3(0.5 * (frame.width - side), 0.5 * (frame.height - side), side));
+  program.set("black", ends[0]);
+  program.set("white", ends[1]);
+  draw_whole(gl, greys, map);
+  return greys;
 }
 
 void OverlayPass::draw_whole(const Gl& gl, const RenderTarget& target, GLuint source) const {

@@ -1,6 +1,7 @@
 // Fields and costs over a frame, for inspection.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -23,13 +24,18 @@ class OverlayPass {
   /// frame's block is bound.
   RenderTarget draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
                           const ModelBuffers::DrawList& triangles);
+  /// Whether an overlay is a map of a light and not a picture of the model.
+  static bool is_map(Overlay overlay);
+  /// A light's map: the first channel of a texture as grey, black at `ends[0]` and white at `ends[1]`, in the largest
+  /// square of the frame, which it hides.
+  RenderTarget draw_map(const Gl& gl, const FurFrame& frame, GLuint map, std::array<float, 2> ends);
   /// The count of shells: a texture with counts in its first channel, drawn at `scale` times the frame's size.
   RenderTarget draw_count(const Gl& gl, const FurFrame& frame, GLuint counts, float scale);
 
  private:
   struct Programs {
     explicit Programs(const Gl& gl);
-    Program field, strokes, count;
+    Program field, strokes, count, map;
   };
   const Programs& programs(const Gl& gl);
   void draw_whole(const Gl& gl, const RenderTarget& target, GLuint source) const;

@@ -60,5 +60,6 @@ void main() {
 #ifdef OVERLAY
   vec4 over = texelFetch(overlay, ivec2(gl_FragCoord.xy), 0);
   result.rgb = mix(result.rgb, over.rgb, over.a);
+  if (over.a == 1.0) result.a = 1.0;  // a map of a light hides the frame and what is transparent there
 #endif
 }

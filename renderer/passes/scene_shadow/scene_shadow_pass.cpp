@@ -17,11 +17,6 @@ namespace {
 constexpr float bias = 0.006f;   // sizes, as in shadow.glsl
 constexpr float nowhere = 1e4f;  // depth where the light sees nothing, sizes
 
-void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slot) {
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
-  gl.CopyTextureSubImage3D(maps, 0, 0, 0, slot, 0, 0, target.width(), target.height());
-}
-
 }  // namespace
 
 SceneShadowPass::SceneShadowPass(const Gl& gl)
@@ -42,9 +37,8 @@ void SceneShadowPass::draw_depth(const Gl& gl, const ModelBuffers::DrawList& tri
 }
 
 void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
-                           const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const {
+                           const SceneShadowTargets& targets) const {
   draw_depth(gl, triangles, light, targets.depth);
-  keep(gl, targets.depth, depth_maps, slot);
   draw_occlusion(gl, triangles, light, targets);
   set_draw_state(gl, targets.width);
   gl.Disable(GL_DEPTH_TEST);
@@ -52,7 +46,6 @@ void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles
   width_.use();
   width_.set("ratio", targets.occlusion.width() / targets.width.width());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  keep(gl, targets.width, width_maps, slot);
 }
 
 void SceneShadowPass::draw_occlusion(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,

@@ -13,7 +13,7 @@ namespace pelage {
 /// Where the three maps are drawn, one light after the other. Depth and occlusion are of the maps' size; that of the
 /// widths divides it.
 struct SceneShadowTargets {
-  const RenderTarget &depth, &occlusion, &width;  // R32F with depth buffer, R16F, R16F
+  const RenderTarget &depth, &occlusion, &width;  // R32F with depth buffer, RG32F, RG32F
 };
 
 class SceneShadowPass {
@@ -22,9 +22,9 @@ class SceneShadowPass {
 
   std::string failure() const { return depth_.log() + occlusion_.log() + width_.log(); }
 
-  /// Writes slice `slot` of both arrays. The frame block of the light's view and the model's vertex array are bound.
+  /// The frame block of the light's view and the model's vertex array are bound.
   void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
-            const SceneShadowTargets& targets, GLuint depth_maps, GLuint width_maps, int slot) const;
+            const SceneShadowTargets& targets) const;
 
   /// Linear depth from a light's view into a target of R32F with depth. The model's vertex array is bound, and a frame
   /// block with the view's matrix.

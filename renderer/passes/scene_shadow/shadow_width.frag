@@ -5,14 +5,14 @@ layout(binding = 6) uniform sampler2D occlusion;
 
 uniform int ratio;  // texels of the occlusion map along a side of one of this
 
-layout(location = 0) out float width;
+layout(location = 0) out vec2 width;
 
 void main() {
   ivec2 last = textureSize(occlusion, 0) - 1, first = ratio * ivec2(gl_FragCoord.xy);
-  float sum = 0.0;
+  vec2 sum = vec2(0.0);
   int half_step = ratio / 2;
   for (int y = -half_step; y < ratio + half_step; ++y) {
-    for (int x = -half_step; x < ratio + half_step; ++x) sum += texelFetch(occlusion, clamp(first + ivec2(x, y), ivec2(0), last), 0).r;
+    for (int x = -half_step; x < ratio + half_step; ++x) sum += texelFetch(occlusion, clamp(first + ivec2(x, y), ivec2(0), last), 0).rg;
   }
   width = sum / float((ratio + 2 * half_step) * (ratio + 2 * half_step));
 }

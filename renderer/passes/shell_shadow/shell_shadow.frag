@@ -6,6 +6,9 @@ in vec3 place;
 in vec3 fibre_normal;
 
 in float density_share;
+#ifdef TUFTS
+in vec3 tile_u;
+#endif
 
 uniform int step_count;
 
@@ -14,5 +17,8 @@ layout(location = 0) out float kept;
 // What one layer lets through on the way from the light; blending multiplies the layers.
 void main() {
   if (dot(fibre_normal, frame.eye.xyz - place) <= 0.0) discard;
+#ifdef TUFTS
+  shift_to_strand(normalize(fibre_normal), tile_u);
+#endif
   kept = 1.0 - march(step_count, 0.0, density_share).opacity;
 }

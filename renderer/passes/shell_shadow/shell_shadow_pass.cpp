@@ -25,10 +25,16 @@ void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slice) {
 }  // namespace
 
 ShellShadowPass::ShellShadowPass(const Gl& gl)
-    : skin_(gl, shaders::skin_vert, shaders::skin_frag), layer_(gl, shaders::fur_vert, shaders::shell_shadow_frag) {}
+    : skin_(gl, shaders::skin_vert, shaders::skin_frag), failure_(skin_.log()) {}
 
-void ShellShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const RenderTarget& target,
-                           GLuint maps, int first_slice) const {
+const Program& ShellShadowPass::layer_of(const Gl& gl, const std::string& variant) {
+  const auto [place, made] = layers_.try_emplace(variant, gl, shaders::fur_vert, shaders::shell_shadow_frag, variant);
+  if (made) failure_ += place->second.log();
+  return place->second;
+}
+
+void ShellShadowPass::draw(const Gl& gl, const std::string& variant, const ModelBuffers::DrawList& triangles,
+                           const RenderTarget& target, GLuint maps, int first_slice) {
   const std::array<float, 4> all{1, 1, 1, 1};
   set_draw_state(gl, target);
   clear_target(gl, target, all);
@@ -41,15 +47,16 @@ void ShellShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ZERO, GL_SRC_COLOR);
-  layer_.use();
-  layer_.set("push", 0.0f);
-  layer_.set("layer_set", -1);
-  layer_.set("shell_count", shadow_layers);
-  layer_.set("shell_side", 1);
-  layer_.set("step_count", steps);
+  const Program& layer = layer_of(gl, variant);
+  layer.use();
+  layer.set("push", 0.0f);
+  layer.set("layer_set", -1);
+  layer.set("shell_count", shadow_layers);
+  layer.set("shell_side", 1);
+  layer.set("step_count", steps);
   for (int shell = shadow_layers - 1; shell >= 0; --shell) {
     keep(gl, target, maps, first_slice + shell + 1);
-    layer_.set("shell", shell);
+    layer.set("shell", shell);
     draw_list(gl, triangles);
   }
   keep(gl, target, maps, first_slice);

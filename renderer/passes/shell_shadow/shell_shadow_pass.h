@@ -1,6 +1,7 @@
 // Layer-wise shadow maps (GPU fur 3.1): for each boundary between layers, the share of light that got there.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "renderer/gl/program.h"
@@ -16,15 +17,21 @@ class ShellShadowPass {
  public:
   explicit ShellShadowPass(const Gl& gl);
 
-  std::string failure() const { return skin_.log() + layer_.log(); }
+  /// "" when the programs of all variants so far were built.
+  std::string failure() const { return failure_; }
 
   /// Writes shadow_boundaries slices of `maps` (R16F) from `first_slice` on. The frame block of the light's view, the
-  /// model's vertex array and the coat's textures are bound. `target` is R16F with depth and of the maps' size.
-  void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const RenderTarget& target, GLuint maps,
-            int first_slice) const;
+  /// model's vertex array, the coat's textures and what the variant reads (#define lines: PATTERN, TUFTS) are bound.
+  /// `target` is R16F with depth and of the maps' size.
+  void draw(const Gl& gl, const std::string& variant, const ModelBuffers::DrawList& triangles,
+            const RenderTarget& target, GLuint maps, int first_slice);
 
  private:
-  Program skin_, layer_;
+  const Program& layer_of(const Gl& gl, const std::string& variant);
+
+  Program skin_;
+  std::map<std::string, Program> layers_;  // by variant, made when first used
+  std::string failure_;
 };
 
 }  // namespace pelage

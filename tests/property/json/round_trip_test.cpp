@@ -109,7 +109,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   if (before.format == FrameFormat::exr) {
     if (*rc::gen::arbitrary<bool>()) before.layers = {one_of(FrameLayer::layer_count)};
   } else {
-    before.overlay = one_of(Overlay::layer_count);
+    before.overlay = one_of(Overlay::shadow_width);
   }
   before.background_colour = colour();
   before.exposure = number(-20, 20);
