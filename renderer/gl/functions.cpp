@@ -75,6 +75,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(BlendFunc, "glBlendFunc");
   get(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
+  get(ClearNamedBufferData, "glClearNamedBufferData");
   get(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
   get(ClientWaitSync, "glClientWaitSync");
   get(ClipControl, "glClipControl");
@@ -112,6 +113,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(Flush, "glFlush");
   get(GetError, "glGetError");
   get(GetIntegerv, "glGetIntegerv");
+  get(GetNamedBufferSubData, "glGetNamedBufferSubData");
   get(GetProgramInfoLog, "glGetProgramInfoLog");
   get(GetProgramiv, "glGetProgramiv");
   get(GetQueryObjectui64v, "glGetQueryObjectui64v");
@@ -119,6 +121,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(GetShaderiv, "glGetShaderiv");
   get(GetString, "glGetString");
   get(LinkProgram, "glLinkProgram");
+  get(MemoryBarrier, "glMemoryBarrier");
   get(counted_.NamedBufferData, "glNamedBufferData");
   get(counted_.NamedBufferSubData, "glNamedBufferSubData");
   get(NamedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers");
@@ -127,6 +130,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");
   get(PixelStorei, "glPixelStorei");
   get(ReadPixels, "glReadPixels");
+  get(Scissor, "glScissor");
   get(ShaderSource, "glShaderSource");
   get(TextureParameteri, "glTextureParameteri");
   get(TextureStorage2D, "glTextureStorage2D");

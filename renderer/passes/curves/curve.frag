@@ -1,6 +1,7 @@
 #version 450 core
 #include "frame.glsl"
 #include "lighting.glsl"
+#include "fragment.glsl"
 
 uniform float least_opacity;
 
@@ -13,13 +14,11 @@ in float across;
 in float reach;
 in float strength;
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 // A curve is lit as a strand at the tips of the fur that it grows from: nothing stands above it.
 void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
   if (opacity < least_opacity) discard;
   vec3 to_eye = unit_or_zero(frame.eye.xyz - place);
   Fibre fibre = Fibre(place, normal, unit_or_zero(tangent), to_eye, colour, 1.0, 0.0, number);
-  result = vec4(fibre_light(fibre) * opacity, opacity);
+  put_fragment(vec4(fibre_light(fibre) * opacity, opacity));
 }

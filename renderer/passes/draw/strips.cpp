@@ -38,4 +38,12 @@ void draw_four_passes(const Gl& gl, const Program& program, int segments, std::s
   gl.Disable(GL_BLEND);
 }
 
+void draw_unordered(const Gl& gl, const Program& program, int segments, std::size_t count) {
+  program.set("first", 0);
+  program.set("least_opacity", visible);
+  gl.DepthMask(GL_FALSE);
+  draw_strips(gl, segments, count);
+  gl.DepthMask(GL_TRUE);
+}
+
 }  // namespace pelage

@@ -6,17 +6,16 @@
 #include "pattern.glsl"
 #endif
 #include "strip_light.glsl"
+#include "fragment.glsl"
 
 layout(binding = 11) uniform sampler2D side_view;  // colour times opacity, opacity
 
 in float along;
 in float strength;
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 void main() {
   vec4 texel = texture(side_view, vec2(along, height));
   float opacity = 1.0 - pow(max(1.0 - texel.a, 1e-3), strength);
   if (opacity < 0.004) discard;
-  result = vec4(strip_light(texel.rgb / texel.a, 0.5) * opacity, opacity);
+  put_fragment(vec4(strip_light(texel.rgb / texel.a, 0.5) * opacity, opacity));
 }

@@ -118,7 +118,11 @@ void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing&
   const Program& hair = programs_of(gl, drawing.variant).hair;
   hair.use();
   set_hair(hair, frame.coat);
-  draw_four_passes(gl, hair, hair_segments, shown.averted, shown.strips.size());
+  if (frame.knobs.order == FragmentOrder::sorted) {
+    draw_unordered(gl, hair, hair_segments, shown.strips.size());
+  } else {
+    draw_four_passes(gl, hair, hair_segments, shown.averted, shown.strips.size());
+  }
 }
 
 }  // namespace pelage

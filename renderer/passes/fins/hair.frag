@@ -6,6 +6,7 @@
 #include "pattern.glsl"
 #endif
 #include "strip_light.glsl"
+#include "fragment.glsl"
 
 layout(binding = 1) uniform sampler2DArray colours;  // as fur.frag
 
@@ -17,8 +18,6 @@ flat in float lightness;
 in float reach;
 in float strength;
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 const float local_mean = 5.0;  // level whose texels hold a few strands' colours
 
 void main() {
@@ -26,5 +25,5 @@ void main() {
   if (opacity < least_opacity) discard;
   int slice = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   vec3 strand = textureLod(colours, vec3(tile, float(slice)), local_mean).rgb;
-  result = vec4(strip_light(strand * strand * lightness, 0.5) * opacity, opacity);
+  put_fragment(vec4(strip_light(strand * strand * lightness, 0.5) * opacity, opacity));
 }

@@ -56,6 +56,7 @@ void LayersPass::draw(const Gl& gl, FurPass& fur, const FurDrawing& drawing, con
   const std::string variant = drawing.variant + "#define LAYERS\n";
   const FurDrawing layers{drawing.knobs, variant, drawing.model, drawing.lists, drawing.coat};
   fur.draw_skin(gl, layers);
+  fur.draw_dense(gl, layers);
   fur.draw_averted(gl, layers);
   fur.draw_facing(gl, layers);
 }

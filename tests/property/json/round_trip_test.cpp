@@ -100,6 +100,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .shadow_maps = *rc::gen::arbitrary<bool>(),
                   .shadow_resolution = *rc::gen::inRange(1, 4097),
                   .accumulation = one_of(Accumulation::full),
+                  .order = one_of(FragmentOrder::sorted),
                   .fins = *rc::gen::arbitrary<bool>(),
                   .guard_hairs = *rc::gen::inRange(0, 100'001)};
   before.format = one_of(FrameFormat::exr);
