@@ -98,10 +98,7 @@ void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
 }
 
 void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
-  bind(gl, drawing);
   const Program& solid = shading_of(gl, drawing.variant).solid;
-  gl.DepthMask(GL_TRUE);
-  gl.Disable(GL_BLEND);
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   solid.use();
   solid.set("push", solid_push);

@@ -33,7 +33,8 @@ class FurPass {
   std::string failure() const { return failure_; }
 
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
-  /// Depth of dense fur, no colour: what hides fur that lies well behind where fragments are not sorted.
+  /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
+  /// sorted.
   void draw_dense(const Gl& gl, const FurDrawing& drawing);
   /// Fur turned away from the eye, outside in.
   void draw_averted(const Gl& gl, const FurDrawing& drawing);
