@@ -19,8 +19,9 @@ namespace pelage {
 
 class SortedPass {
  public:
-  /// Bytes for the fragments of an area; llvmpipe allows 128 MiB for one buffer, which makes 192 MiB.
-  static constexpr std::size_t default_bytes = std::size_t{256} << 20;
+  /// Bytes for the fragments of an area. Small enough that software GL under load draws one within the minute that
+  /// wait_for grants; more would save little, as an area costs no more than its triangles again.
+  static constexpr std::size_t default_bytes = std::size_t{64} << 20;
 
   SortedPass(const Gl& gl, std::size_t bytes) : nothing_(gl), bytes_(bytes) {}
 
