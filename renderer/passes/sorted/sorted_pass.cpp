@@ -15,6 +15,7 @@ extern const char* const compose_frag;
 
 namespace {
 
+constexpr int most_rounds = 32;         // each halves the number of runs
 constexpr double guessed_cover = 0.25;  // share of a picture's pixels that fur covers
 
 Status impossible() {
@@ -22,6 +23,8 @@ Status impossible() {
 }
 
 Status too_large(const char* why) { return failure(Code::too_large, why, "/quality/order"); }
+
+Status wrong() { return failure(Code::internal, "the GL does not sort as it should"); }
 
 Status no_memory() { return too_large("no memory for the fragments of a sorted frame"); }
 
@@ -90,16 +93,16 @@ Result<bool> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, con
   return fitted;
 }
 
-// Each round halves the number of runs, so that there are at most 32.
 Status SortedPass::sort(const Gl& gl, const FragmentLists& lists) const {
-  for (FragmentLists::Header header{.unsorted = 1}; header.unsorted;) {
+  for (int round = 0; round < most_rounds; ++round) {
     lists.clear_unsorted(gl);
     draw_whole(gl, *merge_);
     if (const Status answer = wait_for(gl); !answer.ok()) return answer;
-    header = lists.header(gl);
+    const FragmentLists::Header header = lists.header(gl);
     if (header.too_long) return too_large("a pixel has too many fragments to sort");
+    if (!header.unsorted) return {};
   }
-  return {};
+  return wrong();
 }
 
 void SortedPass::draw_whole(const Gl& gl, const Program& program) const {
