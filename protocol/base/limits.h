@@ -36,6 +36,7 @@ inline constexpr double model_precision = 1e-4;          // largest 32-bit step 
 inline constexpr int shells = 1024;
 inline constexpr int frame_pixels = 8192;                // width and height, each
 inline constexpr std::int64_t layer_pixels = 67'108'864;  // drawn pixels times layers of an EXR: 1 GB on the GPU
+inline constexpr std::int64_t sorted_fragments = 1'073'741'824;  // drawn pixels times shells of a sorted frame
 inline constexpr std::size_t lights = 8;
 inline constexpr std::size_t eyes = 8;
 inline constexpr double least_eye_radius = 1e-6;         // sizes

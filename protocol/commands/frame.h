@@ -15,6 +15,7 @@ namespace pelage {
 enum class Tier { draft, interactive, detailed };
 enum class Accumulation { half, full };
 enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
+enum class FragmentOrder { layers, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
 enum class ToneMap { none, filmic };
 enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
 enum class FrameFormat { png, png16, jpeg, exr };
@@ -50,6 +51,7 @@ struct Knobs {
   bool shadow_maps = false;                       // draw the shadows that lights ask for
   int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
   Accumulation accumulation = Accumulation::half;
+  FragmentOrder order = FragmentOrder::layers;    // in which fur is blended; sorted takes 1 sample
   bool fins = false;                              // side views of the fur on edges at outlines
   int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near outlines
 

@@ -156,6 +156,11 @@ void check_frame(const Value& value, const FrameRequest& request, bool names_lay
     value.refuse_below("quality", "The quality's scale renders the frame too large.",
                        "scale x width and scale x height at most " + std::to_string(limits::frame_pixels));
   }
+  const bool sorted = request.knobs.order == FragmentOrder::sorted;
+  if (sorted && width * height * request.knobs.shells > limits::sorted_fragments) {
+    value.refuse_below("quality", "The frame is too large to be sorted.",
+                       "drawn pixels x shells at most " + std::to_string(limits::sorted_fragments));
+  }
   const bool exr = request.format == FrameFormat::exr;
   if (names_layers && !exr) value.refuse_below("layers", "Only an EXR has layers.", "format exr");
   const bool colour_only = request.layers == std::vector{FrameLayer::beauty};

@@ -247,9 +247,13 @@ Knobs quality(const Value& value) {
   object.boolean("shadow_maps", result.shadow_maps);
   object.integer("shadow_resolution", result.shadow_resolution, {1, 4096});
   object.name("accumulation", result.accumulation, json_names::accumulations);
+  object.name("order", result.order, json_names::fragment_orders);
   object.boolean("fins", result.fins);
   object.integer("guard_hairs", result.guard_hairs, {0, 100'000});
   object.finish();
+  if (result.order == FragmentOrder::sorted && result.samples != 1) {
+    value.refuse_below("order", "Sorted fragments take one sample.", "samples 1; scale 2 for finer outlines");
+  }
   return result;
 }
 

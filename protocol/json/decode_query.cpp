@@ -41,6 +41,7 @@ constexpr auto frame_parameters = std::to_array<Parameter>({
     {"shadow_resolution", "/quality/shadow_resolution", Kind::number},
     {"shell_policy", "/quality/shell_policy", Kind::text},
     {"accumulation", "/quality/accumulation", Kind::text},
+    {"order", "/quality/order", Kind::text},
     {"fins", "/quality/fins", Kind::boolean},
     {"guard_hairs", "/quality/guard_hairs", Kind::number},
     {"background", "/background", Kind::text},

@@ -70,7 +70,8 @@ Json json_of(const Knobs& knobs) {
           {"fins", knobs.fins},
           {"guard_hairs", knobs.guard_hairs},
           {"shell_policy", text_of(json_names::shell_policies, knobs.shell_policy)},
-          {"accumulation", text_of(json_names::accumulations, knobs.accumulation)}};
+          {"accumulation", text_of(json_names::accumulations, knobs.accumulation)},
+          {"order", text_of(json_names::fragment_orders, knobs.order)}};
 }
 
 }  // namespace

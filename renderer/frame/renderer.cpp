@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "renderer/coat/strand_tile.h"
+#include "renderer/gl/wait.h"
 #include "renderer/passes/draw/draw_state.h"
 #include "renderer/pattern/pattern_block.h"
 #include "renderer/upload/skin_block.h"
@@ -16,10 +17,9 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t kept_coats = 3;               // 90 MB each
-constexpr std::int64_t kept_pixels = 2048 * 2048;   // targets of a larger frame are given back after it
-constexpr GLuint skin_binding = 5;                  // as in bare_skin.glsl
-constexpr std::uint64_t patience = 60'000'000'000;  // nanoseconds until a GL that does not answer is given up
+constexpr std::size_t kept_coats = 3;              // 90 MB each
+constexpr std::int64_t kept_pixels = 2048 * 2048;  // targets of a larger frame are given back after it
+constexpr GLuint skin_binding = 5;                 // as in bare_skin.glsl
 
 class Stopwatch {
  public:
@@ -65,13 +65,13 @@ struct Renderer::Prepared {
   FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
 };
 
-Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl) {
-  std::unique_ptr<Renderer> renderer(new Renderer(gl));
+Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, std::size_t sorted_bytes) {
+  std::unique_ptr<Renderer> renderer(new Renderer(gl, sorted_bytes));
   if (const Status status = renderer->programs(); !status.ok()) return status;
   return renderer;
 }
 
-Renderer::Renderer(const Gl& gl)
+Renderer::Renderer(const Gl& gl, std::size_t sorted_bytes)
     : gl_(gl),
       fur_(gl),
       fins_(gl),
@@ -81,6 +81,7 @@ Renderer::Renderer(const Gl& gl)
       layers_(gl),
       overlay_(gl),
       resolve_(gl),
+      sorted_(gl, sorted_bytes),
       pattern_(gl),
       tufts_(gl),
       scattering_(gl),
@@ -91,7 +92,7 @@ Renderer::Renderer(const Gl& gl)
 Status Renderer::programs() const {
   const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
                           ground_.failure() + eyes_.failure() + layers_.failure() + overlay_.failure() +
-                          resolve_.failure();
+                          resolve_.failure() + sorted_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
@@ -152,7 +153,9 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch making;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
-  const auto lists = model.sort_for(gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy});
+  const float furthest = frame.knobs.order == FragmentOrder::sorted ? -2.0f : furthest_averted;
+  const auto lists = model.sort_for(
+      gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest});
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
   const std::string shape = shape_of(frame.coat);
@@ -177,6 +180,7 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
   const std::string variant = scene.variant + outputs;
   const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
   fur_.draw_skin(gl_, drawing);
+  fur_.draw_dense(gl_, drawing);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
   fur_.draw_averted(gl_, drawing);
   if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
@@ -185,15 +189,33 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
   if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
 }
 
-void Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
+Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   set_draw_state(gl_, drawn_);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, drawn_, {});
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
+  if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");
-  if (frame.knobs.samples == 1) return;
+  if (frame.knobs.samples == 1) return {};
   gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
                            drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  return {};
+}
+
+// The shells in the order of layers, from far to near: most lists then are in order already.
+Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
+  assert(frame.knobs.samples == 1);
+  fur_.draw_skin(gl_, scene.drawing(frame));
+  if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
+  const std::string variant = scene.variant + "#define SORTED\n";
+  const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
+  return sorted_.draw(gl_, drawn_, frame.knobs.shells, [&] {
+    fur_.draw_averted(gl_, drawing);
+    if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
+    fur_.draw_facing(gl_, drawing);
+    if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
+    if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
+  });
 }
 
 void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target) {
@@ -253,13 +275,14 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   DrawTimes taken;
   fragments_.begin();
   const Prepared scene = prepare_scene(frame, taken);
-  draw_light(frame, scene);
+  const Status drawn = draw_light(frame, scene);
   fragments_.end();
+  if (!drawn.ok()) return drawn;
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();
   resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay->texture());
   if (const Status built = programs(); !built.ok()) return built;
-  if (const Status answer = wait(); !answer.ok()) return answer;
+  if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   taken.draw = drawing.milliseconds() - taken.shadow;
   const Stopwatch reading;
   Result<Picture> image = read_back<Picture>(frame, type);
@@ -286,8 +309,9 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
   DrawTimes taken;
   fragments_.begin();
   const Prepared scene = prepare_scene(frame, taken);
-  draw_light(frame, scene);
+  const Status drawn = draw_light(frame, scene);
   fragments_.end();
+  if (!drawn.ok()) return drawn;
   std::optional<LayerTarget> target;
   if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
     target.emplace(gl_, layers, drawn_.width(), drawn_.height());
@@ -322,16 +346,8 @@ Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& s
     source = target->texture(layer);
   }
   layers_.gather(gl_, layer, source, static_cast<float>(drawn_.height()) / static_cast<float>(frame.height), picture_);
-  if (const Status answer = wait(); !answer.ok()) return answer;
+  if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   return read_back<FloatImage>(frame, GL_FLOAT);
-}
-
-Status Renderer::wait() const {
-  const GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  const GLenum answer = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
-  gl_.DeleteSync(fence);
-  const bool given_up = answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED;
-  return given_up ? failure(Code::unavailable, "the GL does not answer") : Status{};
 }
 
 template <class Picture>

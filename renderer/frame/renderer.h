@@ -24,6 +24,7 @@
 #include "renderer/passes/layers/layers_pass.h"
 #include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
+#include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/pattern_textures.h"
@@ -41,8 +42,10 @@ struct DrawTimes {
 /// Belongs to the thread and the context that it was made on.
 class Renderer {
  public:
-  /// Fails (unavailable) when a program cannot be built.
-  static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
+  /// Fails (unavailable) when a program cannot be built. `sorted_bytes` bounds the fragments that a sorted frame keeps
+  /// at a time (SortedPass).
+  static Result<std::unique_ptr<Renderer>> create(const Gl& gl,
+                                                  std::size_t sorted_bytes = SortedPass::default_bytes);
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
   /// Sends a model that the renderer does not have yet, with its fields.
@@ -51,7 +54,7 @@ class Renderer {
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
   /// Draws a model that it has. Fails with unavailable when the GL does not answer within a minute,
-  /// and with too_large when there is no memory for the size.
+  /// with too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr);
@@ -65,7 +68,7 @@ class Renderer {
   void forget(std::uint64_t original);
 
  private:
-  explicit Renderer(const Gl& gl);
+  Renderer(const Gl& gl, std::size_t sorted_bytes);
   Status programs() const;  // whether all programs so far were built
   Status prepare_targets(const FurFrame& frame, GLenum picture);
   void give_back_targets();
@@ -77,7 +80,8 @@ class Renderer {
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
   /// are the #define lines of what is written beside light.
   void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
-  void draw_light(const FurFrame& frame, const Prepared& scene);
+  Status draw_light(const FurFrame& frame, const Prepared& scene);
+  Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
   const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? single_ : drawn_; }
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
@@ -86,7 +90,6 @@ class Renderer {
   Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times);
   Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
                                 const LayerTarget* target);
-  Status wait() const;
   template <class Picture>
   Result<Picture> read_back(const FurFrame& frame, GLenum type);
 
@@ -100,6 +103,7 @@ class Renderer {
   LayersPass layers_;
   OverlayPass overlay_;
   ResolvePass resolve_;
+  SortedPass sorted_;
   std::map<std::uint64_t, ModelBuffers> models_;
   std::list<CoatTextures> coats_;  // most recently used first
   PatternTextures pattern_;

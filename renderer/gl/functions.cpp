@@ -76,6 +76,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(BlendFunc, "glBlendFunc");
   get(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
+  get(ClearNamedBufferData, "glClearNamedBufferData");
   get(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
   get(ClientWaitSync, "glClientWaitSync");
   get(ClipControl, "glClipControl");
@@ -113,6 +114,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(Flush, "glFlush");
   get(GetError, "glGetError");
   get(GetIntegerv, "glGetIntegerv");
+  get(GetNamedBufferSubData, "glGetNamedBufferSubData");
   get(GetProgramInfoLog, "glGetProgramInfoLog");
   get(GetProgramiv, "glGetProgramiv");
   get(GetQueryObjectui64v, "glGetQueryObjectui64v");
@@ -120,6 +122,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(GetShaderiv, "glGetShaderiv");
   get(GetString, "glGetString");
   get(LinkProgram, "glLinkProgram");
+  get(MemoryBarrier, "glMemoryBarrier");
   get(counted_.NamedBufferData, "glNamedBufferData");
   get(counted_.NamedBufferSubData, "glNamedBufferSubData");
   get(NamedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers");
@@ -128,6 +131,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");
   get(PixelStorei, "glPixelStorei");
   get(ReadPixels, "glReadPixels");
+  get(Scissor, "glScissor");
   get(ShaderSource, "glShaderSource");
   get(TextureParameteri, "glTextureParameteri");
   get(TextureStorage2D, "glTextureStorage2D");

@@ -30,6 +30,7 @@ struct Gl {
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
+  PFNGLCLEARNAMEDBUFFERDATAPROC ClearNamedBufferData = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
   PFNGLCLIENTWAITSYNCPROC ClientWaitSync = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
@@ -64,6 +65,7 @@ struct Gl {
   PFNGLFLUSHPROC Flush = nullptr;
   PFNGLGETERRORPROC GetError = nullptr;
   PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
+  PFNGLGETNAMEDBUFFERSUBDATAPROC GetNamedBufferSubData = nullptr;
   PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
   PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;
   PFNGLGETQUERYOBJECTUI64VPROC GetQueryObjectui64v = nullptr;
@@ -71,12 +73,14 @@ struct Gl {
   PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
   PFNGLGETSTRINGPROC GetString = nullptr;
   PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
+  PFNGLMEMORYBARRIERPROC MemoryBarrier = nullptr;
   PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC NamedFramebufferDrawBuffers = nullptr;
   PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer = nullptr;
   PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture = nullptr;
   PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
+  PFNGLSCISSORPROC Scissor = nullptr;
   PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
   PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;

@@ -9,8 +9,6 @@ namespace {
 
 constexpr float full_tangent = 5.0f;  // of the angle from which all shells are drawn: 79 degrees
 constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
-constexpr float furthest_averted =
-    -0.6f;  // fur on triangles turned further away lies behind the skin that faces the eye
 
 }  // namespace
 
@@ -55,12 +53,12 @@ float set_share(float level, int set) {
   return std::clamp(6.0f * near - 2.5f, 0.0f, 1.0f);
 }
 
-LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye) {
+LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest) {
   LayerLists lists;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::vec3 to_eye = eye - mesh.centroids[i], normal = mesh.normals[i];
     const float cosine = glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
-    if (cosine <= furthest_averted) continue;
+    if (cosine <= furthest) continue;
     const glm::uvec3 t = mesh.triangles[i];
     for (int set = 0; set < layer_sets; ++set) {
       const auto shown = [&](std::uint32_t v) { return set_share(mesh.levels[v], set) > 0; };

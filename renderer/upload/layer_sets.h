@@ -23,11 +23,16 @@ int shells_of_set(int shells, int set);
 /// Texture steps inside each layer of a set when the full one takes `steps`: thicker layers take more.
 int steps_of_set(int steps, int set);
 
+/// Cosine between view and normal: fur on triangles turned further away lies behind the skin that faces the eye, but for
+/// long fur on thin parts.
+inline constexpr float furthest_averted = -0.6f;
+
 struct LayerView {
   glm::vec3 eye{0};
   float pixel = 0;  // size of a pixel at distance 1
   int shells = 16;
   ShellPolicy policy = ShellPolicy::adaptive;
+  float furthest = furthest_averted;  // cosine from which on triangles are drawn; -2 draws all
 };
 
 /// What a vertex brings: `length` of its fur in sizes, `curvature` of the skin in 1 / sizes.
@@ -61,6 +66,6 @@ struct LayerMesh {
 };
 
 /// Every triangle goes to each set that has a share at one of its corners.
-LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye);
+LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest = furthest_averted);
 
 }  // namespace pelage

@@ -215,7 +215,7 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
     levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
-  const LayerLists lists = sort_triangles({triangles_, centroids_, face_normals_, levels_}, view.eye);
+  const LayerLists lists = sort_triangles({triangles_, centroids_, face_normals_, levels_}, view.eye, view.furthest);
 
   std::vector<glm::uvec3> elements(skin_.empty() ? triangles_ : skin_order_);
   const auto append = [&](const std::vector<glm::uvec3>& triangles) {

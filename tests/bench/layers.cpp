@@ -1,4 +1,4 @@
-// Non-uniform layers against uniform ones at the same error: masked LDR-FLIP against a converged picture of the creature
+// Non-uniform layers against uniform ones at the same error: masked LDR-FLIP against a converged picture (sorted fragments) of the creature
 // at three distances, beside fragments and CPU time; then what overlapping patches cost.
 // usage: bench_layers [--repetitions N] [--size PIXELS] [--truth SHELLS]
 #include <cmath>
@@ -70,12 +70,12 @@ double cost_at(const std::vector<Point>& curve, double error, double Point::*cos
 
 void run(Renderer& renderer, const testing::FurredModel& model, float distance, const Setup& setup) {
   FurFrame frame = frame_of(model, setup.size, distance), converged = with(frame, ShellPolicy::uniform, setup.truth);
-  converged.knobs.accumulation = Accumulation::full;
+  converged.knobs.accumulation = Accumulation::full, converged.knobs.order = FragmentOrder::sorted;
   const Image truth = draw(renderer, converged);
   converged.knobs.shells /= 2;
   double outline = 0;
   const double half = flip_of(truth, draw(renderer, converged), outline).mean;
-  std::printf("\ndistance %.2f of the view that frames the model; %d shells against %d: FLIP %.4f\n", static_cast<double>(distance),
+  std::printf("\ndistance %.2f of the view that frames the model; %d sorted shells against %d: FLIP %.4f\n", static_cast<double>(distance),
               setup.truth, setup.truth / 2, half);
   std::printf("%8s | %-38s | %-38s | at equal error\n", "shells", "uniform: FLIP, outline, Mfragm., CPU ms", "adaptive");
 
@@ -114,7 +114,7 @@ void overlap(Renderer& renderer, const char* name, testing::FurredModel model, i
 
 int main(int count, char** arguments) {
   const Setup setup{argument(count, arguments, "--repetitions", 3), argument(count, arguments, "--size", 512),
-                    argument(count, arguments, "--truth", 256)};
+                    argument(count, arguments, "--truth", 512)};
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
   const testing::FurredModel creature = testing::furred({Builtin::creature, 5000});

@@ -2,6 +2,7 @@
 #undef CURVE_SHADOWS  // on the map a curve cannot be told from its neighbours
 #include "frame.glsl"
 #include "lighting.glsl"
+#include "fragment.glsl"
 #ifdef LAYERS
 #include "layers.glsl"
 #endif
@@ -20,8 +21,6 @@ in float across;
 in float reach;
 in float strength;
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 // A curve is lit as a strand at the tips of the fur that it grows from: nothing stands above it.
 void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
@@ -34,7 +33,7 @@ void main() {
 #else
   vec3 to_eye = unit_or_zero(frame.eye.xyz - place), along = unit_or_zero(tangent);
   Fibre fibre = Fibre(place, normal, along, to_eye, colour, 1.0, 0.0, number);
-  result = vec4(fibre_light(fibre) * opacity, opacity);
+  put_fragment(vec4(fibre_light(fibre) * opacity, opacity));
 #ifdef LAYERS
   write_layers(place, normal, along, colour, 0.0, opacity);
 #endif

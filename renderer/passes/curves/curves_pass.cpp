@@ -67,7 +67,11 @@ void CurvesPass::draw(const Gl& gl, const FurFrame& frame, const std::string& va
   const Program& program = program_of(gl, variant);
   program.use();
   program.set("segments", curve_segments);
-  draw_four_passes(gl, program, curve_segments, order.averted, order.curves.size());
+  if (frame.knobs.order == FragmentOrder::sorted) {
+    draw_unordered(gl, program, curve_segments, order.curves.size());
+  } else {
+    draw_four_passes(gl, program, curve_segments, order.averted, order.curves.size());
+  }
 }
 
 void CurvesPass::draw_plain(const Gl& gl, const FurFrame& frame, const std::string& variant) {

@@ -46,4 +46,10 @@ void draw_four_passes(const Gl& gl, const Program& program, int segments, std::s
   gl.Disable(GL_BLEND);
 }
 
+void draw_unordered(const Gl& gl, const Program& program, int segments, std::size_t count) {
+  gl.DepthMask(GL_FALSE);
+  draw_all_strips(gl, program, segments, count);
+  gl.DepthMask(GL_TRUE);
+}
+
 }  // namespace pelage

@@ -20,4 +20,7 @@ void draw_all_strips(const Gl& gl, const Program& program, int segments, std::si
 /// what is under its uniform `least_opacity`. Leaves blending off and depth as set_draw_state wants it.
 void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t averted, std::size_t count);
 
+/// All of them at once, without depth, in any order: for programs of the variant SORTED. The rest as above.
+void draw_unordered(const Gl& gl, const Program& program, int segments, std::size_t count);
+
 }  // namespace pelage

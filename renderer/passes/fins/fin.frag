@@ -6,6 +6,7 @@
 #include "pattern.glsl"
 #endif
 #include "strip_light.glsl"
+#include "fragment.glsl"
 #ifdef LAYERS
 #include "layers.glsl"
 #endif
@@ -18,8 +19,6 @@ layout(binding = 11) uniform sampler2D side_view;  // colour times opacity, opac
 in float along;
 in float strength;
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 void main() {
   vec4 texel = texture(side_view, vec2(along, height));
   float opacity = 1.0 - pow(max(1.0 - texel.a, 1e-3), strength);
@@ -31,7 +30,7 @@ void main() {
   result = covering(opacity);
 #else
   vec3 colour = strip_colour(texel.rgb / texel.a);
-  result = vec4(strip_light(colour, 0.5) * opacity, opacity);
+  put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));
 #ifdef LAYERS
   write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
 #endif

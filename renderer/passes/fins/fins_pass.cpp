@@ -127,7 +127,11 @@ FinsPass::BoundHairs FinsPass::bind_hairs(const Gl& gl, const FurFrame& frame, c
 
 void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
   const BoundHairs hairs = bind_hairs(gl, frame, drawing);
-  draw_four_passes(gl, hairs.program, hair_segments, hairs.averted, hairs.count);
+  if (frame.knobs.order == FragmentOrder::sorted) {
+    draw_unordered(gl, hairs.program, hair_segments, hairs.count);
+  } else {
+    draw_four_passes(gl, hairs.program, hair_segments, hairs.averted, hairs.count);
+  }
 }
 
 void FinsPass::draw_plain_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {

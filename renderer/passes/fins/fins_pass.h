@@ -28,7 +28,7 @@ class FinsPass {
   /// beyond the outline has only fins in it, and on the body fur covers them. The frame's block is bound.
   void draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
-  /// Guard hairs near the outline, after all other fur, in four passes (draw_four_passes).
+  /// Guard hairs near the outline, after all other fur, in four passes (draw_four_passes), or at once where fragments are sorted.
   void draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
   /// The same fins and hairs once, with whatever blending and depth is set: for variants that write something other

@@ -6,6 +6,7 @@
 #include "pattern.glsl"
 #endif
 #include "strip_light.glsl"
+#include "fragment.glsl"
 #ifdef LAYERS
 #include "layers.glsl"
 #endif
@@ -23,8 +24,6 @@ flat in float lightness;
 in float reach;
 in float strength;
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 const float local_mean = 5.0;  // level whose texels hold a few strands' colours
 
 void main() {
@@ -39,7 +38,7 @@ void main() {
   int slice = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   vec3 strand = textureLod(colours, vec3(tile, float(slice)), local_mean).rgb;
   vec3 colour = strip_colour(strand * strand * lightness);
-  result = vec4(strip_light(colour, 0.5) * opacity, opacity);
+  put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));
 #ifdef LAYERS
   write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
 #endif

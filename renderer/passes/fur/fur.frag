@@ -6,6 +6,7 @@
 #include "pattern.glsl"
 #endif
 #include "slab.glsl"
+#include "fragment.glsl"
 #ifdef LAYERS
 #include "layers.glsl"
 #endif
@@ -34,9 +35,8 @@ in vec2 vertex_share;
 
 uniform int step_count;  // texture steps inside the slab
 
-layout(location = 0) out vec4 result;  // premultiplied
-
 void main() {
+  if (no_room()) discard;
   vec3 normal = normalize(fibre_normal);
 #ifdef TUFTS
   shift_to_strand(normal, tile_u);
@@ -70,5 +70,5 @@ void main() {
 #endif
   write_layers(place, normal, tangent, colour, 1.0, slab.opacity);
 #endif
-  result = vec4(light * slab.opacity, slab.opacity);
+  put_fragment(vec4(light * slab.opacity, slab.opacity));
 }

@@ -89,15 +89,16 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
     bare_skin_of(gl, drawing.variant).use();
     draw_list(gl, drawing.lists.bare);
   }
-  draw_dense(gl, shading.solid, drawing);
 }
 
 void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   draw_skin(gl, drawing);
+  draw_dense(gl, drawing);
 }
 
-void FurPass::draw_dense(const Gl& gl, const Program& solid, const FurDrawing& drawing) const {
+void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
+  const Program& solid = shading_of(gl, drawing.variant).solid;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   solid.use();
   solid.set("push", solid_push);

@@ -32,8 +32,10 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// The skin, and the depth of dense fur.
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
+  /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
+  /// sorted.
+  void draw_dense(const Gl& gl, const FurDrawing& drawing);
   /// Fur turned away from the eye, outside in.
   void draw_averted(const Gl& gl, const FurDrawing& drawing);
   /// Fur that faces the eye, inside out. What is drawn between the two lies behind it.
@@ -60,7 +62,6 @@ class FurPass {
     Shading(const Gl& gl, const std::string& defines);
     Program skin, solid, fur;
   };
-  void draw_dense(const Gl& gl, const Program& solid, const FurDrawing& drawing) const;
   void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 
   const Program& bare_skin_of(const Gl& gl, const std::string& variant);

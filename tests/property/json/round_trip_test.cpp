@@ -102,6 +102,8 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .accumulation = one_of(Accumulation::full),
                   .fins = *rc::gen::arbitrary<bool>(),
                   .guard_hairs = *rc::gen::inRange(0, 100'001)};
+  if (before.knobs.samples == 1) before.knobs.order = one_of(FragmentOrder::sorted);
+  if (before.knobs.order == FragmentOrder::sorted) before.knobs.shells = *rc::gen::inRange(1, 129);
   before.format = one_of(FrameFormat::exr);
   before.background = before.format == FrameFormat::jpeg ? Background::studio : one_of(Background::studio);
   before.jpeg_quality = *rc::gen::inRange(1, 101);

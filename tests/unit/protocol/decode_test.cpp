@@ -342,6 +342,18 @@ TEST(DecodeFrame, LayersTogetherHaveALimit) {
   EXPECT_EQ(with(R"("layers": ["beauty", "depth", "normal"])").status().pointer, "/layers");
 }
 
+TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
+  const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
+  const auto sorted = decode_frame_request(R"({"width": 1024, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})");
+  ASSERT_TRUE(sorted.ok());
+  EXPECT_EQ(sorted->knobs.order, FragmentOrder::sorted);
+  EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::layers);
+  EXPECT_EQ(pointer_of(R"({"quality": {"order": "depth"}})"), "/quality/order");
+  EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "samples": 4}})"), "/quality/order");
+  EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"), "/quality");
+  EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "shells": 1024, "scale": 2.0}, "width": 1024})"), "/quality");
+}
+
 TEST(DecodeFrame, ScaleCountsForTheSize) {
   EXPECT_TRUE(decode_frame_request(R"({"width": 4096, "quality": "detailed"})").ok());
   EXPECT_EQ(decode_frame_request(R"({"width": 4097, "quality": "detailed"})").status().pointer, "/quality");

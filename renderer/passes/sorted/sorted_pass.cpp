@@ -1,0 +1,114 @@
+#include "renderer/passes/sorted/sorted_pass.h"
+
+#include <algorithm>
+
+#include "renderer/gl/wait.h"
+#include "renderer/passes/draw/draw_state.h"
+
+namespace pelage {
+
+namespace shaders {
+extern const char* const whole_target_vert;
+extern const char* const merge_frag;
+extern const char* const compose_frag;
+}  // namespace shaders
+
+namespace {
+
+constexpr int most_rounds = 32;         // each halves the number of runs
+constexpr double guessed_cover = 0.25;  // share of a picture's pixels that fur covers
+
+Status impossible() {
+  return failure(Code::invalid, "this server's GL cannot keep lists of fragments", "/quality/order", "layers");
+}
+
+Status too_large(const char* why) { return failure(Code::too_large, why, "/quality/order"); }
+
+Status wrong() { return failure(Code::internal, "the GL does not sort as it should"); }
+
+Status no_memory() { return too_large("no memory for the fragments of a sorted frame"); }
+
+void set_colour_writes(const Gl& gl, GLboolean on) { gl.ColorMask(on, on, on, on); }
+
+}  // namespace
+
+void SortedPass::make_programs(const Gl& gl) {
+  if (merge_) return;
+  merge_.emplace(gl, shaders::whole_target_vert, shaders::merge_frag);
+  compose_.emplace(gl, shaders::whole_target_vert, shaders::compose_frag);
+  failure_ = merge_->log() + compose_->log();
+}
+
+Status SortedPass::draw(const Gl& gl, const RenderTarget& target, int expected,
+                        const std::function<void()>& draw_fragments) {
+  if (!FragmentLists::possible(gl)) return impossible();
+  make_programs(gl);
+  const FragmentLists lists(gl, bytes_);
+  if (!lists.complete()) return no_memory();
+  const double fitting = lists.capacity() / (guessed_cover * std::max(expected, 1));
+  std::vector<Area> areas =
+      cut({0, 0, target.width(), target.height()}, std::min(fitting, FragmentLists::most_pixels));
+  Status status;
+  gl.Enable(GL_SCISSOR_TEST);
+  while (!areas.empty() && status.ok()) {
+    const Area area = areas.back();
+    areas.pop_back();
+    lists.begin(gl, area);
+    gl.Scissor(area.left, area.top, area.width, area.height);
+    const Result<bool> fitted = draw_area(gl, lists, target, draw_fragments);
+    if (!fitted) {
+      status = fitted.status();
+    } else if (!*fitted && area.pixels() < 2) {
+      status = no_memory();
+    } else if (!*fitted) {
+      for (const Area& half : halves(area)) areas.push_back(half);
+    }
+  }
+  gl.Disable(GL_SCISSOR_TEST);
+  return status;
+}
+
+Result<bool> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
+                                   const std::function<void()>& draw_fragments) const {
+  set_draw_state(gl, target);
+  set_colour_writes(gl, GL_FALSE);
+  gl.DepthMask(GL_FALSE);
+  draw_fragments();
+  set_colour_writes(gl, GL_FALSE);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_FALSE);
+  Status status = wait_for(gl);
+  const bool fitted = status.ok() && lists.header(gl).count <= lists.capacity();
+  if (fitted) status = sort(gl, lists);
+  set_colour_writes(gl, GL_TRUE);
+  if (fitted && status.ok()) {
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    draw_whole(gl, *compose_);
+    gl.Disable(GL_BLEND);
+  }
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+  if (!status.ok()) return status;
+  return fitted;
+}
+
+Status SortedPass::sort(const Gl& gl, const FragmentLists& lists) const {
+  for (int round = 0; round < most_rounds; ++round) {
+    lists.clear_unsorted(gl);
+    draw_whole(gl, *merge_);
+    if (const Status answer = wait_for(gl); !answer.ok()) return answer;
+    const FragmentLists::Header header = lists.header(gl);
+    if (header.too_long) return too_large("a pixel has too many fragments to sort");
+    if (!header.unsorted) return {};
+  }
+  return wrong();
+}
+
+void SortedPass::draw_whole(const Gl& gl, const Program& program) const {
+  gl.BindVertexArray(nothing_.id());
+  program.use();
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace pelage

@@ -1,0 +1,52 @@
+// The converged picture: all fragments of a pixel are kept in a list, sorted by depth and blended in that order.
+//
+// Lists rather than depth peeling: a pixel of 1,024 shells has over a thousand fragments, and peeling would draw all
+// shells again for each of them. The picture is drawn in areas whose fragments fit into a stated memory; an area that
+// does not fit is halved and drawn again.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "renderer/gl/program.h"
+#include "renderer/gl/render_target.h"
+#include "renderer/passes/sorted/fragment_lists.h"
+
+namespace pelage {
+
+class SortedPass {
+ public:
+  /// Bytes for the fragments of an area. Small enough that software GL under load draws one within the minute that
+  /// wait_for grants; more would save little, as an area costs no more than its triangles again.
+  static constexpr std::size_t default_bytes = std::size_t{64} << 20;
+
+  SortedPass(const Gl& gl, std::size_t bytes) : nothing_(gl), bytes_(bytes) {}
+
+  /// "" when the programs were built, or not asked for yet.
+  std::string failure() const { return failure_; }
+
+  /// Blends what `draw_fragments` draws over the target, which has one sample and a depth buffer that is only tested
+  /// against. It is called once for each area, with the draw state set and no colour written; its programs include
+  /// fragment.glsl with SORTED. `expected` fragments for a covered pixel are a first guess: a wrong one costs time.
+  /// Fails with invalid, naming the order, when the GL lacks what lists need; with too_large when there is no memory,
+  /// or not enough for a single pixel; with unavailable when the GL does not answer.
+  Status draw(const Gl& gl, const RenderTarget& target, int expected, const std::function<void()>& draw_fragments);
+
+ private:
+  void make_programs(const Gl& gl);
+  /// Whether the area's fragments did fit; if so they are in the target.
+  Result<bool> draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
+                         const std::function<void()>& draw_fragments) const;
+  Status sort(const Gl& gl, const FragmentLists& lists) const;
+  void draw_whole(const Gl& gl, const Program& program) const;
+
+  std::optional<Program> merge_, compose_;  // made when first used
+  VertexArray nothing_;
+  std::size_t bytes_;
+  std::string failure_;
+};
+
+}  // namespace pelage

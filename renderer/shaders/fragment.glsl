@@ -1,0 +1,22 @@
+// Where a fragment goes: into the picture, or, with SORTED, into the list of its pixel.
+#ifdef SORTED
+#include "fragment_lists.glsl"
+
+layout(early_fragment_tests) in;  // what the skin hides must not get into a list
+
+bool no_room() { return lists.count > lists.capacity; }
+
+void put_fragment(vec4 colour) {
+  if (no_room()) return;
+  uint at = atomicAdd(lists.count, 1u);
+  if (at >= lists.capacity) return;
+  fragment_colours[at] = colour;
+  links[at] = uvec2(floatBitsToUint(gl_FragCoord.z), atomicExchange(lists.firsts[pixel_of_list()], at + 1u));
+}
+#else
+layout(location = 0) out vec4 result;  // premultiplied
+
+bool no_room() { return false; }
+
+void put_fragment(vec4 colour) { result = colour; }
+#endif
