@@ -39,9 +39,10 @@ void main() {
   undercoat = pattern_colour(place, varied, undercoat);
 #endif
   vec3 colour = mix(bare, undercoat, furred);
+  vec3 crossed = mix(bare, colour_crossed(undercoat, 0.0), furred);
   float depth = furred * frame.depth_above[0].x * frame.exponents.w;
-  vec3 sum = frame.weights.x * mix(1.0, frame.weights.w, furred) * colour * transmittance(0.6 * depth, colour) *
-             environment_light(normal);
+  vec3 share = mix(vec3(1.0), ambient_share(0.0, frame.depth_above[0].x, crossed), furred);
+  vec3 sum = frame.weights.x * share * colour * environment_light(normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
@@ -55,9 +56,9 @@ void main() {
     to_skin = layer_depth(i, place, 0.0, facing, to_skin);
     radiance *= cast_light(i, place);
 #endif
-    sum += radiance * colour * lit * transmittance(to_skin, colour);
+    sum += radiance * colour * lit * transmittance(to_skin, crossed);
 #ifdef LAYERS
-    keep_direct(radiance * colour * lit * transmittance(to_skin, colour), unshadowed * colour * lit);
+    keep_direct(radiance * colour * lit * transmittance(to_skin, crossed), unshadowed * colour * lit);
 #endif
   }
 #ifdef BARE_SKIN
