@@ -190,20 +190,20 @@ FIGURES = [
                           fur_of=fur(length, lean), quality=tier)
                   for title, model, length, lean, settings, shade in (
                       ("plush", shared("koala_low.obj"), 0.042, 0.42,
-                       {"count": 16000, "root_share": 0.15, "clump": 0.55, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
-                        "curl": 0.02, "width_root": 0.0008, "width_tip": 0.0002,
+                       {"count": 5700, "root_share": 0.15, "clump": 0.55, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
+                        "curl": 0.02, "width_root": 0.00044, "width_tip": 0.00011,
                         "ramp": [{"at": 0, "colour": [0.30, 0.29, 0.28]}, {"at": 0.5, "colour": [0.50, 0.48, 0.46]}, {"at": 1, "colour": [0.72, 0.70, 0.67]}]}, {}),
                       ("agouti", shared("cat.obj"), 0.042, 0.72,
-                       {"count": 16000, "root_share": 0.45, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
-                        "width_root": 0.0008, "width_tip": 0.0002,
+                       {"count": 10500, "root_share": 0.45, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
+                        "width_root": 0.00044, "width_tip": 0.00011,
                         "ramp": [{"at": 0, "colour": [0.18, 0.12, 0.09]}, {"at": 0.5, "colour": [0.62, 0.24, 0.05]}, {"at": 1, "colour": [0.30, 0.12, 0.04]}]}, {}),
                       ("sleek", shared("spot.obj", front="-z"), 0.018, 0.92,
-                       {"count": 20000, "root_share": 0.75, "clump": 0.12, "clump_size": 0.025, "fine_clump": 0.35, "fine_clump_size": 0.008,
-                        "width_root": 0.0008, "width_tip": 0.0002,
+                       {"count": 8400, "root_share": 0.75, "clump": 0.12, "clump_size": 0.025, "fine_clump": 0.35, "fine_clump_size": 0.008,
+                        "width_root": 0.00044, "width_tip": 0.00011,
                         "ramp": [{"at": 0, "colour": [0.10, 0.045, 0.02]}, {"at": 0.5, "colour": [0.22, 0.09, 0.035]}, {"at": 1, "colour": [0.28, 0.13, 0.06]}]}, {}),
                       ("white", shared("koala_low.obj"), 0.042, 0.6,
-                       {"count": 16000, "root_share": 0.4, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
-                        "width_root": 0.0008, "width_tip": 0.0002,
+                       {"count": 6900, "root_share": 0.4, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
+                        "width_root": 0.00044, "width_tip": 0.00011,
                         "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]}, {}))
                   for tier in ("interactive", "detailed")]},
 ]

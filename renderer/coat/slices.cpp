@@ -47,8 +47,11 @@ void draw(const Sprite& sprite, std::vector<SliceTexel>& slice) {
 Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
   const double q = std::min(1.0, s / strand.length_share), step = 0.02;
   const double low = std::max(0.0, q - step), high = std::min(1.0, q + step);
-  const glm::dvec2 slope =
-      (strand_offset(coat, strand, high) - strand_offset(coat, strand, low)) / ((high - low) * strand.length_share);
+  const auto slope_of = [&](auto offset) {
+    return (offset(coat, strand, high) - offset(coat, strand, low)) / ((high - low) * strand.length_share);
+  };
+  // A film of water shines along the clump as a whole, whichever way its strands went to join it.
+  const glm::dvec2 slope = glm::mix(slope_of(strand_offset), slope_of(free_offset), coat.wetness);
   const double to_texels = slice_texels / coat.tile;
   const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
   return {(strand.root + strand_offset(coat, strand, q)) * to_texels, radius * to_texels, glm::vec2(slope),

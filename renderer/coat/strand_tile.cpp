@@ -93,11 +93,14 @@ std::vector<Strand> make_strands(const Coat& coat) {
     const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = clumps.gather;
     strand.fine_clump = lock.centre - strand.root;
     strand.clump = (clump.centre - strand.root) * glm::mix(clump.pull, 1.0, coat.wetness);
-    strand.bow = coat.bend * nominal_length * glm::mix(unit(angle) * random.uniform(), clump.bow, of_clump * 0.8);
+    const double same_bow = of_clump * glm::mix(0.8, 1.0, coat.wetness);
+    strand.bow = coat.bend * nominal_length * glm::mix(unit(angle) * random.uniform(), clump.bow, same_bow);
     strand.curl_phase = glm::mix(random.uniform(0, turn), turn * (clump.lightness + 1), coat.curl_together);
     const double shorter = glm::mix(own, 0.5 - 0.5 * clump.length, of_clump * 0.4);
     strand.length_share = std::max(0.02, 1 - coat.length_spread * shorter);
-    const double lighter = glm::mix(random.uniform(-1, 1), clump.lightness, of_clump * 0.35);
+    // Under one film of water the strands of a clump look alike.
+    const double same_lightness = glm::mix(of_clump * 0.35, 0.9, coat.wetness);
+    const double lighter = glm::mix(random.uniform(-1, 1), clump.lightness, same_lightness);
     strand.lightness = std::exp2(2 * coat.colour_spread * lighter);
     strand.number = random.uniform();
     add_forms(coat, clumps, clump, forms, strand);
@@ -107,18 +110,23 @@ std::vector<Strand> make_strands(const Coat& coat) {
   return strands;
 }
 
-glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
-  const double rise = q * std::sqrt(q), settled = std::min(1.0, 4 * q);  // curls and waves grow out of the root
-  // Wet strands meet early and then go on together.
-  const double early = glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
-  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * early;
-  const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);
-  glm::dvec2 offset = to_lock + (strand.clump - to_lock) * gather + strand.bow * (q * q) + strand.heading * q;
+glm::dvec2 free_offset(const Coat& coat, const Strand& strand, double q) {
+  const double settled = std::min(1.0, 4 * q);  // curls and waves grow out of the root
+  glm::dvec2 offset = strand.bow * (q * q) + strand.heading * q;
   if (coat.curl > 0) {
     offset += unit(strand.curl_phase + turn * coat.curl_turns * q) * (coat.curl * nominal_length * settled);
   }
   if (coat.wave > 0) offset += strand.wave * (std::sin(strand.wave_phase + turn * coat.wave_turns * q) * settled);
   return offset;
+}
+
+glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
+  const double rise = q * std::sqrt(q);
+  // Wet strands meet early and then go on together.
+  const double early = glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
+  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * early;
+  const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);
+  return to_lock + (strand.clump - to_lock) * gather + free_offset(coat, strand, q);
 }
 
 glm::vec3 ramp_colour(const Coat& coat, double q) {

@@ -34,6 +34,9 @@ struct Strand {
 /// Deterministic in the coat alone. A setting at its neutral value leaves the other settings' strands as they were.
 std::vector<Strand> make_strands(const Coat& coat);
 
+/// Offset from the root at `q` in [0, 1] along the strand, sizes, less what draws it to its clump and lock.
+glm::dvec2 free_offset(const Coat& coat, const Strand& strand, double q);
+
 /// Offset from the root at `q` in [0, 1] along the strand, sizes.
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q);
 

@@ -15,6 +15,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 tile;         // 1 / side, texel size at the finest level, lean curve (0 arc, 1 root), largest ramp lightness
   vec4 depth_scale[8];  // for each level: along the stack, at 60 degrees
   vec4 depth_above[8];  // 32 values: mean optical depth to the light above each slice
+  vec4 colour_above[32];  // of the fur over each slice, over the colour there
   vec4 ramp_root;    // colour at the root
   Light lights[8];
   vec4 environment[9];  // irradiance over pi as spherical harmonics

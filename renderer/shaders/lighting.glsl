@@ -25,6 +25,18 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
 // Light that passes pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4).
 vec3 transmittance(float depth, vec3 colour) { return exp2(-1.442695 * depth * (1.0 - 0.82 * sqrt(clamp(colour, 0.0, 1.0)))); }
 
+// Light on its way to a strand of that colour crosses the fur above it, which may be paler or darker.
+vec3 colour_crossed(vec3 colour, float height) {
+  return colour * frame.colour_above[clamp(int(height * float(slice_count)), 0, slice_count - 1)].rgb;
+}
+
+// Share of the light from all around that gets to a height: g of GPU fur eq 1, with s where nothing better is known.
+// Where the self-shadow knows the fur above, it takes the place of s; both together would darken the same fur twice.
+vec3 ambient_share(float height, float depth, vec3 crossed) {
+  vec3 open = mix(vec3(height), transmittance(0.6 * depth * frame.exponents.w, crossed), min(frame.exponents.w, 1.0));
+  return mix(vec3(frame.weights.w), vec3(1.0), open);
+}
+
 // Light from all around on a surface with that normal; 1 for a white surrounding.
 vec3 environment_light(vec3 n) {
 #ifdef ENVIRONMENT
@@ -68,9 +80,9 @@ struct Fibre {
 
 // Light that a fibre sends to the eye, after GPU fur eq 1 to 3: each light is scattered by the look's shading model.
 vec3 fibre_light(Fibre fibre) {
-  float ground = mix(frame.weights.w, 1.0, fibre.height);
-  vec3 ambient_kept = transmittance(0.6 * fibre.depth * frame.exponents.w, fibre.colour);
-  vec3 sum = frame.weights.x * ground * fibre.colour * ambient_kept * environment_light(fibre.normal);
+  vec3 crossed = colour_crossed(fibre.colour, fibre.height);
+  vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.depth, crossed) *
+             environment_light(fibre.normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
@@ -87,11 +99,11 @@ vec3 fibre_light(Fibre fibre) {
     if (SHADING_MODEL == model_energy_conserving || SHADING_MODEL == model_marschner) {
       scattered = 0.6 * scattered + scatter_again(fibre.tangent, to_light, fibre.colour);
     }
-    sum += radiance * scattered * transmittance(depth, fibre.colour) *
+    sum += radiance * scattered * transmittance(depth, crossed) *
            light_behind(SHADING_MODEL, facing, frame.exponents.z);
 #ifdef LAYERS
     vec3 arriving = scattered * light_behind(SHADING_MODEL, facing, frame.exponents.z);
-    keep_direct(radiance * arriving * transmittance(depth, fibre.colour), unshadowed * arriving);
+    keep_direct(radiance * arriving * transmittance(depth, crossed), unshadowed * arriving);
 #endif
   }
   return sum;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "renderer/coat/colour_above.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/coat/wetness.h"
 #include "renderer/light/spherical_harmonics.h"
@@ -68,8 +69,11 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {
     block.depth_scale[i] = glm::vec4(slices.levels[i].depth_scale[0], slices.levels[i].depth_scale[1], 0, 0);
   }
-  for (std::size_t i = 0; i < slice_count; ++i)
+  const std::array<glm::vec3, slice_count> above = colour_above(coat);
+  for (std::size_t i = 0; i < slice_count; ++i) {
     block.depth_above[i / 4][static_cast<int>(i % 4)] = slices.depth_above[i];
+    block.colour_above[i] = glm::vec4(above[i], 0);
+  }
   block.ramp_root = {ramp_colour(coat, 0), 1};
   std::transform(frame.lights.begin(), frame.lights.end(), block.lights.begin(), light_block);
   const SphericalHarmonics light = irradiance_of(harmonics_of(frame.environment));

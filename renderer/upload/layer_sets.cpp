@@ -10,6 +10,11 @@ namespace {
 constexpr float full_tangent = 5.0f;  // of the angle from which all shells are drawn: 79 degrees
 constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
 
+float cosine_to_eye(const LayerMesh& mesh, std::size_t triangle, glm::vec3 eye) {
+  const glm::vec3 to_eye = eye - mesh.centroids[triangle], normal = mesh.normals[triangle];
+  return glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
+}
+
 }  // namespace
 
 int shells_of_set(int shells, int set) {
@@ -56,8 +61,7 @@ float set_share(float level, int set) {
 LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest) {
   LayerLists lists;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const glm::vec3 to_eye = eye - mesh.centroids[i], normal = mesh.normals[i];
-    const float cosine = glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
+    const float cosine = cosine_to_eye(mesh, i, eye);
     if (cosine <= furthest) continue;
     const glm::uvec3 t = mesh.triangles[i];
     for (int set = 0; set < layer_sets; ++set) {
@@ -68,6 +72,14 @@ LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest) 
     }
   }
   return lists;
+}
+
+std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, glm::vec3 eye) {
+  std::vector<glm::uvec3> shown;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (cosine_to_eye(mesh, i, eye) > furthest_averted) shown.push_back(mesh.triangles[i]);
+  }
+  return shown;
 }
 
 }  // namespace pelage

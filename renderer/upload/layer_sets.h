@@ -68,4 +68,8 @@ struct LayerMesh {
 /// Every triangle goes to each set that has a share at one of its corners.
 LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest = furthest_averted);
 
+/// The triangles that are in some set. Nothing else may write the depth of dense fur, or thin parts show holes where
+/// fur that is not drawn hides what is.
+std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, glm::vec3 eye);
+
 }  // namespace pelage

@@ -70,6 +70,7 @@ class ModelBuffers {
   using ListsOfSets = std::array<DrawList, layer_sets>;
   struct DrawLists {
     DrawList all, bare, furred;  // every triangle; those that bare skin may touch, and the others
+    DrawList shown;              // those whose fur is drawn
     ListsOfSets facing, averted;
   };
   /// Sends the triangles to draw for a view, and the level of each vertex.

@@ -126,6 +126,19 @@ TEST_P(Frames, LightIsAdditive) {
   EXPECT_NEAR(both - dark, a + b - 2 * dark, 0.03 * both);  // 8-bit steps and the toe of the curve
 }
 
+TEST_P(Frames, AmbientLightIsDarkenedOnce) {  // its floor is the share that reaches the roots, whatever lies above them
+  FurredModel model = furred({Builtin::sphere, 1000});
+  model.settings.lights.clear();
+  model.settings.look.ambient_floor = 1;
+  model.settings.look.self_shadow = 1;
+  const Image shadowed = draw(*renderer, model, small_frame());
+  model.settings.look.self_shadow = 0;
+  const Image open = draw(*renderer, model, small_frame());
+  for (std::size_t i = 0; i < open.rgba.size(); ++i) ASSERT_NEAR(shadowed.rgba[i], open.rgba[i], 1);
+  model.settings.look.ambient_floor = 0;
+  EXPECT_GT(mean_difference(open, draw(*renderer, model, small_frame())), 1);
+}
+
 TEST_P(Frames, DirtyRangesSendOnlyThemselves) {
   FurredModel model = furred({Builtin::sphere, 1000});
   draw(*renderer, model, small_frame());

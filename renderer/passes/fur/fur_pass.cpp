@@ -103,7 +103,7 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {-1, shell, solid_shells, 4, drawing.lists.all, 1});
+    draw_shell(gl, solid, {-1, shell, solid_shells, 4, drawing.lists.shown, 1});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -27,21 +27,24 @@ in vec4 varied;
 layout(location = 0) out vec4 result;
 
 // Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
-// Under fur lies an undercoat: the colour of the roots in the light that gets there.
+// Under fur lies an undercoat: the colour of the roots in the light that gets there. The inner side
+// of an open model shows no fur: it is lit as a matt surface of the fur's mean colour.
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;
-  float furred = smoothstep(0.0, 0.008, fur_length);
+  float grown = smoothstep(0.0, 0.008, fur_length);
+  float furred = gl_FrontFacing ? grown : 0.0;
   bool own = frame.skin.w > 0.5;
   vec3 bare = own ? model_colour(base_colour, base_uv) : frame.skin.rgb;
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
 #ifdef PATTERN
   undercoat = pattern_colour(place, varied, undercoat);
 #endif
-  vec3 colour = mix(bare, undercoat, furred);
+  vec3 coat = colour_crossed(undercoat, 0.0);
+  vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
   float depth = furred * frame.depth_above[0].x * frame.exponents.w;
-  vec3 sum = frame.weights.x * mix(1.0, frame.weights.w, furred) * colour * transmittance(0.6 * depth, colour) *
-             environment_light(normal);
+  vec3 share = mix(vec3(1.0), ambient_share(0.0, frame.depth_above[0].x, crossed), furred);
+  vec3 sum = frame.weights.x * share * colour * environment_light(normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
@@ -55,9 +58,9 @@ void main() {
     to_skin = layer_depth(i, place, 0.0, facing, to_skin);
     radiance *= cast_light(i, place);
 #endif
-    sum += radiance * colour * lit * transmittance(to_skin, colour);
+    sum += radiance * colour * lit * transmittance(to_skin, crossed);
 #ifdef LAYERS
-    keep_direct(radiance * colour * lit * transmittance(to_skin, colour), unshadowed * colour * lit);
+    keep_direct(radiance * colour * lit * transmittance(to_skin, crossed), unshadowed * colour * lit);
 #endif
   }
 #ifdef BARE_SKIN

@@ -5,5 +5,5 @@
 // Depth alone, where the fur is dense; smoothed, so that single strands leave no holes in what lies behind. Each patch
 // counts fully where it shares a place with others, or their overlap would have holes.
 void main() {
-  if (march(4, 1.0, 1.0).opacity < 0.93) discard;
+  if (march(4, 2.0, 1.0).opacity < 0.93) discard;
 }

@@ -93,6 +93,7 @@ TEST(LayerSets, EveryShareIsDrawn) {
   const LayerLists few = sort_triangles({triangles, centroids, normals, low}, view.eye);
   EXPECT_EQ(few[0].facing.size(), 1u);
   EXPECT_EQ(few[1].facing.size(), 0u);
+  EXPECT_EQ(shown_triangles({triangles, centroids, normals, levels}, view.eye).size(), 2u);
 }
 
 }  // namespace
