@@ -29,7 +29,7 @@ void main() {
 #ifdef CROSSING
   keep_crossings();
 #endif
-  result = covering(opacity);
+  put_fragment(covering(opacity));
 #else
   vec3 to_eye = unit_or_zero(frame.eye.xyz - place), along = unit_or_zero(tangent);
   Fibre fibre = Fibre(place, normal, along, to_eye, colour, 1.0, 0.0, number);

@@ -27,7 +27,7 @@ void main() {
 #ifdef CROSSING
   keep_crossings();
 #endif
-  result = covering(opacity);
+  put_fragment(covering(opacity));
 #else
   vec3 colour = strip_colour(texel.rgb / texel.a);
   put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));

@@ -33,7 +33,7 @@ void main() {
 #ifdef CROSSING
   keep_crossings();
 #endif
-  result = covering(opacity);
+  put_fragment(covering(opacity));
 #else
   int slice = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   vec3 strand = textureLod(colours, vec3(tile, float(slice)), local_mean).rgb;
