@@ -43,6 +43,7 @@ struct Options {
   // create and load
   double length = 0.03;  // sizes
   double inclination = 0.45;
+  std::string form;  // of the first fur; the server's choice when empty
   std::string fur_patches = "overlapping";
   // load, environment, base_picture and run; "-" is standard input
   std::string file;

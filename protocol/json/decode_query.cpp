@@ -62,6 +62,7 @@ constexpr auto import_parameters = std::to_array<Parameter>({
     {"front", "/front", Kind::text},
     {"length", "/length", Kind::number},
     {"inclination", "/inclination", Kind::number},
+    {"form", "/form", Kind::text},
     {"fur_patches", "/fur_patches", Kind::text},
 });
 
@@ -160,6 +161,7 @@ Result<ImportOptions> decode_import_query(const Query& query) {
   object.name("front", options.front, json_names::axes);
   object.number("length", options.fur.length, {0, 10});
   object.number("inclination", options.fur.inclination, {0, 1});
+  object.name("form", options.fur.form, json_names::groom_forms);
   object.name("fur_patches", options.fur_patches, json_names::fur_patches);
   const int up_line = static_cast<int>(options.up) / 2;  // x, y or z, whatever the sign
   const int front_line = static_cast<int>(options.front) / 2;
