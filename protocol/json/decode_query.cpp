@@ -71,6 +71,11 @@ constexpr auto environment_parameters = std::to_array<Parameter>({
     {"turn_degrees", "/turn_degrees", Kind::number},
 });
 
+constexpr auto compare_parameters = std::to_array<Parameter>({
+    {"from", "/from", Kind::number},
+    {"to", "/to", Kind::number},
+});
+
 json names_of(const std::string& text) {
   json names = json::array();
   std::istringstream stream(text);
@@ -148,6 +153,18 @@ Result<Environment> decode_environment_query(const Query& query) {
   object.number("turn_degrees", environment.turn_degrees, {-360, 360});
   if (!first_failure.ok()) return first_failure;
   return environment;
+}
+
+Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query) {
+  const auto document = document_of(query, compare_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  std::pair<std::uint64_t, std::uint64_t> revisions;
+  object.required("from", [&](const Value& v) { revisions.first = v.counter(); });
+  object.required("to", [&](const Value& v) { revisions.second = v.counter(); });
+  if (!first_failure.ok()) return first_failure;
+  return revisions;
 }
 
 Result<ImportOptions> decode_import_query(const Query& query) {
