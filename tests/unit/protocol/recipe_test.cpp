@@ -152,17 +152,34 @@ TEST(Recipe, RefusesWhatGrowsWithoutEnd) {
   EXPECT_EQ(many.status().limit, "at most 10000");
 }
 
+const std::filesystem::path source_folder = PELAGE_SOURCE_DIR;
+
+Result<std::string> file_text(const std::string& name) {
+  std::ifstream file(name);
+  if (!file) return failure(Code::not_found, "Cannot read " + name + ".");
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Recipe, TheOneOfTheDocumentsWorks) {
+  const std::string page = *file_text((source_folder / "docs/recipes.md").string());
+  const std::size_t begin = page.find("```json") + 7;
+  const std::string text = page.substr(begin, page.find("```", begin) - begin);
+  const std::string name = (source_folder / "clients/recipes/example.json").string();
+  const auto steps = expand_recipe({name, text, {}, {-1, -1, -1}, {1, 1, 1}, file_text});
+  ASSERT_TRUE(steps.ok()) << steps.status().message << " " << steps.status().pointer;
+  for (const RecipeStep& step : *steps) {
+    const auto decoded = decode_commands(step.text);
+    EXPECT_TRUE(decoded.ok()) << step.pointer << decoded.status().pointer << decoded.status().message;
+  }
+  EXPECT_EQ(steps->size(), 3u);
+}
+
 TEST(Recipe, ThoseOfTheClientAreAtMostSixtyCommandsThatTheServerTakes) {
-  const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "clients/recipes";
-  const auto read = [](const std::string& name) -> Result<std::string> {
-    std::ifstream file(name);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_folder / "clients/recipes")) {
     ++count;
     const std::string name = entry.path().string();
-    const auto steps = expand_recipe({name, *read(name), {}, {-1, -1, -1}, {1, 1, 1}, read});
+    const auto steps = expand_recipe({name, *file_text(name), {}, {-1, -1, -1}, {1, 1, 1}, file_text});
     ASSERT_TRUE(steps.ok()) << steps.status().message << " " << steps.status().pointer;
     std::size_t commands = 0;
     for (const RecipeStep& step : *steps) {
