@@ -2,6 +2,7 @@
 
 SIDE = ["--eye=-1.45,0.75,-0.02", "--target=0,0.5,-0.02"]
 ABOVE = ["--eye=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]
+SPINE = ["--eye=0,1.95,-0.5", "--target=0,0.5,-0.03"]
 
 
 def page(title, words, *schemas, camera=SIDE):
@@ -75,7 +76,7 @@ fur made three times as long; `{"op": "mask"}` ends with everything chosen.""", 
 From `set_symmetry` on each tool with a place works on all images of it too, as one undo step: mirrored in up to three planes
 and their combinations, or turned about an axis. Places on the surface are mirrored to the nearest ones, so a roughly
 symmetric model will do. Floods have no images. Below: two trims on one side, seen from above.""", "SetSymmetry",
-                     "Symmetry", "Plane", camera=ABOVE),
+                     "Symmetry", "Plane", camera=SPINE),
     "named_winds": page("Named winds and sticks", """
 A wind or a stick that stays in the scene under a name. `blow` and `attract` name it and then use its settings, as often as
 wanted and under any brush; `set_blowers` and `set_attractors` replace the whole list, and are in the log like any command.
