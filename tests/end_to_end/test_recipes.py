@@ -102,9 +102,9 @@ class Recipes(ServedTest):
         def place(mark, by=(0, 0, 0)):
             return [l + (s + b) * (h - l) for s, b, l, h in zip(marks[mark], by, low, high)]
 
-        def seen(mark, axis, by=(0, 0, 0)):
+        def seen(mark, axis, by=(0, 0, 0), side=1):
             target = place(mark, by)
-            eye = [t + (size if k == axis else 0) for k, t in enumerate(target)]
+            eye = [t + (side * size if k == axis else 0) for k, t in enumerate(target)]
             return self.picked(scene, eye, target, (0, 0, -1) if axis == 1 else (0, 1, 0))
 
         lines = self.pelage("run", scene, RECIPES / f"{name}.json", "--json").stdout.splitlines()
@@ -119,8 +119,10 @@ class Recipes(ServedTest):
         left, right = (seen("rump", 1, [side, *middle[1:]])["direction"] for side in (0.08, -0.08))
         self.assertGreater(left[0], 0.3)  # away from the parting, on both sides
         self.assertLess(right[0], -0.3)
-        beside = seen("rump", 1, [0.3, *middle[1:]])["direction"]
-        self.assertLess(beside[2], -0.3)  # to the tail
+        self.assertLess(seen("belly", 0, (0, 0.2, 0), side=-1)["direction"][2], -0.5)  # to the tail
+        for result in results:
+            if result["op"] == "paint":
+                self.assertGreater(result["touched"], 0, results.index(result))
 
     def test_the_groom_of_the_creature(self):
         self.check_groom(self.new("--builtin", "creature", "--triangles", 20000), "creature")
