@@ -53,18 +53,19 @@ HttpHeaders headers_of(const Options& options, std::size_t step) {
   return {{"If-Match", fmt::format("\"{}\"", *options.if_match)}};
 }
 
-ExitCode report_step(const Step& step, Status status) {
+ExitCode report_step(const RunStep& step, Status status) {
   status.pointer.insert(0, step.pointer);
   return report(status, step.place);
 }
 
-ExitCode run_steps(Session& session, const std::string& address, const std::vector<Step>& steps) {
+ExitCode run_steps(Session& session, const std::string& address, const std::vector<RunStep>& steps) {
   const Options& options = session.options();
   const bool each = steps.size() <= short_run && !options.json;
   Progress progress(steps.size());
   RunTotals totals;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto answer = Session::accepted(session.connection().post_json(address, steps[i].text, headers_of(options, i)));
+    const auto answer =
+        Session::accepted(session.connection().post_json(address, steps[i].text, headers_of(options, i)));
     if (!answer) {
       if (i > 0) fmt::print(stderr, "pelage: {} steps before it are done, revision {}\n", i, totals.revision);
       return report_step(steps[i], answer.status());
@@ -84,7 +85,7 @@ ExitCode run_steps(Session& session, const std::string& address, const std::vect
 }
 
 /// What each command would touch after those before it: one request for all of them.
-ExitCode try_steps(Session& session, const std::string& address, const std::vector<Step>& steps) {
+ExitCode try_steps(Session& session, const std::string& address, const std::vector<RunStep>& steps) {
   const Options& options = session.options();
   const auto batch = batch_of(steps);
   if (!batch) return report(batch.status(), options.file);
@@ -98,8 +99,8 @@ ExitCode try_steps(Session& session, const std::string& address, const std::vect
     return done;
   }
   std::size_t number = 0;
-  for (const Step& step : steps) {
-    fmt::print("{} {}\n", step.place, step.pointer);
+  for (const RunStep& step : steps) {
+    fmt::print("{}{}{}\n", step.place, step.pointer.empty() ? "" : " ", step.pointer);
     for (std::size_t k = 0; k < step.commands.size() && number < result->results.size(); ++k) {
       fmt::print("  ");
       print(result->results[number++]);

@@ -10,7 +10,7 @@
 namespace pelage {
 
 /// One undo step.
-struct Step {
+struct RunStep {
   std::string text;               // as it is sent
   std::vector<Command> commands;  // what it says
   std::string place;              // "step 3 of 12 of show.json"
@@ -19,9 +19,9 @@ struct Step {
 
 /// The steps of the file that the options name. A recipe's places are filled in from the box of the scene at `path`.
 /// Gives a refusal that says which step of which file it is about in `place`.
-Result<std::vector<Step>> read_steps(Session& session, const std::string& path, std::string& place);
+Result<std::vector<RunStep>> read_steps(Session& session, const std::string& path, std::string& place);
 
 /// All commands as one batch, for a dry run. Refused when they are more than one request takes.
-Result<std::string> batch_of(const std::vector<Step>& steps);
+Result<std::string> batch_of(const std::vector<RunStep>& steps);
 
 }  // namespace pelage

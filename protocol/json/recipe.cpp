@@ -80,7 +80,8 @@ class Filler {
       filled += text.substr(at, begin - at) + (value.is_string() ? value.get<std::string>() : dumped(value));
       at = end + 1;
       if (filled.size() > recipe_file_bytes)
-        return refuse(scope, "The text is too long.", pointer, "at most " + std::to_string(recipe_file_bytes) + " bytes");
+        return refuse(scope, "The text is too long.", pointer,
+                      "at most " + std::to_string(recipe_file_bytes) + " bytes");
     }
     return filled + text.substr(at);
   }
@@ -214,8 +215,8 @@ Status set_variables(const Recipe& recipe, Scope& scope) {
   for (const auto& item : scope.file.variables.items()) known.push_back(item.key());
   for (const auto& [name, text] : recipe.variables) {
     if (!scope.file.variables.contains(name))
-      return recipe_failure(recipe.file, "There is no variable \"" + name + "\" to set.", "/variables" + pointer_step(name),
-                            "one of \"variables\"", nearest_name(name, known));
+      return recipe_failure(recipe.file, "There is no variable \"" + name + "\" to set.",
+                            "/variables" + pointer_step(name), "one of \"variables\"", nearest_name(name, known));
     const Result<json> value = parse_json(text);
     scope.given[name] = value ? *value : json(text);
   }
@@ -225,6 +226,8 @@ Status set_variables(const Recipe& recipe, Scope& scope) {
 }  // namespace
 
 bool is_recipe(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos || text[begin] != '{') return false;  // long logs need no parsing for this
   const auto tree = parse_json(text);
   if (!tree || !tree->is_object() || tree->contains("op") || tree->contains("commands")) return false;
   return tree->contains("steps") || tree->contains("variables") || tree->contains("include");
