@@ -53,6 +53,7 @@ struct Options {
   double intensity = 1, turn_degrees = 0;
   // run
   bool dry_run = false;
+  Parameters variables;  // of a recipe, as text
   std::optional<std::uint64_t> if_match;
   // frame and pick
   std::string output = "frame.png";
