@@ -268,4 +268,27 @@ Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision a
   return entries;
 }
 
+Status Journal::for_each_change(const std::string& scene, Revision after, Revision last,
+                                const std::function<void(const FieldDelta&)>& use) const {
+  const std::lock_guard lock(mutex_);
+  Statement rows = database_->prepare(
+      "SELECT delta FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision");
+  rows.text(scene).number(after).number(last);
+  Revision read = after;
+  Result<bool> row = rows.step();
+  for (; row && *row; row = rows.step(), ++read) {
+    const Result<FieldDelta> delta = decode_delta(rows.blob_at(0));
+    if (!delta) return delta.status();
+    use(*delta);
+  }
+  if (!row) return row.status();
+  return read == last ? Status{} : damaged("an entry is missing");
+}
+
+Result<FieldDelta> Journal::change(const std::string& scene, Revision after, Revision last) const {
+  FieldDelta total;
+  Status read = for_each_change(scene, after, last, [&](const FieldDelta& delta) { total = compose(total, delta); });
+  return read.ok() ? Result<FieldDelta>(std::move(total)) : read;
+}
+
 }  // namespace pelage

@@ -1,6 +1,7 @@
 // The durable log of all scenes: what it has answered ok to is on disk.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -58,6 +59,12 @@ class Journal {
   Result<StoredScene> scene(const std::string& id) const;
   /// Entries with a revision above `after`, oldest first.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
+  /// Calls `use` with the change of each entry with a revision in (after, last], in order. Fails (internal) when one is
+  /// missing or damaged.
+  Status for_each_change(const std::string& scene, Revision after, Revision last,
+                         const std::function<void(const FieldDelta&)>& use) const;
+  /// All of them together.
+  Result<FieldDelta> change(const std::string& scene, Revision after, Revision last) const;
 
  private:
   explicit Journal(std::unique_ptr<Database> database);

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/base/limits.h"
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
@@ -63,8 +64,10 @@ struct StoredModel;
 /// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned.
 class Scene {
  public:
-  /// A scene at its first groom, revision 0; SceneStore puts it into the journal.
-  Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal);
+  /// A scene at its first groom, revision 0; SceneStore puts it into the journal. Of its undo steps at most
+  /// `undo_bytes` stay in memory.
+  Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal,
+        std::size_t undo_bytes = limits::undo_bytes);
 
   /// Takes the place of what the constructor made: the stored first groom and every entry since. Fails (internal) when
   /// they do not fit together; the scene is then not to be used.
@@ -112,6 +115,7 @@ class Scene {
   Status admit(const ExecuteOptions& options) const;
   Result<Plan> plan(const std::vector<Command>& commands) const;
   Status commit(const Entry& entry);
+  History new_history(Revision first) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
   Status check_revision(Revision revision) const;
@@ -124,6 +128,7 @@ class Scene {
 
   const std::string id_, name_;
   Journal& journal_;
+  const std::size_t undo_bytes_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::shared_ptr<const SceneModel> model_;
