@@ -52,21 +52,19 @@ Evaluation noise(const Noise& command, const Surface& surface, const FieldSet& f
     const Field field = field_at(f);
     if (std::count(command.fields.begin(), command.fields.end(), field) == 0) continue;
     const bool relative = field == Field::length || field == Field::width || field == Field::stretch;
-    FieldWriter writer(fields, field);
-    for (const auto [v, weight] : region) {
+    const auto count = static_cast<std::uint32_t>(region.size());
+    done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
+      const auto [v, weight] = region[i];
       const double amount = command.amount * weight;
       glm::dvec4 value(fields.value(field, v));
-      if (field == Field::direction) {
-        value = disturbed_direction(glm::dvec2(value), random, mesh, v, amount);
-      } else {
-        for (int c = 0; c < shape_of(field).channels; ++c) {
-          const double change = amount * random.at(mesh.positions[v], 8 * f + static_cast<std::size_t>(c));
-          value[c] += relative ? change * value[c] : change;
-        }
+      if (field == Field::direction)
+        return writer.put(v, disturbed_direction(glm::dvec2(value), random, mesh, v, amount));
+      for (int c = 0; c < shape_of(field).channels; ++c) {
+        const double change = amount * random.at(mesh.positions[v], 8 * f + static_cast<std::size_t>(c));
+        value[c] += relative ? change * value[c] : change;
       }
-      done.clamped += writer.put(v, value);
-    }
-    writer.finish(done.delta);
+      return writer.put(v, value);
+    });
   }
   return done;
 }
