@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 
 #include "protocol/base/random.h"
 #include "server/groom/evaluate.h"
@@ -45,18 +46,21 @@ double radius_for(const Surface& surface, double wanted) {
   return radius;
 }
 
-/// One dab of a comb on a vertex by chance.
-Comb dab(const Mesh& mesh, double radius, Random& random) {
+/// One dab of a tool on a vertex by chance. Tools that need no motion get a stroke of one place.
+template <class Tool>
+Command dab(const Mesh& mesh, double radius, Random& random) {
   const auto v = static_cast<std::size_t>(random.uniform(0, static_cast<double>(mesh.positions.size())));
-  Comb comb;
-  comb.brush.radius = radius;
-  comb.brush.front_faces_only = false;
-  comb.stroke.emplace();
+  Tool tool;
+  tool.brush.radius = radius;
+  tool.brush.front_faces_only = false;
+  tool.stroke.emplace();
   const glm::dvec3 from(mesh.positions[v]), along(mesh.tangents[v]);
-  for (const double step : {-comb.brush.spacing, 0.0})
-    comb.stroke->samples.push_back({PositionPlace{mesh.to_model(from + step * radius * along)}});
-  return comb;
+  if (std::is_same_v<Tool, Comb>)
+    tool.stroke->samples.push_back({PositionPlace{mesh.to_model(from - tool.brush.spacing * radius * along)}});
+  tool.stroke->samples.push_back({PositionPlace{mesh.to_model(from)}});
+  return tool;
 }
+using Dab = Command (*)(const Mesh&, double, Random&);
 
 /// A scene whose journal lies in a folder of its own, gone with it.
 class JournaledScene {
@@ -99,9 +103,8 @@ struct DabCosts {
 };
 
 /// Each repetition combs other places, so that little of the mesh waits in the caches.
-DabCosts dab_costs(int vertices, int repetitions) {
+DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
   constexpr int places = 32;
-  JournaledScene made(vertices);
   const Surface& surface = made.surface();
   FieldSet fields = first_groom(surface.mesh(), {});
   const double radius = radius_for(surface, dab_vertices);
@@ -122,7 +125,7 @@ DabCosts dab_costs(int vertices, int repetitions) {
     least(costs.evaluate, evaluate_cost), least(costs.change, change);
     for (const FieldDelta& delta : deltas)
       costs.touched += static_cast<double>(delta.vertices().size()) / places / repetitions;
-    for (auto& place : dabs) place = dab(surface.mesh(), radius, random);
+    for (Command& place : dabs) place = dab(surface.mesh(), radius, random);
     least(costs.scene, measure([&] { for (const Command& one : dabs) require(made.scene().execute({one}).ok(), "a dab"); }));
     least(costs.undo, measure([&] { for (int k = 0; k < places; ++k) require(made.scene().move(Undo{}).ok(), "undo"); }));
     least(costs.redo, measure([&] { for (int k = 0; k < places; ++k) require(made.scene().move(Redo{}).ok(), "redo"); }));
@@ -130,24 +133,25 @@ DabCosts dab_costs(int vertices, int repetitions) {
   return costs;
 }
 
+void print_row(const char* name, std::size_t vertices, const DabCosts& costs) {
+  std::printf("| %s | %zu | %.0f |", name, vertices, costs.touched);
+  const Cost both{costs.evaluate.wall + costs.change.wall, costs.evaluate.cpu + costs.change.cpu};
+  for (const Cost& cost : {costs.evaluate, costs.change, both, costs.scene, costs.undo, costs.redo})
+    std::printf(" %.3f (%.3f) |", cost.cpu, cost.wall);
+  std::puts("");
+  std::fflush(stdout);
+}
+
 void print_dabs(int few, int many, int repetitions) {
   std::puts("One dab, CPU ms (wall ms), least of the repetitions' means; scene, undo and redo are synced to the journal\n\n"
-            "| vertices | touched | evaluate | apply and hash | both | in a scene | undo | redo |\n"
-            "|---|---|---|---|---|---|---|---|");
-  std::vector<DabCosts> all;
+            "| tool | vertices | touched | evaluate | apply and hash | both | in a scene | undo | redo |\n"
+            "|---|---|---|---|---|---|---|---|---|");
+  const std::pair<const char*, Dab> tools[] = {{"comb", dab<Comb>}, {"smooth", dab<Smooth>}, {"lift", dab<Lift>}, {"paint", dab<Paint>}};
   for (const int vertices : {few, many}) {
-    const DabCosts costs = dab_costs(vertices, repetitions);
-    std::printf("| %d | %.0f | %.3f (%.3f) | %.3f (%.3f) | %.3f (%.3f) | %.3f (%.3f) | %.3f (%.3f) | %.3f (%.3f) |\n",
-                vertices, costs.touched, costs.evaluate.cpu, costs.evaluate.wall, costs.change.cpu, costs.change.wall,
-                costs.evaluate.cpu + costs.change.cpu, costs.evaluate.wall + costs.change.wall, costs.scene.cpu,
-                costs.scene.wall, costs.undo.cpu, costs.undo.wall, costs.redo.cpu, costs.redo.wall);
-    std::fflush(stdout);
-    all.push_back(costs);
+    JournaledScene made(vertices);
+    for (const auto& [name, one] : tools) print_row(name, made.surface().mesh().positions.size(), dab_costs(made, one, repetitions));
   }
-  std::printf("| ratio | | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n\n", all[1].evaluate.cpu / all[0].evaluate.cpu,
-              all[1].change.cpu / all[0].change.cpu,
-              (all[1].evaluate.cpu + all[1].change.cpu) / (all[0].evaluate.cpu + all[0].change.cpu),
-              all[1].scene.cpu / all[0].scene.cpu, all[1].undo.cpu / all[0].undo.cpu, all[1].redo.cpu / all[0].redo.cpu);
+  std::puts("");
 }
 
 Stroke stroke_on(const Mesh& mesh) {
@@ -162,13 +166,14 @@ struct NamedTool {
   Command command;
 };
 
-/// Every tool, at work everywhere that it can.
+/// Every tool, at work on every field that it changes.
 std::vector<NamedTool> tools_on(const Mesh& mesh) {
   const glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[0]));
+  const glm::dvec3 above = mesh.to_model(glm::dvec3(mesh.positions[0]) + 0.05 * glm::dvec3(mesh.normals[0]));
   Key key{place, glm::dvec3(0, 1, 0), 0.9, 0.05};
   return {{"comb", Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)}},
           {"blow", Blow{.source = mesh.to_model({0, 2, 0})}},
-          {"attract", Attract{.point = mesh.to_model({0, 0.3, 0}), .radius = 2, .duration = 10}},
+          {"attract", Attract{.point = above, .radius = 0.06, .duration = 100}},
           {"interpolate", Interpolate{.keys = {key}}},
           {"flow", Flow{.curves = {{place, place + glm::dvec3(0.1, 0.2, 0)}}, .inclination = 0.3}},
           {"smooth", Smooth{.flood = true, .fields = {Field::direction, Field::length}}},
