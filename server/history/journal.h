@@ -57,7 +57,9 @@ class Journal {
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
   Result<StoredScene> scene(const std::string& id) const;
-  /// Entries with a revision above `after`, oldest first.
+  /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails.
+  Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use) const;
+  /// All of them.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
   /// Calls `use` with the change of each entry with a revision in (after, last], in order. Fails (internal) when one is
   /// missing or damaged.

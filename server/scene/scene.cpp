@@ -56,20 +56,21 @@ History Scene::new_history(Revision first) const {
   return History(first, first_settings(*model_), {undo_bytes_, read});
 }
 
-Status Scene::restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries) {
+Status Scene::restore(const FieldDelta& first_groom, Revision first) {
   const std::lock_guard lock(mutex_);
   fields_ = FieldSet(fields_.size());
   history_ = new_history(first);
   dirty_ = whole_range(fields_.size());
   if (!fields_.accepts(first_groom)) return damaged();
   fields_.apply(first_groom);
-  for (const Entry& entry : entries) {
+  Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
     if (!history_.accepts(entry) || !fields_.accepts(entry.delta)) return damaged();
     fields_.apply(entry.delta);
     if (fields_.hash() != entry.fields_hash) return damaged();
     history_.record(entry);
-  }
-  return take_up_picture();
+    return Status{};
+  });
+  return taken.ok() ? take_up_picture() : taken;
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)

@@ -69,9 +69,9 @@ class Scene {
   Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal,
         std::size_t undo_bytes = limits::undo_bytes);
 
-  /// Takes the place of what the constructor made: the stored first groom and every entry since. Fails (internal) when
-  /// they do not fit together; the scene is then not to be used.
-  Status restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries);
+  /// Takes the place of what the constructor made: the stored first groom and every entry of the journal since. Fails
+  /// (internal) when they do not fit together; the scene is then not to be used.
+  Status restore(const FieldDelta& first_groom, Revision first);
 
   /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
   /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field

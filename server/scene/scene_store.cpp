@@ -97,10 +97,8 @@ Status SceneStore::Impl::restore(const std::string& id) {
   if (!raw) return raw.status();
   auto model = build_model(*raw, stored->model, ++last_model);
   if (!model) return model.status();
-  const Result<std::vector<Entry>> entries = journal->entries(id, stored->first_revision);
-  if (!entries) return entries.status();
   auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal, undo_bytes);
-  Status restored = scene->restore(stored->first_groom, stored->first_revision, *entries);
+  Status restored = scene->restore(stored->first_groom, stored->first_revision);
   if (restored.ok()) scenes.push_back(std::move(scene));
   return restored;
 }

@@ -146,7 +146,7 @@ void print_dabs(int few, int many, int repetitions) {
   std::puts("One dab, CPU ms (wall ms), least of the repetitions' means; scene, undo and redo are synced to the journal\n\n"
             "| tool | vertices | touched | evaluate | apply and hash | both | in a scene | undo | redo |\n"
             "|---|---|---|---|---|---|---|---|---|");
-  const std::pair<const char*, Dab> tools[] = {{"comb", dab<Comb>}, {"smooth", dab<Smooth>}, {"lift", dab<Lift>}, {"paint", dab<Paint>}};
+  const std::pair<const char*, Dab> tools[] = {{"comb", dab<Comb>}, {"smooth", dab<Smooth>}, {"lift", dab<Lift>}, {"clump", dab<Clump>}};
   for (const int vertices : {few, many}) {
     JournaledScene made(vertices);
     for (const auto& [name, one] : tools) print_row(name, made.surface().mesh().positions.size(), dab_costs(made, one, repetitions));
