@@ -1,7 +1,6 @@
 // Tools that work on many vertices at once, against the plain formula on one vertex after the other.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "protocol/base/random.h"
@@ -112,6 +111,25 @@ TEST_F(FloodsTest, ManyKeysFollowTheFormulaAsFewDo) {
       sum += weight * *command.keys[k].length, weights += weight;
     }
     EXPECT_NEAR(after.length()[v], sum / weights, 2e-6) << v;
+  }
+}
+
+TEST_F(FloodsTest, GiveTheSameBitsEveryTime) {
+  const Mesh& mesh = surface_.mesh();
+  const FieldSet fields = ruffled();
+  const Key key{mesh.to_model(place(5)), glm::dvec3(0, 1, 0), 0.9, 0.05}, other{mesh.to_model(place(20'000)), glm::dvec3(1, 0, 0)};
+  const std::vector<Command> commands{
+      Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)},
+      Smooth{.flood = true, .passes = 1, .fields = {Field::direction, Field::length}},
+      Smooth{.flood = true, .passes = 3, .fields = {Field::direction, Field::length}},
+      Noise{.flood = true, .feature_size = 0.1, .fields = {Field::direction, Field::tip_colour}},
+      Unify{.flood = true, .mean = {Field::direction, Field::length}},
+      Interpolate{.keys = {key, other}},
+      Flow{.curves = {{key.position, other.position}, {other.position, key.position}}}};
+  for (const Command& command : commands) {
+    const FieldDelta first = evaluate(command, surface_, fields).delta;
+    EXPECT_FALSE(first.empty());
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(evaluate(command, surface_, fields).delta, first) << op_of(command);
   }
 }
 
