@@ -39,10 +39,11 @@ class FieldWriter {
 };
 
 /// Writes one field on all cores: put(i, writer) is called once for each i < count and puts what it has for the i-th of
-/// rising vertices, if anything. Gives how many calls were true (a limit held a value back). The same bits at any number
-/// of threads.
+/// rising vertices, if anything. Gives how many calls were true (a limit held a value back). The same bits at any
+/// number of threads.
 template <class Put>
-std::size_t write_in_parallel(const FieldSet& fields, Field field, std::uint32_t count, FieldDelta& delta, const Put& put) {
+std::size_t write_in_parallel(const FieldSet& fields, Field field, std::uint32_t count, FieldDelta& delta,
+                              const Put& put) {
   constexpr std::uint32_t run = 1 << 14;
   std::vector<FieldWriter> writers((count + run - 1) / run, FieldWriter(fields, field));
   std::vector<std::size_t> held(writers.size(), 0);

@@ -57,8 +57,9 @@ std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface
     for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) {
         const std::uint32_t v = region[i].vertex;
-        ways[i].add(spreads.size(), sigma, [&](std::size_t k) { return spreads[k].distance[v]; },
-                    [&](std::size_t k) { return spreads[k].vector[v]; });
+        ways[i].add(
+            spreads.size(), sigma, [&](std::size_t k) { return spreads[k].distance[v]; },
+            [&](std::size_t k) { return spreads[k].vector[v]; });
       }
     });
   }
@@ -75,12 +76,13 @@ Evaluation flow(const Flow& command, const Surface& surface, const FieldSet& fie
   const std::vector<GaussianMean<glm::dvec3>> ways = ways_of(command, surface, region);
   write_in_parallel(fields, Field::direction, static_cast<std::uint32_t>(region.size()), done.delta,
                     [&](std::uint32_t i, FieldWriter& directions) {
-    const auto [v, restriction] = region[i];
-    if (!ways[i].reached()) return false;
-    const glm::dvec2 direction(fields.direction()[v]);
-    const double lean = command.inclination.value_or(glm::length(direction));
-    return directions.put(v, turned(direction, frame_at(surface.mesh(), v), ways[i].mean(), lean, command.strength * restriction));
-  });
+                      const auto [v, restriction] = region[i];
+                      if (!ways[i].reached()) return false;
+                      const glm::dvec2 direction(fields.direction()[v]);
+                      const double lean = command.inclination.value_or(glm::length(direction));
+                      return directions.put(v, turned(direction, frame_at(surface.mesh(), v), ways[i].mean(), lean,
+                                                      command.strength * restriction));
+                    });
   return done;
 }
 

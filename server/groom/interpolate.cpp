@@ -42,8 +42,8 @@ struct Said {
   GaussianMean<double> length;  // sizes
 };
 
-/// What the keys say at the region's vertices. Keys without a direction say nothing about it, and those without a length
-/// nothing about that.
+/// What the keys say at the region's vertices. Keys without a direction say nothing about it, and those without a
+/// length nothing about that.
 std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surface,
                                 const std::vector<VertexWeight>& region) {
   constexpr double silent = std::numeric_limits<double>::infinity();
@@ -52,7 +52,8 @@ std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surfa
   std::vector<Said> said(region.size());
   std::vector<Spread> spreads;
   for (std::size_t first = 0; first < command.keys.size(); first += spreads_at_a_time) {
-    const std::span keys = std::span(command.keys).subspan(first, std::min(spreads_at_a_time, command.keys.size() - first));
+    const std::span keys =
+        std::span(command.keys).subspan(first, std::min(spreads_at_a_time, command.keys.size() - first));
     spreads.resize(keys.size());
     for_each_in_parallel(static_cast<std::uint32_t>(keys.size()),
                          [&](std::uint32_t k) { spreads[k] = spreader(sources_of(keys[k], surface)); });
@@ -84,13 +85,16 @@ Evaluation interpolate(const Interpolate& command, const Surface& surface, const
     const std::uint32_t v = region[i].vertex;
     if (!said[i].lean.reached()) return false;
     const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(said[i].lean.mean());
-    return directions.put(v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, command.strength * region[i].weight)));
+    return directions.put(
+        v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, command.strength * region[i].weight)));
   });
-  done.clamped += write_in_parallel(fields, Field::length, count, done.delta, [&](std::uint32_t i, FieldWriter& lengths) {
-    const std::uint32_t v = region[i].vertex;
-    if (!said[i].length.reached()) return false;
-    return lengths.put(v, glm::mix(double{fields.length()[v]}, said[i].length.mean(), command.strength * region[i].weight));
-  });
+  done.clamped +=
+      write_in_parallel(fields, Field::length, count, done.delta, [&](std::uint32_t i, FieldWriter& lengths) {
+        const std::uint32_t v = region[i].vertex;
+        if (!said[i].length.reached()) return false;
+        return lengths.put(
+            v, glm::mix(double{fields.length()[v]}, said[i].length.mean(), command.strength * region[i].weight));
+      });
   return done;
 }
 

@@ -39,7 +39,8 @@ class Neighbourhood {
   /// Of the region's i-th vertex and of its neighbours.
   std::uint32_t number(std::size_t i) const { return all_ ? region_[i].vertex : numbers_[i]; }
   std::span<const std::uint32_t> others(std::size_t i) const {
-    return all_ ? surface_.neighbours(region_[i].vertex) : std::span(others_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+    return all_ ? surface_.neighbours(region_[i].vertex)
+                : std::span(others_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
 
  private:
@@ -60,10 +61,10 @@ using Share = float;
 using TurnedShare = glm::vec2;
 
 template <class Value>
-Value shared(Share share, const Value& value) { return double{share} * value; }
-glm::dvec2 shared(TurnedShare turn, glm::dvec2 v) {
-  return {turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y};
+Value shared(Share share, const Value& value) {
+  return double{share} * value;
 }
+glm::dvec2 shared(TurnedShare turn, glm::dvec2 v) { return {turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y}; }
 
 void put_share(Share& share, double part, const Mesh&, const VertexFrame&, std::uint32_t) {
   share = static_cast<float>(part);
@@ -94,7 +95,8 @@ void put_shares(std::uint32_t vertex, const Surface& surface, std::vector<double
 template <class AnyShare>
 class Ring {
  public:
-  Ring(const std::vector<VertexWeight>& region, const Surface& surface, bool keep) : region_(region), surface_(surface) {
+  Ring(const std::vector<VertexWeight>& region, const Surface& surface, bool keep)
+      : region_(region), surface_(surface) {
     if (!keep) return;
     begin_.resize(region.size() + 1);
     for (std::size_t i = 0; i < region.size(); ++i)
@@ -131,7 +133,9 @@ glm::dvec4 wide(const glm::dvec4& value) { return value; }
 
 void narrow(const glm::dvec4& from, double& to) { to = from.x; }
 template <class Value>
-void narrow(const glm::dvec4& from, Value& to) { to = Value(from); }
+void narrow(const glm::dvec4& from, Value& to) {
+  to = Value(from);
+}
 
 /// One field of a region, smoothed in double between the passes.
 template <class Value, class AnyShare>
@@ -139,8 +143,13 @@ class SmoothedField {
  public:
   SmoothedField(const Smooth& command, Field field, const std::vector<VertexWeight>& region, const Neighbourhood& near,
                 const Surface& surface, const FieldSet& fields)
-      : command_(command), field_(field), region_(region), near_(near), fields_(fields),
-        ring_(region, surface, command.passes > 1), now_(near.size()) {
+      : command_(command),
+        field_(field),
+        region_(region),
+        near_(near),
+        fields_(fields),
+        ring_(region, surface, command.passes > 1),
+        now_(near.size()) {
     for_each_run_in_parallel(static_cast<std::uint32_t>(now_.size()), [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t n = begin; n < end; ++n) narrow(glm::dvec4(fields.value(field, near.vertex(n))), now_[n]);
     });
@@ -197,11 +206,13 @@ Evaluation smooth(const Smooth& command, const Surface& surface, const FieldSet&
     const Field field = field_at(f);
     if (std::count(command.fields.begin(), command.fields.end(), field) == 0 || fields.at_rest(field)) continue;
     if (field == Field::direction)
-      done.clamped += SmoothedField<glm::dvec2, TurnedShare>(command, field, region, near, surface, fields).smooth(done.delta);
+      done.clamped +=
+          SmoothedField<glm::dvec2, TurnedShare>(command, field, region, near, surface, fields).smooth(done.delta);
     else if (shape_of(field).channels == 1)
       done.clamped += SmoothedField<double, Share>(command, field, region, near, surface, fields).smooth(done.delta);
     else
-      done.clamped += SmoothedField<glm::dvec4, Share>(command, field, region, near, surface, fields).smooth(done.delta);
+      done.clamped +=
+          SmoothedField<glm::dvec4, Share>(command, field, region, near, surface, fields).smooth(done.delta);
   }
   return done;
 }

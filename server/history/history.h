@@ -54,8 +54,8 @@ struct Entry {
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
 };
 
-/// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back from
-/// the journal when undo comes to them.
+/// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back
+/// from the journal when undo comes to them.
 struct UndoMemory {
   std::size_t bytes = std::numeric_limits<std::size_t>::max();
   /// What leads from one revision to another, later one. Required where `bytes` has a limit.

@@ -52,7 +52,9 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
 
 /// Steps beyond the budget are read back from the journal, which has every entry.
 History Scene::new_history(Revision first) const {
-  const auto read = [&journal = journal_, id = id_](Revision from, Revision to) { return journal.change(id, from, to); };
+  const auto read = [&journal = journal_, id = id_](Revision from, Revision to) {
+    return journal.change(id, from, to);
+  };
   return History(first, first_settings(*model_), {undo_bytes_, read});
 }
 
@@ -85,7 +87,8 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
   if (!start) return start.status();
-  Outcome outcome = evaluate_batch(planned->whole, *start, model_->surface, fields_, history_.settings(), history_.revision() + 1);
+  Outcome outcome =
+      evaluate_batch(planned->whole, *start, model_->surface, fields_, history_.settings(), history_.revision() + 1);
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
 

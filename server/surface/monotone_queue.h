@@ -13,9 +13,9 @@
 
 namespace pelage {
 
-/// Gives vertices by rising distance, and of equally far ones by rising number: the order of a binary heap. It relies on
-/// nothing being added nearer than what was taken last, or much farther. Distances lie in bands; those of later bands
-/// wait unsorted (Dial 1969), so that the heap of the present band stays small.
+/// Gives vertices by rising distance, and of equally far ones by rising number: the order of a binary heap. It relies
+/// on nothing being added nearer than what was taken last, or much farther. Distances lie in bands; those of later
+/// bands wait unsorted (Dial 1969), so that the heap of the present band stays small.
 class MonotoneQueue {
  public:
   using Place = std::pair<double, std::uint32_t>;

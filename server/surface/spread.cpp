@@ -54,7 +54,8 @@ Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
   Spread spread = nothing_reached(normals.size());
   const std::vector<MonotoneQueue::Place> starts = placed(sources, spread);
   if (lengths_.empty()) return spread;
-  std::vector<std::uint32_t> before(normals.size());  // the vertex that the way comes from; the vertex itself at sources
+  std::vector<std::uint32_t> before(
+      normals.size());  // the vertex that the way comes from; the vertex itself at sources
   for (const auto& [distance, vertex] : starts) before[vertex] = vertex;
   MonotoneQueue front(std::max(mean_ / bands_a_step, longest_ / most_bands), longest_);
   for (auto start = starts.begin(); start != starts.end() || !front.empty();) {
@@ -64,8 +65,7 @@ Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
     if (distance > spread.distance[vertex]) continue;
     const std::uint32_t last = before[vertex];
     if (last != vertex)
-      spread.vector[vertex] =
-          transported(spread.vector[last], glm::dvec3(normals[last]), glm::dvec3(normals[vertex]));
+      spread.vector[vertex] = transported(spread.vector[last], glm::dvec3(normals[last]), glm::dvec3(normals[vertex]));
     for (std::uint32_t e = edges.begin[vertex]; e < edges.begin[vertex + 1]; ++e) {
       const std::uint32_t next = edges.others[e];
       const double there = distance + lengths_[e];

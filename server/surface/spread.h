@@ -24,7 +24,8 @@ struct Spread {
 
 /// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and refining the mesh does
 /// not cure that. Lengths of edges are found once for all searches, which may run in parallel. Of several shortest ways
-/// to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest vertex.
+/// to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
+/// vertex.
 class EdgeSearch {
  public:
   explicit EdgeSearch(const Surface& surface);

@@ -27,7 +27,8 @@ Cost measure(const std::function<void()>& work) {
   const double cpu = cpu_milliseconds();
   const auto start = std::chrono::steady_clock::now();
   work();
-  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(), cpu_milliseconds() - cpu};
+  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
+          cpu_milliseconds() - cpu};
 }
 
 std::vector<Cost> measure_alternating(const std::vector<std::function<void()>>& works, int repetitions) {

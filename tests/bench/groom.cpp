@@ -126,9 +126,15 @@ DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
     for (const FieldDelta& delta : deltas)
       costs.touched += static_cast<double>(delta.vertices().size()) / places / repetitions;
     for (Command& place : dabs) place = dab(surface.mesh(), radius, random);
-    least(costs.scene, measure([&] { for (const Command& one : dabs) require(made.scene().execute({one}).ok(), "a dab"); }));
-    least(costs.undo, measure([&] { for (int k = 0; k < places; ++k) require(made.scene().move(Undo{}).ok(), "undo"); }));
-    least(costs.redo, measure([&] { for (int k = 0; k < places; ++k) require(made.scene().move(Redo{}).ok(), "redo"); }));
+    least(costs.scene, measure([&] {
+            for (const Command& one : dabs) require(made.scene().execute({one}).ok(), "a dab");
+          }));
+    least(costs.undo, measure([&] {
+            for (int k = 0; k < places; ++k) require(made.scene().move(Undo{}).ok(), "undo");
+          }));
+    least(costs.redo, measure([&] {
+            for (int k = 0; k < places; ++k) require(made.scene().move(Redo{}).ok(), "redo");
+          }));
   }
   return costs;
 }
@@ -143,13 +149,16 @@ void print_row(const char* name, std::size_t vertices, const DabCosts& costs) {
 }
 
 void print_dabs(int few, int many, int repetitions) {
-  std::puts("One dab, CPU ms (wall ms), least of the repetitions' means; scene, undo and redo are synced to the journal\n\n"
-            "| tool | vertices | touched | evaluate | apply and hash | both | in a scene | undo | redo |\n"
-            "|---|---|---|---|---|---|---|---|---|");
-  const std::pair<const char*, Dab> tools[] = {{"comb", dab<Comb>}, {"smooth", dab<Smooth>}, {"lift", dab<Lift>}, {"clump", dab<Clump>}};
+  std::puts(
+      "One dab, CPU ms (wall ms), least of the repetitions' means; scene, undo and redo are synced to the journal\n\n"
+      "| tool | vertices | touched | evaluate | apply and hash | both | in a scene | undo | redo |\n"
+      "|---|---|---|---|---|---|---|---|---|");
+  const std::pair<const char*, Dab> tools[] = {
+      {"comb", dab<Comb>}, {"smooth", dab<Smooth>}, {"lift", dab<Lift>}, {"clump", dab<Clump>}};
   for (const int vertices : {few, many}) {
     JournaledScene made(vertices);
-    for (const auto& [name, one] : tools) print_row(name, made.surface().mesh().positions.size(), dab_costs(made, one, repetitions));
+    for (const auto& [name, one] : tools)
+      print_row(name, made.surface().mesh().positions.size(), dab_costs(made, one, repetitions));
   }
   std::puts("");
 }
@@ -192,13 +201,18 @@ std::vector<NamedTool> tools_on(const Mesh& mesh) {
 void print_undo_bytes(int vertices) {
   const Surface surface = torus(vertices);
   FieldSet fields = first_groom(surface.mesh(), {});
-  fields.apply(evaluate(Noise{.flood = true, .amount = 0.1, .fields = {Field::direction, Field::length}}, surface, fields).delta);
-  std::puts("Undo, octets for each touched vertex\n\n| tool | touched | fields | in flight | in the undo log |\n|---|---|---|---|---|");
+  fields.apply(
+      evaluate(Noise{.flood = true, .amount = 0.1, .fields = {Field::direction, Field::length}}, surface, fields)
+          .delta);
+  std::puts(
+      "Undo, octets for each touched vertex\n\n| tool | touched | fields | in flight | in the undo log "
+      "|\n|---|---|---|---|---|");
   for (const auto& [name, command] : tools_on(surface.mesh())) {
     const FieldDelta delta = evaluate(command, surface, fields).delta;
     const double touched = std::max(1.0, static_cast<double>(delta.vertices().size()));
     std::printf("| %s | %.0f | %zu | %.1f | %.1f |\n", name, touched, delta.parts.size(),
-                static_cast<double>(delta.bytes()) / touched, static_cast<double>(encode_delta(delta).size()) / touched);
+                static_cast<double>(delta.bytes()) / touched,
+                static_cast<double>(encode_delta(delta).size()) / touched);
   }
   std::puts("");
 }
@@ -231,15 +245,17 @@ void print_floods(int vertices, int repetitions) {
                           {"noise with features", Noise{.flood = true, .feature_size = 0.05}, 8 + 12 + 24 + 12},
                           {"unify to a value", Unify{.flood = true, .direction = glm::dvec3(1, 2, 3)}, 8 + 12 + 24},
                           {"unify to the mean", Unify{.flood = true, .mean = {Field::direction}}, 2 * (8 + 24) + 12}};
-  std::printf("Floods of %d vertices, ms, against copying the arrays that they read and write\n\n"
-              "| flood | octets a vertex | wall | CPU | copy, wall | ratio | CPU ratio |\n|---|---|---|---|---|---|---|\n",
-              vertices);
+  std::printf(
+      "Floods of %d vertices, ms, against copying the arrays that they read and write\n\n"
+      "| flood | octets a vertex | wall | CPU | copy, wall | ratio | CPU ratio |\n|---|---|---|---|---|---|---|\n",
+      vertices);
   for (const Flood& flood : floods) {
-    const auto costs = measure_alternating({[&] { require(!evaluate(flood.command, surface, fields).delta.empty(), flood.name); },
-                                            plain_copy(flood.octets * fields.size())},
-                                           repetitions);
-    std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f |\n", flood.name, flood.octets, costs[0].wall, costs[0].cpu,
-                costs[1].wall, costs[0].wall / costs[1].wall, costs[0].cpu / costs[1].cpu);
+    const auto costs =
+        measure_alternating({[&] { require(!evaluate(flood.command, surface, fields).delta.empty(), flood.name); },
+                             plain_copy(flood.octets * fields.size())},
+                            repetitions);
+    std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f |\n", flood.name, flood.octets, costs[0].wall,
+                costs[0].cpu, costs[1].wall, costs[0].wall / costs[1].wall, costs[0].cpu / costs[1].cpu);
     std::fflush(stdout);
   }
   std::puts("");
@@ -253,7 +269,8 @@ void print_interpolation(int vertices, int repetitions) {
   Interpolate command;
   for (int k = 0; k < 16; ++k) {
     const auto v = static_cast<std::size_t>(random.uniform(0, static_cast<double>(mesh.positions.size())));
-    command.keys.push_back({mesh.to_model(glm::dvec3(mesh.positions[v])), glm::dvec3(random.uniform(-1, 1), 1, 0), 0.5, 0.03});
+    command.keys.push_back(
+        {mesh.to_model(glm::dvec3(mesh.positions[v])), glm::dvec3(random.uniform(-1, 1), 1, 0), 0.5, 0.03});
   }
   Cost cost;
   for (int i = 0; i < repetitions; ++i)

@@ -1,5 +1,7 @@
 // What a large model costs on its way into a scene: read by the confined worker, prepared, indexed, covered by patches.
 // usage: bench_import [--triangles N]
+#include "server/surface/import.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -7,7 +9,6 @@
 
 #include "server/fields/field_set.h"
 #include "server/surface/builtin.h"
-#include "server/surface/import.h"
 #include "server/surface/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"

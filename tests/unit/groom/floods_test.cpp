@@ -117,7 +117,8 @@ TEST_F(FloodsTest, ManyKeysFollowTheFormulaAsFewDo) {
 TEST_F(FloodsTest, GiveTheSameBitsEveryTime) {
   const Mesh& mesh = surface_.mesh();
   const FieldSet fields = ruffled();
-  const Key key{mesh.to_model(place(5)), glm::dvec3(0, 1, 0), 0.9, 0.05}, other{mesh.to_model(place(20'000)), glm::dvec3(1, 0, 0)};
+  const Key key{mesh.to_model(place(5)), glm::dvec3(0, 1, 0), 0.9, 0.05},
+      other{mesh.to_model(place(20'000)), glm::dvec3(1, 0, 0)};
   const std::vector<Command> commands{
       Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)},
       Smooth{.flood = true, .passes = 1, .fields = {Field::direction, Field::length}},
@@ -142,9 +143,9 @@ TEST_F(FloodsTest, WritingOnAllCoresGivesWhatOneWriterGives) {
   FieldDelta expected, written;
   one.finish(expected);
   const auto count = static_cast<std::uint32_t>(fields.size());
-  const std::size_t held = write_in_parallel(fields, Field::length, count, written, [&](std::uint32_t v, FieldWriter& writer) {
-    return writer.put(v, value(v));
-  });
+  const std::size_t held =
+      write_in_parallel(fields, Field::length, count, written,
+                        [&](std::uint32_t v, FieldWriter& writer) { return writer.put(v, value(v)); });
   EXPECT_EQ(written, expected);
   EXPECT_EQ(held, held_by_one);
   EXPECT_GT(held, 0u);

@@ -153,7 +153,13 @@ class UndoMemoryTest : public ::testing::Test {
   void step(float length) {
     FieldSet after = fields_;
     for (std::uint32_t v = 0; v < fields_.size(); ++v) after.set(v, {{}, length, 0});
-    take({history_.revision() + 1, EntryKind::command, 0, encode(Command(comb_at(length))), difference(fields_, after), {}, {}});
+    take({history_.revision() + 1,
+          EntryKind::command,
+          0,
+          encode(Command(comb_at(length))),
+          difference(fields_, after),
+          {},
+          {}});
   }
   void undo(std::uint64_t steps) {
     const Result<FieldDelta> delta = history_.undo(steps);
