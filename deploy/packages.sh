@@ -7,7 +7,7 @@ build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml 
   libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev libtinyobjloader-dev libassimp-dev libembree-dev libeigen3-dev
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
 demo=("${build[@]}" glmark2-data openimageio-tools)
-test=("${demo[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev python3-pil python3-numpy python3-jsonschema curl
+test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema curl
   clang-14 libclang-rt-14-dev)
 
 case "${1:-}" in

@@ -39,8 +39,7 @@ void flip(float* channels, const std::uint32_t* flips, int count) {
 }  // namespace
 
 glm::vec2 stored_direction(glm::dvec2 direction) {
-  const double inclination = glm::length(direction);
-  if (inclination > 1) direction /= inclination;
+  if (glm::dot(direction, direction) > 1) direction /= glm::length(direction);
   glm::vec2 rounded(direction);
   const glm::dvec2 wide(rounded);
   if (glm::dot(wide, wide) > 1) rounded = glm::vec2(direction * (1 - 2e-7));  // rounding must not pass 1
@@ -73,11 +72,13 @@ glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const {
   assert(vertex < vertices_);
   const FieldShape& shape = shape_of(field);
   const std::vector<float>& all = values(field);
-  glm::vec4 value(0);
-  for (int c = 0; c < shape.channels; ++c) {
-    value[c] = all.empty() ? shape.rest : all[vertex * static_cast<std::size_t>(shape.channels) + std::size_t(c)];
+  const int channels = shape.channels;
+  if (all.empty()) {
+    const float rest = shape.rest;
+    return {rest, channels > 1 ? rest : 0, channels > 2 ? rest : 0, channels > 3 ? rest : 0};
   }
-  return value;
+  const float* stored = &all[vertex * static_cast<std::size_t>(channels)];
+  return {stored[0], channels > 1 ? stored[1] : 0, channels > 2 ? stored[2] : 0, channels > 3 ? stored[3] : 0};
 }
 
 float FieldSet::number(Field field, std::uint32_t vertex) const {

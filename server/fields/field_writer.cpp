@@ -29,6 +29,25 @@ bool FieldWriter::put(std::uint32_t vertex, glm::dvec4 value) {
   return held;
 }
 
+void FieldWriter::reserve(std::size_t vertices) {
+  part_.vertices.reserve(vertices);
+  part_.flips.reserve(vertices * static_cast<std::size_t>(shape_of(part_.field).channels));
+}
+
+void FieldWriter::finish_together(std::span<FieldWriter> writers, FieldDelta& delta) {
+  if (writers.empty()) return;
+  std::size_t vertices = 0;
+  for (const FieldWriter& writer : writers) vertices += writer.part_.vertices.size();
+  FieldWriter all(writers.front().fields_, writers.front().part_.field);
+  all.reserve(vertices);
+  for (const FieldWriter& writer : writers) {
+    const FieldDelta::Part& part = writer.part_;
+    all.part_.vertices.insert(all.part_.vertices.end(), part.vertices.begin(), part.vertices.end());
+    all.part_.flips.insert(all.part_.flips.end(), part.flips.begin(), part.flips.end());
+  }
+  all.finish(delta);
+}
+
 void FieldWriter::finish(FieldDelta& delta) {
   if (part_.vertices.empty()) return;
   assert(delta.parts.empty() || delta.parts.back().field < part_.field);

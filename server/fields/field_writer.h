@@ -1,12 +1,16 @@
 // Turns the values that a tool computes into a change.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <numeric>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "server/fields/field_set.h"
+#include "server/surface/parallel.h"
 
 namespace pelage {
 
@@ -21,13 +25,36 @@ class FieldWriter {
   bool put(std::uint32_t vertex, double value) { return put(vertex, glm::dvec4(value, 0, 0, 0)); }
   bool put(std::uint32_t vertex, glm::dvec2 value) { return put(vertex, glm::dvec4(value, 0, 0)); }
 
+  /// Makes room for the changes of as many vertices.
+  void reserve(std::size_t vertices);
+
   /// Adds the change to the delta. Writers of one command finish in the order of their fields.
   void finish(FieldDelta& delta);
+  /// The same for writers of one field whose vertices follow one another.
+  static void finish_together(std::span<FieldWriter> writers, FieldDelta& delta);
 
  private:
   const FieldSet& fields_;
   FieldDelta::Part part_;
 };
+
+/// Writes one field on all cores: put(i, writer) is called once for each i < count and puts what it has for the i-th of
+/// rising vertices, if anything. Gives how many calls were true (a limit held a value back). The same bits at any
+/// number of threads.
+template <class Put>
+std::size_t write_in_parallel(const FieldSet& fields, Field field, std::uint32_t count, FieldDelta& delta,
+                              const Put& put) {
+  constexpr std::uint32_t run = 1 << 14;
+  std::vector<FieldWriter> writers((count + run - 1) / run, FieldWriter(fields, field));
+  std::vector<std::size_t> held(writers.size(), 0);
+  for_each_in_parallel(static_cast<std::uint32_t>(writers.size()), [&](std::uint32_t r) {
+    const std::uint32_t end = std::min(count, (r + 1) * run);
+    writers[r].reserve(end - r * run);
+    for (std::uint32_t i = r * run; i < end; ++i) held[r] += put(i, writers[r]);
+  });
+  FieldWriter::finish_together(writers, delta);
+  return std::accumulate(held.begin(), held.end(), std::size_t{0});
+}
 
 /// Values of one field that a tool visits again and again while it is evaluated, in double. Its cost follows the
 /// vertices that were asked for, never the mesh.

@@ -24,11 +24,12 @@ void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fie
   if (!command.direction) return;
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 towards = safe_unit(*command.direction) * (command.brush.invert ? -1.0 : 1.0);
-  FieldWriter writer(fields, Field::direction);
-  for (const auto [v, weight] : region_of({}, command.brush, surface, fields)) {
-    writer.put(v, combed(command, glm::dvec2(fields.direction()[v]), frame_at(mesh, v), towards, weight));
-  }
-  writer.finish(delta);
+  const std::vector<VertexWeight> region = region_of({}, command.brush, surface, fields);
+  const auto count = static_cast<std::uint32_t>(region.size());
+  write_in_parallel(fields, Field::direction, count, delta, [&](std::uint32_t i, FieldWriter& writer) {
+    const auto [v, weight] = region[i];
+    return writer.put(v, combed(command, glm::dvec2(fields.direction()[v]), frame_at(mesh, v), towards, weight));
+  });
 }
 
 /// Each dab turns fur the way that the brush moved. The exponent makes many small dabs do what one large one does.

@@ -42,29 +42,47 @@ std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const
   return sources;
 }
 
+/// The way that all curves together give the region's vertices.
+std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface& surface,
+                                              const std::vector<VertexWeight>& region) {
+  const double sigma = internal_length(command.sigma, command.units, surface.mesh());
+  const Spreader spreader(surface, command.distance);
+  std::vector<GaussianMean<glm::dvec3>> ways(region.size());
+  std::vector<Spread> spreads;
+  for (std::size_t first = 0; first < command.curves.size(); first += spreads_at_a_time) {
+    spreads.resize(std::min(spreads_at_a_time, command.curves.size() - first));
+    for_each_in_parallel(static_cast<std::uint32_t>(spreads.size()), [&](std::uint32_t k) {
+      spreads[k] = spreader(sources_of(command.curves[first + k], surface));
+    });
+    for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t v = region[i].vertex;
+        ways[i].add(
+            spreads.size(), sigma, [&](std::size_t k) { return spreads[k].distance[v]; },
+            [&](std::size_t k) { return spreads[k].vector[v]; });
+      }
+    });
+  }
+  return ways;
+}
+
 }  // namespace
 
 Evaluation flow(const Flow& command, const Surface& surface, const FieldSet& fields) {
-  const Mesh& mesh = surface.mesh();
-  const double sigma = internal_length(command.sigma, command.units, mesh);
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
-  std::vector<Spread> spreads(command.curves.size());
-  const Spreader spreader(surface, command.distance);
-  for_each_in_parallel(static_cast<std::uint32_t>(spreads.size()),
-                       [&](std::uint32_t k) { spreads[k] = spreader(sources_of(command.curves[k], surface)); });
-  FieldWriter directions(fields, Field::direction);
-  std::vector<double> distances(spreads.size()), weights(spreads.size());
-  for (const auto [v, restriction] : region_of(command.stroke, brush, surface, fields)) {
-    for (std::size_t k = 0; k < spreads.size(); ++k) distances[k] = spreads[k].distance[v];
-    gaussian_weights(distances, sigma, weights);
-    glm::dvec3 way(0);
-    for (std::size_t k = 0; k < spreads.size(); ++k) way += weights[k] * spreads[k].vector[v];
-    const glm::dvec2 direction(fields.direction()[v]);
-    const double lean = command.inclination.value_or(glm::length(direction));
-    directions.put(v, turned(direction, frame_at(mesh, v), way, lean, command.strength * restriction));
-  }
+  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields);
   Evaluation done;
-  directions.finish(done.delta);
+  if (region.empty()) return done;
+  const std::vector<GaussianMean<glm::dvec3>> ways = ways_of(command, surface, region);
+  write_in_parallel(fields, Field::direction, static_cast<std::uint32_t>(region.size()), done.delta,
+                    [&](std::uint32_t i, FieldWriter& directions) {
+                      const auto [v, restriction] = region[i];
+                      if (!ways[i].reached()) return false;
+                      const glm::dvec2 direction(fields.direction()[v]);
+                      const double lean = command.inclination.value_or(glm::length(direction));
+                      return directions.put(v, turned(direction, frame_at(surface.mesh(), v), ways[i].mean(), lean,
+                                                      command.strength * restriction));
+                    });
   return done;
 }
 

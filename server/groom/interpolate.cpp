@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "server/fields/field_writer.h"
@@ -38,73 +38,63 @@ std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
 
 /// What all keys together say at one vertex.
 struct Said {
-  double lean_weight = 0, length_weight = 0;  // 0: no key with one reaches it
-  glm::dvec3 lean{0};
-  double length = 0;
+  GaussianMean<glm::dvec3> lean;
+  GaussianMean<double> length;  // sizes
 };
 
-/// The keys spread over the surface.
-class SpreadKeys {
- public:
-  SpreadKeys(const Interpolate& command, const Surface& surface)
-      : keys_(command.keys),
-        sigma_(internal_length(command.sigma, command.units, surface.mesh())),
-        spreads_(command.keys.size()) {
-    const Spreader spreader(surface, command.distance);
-    for_each_in_parallel(static_cast<std::uint32_t>(keys_.size()),
-                         [&](std::uint32_t k) { spreads_[k] = spreader(sources_of(keys_[k], surface)); });
-    for (const Key& key : keys_)
-      lengths_.push_back(key.length ? internal_length(*key.length, command.units, surface.mesh()) : 0);
+/// What the keys say at the region's vertices. Keys without a direction say nothing about it, and those without a
+/// length nothing about that.
+std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surface,
+                                const std::vector<VertexWeight>& region) {
+  constexpr double silent = std::numeric_limits<double>::infinity();
+  const double sigma = internal_length(command.sigma, command.units, surface.mesh());
+  const Spreader spreader(surface, command.distance);
+  std::vector<Said> said(region.size());
+  std::vector<Spread> spreads;
+  for (std::size_t first = 0; first < command.keys.size(); first += spreads_at_a_time) {
+    const std::span keys =
+        std::span(command.keys).subspan(first, std::min(spreads_at_a_time, command.keys.size() - first));
+    spreads.resize(keys.size());
+    for_each_in_parallel(static_cast<std::uint32_t>(keys.size()),
+                         [&](std::uint32_t k) { spreads[k] = spreader(sources_of(keys[k], surface)); });
+    for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t v = region[i].vertex;
+        said[i].lean.add(
+            keys.size(), sigma, [&](std::size_t k) { return keys[k].direction ? spreads[k].distance[v] : silent; },
+            [&](std::size_t k) { return spreads[k].vector[v]; });
+        said[i].length.add(
+            keys.size(), sigma, [&](std::size_t k) { return keys[k].length ? spreads[k].distance[v] : silent; },
+            [&](std::size_t k) { return internal_length(*keys[k].length, command.units, surface.mesh()); });
+      }
+    });
   }
-
-  /// Keys without a direction say nothing about it, and those without a length nothing about that.
-  Said at(std::uint32_t vertex, std::vector<double>& distances, std::vector<double>& weights) const {
-    Said said;
-    weigh(vertex, [](const Key& key) { return key.direction.has_value(); }, distances, weights);
-    for (std::size_t k = 0; k < keys_.size(); ++k)
-      said.lean += weights[k] * spreads_[k].vector[vertex], said.lean_weight += weights[k];
-    weigh(vertex, [](const Key& key) { return key.length.has_value(); }, distances, weights);
-    for (std::size_t k = 0; k < keys_.size(); ++k)
-      said.length += weights[k] * lengths_[k], said.length_weight += weights[k];
-    return said;
-  }
-
-  std::size_t count() const { return keys_.size(); }
-
- private:
-  template <class Speaks>
-  void weigh(std::uint32_t vertex, Speaks speaks, std::vector<double>& distances, std::vector<double>& weights) const {
-    constexpr double silent = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < keys_.size(); ++k)
-      distances[k] = speaks(keys_[k]) ? spreads_[k].distance[vertex] : silent;
-    gaussian_weights(distances, sigma_, weights);
-  }
-
-  const std::vector<Key>& keys_;
-  double sigma_;  // sizes
-  std::vector<Spread> spreads_;
-  std::vector<double> lengths_;  // sizes
-};
+  return said;
+}
 
 }  // namespace
 
 Evaluation interpolate(const Interpolate& command, const Surface& surface, const FieldSet& fields) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
-  const SpreadKeys keys(command, surface);
-  FieldWriter directions(fields, Field::direction), lengths(fields, Field::length);
-  std::vector<double> distances(keys.count()), weights(keys.count());
+  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields);
   Evaluation done;
-  for (const auto [v, restriction] : region_of(command.stroke, brush, surface, fields)) {
-    const double weight = command.strength * restriction;
-    const Said said = keys.at(v, distances, weights);
-    const Groom fur = fields.at(v);
-    if (said.lean_weight > 0) {
-      const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(said.lean);
-      directions.put(v, glm::dvec2(glm::mix(glm::dvec2(fur.direction), towards, weight)));
-    }
-    if (said.length_weight > 0) done.clamped += lengths.put(v, glm::mix(double{fur.length}, said.length, weight));
-  }
-  directions.finish(done.delta), lengths.finish(done.delta);
+  if (region.empty()) return done;
+  const std::vector<Said> said = what_keys_say(command, surface, region);
+  const auto count = static_cast<std::uint32_t>(region.size());
+  write_in_parallel(fields, Field::direction, count, done.delta, [&](std::uint32_t i, FieldWriter& directions) {
+    const std::uint32_t v = region[i].vertex;
+    if (!said[i].lean.reached()) return false;
+    const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(said[i].lean.mean());
+    return directions.put(
+        v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, command.strength * region[i].weight)));
+  });
+  done.clamped +=
+      write_in_parallel(fields, Field::length, count, done.delta, [&](std::uint32_t i, FieldWriter& lengths) {
+        const std::uint32_t v = region[i].vertex;
+        if (!said[i].length.reached()) return false;
+        return lengths.put(
+            v, glm::mix(double{fields.length()[v]}, said[i].length.mean(), command.strength * region[i].weight));
+      });
   return done;
 }
 

@@ -1,6 +1,9 @@
 // Blending what several sources say, by Gaussian weights of their distances (fur modelling 5.1).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +13,9 @@
 #include "server/surface/spread.h"
 
 namespace pelage {
+
+/// As many sources are spread over the surface at a time, so that memory does not grow with their number.
+inline constexpr std::size_t spreads_at_a_time = 16;
 
 /// Distances and directions from sources, by the distance that a command names. Directions go the way of Dijkstra's
 /// search where they do not go straight. Calls may run in parallel.
@@ -21,11 +27,45 @@ class Spreader {
  private:
   const Surface& surface_;
   DistanceKind kind_;
+  std::optional<EdgeSearch> along_edges_;
   std::optional<HeatDistance> heat_;
 };
 
-/// exp(-d^2 / (2 sigma^2)) for each distance, over their sum. The largest exponent is taken off first, so that far from
-/// all sources the sum is not 0 / 0 (science.md 3). All 0 where every distance is infinite.
-void gaussian_weights(std::span<const double> distances, double sigma, std::span<double> weights);
+/// The mean of values by the weights exp(-d^2 / (2 sigma^2)) of their distances d. The largest exponent is taken off,
+/// so that far from all sources the mean is not 0 / 0 (science.md 3). Values come in one portion or in several.
+template <class Value>
+class GaussianMean {
+ public:
+  /// The values of the first `count` sources: distance(k), infinite for those that say nothing, and value(k).
+  template <class Distance, class ValueOf>
+  void add(std::size_t count, double sigma, const Distance& distance, const ValueOf& value) {
+    double nearest = nearest_;
+    for (std::size_t k = 0; k < count; ++k) nearest = std::min(nearest, distance(k));
+    if (!std::isfinite(nearest)) return;
+    const double rescaled = weight_ > 0 ? weight_of(nearest_, nearest, sigma) : 0;
+    weight_ *= rescaled, sum_ *= rescaled, nearest_ = nearest;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double weight = weight_of(distance(k), nearest, sigma);
+      if (weight > 0) weight_ += weight, sum_ += weight * value(k);
+    }
+  }
+
+  /// Whether any source reached it.
+  bool reached() const { return weight_ > 0; }
+  /// Of what reached it; there must be something.
+  Value mean() const { return sum_ / weight_; }
+
+ private:
+  /// exp(-(d^2 - n^2) / (2 sigma^2)); the difference as a product, which does not cancel where both are large.
+  static double weight_of(double distance, double nearest, double sigma) {
+    constexpr double vanishing = 1500;  // exp(-750) has no double
+    if (distance == nearest) return 1;
+    const double over = (distance - nearest) / sigma * ((distance + nearest) / sigma);
+    return over < vanishing ? std::exp(-0.5 * over) : 0;
+  }
+
+  double nearest_ = std::numeric_limits<double>::infinity(), weight_ = 0;
+  Value sum_{0};
+};
 
 }  // namespace pelage

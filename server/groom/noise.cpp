@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "protocol/base/random.h"
 #include "server/fields/field_writer.h"
@@ -18,15 +19,30 @@ class PlacedNoise {
   PlacedNoise(const Noise& command, const Mesh& mesh)
       : seed_(command.seed), feature_(internal_length(command.feature_size, command.units, mesh)) {}
 
-  /// In [-1, 1], another one for each `channel`.
-  double at(glm::vec3 position, std::uint64_t channel) const {
-    constexpr double finest = 1e-8;  // sizes; below it the lattice leaves the range of value_noise
-    const std::uint64_t stream = mix_bits(seed_ ^ (channel << 32));
-    if (feature_ >= finest) return value_noise(glm::dvec3(position) / feature_, stream);
-    const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.0f)}; };
-    const std::uint64_t place = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
-    return Random(stream, place).uniform(-1, 1);
-  }
+  /// The numbers of one place.
+  class Numbers {
+   public:
+    Numbers(const PlacedNoise& noise, glm::vec3 position) : seed_(noise.seed_) {
+      constexpr double finest = 1e-8;  // sizes; below it the lattice leaves the range of value_noise
+      if (noise.feature_ >= finest)
+        lattice_.emplace(glm::dvec3(position) / noise.feature_);
+      else
+        place_ = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
+    }
+
+    /// In [-1, 1], another one for each channel.
+    double operator()(std::uint64_t channel) const {
+      const std::uint64_t stream = mix_bits(seed_ ^ (channel << 32));
+      return lattice_ ? (*lattice_)(stream) : Random(stream, place_).uniform(-1, 1);
+    }
+
+   private:
+    static std::uint64_t bits(float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); }
+
+    std::uint64_t seed_, place_ = 0;
+    std::optional<ValueNoise> lattice_;
+  };
+  Numbers at(glm::vec3 position) const { return {*this, position}; }
 
  private:
   std::uint64_t seed_;
@@ -36,8 +52,8 @@ class PlacedNoise {
 /// A random vector in the unit cube, its part in the surface added to the direction.
 glm::dvec4 disturbed_direction(glm::dvec2 direction, const PlacedNoise& noise, const Mesh& mesh, std::uint32_t v,
                                double amount) {
-  const glm::vec3 position = mesh.positions[v];
-  const glm::dvec3 random(noise.at(position, 0), noise.at(position, 1), noise.at(position, 2));
+  const PlacedNoise::Numbers numbers = noise.at(mesh.positions[v]);
+  const glm::dvec3 random(numbers(0), numbers(1), numbers(2));
   return glm::dvec4(direction + amount * frame_at(mesh, v).tangent_part(random), 0, 0);
 }
 
@@ -52,21 +68,20 @@ Evaluation noise(const Noise& command, const Surface& surface, const FieldSet& f
     const Field field = field_at(f);
     if (std::count(command.fields.begin(), command.fields.end(), field) == 0) continue;
     const bool relative = field == Field::length || field == Field::width || field == Field::stretch;
-    FieldWriter writer(fields, field);
-    for (const auto [v, weight] : region) {
+    const auto count = static_cast<std::uint32_t>(region.size());
+    done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
+      const auto [v, weight] = region[i];
       const double amount = command.amount * weight;
       glm::dvec4 value(fields.value(field, v));
-      if (field == Field::direction) {
-        value = disturbed_direction(glm::dvec2(value), random, mesh, v, amount);
-      } else {
-        for (int c = 0; c < shape_of(field).channels; ++c) {
-          const double change = amount * random.at(mesh.positions[v], 8 * f + static_cast<std::size_t>(c));
-          value[c] += relative ? change * value[c] : change;
-        }
+      if (field == Field::direction)
+        return writer.put(v, disturbed_direction(glm::dvec2(value), random, mesh, v, amount));
+      const PlacedNoise::Numbers numbers = random.at(mesh.positions[v]);
+      for (int c = 0; c < shape_of(field).channels; ++c) {
+        const double change = amount * numbers(8 * f + static_cast<std::size_t>(c));
+        value[c] += relative ? change * value[c] : change;
       }
-      done.clamped += writer.put(v, value);
-    }
-    writer.finish(done.delta);
+      return writer.put(v, value);
+    });
   }
   return done;
 }

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
@@ -12,102 +12,187 @@ namespace pelage {
 
 namespace {
 
-/// A neighbour: its share of the mean, and the turn from its frame to the vertex's own.
-struct Neighbour {
-  std::uint32_t vertex;
-  float share;
-  glm::vec2 turn{1, 0};  // cosine and sine
-};
-
-/// The neighbours of a region's vertices, ready for many passes.
-class Ring {
+/// The vertices that smoothing a region reads: its own and their neighbours. A small region has numbers of its own for
+/// them, so that a dab does not cost what the mesh does; a large one takes the mesh's.
+class Neighbourhood {
  public:
-  Ring(const std::vector<VertexWeight>& region, const Surface& surface) : begin_(region.size() + 1) {
-    for (std::size_t i = 0; i < region.size(); ++i)
-      begin_[i + 1] = begin_[i] + static_cast<std::uint32_t>(surface.neighbours(region[i].vertex).size());
-    neighbours_.resize(begin_.back());
-    for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t first, std::uint32_t end) {
-      for (std::uint32_t i = first; i < end; ++i) fill(region[i].vertex, surface, &neighbours_[begin_[i]]);
-    });
-  }
-
-  std::span<const Neighbour> of(std::size_t i) const {
-    return std::span(neighbours_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
-  }
-
- private:
-  /// Shares are the inverse distances over their sum; welded meshes have no two vertices in one place.
-  static void fill(std::uint32_t vertex, const Surface& surface, Neighbour* out) {
-    const Mesh& mesh = surface.mesh();
-    const auto others = surface.neighbours(vertex);
-    const VertexFrame frame = frame_at(mesh, vertex);
-    double sum = 0;
-    for (const std::uint32_t other : others)
-      sum += 1 / glm::distance(glm::dvec3(mesh.positions[other]), glm::dvec3(mesh.positions[vertex]));
-    for (const std::uint32_t other : others) {
-      const double inverse = 1 / glm::distance(glm::dvec3(mesh.positions[other]), glm::dvec3(mesh.positions[vertex]));
-      const VertexFrame from = frame_at(mesh, other);
-      const glm::dvec2 turn = frame.tangent_part(transported(from.tangent, from.normal, frame.normal));
-      const double length = glm::length(turn);
-      *out++ = {other, static_cast<float>(inverse / sum), length > 0 ? glm::vec2(turn / length) : glm::vec2(1, 0)};
+  Neighbourhood(const std::vector<VertexWeight>& region, const Surface& surface)
+      : region_(region), surface_(surface), all_(region.size() >= surface.mesh().positions.size() / 8) {
+    if (all_) return;
+    begin_.push_back(0);
+    for (const VertexWeight& place : region) {
+      const auto others = surface.neighbours(place.vertex);
+      vertices_.push_back(place.vertex);
+      vertices_.insert(vertices_.end(), others.begin(), others.end());
+      begin_.push_back(begin_.back() + static_cast<std::uint32_t>(others.size()));
+    }
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    for (const VertexWeight& place : region) {
+      for (const std::uint32_t other : surface.neighbours(place.vertex)) others_.push_back(number_of(other));
+      numbers_.push_back(number_of(place.vertex));
     }
   }
 
-  std::vector<std::uint32_t> begin_;
-  std::vector<Neighbour> neighbours_;
+  std::size_t size() const { return all_ ? surface_.mesh().positions.size() : vertices_.size(); }
+  std::uint32_t vertex(std::uint32_t number) const { return all_ ? number : vertices_[number]; }
+  /// Of the region's i-th vertex and of its neighbours.
+  std::uint32_t number(std::size_t i) const { return all_ ? region_[i].vertex : numbers_[i]; }
+  std::span<const std::uint32_t> others(std::size_t i) const {
+    return all_ ? surface_.neighbours(region_[i].vertex)
+                : std::span(others_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+  }
+
+ private:
+  std::uint32_t number_of(std::uint32_t vertex) const {
+    return static_cast<std::uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin());
+  }
+
+  const std::vector<VertexWeight>& region_;
+  const Surface& surface_;
+  bool all_;
+  std::vector<std::uint32_t> vertices_;  // by number, rising
+  std::vector<std::uint32_t> numbers_, begin_, others_;
 };
 
-glm::dvec2 turned_by(glm::vec2 turn, glm::dvec2 v) {
-  return {turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y};
+/// How neighbours enter a mean: by a share, and directions also turned from the neighbour's frame to the vertex's own,
+/// as a complex number whose length is the share.
+using Share = float;
+using TurnedShare = glm::vec2;
+
+template <class Value>
+Value shared(Share share, const Value& value) {
+  return double{share} * value;
+}
+glm::dvec2 shared(TurnedShare turn, glm::dvec2 v) { return {turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y}; }
+
+void put_share(Share& share, double part, const Mesh&, const VertexFrame&, std::uint32_t) {
+  share = static_cast<float>(part);
+}
+void put_share(TurnedShare& share, double part, const Mesh& mesh, const VertexFrame& frame, std::uint32_t other) {
+  const glm::dvec3 normal(mesh.normals[other]), tangent(mesh.tangents[other]);
+  const glm::dvec2 turn = frame.tangent_part(transported(tangent, normal, frame.normal));
+  const double length = glm::length(turn);
+  share = length > 0 ? TurnedShare(turn * (part / length)) : TurnedShare(part, 0);
 }
 
-/// One field, smoothed over a region, in double between the passes.
-class SmoothedField {
+/// Shares are the inverse distances over their sum; welded meshes have no two vertices in one place.
+template <class AnyShare>
+void put_shares(std::uint32_t vertex, const Surface& surface, std::vector<double>& inverses, AnyShare* shares) {
+  const Mesh& mesh = surface.mesh();
+  const auto others = surface.neighbours(vertex);
+  const VertexFrame frame = frame_at(mesh, vertex);
+  inverses.clear();
+  double sum = 0;
+  for (const std::uint32_t other : others) {
+    inverses.push_back(1 / glm::distance(glm::dvec3(mesh.positions[other]), glm::dvec3(mesh.positions[vertex])));
+    sum += inverses.back();
+  }
+  for (std::size_t k = 0; k < others.size(); ++k) put_share(shares[k], inverses[k] / sum, mesh, frame, others[k]);
+}
+
+/// The shares of all neighbours of a region's vertices. For one pass alone they are found when they are needed.
+template <class AnyShare>
+class Ring {
  public:
-  SmoothedField(const Smooth& command, Field field, const FieldSet& fields)
-      : command_(command), field_(field), channels_(shape_of(field).channels), now_(fields.size()) {
-    for (std::uint32_t v = 0; v < now_.size(); ++v) now_[v] = glm::dvec4(fields.value(field, v));
-    next_.resize(now_.size());
-  }
-
-  void pass(const std::vector<VertexWeight>& region, const Ring& ring) {
-    const auto count = static_cast<std::uint32_t>(region.size());
-    for_each_run_in_parallel(count, [&](std::uint32_t first, std::uint32_t end) {
-      for (std::uint32_t i = first; i < end; ++i)
-        next_[region[i].vertex] = smoothed(region[i].vertex, command_.t * region[i].weight, ring.of(i));
-    });
-    for_each_run_in_parallel(count, [&](std::uint32_t first, std::uint32_t end) {
-      for (std::uint32_t i = first; i < end; ++i) now_[region[i].vertex] = next_[region[i].vertex];
+  Ring(const std::vector<VertexWeight>& region, const Surface& surface, bool keep)
+      : region_(region), surface_(surface) {
+    if (!keep) return;
+    begin_.resize(region.size() + 1);
+    for (std::size_t i = 0; i < region.size(); ++i)
+      begin_[i + 1] = begin_[i] + static_cast<std::uint32_t>(surface.neighbours(region[i].vertex).size());
+    kept_.resize(begin_.back());
+    for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t first, std::uint32_t end) {
+      std::vector<double> inverses;
+      for (std::uint32_t i = first; i < end; ++i) put_shares(region[i].vertex, surface, inverses, &kept_[begin_[i]]);
     });
   }
 
-  std::size_t finish(const std::vector<VertexWeight>& region, const FieldSet& fields, FieldDelta& delta) const {
-    FieldWriter writer(fields, field_);
-    std::size_t held = 0;
-    for (const VertexWeight& place : region) held += writer.put(place.vertex, now_[place.vertex]);
-    writer.finish(delta);
-    return held;
+  /// Room for the shares of one vertex.
+  struct Scratch {
+    std::vector<double> inverses;
+    std::vector<AnyShare> shares;
+  };
+  std::span<const AnyShare> of(std::size_t i, Scratch& scratch) const {
+    if (!begin_.empty()) return std::span(kept_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+    scratch.shares.resize(surface_.neighbours(region_[i].vertex).size());
+    put_shares(region_[i].vertex, surface_, scratch.inverses, scratch.shares.data());
+    return scratch.shares;
   }
 
  private:
-  glm::dvec4 smoothed(std::uint32_t v, double t, std::span<const Neighbour> neighbours) const {
-    if (neighbours.empty()) return now_[v];
-    glm::dvec4 mean(0);
-    for (const Neighbour& other : neighbours) {
-      const glm::dvec4 value = now_[other.vertex];
-      mean += double{other.share} *
-              (field_ == Field::direction ? glm::dvec4(turned_by(other.turn, glm::dvec2(value)), 0, 0) : value);
+  const std::vector<VertexWeight>& region_;
+  const Surface& surface_;
+  std::vector<std::uint32_t> begin_;
+  std::vector<AnyShare> kept_;
+};
+
+glm::dvec4 wide(double value) { return {value, 0, 0, 0}; }
+glm::dvec4 wide(glm::dvec2 value) { return {value, 0, 0}; }
+glm::dvec4 wide(const glm::dvec4& value) { return value; }
+
+void narrow(const glm::dvec4& from, double& to) { to = from.x; }
+template <class Value>
+void narrow(const glm::dvec4& from, Value& to) {
+  to = Value(from);
+}
+
+/// One field of a region, smoothed in double between the passes.
+template <class Value, class AnyShare>
+class SmoothedField {
+ public:
+  SmoothedField(const Smooth& command, Field field, const std::vector<VertexWeight>& region, const Neighbourhood& near,
+                const Surface& surface, const FieldSet& fields)
+      : command_(command),
+        field_(field),
+        region_(region),
+        near_(near),
+        fields_(fields),
+        ring_(region, surface, command.passes > 1),
+        now_(near.size()) {
+    for_each_run_in_parallel(static_cast<std::uint32_t>(now_.size()), [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t n = begin; n < end; ++n) narrow(glm::dvec4(fields.value(field, near.vertex(n))), now_[n]);
+    });
+    next_ = now_;
+  }
+
+  std::size_t smooth(FieldDelta& delta) {
+    const auto count = static_cast<std::uint32_t>(region_.size());
+    for (int pass = 0; pass < command_.passes; ++pass) {
+      for_each_run_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
+        typename Ring<AnyShare>::Scratch scratch;
+        for (std::uint32_t i = begin; i < end; ++i) next_[near_.number(i)] = smoothed(i, scratch);
+      });
+      now_.swap(next_);
     }
-    const glm::dvec4 blended = now_[v] + t * (mean - now_[v]);
-    if (field_ != Field::direction || !command_.keep_inclination) return blended;
-    const double length = glm::length(blended);
-    return length > no_heading ? blended * (glm::length(now_[v]) / length) : now_[v];
+    return write_in_parallel(fields_, field_, count, delta, [&](std::uint32_t i, FieldWriter& writer) {
+      return writer.put(region_[i].vertex, wide(now_[near_.number(i)]));
+    });
+  }
+
+ private:
+  Value smoothed(std::size_t i, typename Ring<AnyShare>::Scratch& scratch) const {
+    const Value& own = now_[near_.number(i)];
+    const auto others = near_.others(i);
+    if (others.empty()) return own;
+    const auto shares = ring_.of(i, scratch);
+    Value mean(0);
+    for (std::size_t k = 0; k < others.size(); ++k) mean += shared(shares[k], now_[others[k]]);
+    const Value blended = own + command_.t * region_[i].weight * (mean - own);
+    if constexpr (std::is_same_v<AnyShare, TurnedShare>) {
+      const double length = glm::length(blended);
+      if (command_.keep_inclination) return length > no_heading ? blended * (glm::length(own) / length) : own;
+    }
+    return blended;
   }
 
   const Smooth& command_;
   Field field_;
-  int channels_;
-  std::vector<glm::dvec4> now_, next_;
+  const std::vector<VertexWeight>& region_;
+  const Neighbourhood& near_;
+  const FieldSet& fields_;
+  Ring<AnyShare> ring_;
+  std::vector<Value> now_, next_;
 };
 
 }  // namespace
@@ -116,13 +201,18 @@ Evaluation smooth(const Smooth& command, const Surface& surface, const FieldSet&
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   Evaluation done;
   if (region.empty() || command.t == 0) return done;
-  const Ring ring(region, surface);
+  const Neighbourhood near(region, surface);
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (std::count(command.fields.begin(), command.fields.end(), field) == 0 || fields.at_rest(field)) continue;
-    SmoothedField smoothed(command, field, fields);
-    for (int pass = 0; pass < command.passes; ++pass) smoothed.pass(region, ring);
-    done.clamped += smoothed.finish(region, fields, done.delta);
+    if (field == Field::direction)
+      done.clamped +=
+          SmoothedField<glm::dvec2, TurnedShare>(command, field, region, near, surface, fields).smooth(done.delta);
+    else if (shape_of(field).channels == 1)
+      done.clamped += SmoothedField<double, Share>(command, field, region, near, surface, fields).smooth(done.delta);
+    else
+      done.clamped +=
+          SmoothedField<glm::dvec4, Share>(command, field, region, near, surface, fields).smooth(done.delta);
   }
   return done;
 }

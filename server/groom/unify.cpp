@@ -69,17 +69,14 @@ Evaluation unify(const Unify& command, const Surface& surface, const FieldSet& f
     if (field == Field::direction && !value) target = {mean.heading, mean.inclination};
     const glm::dvec4 goal =
         value && command.length ? glm::dvec4(internal_length(*command.length, command.units, mesh), 0, 0, 0) : mean.value;
-    FieldWriter writer(fields, field);
-    for (const auto [v, restriction] : region) {
+    const auto count = static_cast<std::uint32_t>(region.size());
+    done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
+      const auto [v, restriction] = region[i];
       const double weight = command.weight * restriction;
       const glm::dvec4 now(fields.value(field, v));
-      if (field == Field::direction) {
-        writer.put(v, unified(glm::dvec2(now), frame_at(mesh, v), target.heading, target.inclination, weight));
-      } else {
-        done.clamped += writer.put(v, now + weight * (goal - now));
-      }
-    }
-    writer.finish(done.delta);
+      if (field != Field::direction) return writer.put(v, now + weight * (goal - now));
+      return writer.put(v, unified(glm::dvec2(now), frame_at(mesh, v), target.heading, target.inclination, weight));
+    });
   }
   return done;
 }

@@ -106,28 +106,47 @@ const char* name_of(EntryKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-History::History(Revision first, SceneSettings settings) : first_(first), records_(1) {
+History::History(Revision first, SceneSettings settings, UndoMemory memory)
+    : first_(first), records_(1), memory_(std::move(memory)) {
   records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
 }
 
-FieldDelta History::Step::change() const {
-  Result<FieldDelta> delta = decode_delta(std::as_bytes(std::span(octets)));
-  assert(delta.ok());  // encode_delta wrote it
-  return std::move(delta).value();
+// Also right for a step whose parts were joined after other entries: those turned over twice in between.
+Result<FieldDelta> History::change(const Step& step) const {
+  if (step.octets.empty()) return memory_.read(first_ + step.before, first_ + step.after);
+  return decode_delta(std::as_bytes(std::span(step.octets)));
+}
+
+Result<FieldDelta> History::change_of_last(const std::vector<Step>& steps, std::uint64_t count) const {
+  FieldDelta total;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Result<FieldDelta> one = change(steps[steps.size() - 1 - i]);
+    if (!one) return one.status();
+    total = compose(total, *one);
+  }
+  return total;
 }
 
 Result<FieldDelta> History::undo(std::uint64_t steps) const {
   if (steps > done_.size()) return too_few("undo", done_.size());
-  FieldDelta total;
-  for (std::size_t i = 0; i < steps; ++i) total = compose(total, done_[done_.size() - 1 - i].change());
-  return total;
+  return change_of_last(done_, steps);
 }
 
 Result<FieldDelta> History::redo(std::uint64_t steps) const {
   if (steps > undone_.size()) return too_few("redo", undone_.size());
-  FieldDelta total;
-  for (std::size_t i = 0; i < steps; ++i) total = compose(total, undone_[undone_.size() - 1 - i].change());
-  return total;
+  return change_of_last(undone_, steps);
+}
+
+void History::drop(Step& step) {
+  held_bytes_ -= step.octets.size();
+  step.octets = {};
+}
+
+/// The oldest steps give way first, and what is farthest to redo after all that can be undone.
+void History::keep_to_budget() {
+  dropped_ = std::min(dropped_, done_.size());
+  for (; held_bytes_ > memory_.bytes && dropped_ < done_.size(); ++dropped_) drop(done_[dropped_]);
+  for (std::size_t i = 0; held_bytes_ > memory_.bytes; ++i) drop(undone_[i]);
 }
 
 bool History::accepts(const Entry& entry) const {
@@ -154,6 +173,16 @@ void History::record(const Entry& entry) {
     case EntryKind::revert: record_revert(entry, record); break;
   }
   records_.push_back(std::move(record));
+  keep_to_budget();
+}
+
+/// A new step that leads from a record to the next one; what could be redone is gone.
+void History::add_step(const FieldDelta& delta, std::size_t before) {
+  std::for_each(undone_.begin(), undone_.end(), [&](Step& step) { drop(step); });
+  undone_.clear();
+  done_.push_back({encode_delta(delta), before, before + 1});
+  done_.back().octets.shrink_to_fit();
+  held_bytes_ += done_.back().octets.size();
 }
 
 void History::arrive(std::size_t state, Record& record) const {
@@ -166,8 +195,7 @@ void History::record_do(const Entry& entry, Record& record) {
   record.top = now;
   record.below = records_.back().top;
   record.settings = entry.settings ? entry.settings : records_.back().settings;
-  done_.push_back({encode_delta(entry.delta), now - 1, now});
-  undone_.clear();
+  add_step(entry.delta, now - 1);
 }
 
 void History::record_join(const Entry& entry, Record& record) {
@@ -175,8 +203,15 @@ void History::record_join(const Entry& entry, Record& record) {
   record.top = now;
   record.below = records_.back().top;
   record.settings = records_.back().settings;
-  done_.back().octets = encode_delta(compose(done_.back().change(), entry.delta));
-  done_.back().after = now;
+  Step& step = done_.back();
+  step.after = now;
+  if (step.octets.empty()) return;  // the journal has both parts
+  const Result<FieldDelta> so_far = change(step);
+  assert(so_far.ok());  // encode_delta wrote it
+  drop(step);
+  step.octets = encode_delta(compose(*so_far, entry.delta));
+  step.octets.shrink_to_fit();
+  held_bytes_ += step.octets.size();
 }
 
 void History::record_undo(const Entry& entry, Record& record) {
@@ -197,8 +232,7 @@ void History::record_redo(const Entry& entry, Record& record) {
 
 void History::record_revert(const Entry& entry, Record& record) {
   arrive(entry.argument - first_, record);
-  done_.push_back({encode_delta(entry.delta), records_.size() - 1, records_.size()});
-  undone_.clear();
+  add_step(entry.delta, records_.size() - 1);
 }
 
 std::vector<LogEntry> History::log() const {

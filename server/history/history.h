@@ -1,6 +1,8 @@
 // The undo log of one scene in memory: steps, what can be undone and redone, and what it takes to go to any revision.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,12 +54,20 @@ struct Entry {
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
 };
 
+/// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back
+/// from the journal when undo comes to them.
+struct UndoMemory {
+  std::size_t bytes = std::numeric_limits<std::size_t>::max();
+  /// What leads from one revision to another, later one. Required where `bytes` has a limit.
+  std::function<Result<FieldDelta>(Revision from, Revision to)> read = {};
+};
+
 /// Record k describes the state at revision first + k. The commands that lead to a state form a list that shares its
 /// beginning with the lists of other states, so that undo and revert never copy or re-evaluate anything.
 class History {
  public:
   /// `settings` are those of the first revision.
-  explicit History(Revision first, SceneSettings settings = {});
+  explicit History(Revision first, SceneSettings settings = {}, UndoMemory memory = {});
 
   Revision revision() const { return first_ + records_.size() - 1; }
   Revision first_revision() const { return first_; }
@@ -66,11 +76,14 @@ class History {
   std::size_t undo_steps() const { return done_.size(); }
   std::size_t redo_steps() const { return undone_.size(); }
 
-  /// What undoing or redoing `steps` steps changes. Refused (invalid, "/steps") when there are fewer.
+  /// What undoing or redoing `steps` steps changes. Refused (invalid, "/steps") when there are fewer; fails as
+  /// UndoMemory::read does.
   Result<FieldDelta> undo(std::uint64_t steps) const;
   Result<FieldDelta> redo(std::uint64_t steps) const;
   /// What the last step changed, with all that joined it. There must be one.
-  FieldDelta last_step() const { return done_.back().change(); }
+  Result<FieldDelta> last_step() const { return change(done_.back()); }
+  /// What the steps' changes take in memory.
+  std::size_t held_bytes() const { return held_bytes_; }
 
   /// Whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
@@ -91,11 +104,15 @@ class History {
     std::shared_ptr<const SceneSettings> settings;
   };
   struct Step {
-    std::string octets;  // encode_delta of what it changes
+    std::string octets;                 // encode_delta of what it changes; "" where only the journal has it
     std::size_t before = 0, after = 0;  // records that describe the states
-
-    FieldDelta change() const;
   };
+
+  Result<FieldDelta> change(const Step& step) const;
+  Result<FieldDelta> change_of_last(const std::vector<Step>& steps, std::uint64_t count) const;
+  void add_step(const FieldDelta& delta, std::size_t before);
+  void drop(Step& step);
+  void keep_to_budget();
 
   void record_do(const Entry& entry, Record& record);
   void record_join(const Entry& entry, Record& record);
@@ -107,6 +124,9 @@ class History {
   Revision first_;
   std::vector<Record> records_;
   std::vector<Step> done_, undone_;  // the last one is the next to undo or redo
+  UndoMemory memory_;
+  std::size_t held_bytes_ = 0;
+  std::size_t dropped_ = 0;  // as many of the oldest steps of done_ are known to be without octets
 };
 
 }  // namespace pelage

@@ -251,21 +251,49 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
   return StoredScene{id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom)};
 }
 
-Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision after) const {
+Status Journal::for_each_entry(const std::string& scene, Revision after,
+                               const std::function<Status(const Entry&)>& use) const {
   const std::lock_guard lock(mutex_);
-  std::vector<Entry> entries;
   Statement rows = database_->prepare(
       "SELECT revision, kind, argument, commands, settings, hash_low, hash_high, delta"
       " FROM entries WHERE scene = ? AND revision > ? ORDER BY revision");
   rows.text(scene).number(after);
   Result<bool> row = rows.step();
   for (; row && *row; row = rows.step()) {
-    Result<Entry> entry = read_entry(rows);
+    const Result<Entry> entry = read_entry(rows);
     if (!entry) return entry.status();
-    entries.push_back(std::move(*entry));
+    if (Status used = use(*entry); !used.ok()) return used;
+  }
+  return row ? Status{} : row.status();
+}
+
+Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision after) const {
+  std::vector<Entry> entries;
+  Status read = for_each_entry(scene, after, [&](const Entry& entry) { return entries.push_back(entry), Status{}; });
+  return read.ok() ? Result<std::vector<Entry>>(std::move(entries)) : read;
+}
+
+Status Journal::for_each_change(const std::string& scene, Revision after, Revision last,
+                                const std::function<void(const FieldDelta&)>& use) const {
+  const std::lock_guard lock(mutex_);
+  Statement rows = database_->prepare(
+      "SELECT delta FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision");
+  rows.text(scene).number(after).number(last);
+  Revision read = after;
+  Result<bool> row = rows.step();
+  for (; row && *row; row = rows.step(), ++read) {
+    const Result<FieldDelta> delta = decode_delta(rows.blob_at(0));
+    if (!delta) return delta.status();
+    use(*delta);
   }
   if (!row) return row.status();
-  return entries;
+  return read == last ? Status{} : damaged("an entry is missing");
+}
+
+Result<FieldDelta> Journal::change(const std::string& scene, Revision after, Revision last) const {
+  FieldDelta total;
+  Status read = for_each_change(scene, after, last, [&](const FieldDelta& delta) { total = compose(total, delta); });
+  return read.ok() ? Result<FieldDelta>(std::move(total)) : read;
 }
 
 }  // namespace pelage

@@ -1,6 +1,7 @@
 // The durable log of all scenes: what it has answered ok to is on disk.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -56,8 +57,16 @@ class Journal {
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
   Result<StoredScene> scene(const std::string& id) const;
-  /// Entries with a revision above `after`, oldest first.
+  /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails.
+  Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use) const;
+  /// All of them.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
+  /// Calls `use` with the change of each entry with a revision in (after, last], in order. Fails (internal) when one is
+  /// missing or damaged.
+  Status for_each_change(const std::string& scene, Revision after, Revision last,
+                         const std::function<void(const FieldDelta&)>& use) const;
+  /// All of them together.
+  Result<FieldDelta> change(const std::string& scene, Revision after, Revision last) const;
 
  private:
   explicit Journal(std::unique_ptr<Database> database);

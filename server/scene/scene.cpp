@@ -41,29 +41,39 @@ std::vector<Command> chosen(const std::vector<Command>& commands, const std::vec
 }  // namespace
 
 Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur,
-             Journal& journal)
+             Journal& journal, std::size_t undo_bytes)
     : id_(std::move(id)),
       name_(std::move(name)),
       journal_(journal),
+      undo_bytes_(undo_bytes),
       model_(std::move(model)),
       fields_(first_groom(model_->surface.mesh(), fur)),
-      history_(0, first_settings(*model_)),
+      history_(new_history(0)),
       dirty_(whole_range(fields_.size())) {}
 
-Status Scene::restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries) {
+/// Steps beyond the budget are read back from the journal, which has every entry.
+History Scene::new_history(Revision first) const {
+  const auto read = [&journal = journal_, id = id_](Revision from, Revision to) {
+    return journal.change(id, from, to);
+  };
+  return History(first, first_settings(*model_), {undo_bytes_, read});
+}
+
+Status Scene::restore(const FieldDelta& first_groom, Revision first) {
   const std::lock_guard lock(mutex_);
   fields_ = FieldSet(fields_.size());
-  history_ = History(first, first_settings(*model_));
+  history_ = new_history(first);
   dirty_ = whole_range(fields_.size());
   if (!fields_.accepts(first_groom)) return damaged();
   fields_.apply(first_groom);
-  for (const Entry& entry : entries) {
+  Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
     if (!history_.accepts(entry) || !fields_.accepts(entry.delta)) return damaged();
     fields_.apply(entry.delta);
     if (fields_.hash() != entry.fields_hash) return damaged();
     history_.record(entry);
-  }
-  return take_up_picture();
+    return Status{};
+  });
+  return taken.ok() ? take_up_picture() : taken;
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
@@ -76,8 +86,10 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (!planned) return planned.status();
 
   // What the commands do. This is pure: nothing has changed yet.
-  const FieldDelta start = planned->joins ? history_.last_step() : FieldDelta{};
-  Outcome outcome = evaluate_batch(planned->whole, start, model_->surface, fields_, history_.settings(), history_.revision() + 1);
+  const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
+  if (!start) return start.status();
+  Outcome outcome =
+      evaluate_batch(planned->whole, *start, model_->surface, fields_, history_.settings(), history_.revision() + 1);
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
 
@@ -253,11 +265,14 @@ Status Scene::check_revision(Revision revision, std::string pointer) const {
 
 Result<FieldSet> Scene::fields_at(Revision revision) const {
   if (Status bad = check_revision(revision); !bad.ok()) return bad;
-  const Result<std::vector<Entry>> since = journal_.entries(id_, revision);
-  if (!since) return since.status();
   FieldSet then = fields_;
-  for (auto entry = since->rbegin(); entry != since->rend(); ++entry) then.apply(entry->delta);
-  return then;
+  bool fits = true;
+  Status read = journal_.for_each_change(id_, revision, history_.revision(), [&](const FieldDelta& delta) {
+    fits = fits && then.accepts(delta);
+    if (fits) then.apply(delta);
+  });
+  if (!read.ok()) return read;
+  return fits ? Result<FieldSet>(std::move(then)) : damaged();
 }
 
 CommandAnswer Scene::answer(std::vector<CommandResult> results) const {
@@ -339,7 +354,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   if (!written.ok()) return written;
   model_ = std::move(model);
   fields_ = std::move(first);
-  history_ = History(revision, first_settings(*model_));
+  history_ = new_history(revision);
   picture_.reset(), picture_name_.clear();
   live_.end();
   dirty_ = whole_range(fields_.size());

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/base/limits.h"
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
@@ -63,12 +64,14 @@ struct StoredModel;
 /// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned.
 class Scene {
  public:
-  /// A scene at its first groom, revision 0; SceneStore puts it into the journal.
-  Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal);
+  /// A scene at its first groom, revision 0; SceneStore puts it into the journal. Of its undo steps at most
+  /// `undo_bytes` stay in memory.
+  Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal,
+        std::size_t undo_bytes = limits::undo_bytes);
 
-  /// Takes the place of what the constructor made: the stored first groom and every entry since. Fails (internal) when
-  /// they do not fit together; the scene is then not to be used.
-  Status restore(const FieldDelta& first_groom, Revision first, const std::vector<Entry>& entries);
+  /// Takes the place of what the constructor made: the stored first groom and every entry of the journal since. Fails
+  /// (internal) when they do not fit together; the scene is then not to be used.
+  Status restore(const FieldDelta& first_groom, Revision first);
 
   /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
   /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field
@@ -116,6 +119,7 @@ class Scene {
   Status admit(const ExecuteOptions& options) const;
   Result<Plan> plan(const std::vector<Command>& commands) const;
   Status commit(const Entry& entry);
+  History new_history(Revision first) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
   Status check_revision(Revision revision, std::string pointer = "/revision") const;
@@ -128,6 +132,7 @@ class Scene {
 
   const std::string id_, name_;
   Journal& journal_;
+  const std::size_t undo_bytes_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::shared_ptr<const SceneModel> model_;

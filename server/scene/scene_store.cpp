@@ -75,6 +75,7 @@ FieldDelta groom_of(const Scene& scene) {
 struct SceneStore::Impl {
   std::unique_ptr<Journal> journal;
   std::string worker;
+  std::size_t undo_bytes = 0;  // of each scene
   std::atomic<int> imports{0};
   std::atomic<std::uint64_t> last_model{0};
   mutable std::mutex mutex;
@@ -96,17 +97,15 @@ Status SceneStore::Impl::restore(const std::string& id) {
   if (!raw) return raw.status();
   auto model = build_model(*raw, stored->model, ++last_model);
   if (!model) return model.status();
-  const Result<std::vector<Entry>> entries = journal->entries(id, stored->first_revision);
-  if (!entries) return entries.status();
-  auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal);
-  Status restored = scene->restore(stored->first_groom, stored->first_revision, *entries);
+  auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal, undo_bytes);
+  Status restored = scene->restore(stored->first_groom, stored->first_revision);
   if (restored.ok()) scenes.push_back(std::move(scene));
   return restored;
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::Impl::add(StoredScene stored, std::shared_ptr<const SceneModel> model,
                                                      FirstGroom fur) {
-  auto scene = std::make_shared<Scene>(stored.id, stored.name, std::move(model), fur, *journal);
+  auto scene = std::make_shared<Scene>(stored.id, stored.name, std::move(model), fur, *journal, undo_bytes);
   stored.first_groom = groom_of(*scene);
   const std::lock_guard lock(mutex);
   if (scenes.size() >= limits::scenes) return full();
@@ -118,7 +117,8 @@ Result<std::shared_ptr<Scene>> SceneStore::Impl::add(StoredScene stored, std::sh
 SceneStore::SceneStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SceneStore::~SceneStore() = default;
 
-Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_folder, const std::string& worker) {
+Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_folder, const std::string& worker,
+                                                     std::size_t undo_bytes) {
   std::error_code error;
   std::filesystem::create_directories(data_folder, error);
   if (error) return failure(Code::internal, "the data folder cannot be made: " + error.message());
@@ -127,6 +127,7 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
   auto impl = std::make_unique<Impl>();
   impl->journal = std::move(*journal);
   impl->worker = worker;
+  impl->undo_bytes = undo_bytes;
   const Result<std::vector<std::string>> ids = impl->journal->scene_ids();
   if (!ids) return ids.status();
   for (const std::string& id : *ids) {

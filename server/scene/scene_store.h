@@ -16,9 +16,10 @@ namespace pelage {
 class SceneStore {
  public:
   /// Opens or makes `data_folder`/pelage.sqlite and restores every scene in it, with its log and revision, by the
-  /// stored deltas. `worker` is the path of pelage-import. Fails (internal) with the reason when the journal cannot be
-  /// used.
-  static Result<std::unique_ptr<SceneStore>> open(const std::string& data_folder, const std::string& worker);
+  /// stored deltas. `worker` is the path of pelage-import; of each scene's undo steps at most `undo_bytes` stay in
+  /// memory. Fails (internal) with the reason when the journal cannot be used.
+  static Result<std::unique_ptr<SceneStore>> open(const std::string& data_folder, const std::string& worker,
+                                                  std::size_t undo_bytes = limits::undo_bytes);
   ~SceneStore();
 
   /// Refused (busy) at the limit of scenes.

@@ -1,22 +1,41 @@
 #include "server/surface/adjacency.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace pelage {
 
-std::vector<Side> sorted_sides(const std::vector<glm::uvec3>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(triangles.size() * 3);
+namespace {
+
+template <class Visit>
+void for_each_side(const std::vector<glm::uvec3>& triangles, const Visit& visit) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t a = triangles[t][static_cast<int>(k)], b = triangles[t][static_cast<int>((k + 1) % 3)];
-      sides.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
+      visit(Side{std::min(a, b), std::max(a, b), t, k, a < b});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle, a.side) < std::tie(b.low, b.high, b.triangle, b.side);
-  });
+}
+
+}  // namespace
+
+// Counted out by their lower vertex, of which each has few.
+std::vector<Side> sorted_sides(const std::vector<glm::uvec3>& triangles) {
+  std::uint32_t most = 0;
+  for (const glm::uvec3& t : triangles) most = std::max({most, t.x, t.y, t.z});
+  std::vector<std::size_t> begin(std::size_t{most} + 2, 0);
+  for_each_side(triangles, [&](const Side& side) { ++begin[side.low + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  std::vector<Side> sides(triangles.size() * 3);
+  for_each_side(triangles, [&](const Side& side) { sides[next[side.low]++] = side; });
+  const auto at = [&](std::size_t i) { return sides.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t low = 0; low <= most; ++low) {
+    std::sort(at(begin[low]), at(begin[low + 1]), [](const Side& a, const Side& b) {
+      return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
+    });
+  }
   return sides;
 }
 

@@ -23,7 +23,21 @@ struct Spread {
 };
 
 /// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and refining the mesh does
-/// not cure that.
+/// not cure that. Lengths of edges are found once for all searches, which may run in parallel. Of several shortest ways
+/// to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
+/// vertex.
+class EdgeSearch {
+ public:
+  explicit EdgeSearch(const Surface& surface);
+  Spread operator()(std::span<const SpreadSource> sources) const;
+
+ private:
+  const Surface& surface_;
+  std::vector<double> lengths_;  // of the edges in the order of Surface::adjacency
+  double mean_ = 0, longest_ = 0;
+};
+
+/// One search.
 Spread spread_along_edges(const Surface& surface, std::span<const SpreadSource> sources);
 
 /// Through space, to the nearest source; the vector is brought there in one rotation.

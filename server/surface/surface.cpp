@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "server/surface/adjacency.h"
 #include "server/surface/point_tree.h"
 #include "server/surface/triangle_distance.h"
 
@@ -147,6 +146,8 @@ void Surface::vertices_within(glm::dvec3 centre, double radius, std::vector<std:
 }
 
 std::span<const std::uint32_t> Surface::neighbours(std::uint32_t vertex) const { return impl_->neighbours.of(vertex); }
+
+const Adjacency& Surface::adjacency() const { return impl_->neighbours; }
 
 glm::dvec3 Surface::position(const SurfacePoint& point) const {
   const auto corners = corners_of(impl_->mesh, point.triangle);

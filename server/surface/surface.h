@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "server/surface/adjacency.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
@@ -39,6 +40,8 @@ class Surface {
 
   /// Vertices that share an edge with `vertex`, in rising order.
   std::span<const std::uint32_t> neighbours(std::uint32_t vertex) const;
+  /// All of them.
+  const Adjacency& adjacency() const;
 
   glm::dvec3 position(const SurfacePoint& point) const;
   glm::dvec3 normal(const SurfacePoint& point) const;  // interpolated vertex normals, unit

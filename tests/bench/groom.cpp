@@ -1,64 +1,294 @@
-// Cost of a comb dab against the size of the mesh, and of a flood against a plain copy of the fields.
-#include <benchmark/benchmark.h>
+// Tables of what grooming costs: dabs and undo against the size of the mesh, octets in the undo log, floods against a
+// plain copy of the same arrays.
+// usage: bench_groom [--repetitions N] [--few VERTICES] [--many VERTICES] [--flood VERTICES]
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <type_traits>
 
-#include <memory>
-
+#include "protocol/base/random.h"
 #include "server/groom/evaluate.h"
+#include "server/history/delta_codec.h"
+#include "server/history/journal.h"
+#include "server/scene/scene.h"
 #include "server/surface/builtin.h"
 #include "server/surface/prepare.h"
+#include "tests/bench/cost.h"
 
-namespace pelage {
+namespace pelage::bench {
 namespace {
 
-struct Furry {
-  Surface surface;
-  FieldSet fields;
+constexpr double dab_vertices = 1000;
+
+/// A torus: half as many vertices as triangles.
+Surface torus(int vertices) {
+  Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, 2 * vertices}), Axis::plus_y, Axis::plus_z, false);
+  if (!mesh) std::fprintf(stderr, "%s\n", mesh.status().message.c_str()), std::exit(1);
+  return Surface(std::move(mesh).value());
+}
+
+/// The radius of balls on the surface that hold about as many vertices as wanted, on average.
+double radius_for(const Surface& surface, double wanted) {
+  constexpr std::size_t places = 16;
+  const std::vector<glm::vec3>& positions = surface.mesh().positions;
+  double radius = 1e-4, count = 0;
+  for (std::vector<std::uint32_t> found; count < wanted * places && radius < 1; radius *= 1.02) {
+    count = 0;
+    for (std::size_t k = 0; k < places; ++k) {
+      surface.vertices_within(glm::dvec3(positions[k * positions.size() / places]), radius, found);
+      count += static_cast<double>(found.size());
+    }
+  }
+  return radius;
+}
+
+/// One dab of a tool on a vertex by chance. Tools that need no motion get a stroke of one place.
+template <class Tool>
+Command dab(const Mesh& mesh, double radius, Random& random) {
+  const auto v = static_cast<std::size_t>(random.uniform(0, static_cast<double>(mesh.positions.size())));
+  Tool tool;
+  tool.brush.radius = radius;
+  tool.brush.front_faces_only = false;
+  tool.stroke.emplace();
+  const glm::dvec3 from(mesh.positions[v]), along(mesh.tangents[v]);
+  if (std::is_same_v<Tool, Comb>)
+    tool.stroke->samples.push_back({PositionPlace{mesh.to_model(from - tool.brush.spacing * radius * along)}});
+  tool.stroke->samples.push_back({PositionPlace{mesh.to_model(from)}});
+  return tool;
+}
+using Dab = Command (*)(const Mesh&, double, Random&);
+
+/// A scene whose journal lies in a folder of its own, gone with it.
+class JournaledScene {
+ public:
+  explicit JournaledScene(int vertices) : folder_(std::filesystem::temp_directory_path() / "pelage_bench_groom") {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    auto journal = Journal::open((folder_ / "pelage.sqlite").string());
+    if (!journal) std::fprintf(stderr, "%s\n", journal.status().message.c_str()), std::exit(1);
+    journal_ = std::move(*journal);
+    model_ = std::shared_ptr<const SceneModel>(new SceneModel{torus(vertices), {}, 1, "torus"});
+    scene_ = std::make_unique<Scene>("bench", "bench", model_, FirstGroom{}, *journal_);
+    if (!journal_->add_scene({"bench", "bench", {}, 0, {}}).ok()) std::exit(1);
+  }
+  ~JournaledScene() {
+    scene_.reset(), journal_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  JournaledScene(const JournaledScene&) = delete;
+  JournaledScene& operator=(const JournaledScene&) = delete;
+
+  Scene& scene() { return *scene_; }
+  const Surface& surface() const { return model_->surface; }
+
+ private:
+  std::filesystem::path folder_;
+  std::unique_ptr<Journal> journal_;
+  std::shared_ptr<const SceneModel> model_;
+  std::unique_ptr<Scene> scene_;
 };
 
-Furry furry(int triangles) {
-  Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, triangles}), Axis::plus_y, Axis::plus_z, false);
-  FieldSet fields = first_groom(*mesh, {});
-  return {Surface(std::move(mesh).value()), std::move(fields)};
+void require(bool good, const char* what) {
+  if (!good) std::fprintf(stderr, "%s failed\n", what), std::exit(1);
 }
 
-Command stroke_over(const Mesh& mesh, double radius) {
-  Comb comb;
-  comb.stroke.emplace();
-  const glm::dvec3 at = mesh.to_model(glm::dvec3(mesh.positions[0]));
-  for (const double step : {0.0, 0.5}) {
-    comb.stroke->samples.push_back({PositionPlace{at + glm::dvec3(step * radius * mesh.size, 0, 0)}});
+/// Mean costs of one dab, in milliseconds; of each the least over the repetitions.
+struct DabCosts {
+  double touched = 0;
+  Cost evaluate, change, scene, undo, redo;
+};
+
+/// Each repetition combs other places, so that little of the mesh waits in the caches.
+DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
+  constexpr int places = 32;
+  const Surface& surface = made.surface();
+  FieldSet fields = first_groom(surface.mesh(), {});
+  const double radius = radius_for(surface, dab_vertices);
+  Random random(1);
+  DabCosts costs;
+  const auto least = [](Cost& cost, const Cost& other) { cost.least({other.wall / places, other.cpu / places}); };
+  for (int i = 0; i < repetitions; ++i) {
+    std::vector<Command> dabs;
+    for (int k = 0; k < places; ++k) dabs.push_back(dab(surface.mesh(), radius, random));
+    std::vector<FieldDelta> deltas(places);
+    const Cost evaluate_cost = measure([&] {
+      for (int k = 0; k < places; ++k)
+        deltas[std::size_t(k)] = evaluate(*resolve(dabs[std::size_t(k)], surface), surface, fields).delta;
+    });
+    const Cost change = measure([&] {
+      for (const FieldDelta& delta : deltas) fields.apply(delta);
+    });
+    least(costs.evaluate, evaluate_cost), least(costs.change, change);
+    for (const FieldDelta& delta : deltas)
+      costs.touched += static_cast<double>(delta.vertices().size()) / places / repetitions;
+    for (Command& place : dabs) place = dab(surface.mesh(), radius, random);
+    least(costs.scene, measure([&] {
+            for (const Command& one : dabs) require(made.scene().execute({one}).ok(), "a dab");
+          }));
+    least(costs.undo, measure([&] {
+            for (int k = 0; k < places; ++k) require(made.scene().move(Undo{}).ok(), "undo");
+          }));
+    least(costs.redo, measure([&] {
+            for (int k = 0; k < places; ++k) require(made.scene().move(Redo{}).ok(), "redo");
+          }));
   }
-  comb.brush.radius = radius;
-  comb.brush.front_faces_only = false;
-  return comb;
+  return costs;
 }
 
-void stroke_on_mesh(benchmark::State& state) {
-  const Furry model = furry(static_cast<int>(state.range(0)));
-  // The radius falls as the mesh gets finer, so that about as many vertices are touched.
-  const Command command = stroke_over(model.surface.mesh(), 0.05 * std::sqrt(10000.0 / static_cast<double>(state.range(0))));
-  std::size_t touched = 0;
-  for (auto _ : state) touched = evaluate(command, model.surface, model.fields).delta.vertices().size();
-  state.counters["touched"] = static_cast<double>(touched);
+void print_row(const char* name, std::size_t vertices, const DabCosts& costs) {
+  std::printf("| %s | %zu | %.0f |", name, vertices, costs.touched);
+  const Cost both{costs.evaluate.wall + costs.change.wall, costs.evaluate.cpu + costs.change.cpu};
+  for (const Cost& cost : {costs.evaluate, costs.change, both, costs.scene, costs.undo, costs.redo})
+    std::printf(" %.3f (%.3f) |", cost.cpu, cost.wall);
+  std::puts("");
+  std::fflush(stdout);
 }
-BENCHMARK(stroke_on_mesh)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMicrosecond);
 
-void flood(benchmark::State& state) {
-  const Furry model = furry(100000);
-  Comb comb;
-  comb.flood = true;
-  comb.direction = glm::dvec3(0, -1, 0);
-  for (auto _ : state) benchmark::DoNotOptimize(evaluate(comb, model.surface, model.fields).delta.vertices().size());
+void print_dabs(int few, int many, int repetitions) {
+  std::puts(
+      "One dab, CPU ms (wall ms), least of the repetitions' means; scene, undo and redo are synced to the journal\n\n"
+      "| tool | vertices | touched | evaluate | apply and hash | both | in a scene | undo | redo |\n"
+      "|---|---|---|---|---|---|---|---|---|");
+  const std::pair<const char*, Dab> tools[] = {
+      {"comb", dab<Comb>}, {"smooth", dab<Smooth>}, {"lift", dab<Lift>}, {"clump", dab<Clump>}};
+  for (const int vertices : {few, many}) {
+    JournaledScene made(vertices);
+    for (const auto& [name, one] : tools)
+      print_row(name, made.surface().mesh().positions.size(), dab_costs(made, one, repetitions));
+  }
+  std::puts("");
 }
-BENCHMARK(flood)->Unit(benchmark::kMicrosecond);
 
-void plain_copy(benchmark::State& state) {
-  const Furry model = furry(100000);
-  for (auto _ : state) benchmark::DoNotOptimize(std::make_unique<FieldSet>(model.fields)->size());
+Stroke stroke_on(const Mesh& mesh) {
+  Stroke stroke;
+  for (const double step : {0.0, 0.1})
+    stroke.samples.push_back({PositionPlace{mesh.to_model(glm::dvec3(mesh.positions[0]) + glm::dvec3(0, step, 0))}});
+  return stroke;
 }
-BENCHMARK(plain_copy)->Unit(benchmark::kMicrosecond);
+
+struct NamedTool {
+  const char* name;
+  Command command;
+};
+
+/// Every tool, at work on every field that it changes.
+std::vector<NamedTool> tools_on(const Mesh& mesh) {
+  const glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[0]));
+  const glm::dvec3 above = mesh.to_model(glm::dvec3(mesh.positions[0]) + 0.05 * glm::dvec3(mesh.normals[0]));
+  Key key{place, glm::dvec3(0, 1, 0), 0.9, 0.05};
+  return {{"comb", Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)}},
+          {"blow", Blow{.source = mesh.to_model({0, 2, 0})}},
+          {"attract", Attract{.point = above, .radius = 0.06, .duration = 100}},
+          {"interpolate", Interpolate{.keys = {key}}},
+          {"flow", Flow{.curves = {{place, place + glm::dvec3(0.1, 0.2, 0)}}, .inclination = 0.3}},
+          {"smooth", Smooth{.flood = true, .fields = {Field::direction, Field::length}}},
+          {"noise", Noise{.flood = true}},
+          {"unify", Unify{.flood = true, .direction = glm::dvec3(1, 2, 3)}},
+          {"part", Part{.stroke = stroke_on(mesh)}},
+          {"length", Length{.flood = true, .mode = LengthMode::scale, .value = 0.5}},
+          {"trim", Trim{.flood = true, .shape = 0.001}},
+          {"lift", Lift{.flood = true}},
+          {"clump", Clump{.stroke = stroke_on(mesh)}},
+          {"curl", Curl{.flood = true, .turn_degrees = 30}},
+          {"paint, one number", Paint{.flood = true, .field = Field::wetness}},
+          {"paint, colour", Paint{.flood = true, .field = Field::root_colour, .colour = {0.2f, 0.3f, 0.4f}}}};
+}
+
+void print_undo_bytes(int vertices) {
+  const Surface surface = torus(vertices);
+  FieldSet fields = first_groom(surface.mesh(), {});
+  fields.apply(
+      evaluate(Noise{.flood = true, .amount = 0.1, .fields = {Field::direction, Field::length}}, surface, fields)
+          .delta);
+  std::puts(
+      "Undo, octets for each touched vertex\n\n| tool | touched | fields | in flight | in the undo log "
+      "|\n|---|---|---|---|---|");
+  for (const auto& [name, command] : tools_on(surface.mesh())) {
+    const FieldDelta delta = evaluate(command, surface, fields).delta;
+    const double touched = std::max(1.0, static_cast<double>(delta.vertices().size()));
+    std::printf("| %s | %.0f | %zu | %.1f | %.1f |\n", name, touched, delta.parts.size(),
+                static_cast<double>(delta.bytes()) / touched,
+                static_cast<double>(encode_delta(delta).size()) / touched);
+  }
+  std::puts("");
+}
+
+/// Copies this many octets, in blocks as large as a mesh's arrays.
+std::function<void()> plain_copy(std::size_t octets) {
+  static constexpr std::size_t block = std::size_t{8} << 20;
+  auto from = std::make_shared<std::vector<char>>(octets, 1), to = std::make_shared<std::vector<char>>(octets, 2);
+  return [from, to, octets] {
+    for (std::size_t at = 0; at < octets; at += block)
+      std::memcpy(to->data() + at, from->data() + at, std::min(block, octets - at));
+  };
+}
+
+struct Flood {
+  const char* name;
+  Command command;
+  std::size_t octets;  // of the arrays that it reads and writes, for each vertex
+};
+
+void print_floods(int vertices, int repetitions) {
+  const Surface surface = torus(vertices);
+  const Mesh& mesh = surface.mesh();
+  const FieldSet fields = first_groom(mesh, {});
+  // Direction before 8, its change 12; normal and tangent 24, position 12, six neighbours 28.
+  const Flood floods[] = {{"comb", Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)}, 8 + 12 + 24},
+                          {"smooth, 1 pass", Smooth{.flood = true, .passes = 1}, 8 + 12 + 24 + 12 + 28},
+                          {"smooth, 3 passes", Smooth{.flood = true, .passes = 3}, 8 + 12 + 24 + 12 + 3 * 28},
+                          {"noise", Noise{.flood = true}, 8 + 12 + 24 + 12},
+                          {"noise with features", Noise{.flood = true, .feature_size = 0.05}, 8 + 12 + 24 + 12},
+                          {"unify to a value", Unify{.flood = true, .direction = glm::dvec3(1, 2, 3)}, 8 + 12 + 24},
+                          {"unify to the mean", Unify{.flood = true, .mean = {Field::direction}}, 2 * (8 + 24) + 12}};
+  std::printf(
+      "Floods of %d vertices, ms, against copying the arrays that they read and write\n\n"
+      "| flood | octets a vertex | wall | CPU | copy, wall | ratio | CPU ratio |\n|---|---|---|---|---|---|---|\n",
+      vertices);
+  for (const Flood& flood : floods) {
+    const auto costs =
+        measure_alternating({[&] { require(!evaluate(flood.command, surface, fields).delta.empty(), flood.name); },
+                             plain_copy(flood.octets * fields.size())},
+                            repetitions);
+    std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f |\n", flood.name, flood.octets, costs[0].wall,
+                costs[0].cpu, costs[1].wall, costs[0].wall / costs[1].wall, costs[0].cpu / costs[1].cpu);
+    std::fflush(stdout);
+  }
+  std::puts("");
+}
+
+void print_interpolation(int vertices, int repetitions) {
+  const Surface surface = torus(vertices);
+  const Mesh& mesh = surface.mesh();
+  const FieldSet fields = first_groom(mesh, {});
+  Random random(2);
+  Interpolate command;
+  for (int k = 0; k < 16; ++k) {
+    const auto v = static_cast<std::size_t>(random.uniform(0, static_cast<double>(mesh.positions.size())));
+    command.keys.push_back(
+        {mesh.to_model(glm::dvec3(mesh.positions[v])), glm::dvec3(random.uniform(-1, 1), 1, 0), 0.5, 0.03});
+  }
+  Cost cost;
+  for (int i = 0; i < repetitions; ++i)
+    cost.least(measure([&] { require(!evaluate(command, surface, fields).delta.empty(), "interpolate"); }));
+  std::printf("interpolate, 16 keys, %d vertices: %.2f s, CPU %.2f s\n\n", vertices, cost.wall / 1e3, cost.cpu / 1e3);
+}
+
+int main(int count, char** arguments) {
+  const auto number = [&](const char* name, int fallback) { return argument(count, arguments, name, fallback); };
+  const int repetitions = number("--repetitions", 5), flood = number("--flood", 1'000'000);
+  print_dabs(number("--few", 50'000), number("--many", 1'000'000), repetitions);
+  print_undo_bytes(std::min(flood, 50'000));
+  print_floods(flood, repetitions);
+  print_interpolation(flood, std::min(repetitions, 3));
+  return 0;
+}
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::bench
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return pelage::bench::main(count, arguments); }

@@ -250,6 +250,40 @@ TEST_P(ReplayTest, AnyRevisionCanBeGoneBackTo) {
   }
 }
 
+/// The hashes that one undo after the other leads through, and then the redos.
+std::vector<FieldsHash> way_back_and_forth(Scene& scene) {
+  std::vector<FieldsHash> hashes;
+  const std::size_t steps = scene.summary().undo_steps;
+  const auto go = [&](const HistoryMove& move) {
+    const auto answer = scene.move(move);
+    ASSERT_TRUE(answer.ok()) << answer.status().message;
+    hashes.push_back(answer->fields_hash);
+  };
+  for (std::size_t i = 0; i < steps; ++i) go(Undo{});
+  for (std::size_t i = 0; i < steps; ++i) go(Redo{});
+  return hashes;
+}
+
+TEST_P(ReplayTest, StepsBeyondTheUndoMemoryComeBackFromTheJournal) {
+  const auto run = [&](std::size_t undo_bytes) {
+    open(undo_bytes);
+    const auto scene = make(Builtin::torus, 600);
+    const FieldsHash first = hash(*scene);
+    Script script(*scene, GetParam() + 2000);
+    while (scene->revision() < 100 && !HasFatalFailure()) script.act();
+    const FieldsHash last = hash(*scene);
+    std::vector<FieldsHash> way = way_back_and_forth(*scene);
+    const int steps = static_cast<int>(scene->summary().undo_steps);
+    EXPECT_EQ(move(*scene, Undo{steps}).fields_hash, first);
+    EXPECT_EQ(move(*scene, Redo{steps}).fields_hash, last);
+    way.insert(way.end(), {first, last});
+    return way;
+  };
+  const std::vector<FieldsHash> all_in_memory = run(limits::undo_bytes);
+  EXPECT_EQ(run(0), all_in_memory);
+  EXPECT_EQ(run(4000), all_in_memory) << "some steps in memory, some not";
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, ReplayTest, ::testing::Range<std::uint64_t>(1, 5));
 
 using PartsTest = StoreTest;

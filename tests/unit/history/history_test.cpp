@@ -132,7 +132,7 @@ TEST_F(HistoryTest, JoinedPartsAreOneStepAndOneWholeStroke) {
   EXPECT_TRUE(whole.last);
   ASSERT_EQ(whole.samples.size(), 6u);
   EXPECT_EQ(std::get<PositionPlace>(whole.samples[4].place).position.x, 4);
-  EXPECT_EQ(history_.last_step(), to(1)) << "from the length before the stroke to the one after it, and back";
+  EXPECT_EQ(*history_.last_step(), to(1)) << "from the length before the stroke to the one after it, and back";
   undo(1);
   EXPECT_EQ(length_, 1);
   EXPECT_EQ(effective(), (std::vector<double>{1}));
@@ -144,6 +144,80 @@ TEST_F(HistoryTest, RefusesEntriesThatCannotFollow) {
   EXPECT_FALSE(history_.accepts({6, EntryKind::join, 0, "", {}, {}, {}}));
   EXPECT_FALSE(history_.accepts({6, EntryKind::revert, 4, "", {}, {}, {}}));
   EXPECT_TRUE(history_.accepts({6, EntryKind::command, 0, "", {}, {}, {}}));
+}
+
+/// A history that may hold few octets; every change stays in a list beside it.
+class UndoMemoryTest : public ::testing::Test {
+ protected:
+  /// Over many vertices, so that it takes some memory.
+  void step(float length) {
+    FieldSet after = fields_;
+    for (std::uint32_t v = 0; v < fields_.size(); ++v) after.set(v, {{}, length, 0});
+    take({history_.revision() + 1,
+          EntryKind::command,
+          0,
+          encode(Command(comb_at(length))),
+          difference(fields_, after),
+          {},
+          {}});
+  }
+  void undo(std::uint64_t steps) {
+    const Result<FieldDelta> delta = history_.undo(steps);
+    ASSERT_TRUE(delta.ok());
+    take({history_.revision() + 1, EntryKind::undo, steps, "", *delta, {}, {}});
+  }
+  void redo(std::uint64_t steps) {
+    const Result<FieldDelta> delta = history_.redo(steps);
+    ASSERT_TRUE(delta.ok());
+    take({history_.revision() + 1, EntryKind::redo, steps, "", *delta, {}, {}});
+  }
+  void take(const Entry& entry) {
+    fields_.apply(entry.delta);
+    journal_.push_back(entry.delta);
+    history_.record(entry);
+    EXPECT_LE(history_.held_bytes(), budget);
+  }
+  Result<FieldDelta> read(Revision from, Revision to) {
+    ++reads_;
+    if (broken_) return failure(Code::internal, "the disk is gone");
+    FieldDelta total;
+    for (Revision r = from; r < to; ++r) total = compose(total, journal_[r]);
+    return total;
+  }
+  float length() const { return fields_.at(7).length; }
+
+  static constexpr std::size_t budget = 1200;  // of steps of some 500 octets
+  FieldSet fields_{100};
+  std::vector<FieldDelta> journal_;
+  int reads_ = 0;
+  bool broken_ = false;
+  History history_{0, {}, {budget, [this](Revision from, Revision to) { return read(from, to); }}};
+};
+
+TEST_F(UndoMemoryTest, TheOldestStepsGiveWayAndAreReadBack) {
+  for (int i = 1; i <= 5; ++i) step(static_cast<float>(i));
+  undo(2);
+  EXPECT_EQ(reads_, 0) << "the newest are in memory";
+  EXPECT_EQ(length(), 3);
+  undo(3);
+  EXPECT_EQ(reads_, 3);
+  EXPECT_EQ(length(), 0);
+  redo(5);
+  EXPECT_EQ(length(), 5);
+  undo(4);
+  step(9);
+  EXPECT_EQ(history_.redo_steps(), 0u);
+  undo(2);
+  EXPECT_EQ(length(), 0);
+}
+
+TEST_F(UndoMemoryTest, WhatCannotBeReadBackIsAFailureAndNotALoss) {
+  for (int i = 1; i <= 5; ++i) step(static_cast<float>(i));
+  broken_ = true;
+  EXPECT_EQ(history_.undo(5).status().code, Code::internal);
+  broken_ = false;
+  undo(5);
+  EXPECT_EQ(length(), 0);
 }
 
 class LiveStrokeTest : public ::testing::Test {

@@ -94,6 +94,23 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   EXPECT_EQ(journal->entries("a", 4)->size(), 1u);
 }
 
+TEST_F(JournalTest, GivesWhatLeadsFromOneRevisionToAnother) {
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  FieldDelta expected;
+  for (Revision r = 4; r <= 7; ++r) {
+    Entry one = entry(r);
+    one.delta = {{{Field::length, {static_cast<std::uint32_t>(r)}, {7}}, {Field::stretch, {1}, {5}}}};
+    ASSERT_TRUE(journal->append("a", one).ok());
+    if (r == 5 || r == 6) expected = compose(expected, one.delta);
+  }
+  EXPECT_EQ(*journal->change("a", 4, 6), expected);
+  EXPECT_EQ(expected.vertices(), (std::vector<std::uint32_t>{5, 6})) << "what turned over twice is gone";
+  EXPECT_TRUE(journal->change("a", 5, 5)->empty());
+  EXPECT_EQ(journal->change("a", 4, 8).status().code, Code::internal) << "there is no entry 8";
+  EXPECT_EQ(journal->change("b", 4, 6).status().code, Code::internal);
+}
+
 TEST_F(JournalTest, ANewModelEmptiesTheLogAndKeepsThePlace) {
   const auto journal = open();
   ASSERT_TRUE(journal->add_scene(scene("a")).ok());

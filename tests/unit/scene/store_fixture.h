@@ -26,9 +26,9 @@ class StoreTest : public ::testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  void open() {
+  void open(std::size_t undo_bytes = limits::undo_bytes) {
     store_.reset();
-    auto store = SceneStore::open(folder_.string(), "pelage-import");
+    auto store = SceneStore::open(folder_.string(), "pelage-import", undo_bytes);
     ASSERT_TRUE(store.ok()) << store.status().message;
     store_ = std::move(*store);
   }
