@@ -30,14 +30,19 @@ class March {
       Known& known = known_[vertex];
       if (known.final || distance > known.distance) continue;
       known.final = true;
-      for (const std::uint32_t next : surface_.neighbours(vertex)) offer(next, distance_by(vertex, distance, next));
+      // One ring beyond the radius is marched too: the straight way to a vertex inside it may pass between one vertex
+      // inside and one outside.
+      for (const std::uint32_t next : surface_.neighbours(vertex)) {
+        const double there = distance_by(vertex, distance, next);
+        if (distance <= radius_ || there <= radius_) offer(next, there);
+      }
     }
   }
 
   std::vector<VertexDistance> found() const {
     std::vector<VertexDistance> all;
     for (const auto& [vertex, known] : known_) {
-      if (known.final) all.push_back({vertex, known.distance});
+      if (known.distance <= radius_) all.push_back({vertex, known.distance});
     }
     std::sort(all.begin(), all.end(), [](auto a, auto b) { return a.vertex < b.vertex; });
     return all;
@@ -53,7 +58,6 @@ class March {
   glm::dvec3 position(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
 
   void offer(std::uint32_t vertex, double distance) {
-    if (!(distance <= radius_)) return;
     Known& known = known_[vertex];
     if (known.final || known.distance <= distance) return;
     known.distance = distance;
@@ -94,8 +98,10 @@ double unfolded_distance(double along, double near, double far, double near_dist
   const double depth = near_distance * near_distance - source_x * source_x;
   const double place_x = (near * near - far * far + along * along) / (2 * along);
   const double height = near * near - place_x * place_x;
-  if (depth < 0 || !(height > 0)) return unreached;
-  const double below = std::sqrt(depth), above = std::sqrt(height);
+  // Rounding may put a source that lies on the edge itself a little above it.
+  const double rounding = 1e-12 * (near_distance * near_distance + far_distance * far_distance + along * along);
+  if (depth < -rounding || !(height > 0)) return unreached;
+  const double below = std::sqrt(std::max(depth, 0.0)), above = std::sqrt(height);
   const double crossing = source_x + (place_x - source_x) * below / (below + above);
   if (crossing < 0 || crossing > along) return unreached;
   return std::hypot(place_x - source_x, below + above);
