@@ -20,7 +20,10 @@ class March {
   void start(const SurfacePoint& centre) {
     const glm::dvec3 place = surface_.position(centre);
     const glm::uvec3 corners = surface_.mesh().triangles[centre.triangle];
-    for (int k = 0; k < 3; ++k) offer(corners[k], glm::distance(place, position(corners[k])));
+    for (int k = 0; k < 3; ++k) {
+      offer(corners[k], glm::distance(place, position(corners[k])));
+      known_[corners[k]].settled = true;  // nothing is nearer to them than the straight way
+    }
   }
 
   void run() {
@@ -29,7 +32,7 @@ class March {
       front_.pop();
       Known& known = known_[vertex];
       if (known.final || distance > known.distance) continue;
-      known.final = true;
+      known.settled = known.final = true;
       // One ring beyond the radius is marched too: the straight way to a vertex inside it may pass between one vertex
       // inside and one outside.
       for (const std::uint32_t next : surface_.neighbours(vertex)) {
@@ -51,7 +54,8 @@ class March {
  private:
   struct Known {
     double distance = unreached;
-    bool final = false;
+    bool settled = false;  // it will not change
+    bool final = false;    // and its neighbours have been offered theirs
   };
   using Place = std::pair<double, std::uint32_t>;
 
@@ -59,7 +63,7 @@ class March {
 
   void offer(std::uint32_t vertex, double distance) {
     Known& known = known_[vertex];
-    if (known.final || known.distance <= distance) return;
+    if (known.settled || known.distance <= distance) return;
     known.distance = distance;
     front_.push({distance, vertex});
   }
@@ -70,7 +74,7 @@ class March {
     double best = distance + near;
     for (const std::uint32_t other : surface_.neighbours(next)) {
       const auto known = known_.find(other);
-      if (other == vertex || known == known_.end() || !known->second.final || !adjacent(other, vertex)) continue;
+      if (other == vertex || known == known_.end() || !known->second.settled || !adjacent(other, vertex)) continue;
       best = std::min(best, unfolded_distance(glm::distance(position(vertex), position(other)), near,
                                               glm::distance(position(other), position(next)), distance,
                                               known->second.distance));

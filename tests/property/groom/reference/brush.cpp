@@ -39,7 +39,7 @@ double radius_at(dvec3 place, const Stroke& stroke, const Brush& brush, const Bo
 Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stroke& stroke, const Brush& brush,
               const Body& body) {
   Print print;
-  print.centre = (1 - t) * place_of(a, body) + t * place_of(b, body);
+  print.centre = glm::mix(place_of(a, body), place_of(b, body), t);
   if (std::holds_alternative<SurfacePlace>(a.place) && std::holds_alternative<SurfacePlace>(b.place))
     print.centre = body.surface.position(body.surface.nearest(print.centre));
   print.pressure = (1 - t) * a.pressure + t * b.pressure;
@@ -78,14 +78,11 @@ std::vector<double> distances_of(const Print& print, const Stroke& stroke, const
 
 dvec3 place_of(const StrokeSample& sample, const Body& body) {
   if (const auto* position = std::get_if<PositionPlace>(&sample.place)) return body.inside(position->position);
+  // To the bit what the tools compute: dabs between two places often lie on an edge, where the last bit decides which of
+  // its triangles the march along the surface begins in.
   const auto& place = std::get<SurfacePlace>(sample.place);
-  dvec3 sum(0);
-  double shares = 0;
-  for (int k = 0; k < 3; ++k) {
-    sum += place.barycentric[k] * body.positions[body.triangles[place.triangle][static_cast<std::size_t>(k)]];
-    shares += place.barycentric[k];
-  }
-  return sum / shares;
+  const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
+  return body.surface.position({place.triangle, place.barycentric / sum});
 }
 
 std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Body& body, bool begin) {

@@ -72,18 +72,21 @@ Reach reach_through_space(const Body& body, const std::vector<Corner>& corners) 
 
 std::vector<double> marched_distances(const Body& body, const SurfacePoint& centre, double radius) {
   std::vector<double> distances(body.size(), never);
-  std::vector<bool> final(body.size(), false);
+  std::vector<bool> final(body.size(), false), settled(body.size(), false);
   const dvec3 start = body.surface.position(centre);
-  for (const Vertex v : body.triangles[centre.triangle]) distances[v] = glm::distance(start, body.positions[v]);
+  for (const Vertex v : body.triangles[centre.triangle]) {
+    distances[v] = glm::distance(start, body.positions[v]);
+    settled[v] = true;
+  }
   for (;;) {
     const Vertex next = nearest_open(distances, final);
     if (final[next] || distances[next] == never) return distances;
-    final[next] = true;
+    final[next] = settled[next] = true;
     for (const Vertex to : body.neighbours[next]) {
-      if (final[to]) continue;
+      if (settled[to]) continue;
       double way = distances[next] + glm::distance(body.positions[next], body.positions[to]);
       for (const Vertex other : body.neighbours[to]) {
-        if (!final[other] || other == next || !body.neighbours[next].contains(other)) continue;
+        if (!settled[other] || other == next || !body.neighbours[next].contains(other)) continue;
         way = std::min(way, over_side(body.positions[next], body.positions[other], body.positions[to], distances[next],
                                       distances[other]));
       }
