@@ -6,6 +6,8 @@
 #include <queue>
 #include <unordered_map>
 
+#include "server/surface/corners_around.h"
+
 namespace pelage {
 
 namespace {
@@ -17,12 +19,12 @@ class March {
  public:
   March(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
+  /// Nothing is nearer to the corners around the centre than the straight way.
   void start(const SurfacePoint& centre) {
     const glm::dvec3 place = surface_.position(centre);
-    const glm::uvec3 corners = surface_.mesh().triangles[centre.triangle];
-    for (int k = 0; k < 3; ++k) {
-      offer(corners[k], glm::distance(place, position(corners[k])));
-      known_[corners[k]].settled = true;  // nothing is nearer to them than the straight way
+    for (const std::uint32_t corner : corners_around(surface_, centre)) {
+      offer(corner, glm::distance(place, position(corner)));
+      known_[corner].settled = true;
     }
   }
 

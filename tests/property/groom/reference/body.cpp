@@ -40,9 +40,7 @@ double Body::sizes(double value, Units units) const {
 
 dvec3 unit(dvec3 v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (largest == 0) return v;
-  v /= largest;
-  return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  return largest > 0 ? glm::normalize(v / largest) : v;
 }
 
 dvec3 brought(dvec3 vector, dvec3 from, dvec3 to) {

@@ -15,11 +15,11 @@ Reach reach(const Body& body, DistanceKind kind, const std::vector<Corner>& corn
   return kind == DistanceKind::straight ? reach_through_space(body, corners) : reach_along_edges(body, corners);
 }
 
-/// The corners of the triangle nearest to a place, with the tangent part of a unit vector, `length` long.
+/// The corners around the place of the surface nearest to a place, with the tangent part of a unit vector, `length` long.
 void add_corners(const Body& body, dvec3 place, dvec3 way, double length, bool all, std::vector<Corner>& corners) {
   const SurfacePoint nearest = body.surface.nearest(place);
   const dvec3 there = body.surface.position(nearest);
-  for (const Vertex v : body.triangles[nearest.triangle]) {
+  for (const Vertex v : corners_of(body, nearest)) {
     const dvec2 part = body.in_frame(v, way);
     const bool heads = glm::length(part) >= 1e-6;
     if (!heads && !all) continue;

@@ -15,7 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 /// The stroke's camera, which the tests always place themselves.
 struct Eye {
   dvec3 place, right, up, forward;
-  double pixel = 0;  // the width of a pixel at distance 1
+  double half = 0;  // of the picture's height at distance 1
 };
 
 Eye eye_of(const View& view, const Body& body) {
@@ -24,7 +24,7 @@ Eye eye_of(const View& view, const Body& body) {
   eye.forward = unit(body.inside(view.camera.target) - eye.place);
   eye.right = unit(glm::cross(eye.forward, view.camera.up));
   eye.up = glm::cross(eye.right, eye.forward);
-  eye.pixel = 2 * std::tan(view.camera.fov_degrees * pi / 360) / view.height;
+  eye.half = std::tan(glm::radians(view.camera.fov_degrees) / 2);
   return eye;
 }
 
@@ -32,7 +32,8 @@ double radius_at(dvec3 place, const Stroke& stroke, const Brush& brush, const Bo
   if (brush.units == RadiusUnits::relative) return brush.radius;
   if (brush.units == RadiusUnits::world) return brush.radius / body.surface.mesh().size;
   const Eye eye = eye_of(*stroke.view, body);
-  return brush.radius * eye.pixel * std::max(0.0, glm::dot(place - eye.place, eye.forward));
+  const double depth = std::max(0.0, glm::dot(place - eye.place, eye.forward));
+  return brush.radius * 2 * eye.half * depth / stroke.view->height;
 }
 
 /// The brush at a share of the way between two samples. On the surface its path follows the surface.

@@ -35,6 +35,19 @@ Vertex nearest_open(const std::vector<double>& distances, const std::vector<bool
 
 }  // namespace
 
+std::set<Vertex> corners_of(const Body& body, const SurfacePoint& place) {
+  std::set<Vertex> holders, corners;
+  for (int k = 0; k < 3; ++k) {
+    if (place.barycentric[k] > 1e-6) holders.insert(body.triangles[place.triangle][static_cast<std::size_t>(k)]);
+  }
+  if (holders.size() == 1) return holders;
+  for (const auto& triangle : body.triangles) {
+    const std::set<Vertex> own(triangle.begin(), triangle.end());
+    if (std::includes(own.begin(), own.end(), holders.begin(), holders.end())) corners.insert(own.begin(), own.end());
+  }
+  return corners;
+}
+
 Reach reach_along_edges(const Body& body, const std::vector<Corner>& corners) {
   Reach reach{std::vector<double>(body.size(), never), std::vector<dvec3>(body.size(), dvec3(0))};
   for (const Corner& corner : corners) {
@@ -74,10 +87,8 @@ std::vector<double> marched_distances(const Body& body, const SurfacePoint& cent
   std::vector<double> distances(body.size(), never);
   std::vector<bool> final(body.size(), false), settled(body.size(), false);
   const dvec3 start = body.surface.position(centre);
-  for (const Vertex v : body.triangles[centre.triangle]) {
-    distances[v] = glm::distance(start, body.positions[v]);
-    settled[v] = true;
-  }
+  for (const Vertex v : corners_of(body, centre))
+    distances[v] = glm::distance(start, body.positions[v]), settled[v] = true;
   for (;;) {
     const Vertex next = nearest_open(distances, final);
     if (final[next] || distances[next] == never) return distances;

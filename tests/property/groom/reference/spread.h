@@ -18,6 +18,9 @@ struct Corner {
   dvec3 vector{0};
 };
 
+/// Corners of all triangles that hold a place, of two or more on an edge; a vertex alone where the place is one.
+std::set<Vertex> corners_of(const Body& body, const SurfacePoint& place);
+
 /// Shortest ways along edges (Bellman and Ford); the vector is brought from vertex to vertex.
 Reach reach_along_edges(const Body& body, const std::vector<Corner>& corners);
 /// Through space from the nearest corner, the vector in one rotation.
