@@ -54,7 +54,7 @@ Evaluation noise(const Noise& command, const Surface& surface, const FieldSet& f
     const bool relative = field == Field::length || field == Field::width || field == Field::stretch;
     FieldWriter writer(fields, field);
     for (const auto [v, weight] : region) {
-      const double amount = command.amount * weight;
+      const double amount = command.amount * weight * (command.brush.invert ? -1 : 1);
       glm::dvec4 value(fields.value(field, v));
       if (field == Field::direction) {
         value = disturbed_direction(glm::dvec2(value), random, mesh, v, amount);

@@ -7,14 +7,16 @@ namespace pelage::testing_commands {
 namespace {
 
 template <std::size_t number = 0>
-Command empty_tool(std::size_t tool) {
+Command tool_numbered(std::size_t tool) {
   if constexpr (number + 1 < tool_count) {
-    if (tool != number) return empty_tool<number + 1>(tool);
+    if (tool != number) return tool_numbered<number + 1>(tool);
   }
   return Command(std::in_place_index<number>);
 }
 
 }  // namespace
+
+Command empty_tool(std::size_t tool) { return tool_numbered(tool); }
 
 double CommandMaker::extreme(std::vector<double> special, double low, double high) {
   if (numbers_ == Numbers::ordinary || chance(0.6)) return random_.uniform(low, high);

@@ -11,6 +11,9 @@ namespace pelage::testing_commands {
 /// The first 17 commands of `Command` are the tools.
 inline constexpr std::size_t tool_count = 17;
 
+/// The tool of this number, with its defaults.
+Command empty_tool(std::size_t tool);
+
 /// Makes commands on one model. `ordinary` numbers lie well inside their ranges; `extreme` ones are often at an end.
 enum class Numbers { ordinary, extreme };
 /// Whether strokes have a view, and with it pixel radii and the screen shape.

@@ -127,7 +127,8 @@ void apply(const Noise& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
   for (const Field field : command.fields) {
     for (Vertex v = 0; v < stage.body.size(); ++v)
-      disturb(command, stage.body, field, command.amount * region[v], v, fur.of(field)[v]);
+      disturb(command, stage.body, field, (command.brush.invert ? -1 : 1) * command.amount * region[v], v,
+              fur.of(field)[v]);
   }
 }
 
