@@ -92,13 +92,14 @@ class SmoothedField {
  private:
   glm::dvec4 smoothed(std::uint32_t v, double t, std::span<const Neighbour> neighbours) const {
     if (neighbours.empty()) return now_[v];
-    glm::dvec4 mean(0);
+    // Differences and not values: where nothing differs nothing drifts, however the shares are rounded.
+    glm::dvec4 change(0);
     for (const Neighbour& other : neighbours) {
       const glm::dvec4 value = now_[other.vertex];
-      mean += double{other.share} *
-              (field_ == Field::direction ? glm::dvec4(turned_by(other.turn, glm::dvec2(value)), 0, 0) : value);
+      const glm::dvec4 here = field_ == Field::direction ? glm::dvec4(turned_by(other.turn, glm::dvec2(value)), 0, 0) : value;
+      change += double{other.share} * (here - now_[v]);
     }
-    const glm::dvec4 blended = now_[v] + t * (mean - now_[v]);
+    const glm::dvec4 blended = now_[v] + t * change;
     if (field_ != Field::direction || !command_.keep_inclination) return blended;
     const double length = glm::length(blended);
     return length > no_heading ? blended * (glm::length(now_[v]) / length) : now_[v];
