@@ -56,7 +56,7 @@ std::string disagreement(const Command& command, const Surface& surface, Command
 class ToolAgainstReference : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(ToolAgainstReference, AgreesOnRandomModels) {
-  EXPECT_TRUE(rc::check("agrees", [this](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("agrees", [](std::uint64_t seed) {
     Random random(seed);
     const Surface surface = testing_models::surface_of(testing_models::any_model(random));
     CommandMaker make(seed, surface, Numbers::ordinary);

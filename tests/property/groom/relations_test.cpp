@@ -154,14 +154,14 @@ std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mir
 class ToolRelations : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(ToolRelations, ModelsThatMoveAndGrowAreGroomedTheSame) {
-  EXPECT_TRUE(rc::check("moved", [this](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("moved", [](std::uint64_t seed) {
     const std::string difference = difference_when_moved(GetParam(), seed, false);
     if (!difference.empty()) RC_FAIL(difference);
   }));
 }
 
 TEST_P(ToolRelations, MirroredModelsAreGroomedMirrored) {
-  EXPECT_TRUE(rc::check("mirrored", [this](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("mirrored", [](std::uint64_t seed) {
     const std::string difference = difference_when_moved(GetParam(), seed, true);
     if (!difference.empty()) RC_FAIL(difference);
   }));
@@ -197,7 +197,7 @@ FieldSet renumbered(const FieldSet& fields, const std::vector<std::uint32_t>& pl
 }
 
 TEST_P(ToolRelations, NumbersOfVerticesDoNotMatter) {
-  EXPECT_TRUE(rc::check("renumbered", [this](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("renumbered", [](std::uint64_t seed) {
     Random random(seed);
     RawModel raw = testing_models::dented_builtin(random);
     const Surface here = surface_of(raw);
