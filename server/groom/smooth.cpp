@@ -96,7 +96,8 @@ class SmoothedField {
     glm::dvec4 change(0);
     for (const Neighbour& other : neighbours) {
       const glm::dvec4 value = now_[other.vertex];
-      const glm::dvec4 here = field_ == Field::direction ? glm::dvec4(turned_by(other.turn, glm::dvec2(value)), 0, 0) : value;
+      const glm::dvec4 here =
+          field_ == Field::direction ? glm::dvec4(turned_by(other.turn, glm::dvec2(value)), 0, 0) : value;
       change += double{other.share} * (here - now_[v]);
     }
     const glm::dvec4 blended = now_[v] + t * change;

@@ -237,18 +237,24 @@ void CommandMaker::make(Length& length) {
                         LengthMode::least, LengthMode::most});
   length.units = units();
   length.seed = static_cast<std::uint32_t>(below(1000));
-  if (length.mode == LengthMode::scale) length.value = extreme({0, 1e6, 5e-324}, 0, 3);
-  else if (length.mode == LengthMode::jitter) length.value = extreme({0, 1}, 0, 1);
-  else length.value = in_units(extreme({0, 9.9}, 0, 0.2), length.units);
+  if (length.mode == LengthMode::scale)
+    length.value = extreme({0, 1e6, 5e-324}, 0, 3);
+  else if (length.mode == LengthMode::jitter)
+    length.value = extreme({0, 1}, 0, 1);
+  else
+    length.value = in_units(extreme({0, 9.9}, 0, 0.2), length.units);
   if (length.mode == LengthMode::add && chance(0.5)) length.value = -length.value;
 }
 
 void CommandMaker::make(Trim& trim) {
   trim.units = units();
   const double kind = random_.uniform();
-  if (kind < 0.3) trim.shape = TrimPlane{point(), heading()};
-  else if (kind < 0.7) trim.shape = TrimSphere{point(), in_units(extreme({0, 9e5}, 0.05, 0.8), trim.units), chance(0.5)};
-  else trim.shape = in_units(extreme({0, 9e5}, 0, 0.1), trim.units);
+  if (kind < 0.3)
+    trim.shape = TrimPlane{point(), heading()};
+  else if (kind < 0.7)
+    trim.shape = TrimSphere{point(), in_units(extreme({0, 9e5}, 0.05, 0.8), trim.units), chance(0.5)};
+  else
+    trim.shape = in_units(extreme({0, 9e5}, 0, 0.1), trim.units);
 }
 
 void CommandMaker::make(Lift&) {}
@@ -268,15 +274,15 @@ void CommandMaker::make(Curl& curl) {
 }
 
 void CommandMaker::make(Paint& paint) {
-  paint.field = one_of({Field::density, Field::width, Field::curl, Field::clump, Field::wetness, Field::bare, Field::mask,
-                        Field::root_colour, Field::tip_colour});
+  paint.field = one_of({Field::density, Field::width, Field::curl, Field::clump, Field::wetness, Field::bare,
+                        Field::mask, Field::root_colour, Field::tip_colour});
   paint.value = extreme({0, 1}, 0, 1) * (paint.field == Field::width ? 4 : 1);
   paint.colour = glm::vec3((cube() + 1.0) / 2.0);
 }
 
 void CommandMaker::make(ChangeMask& mask) {
-  mask.action = one_of({MaskAction::select, MaskAction::grow, MaskAction::shrink, MaskAction::smooth, MaskAction::invert,
-                        MaskAction::select});
+  mask.action = one_of({MaskAction::select, MaskAction::grow, MaskAction::shrink, MaskAction::smooth,
+                        MaskAction::invert, MaskAction::select});
   mask.combine = one_of({MaskCombine::replace, MaskCombine::add, MaskCombine::subtract, MaskCombine::intersect});
   mask.units = units();
   mask.value = extreme({0, 1}, 0, 1);

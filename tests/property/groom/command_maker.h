@@ -36,7 +36,9 @@ class CommandMaker {
   std::size_t below(std::size_t count);
   bool chance(double share) { return random_.uniform() < share; }
   template <class Choice, std::size_t count>
-  Choice one_of(const Choice (&all)[count]) { return all[below(count)]; }
+  Choice one_of(const Choice (&all)[count]) {
+    return all[below(count)];
+  }
 
   glm::dvec3 cube();
   glm::dvec3 point();  // model coordinates, most near the surface

@@ -112,7 +112,8 @@ TEST(Extremes, FurOnAFoldIsSmoothedAndSpreadFinitely) {
   for (const DistanceKind kind : {DistanceKind::straight, DistanceKind::dijkstra, DistanceKind::heat}) {
     Interpolate keys;
     keys.distance = kind;
-    keys.keys = {Key{.position = fold.mesh().to_model({0.3, 0.1, 0}), .direction = glm::dvec3(1, 0, 0.2), .inclination = 1}};
+    keys.keys = {
+        Key{.position = fold.mesh().to_model({0.3, 0.1, 0}), .direction = glm::dvec3(1, 0, 0.2), .inclination = 1}};
     const FieldSet spread = after(keys, fold, before);
     expect_in_range(spread);
     for (std::uint32_t v = 0; v < spread.size(); ++v) EXPECT_NEAR(glm::length(spread.at(v).direction), 1, 1e-5);

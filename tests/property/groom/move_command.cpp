@@ -59,7 +59,11 @@ class Mover {
     if constexpr (requires { tool.fall; }) length(tool.fall, tool.units);
     if constexpr (requires { tool.sigma; }) length(tool.sigma, tool.units);
     if constexpr (requires { tool.feature_size; }) length(tool.feature_size, tool.units);
-    if constexpr (requires { tool.distance; tool.combine; }) length(tool.distance, tool.units);
+    if constexpr (requires {
+                    tool.distance;
+                    tool.combine;
+                  })
+      length(tool.distance, tool.units);
     if constexpr (requires { tool.length; }) length(tool.length, tool.units);
     if constexpr (std::is_same_v<Tool, Length>) {
       if (tool.mode != LengthMode::scale && tool.mode != LengthMode::jitter) length(tool.value, tool.units);

@@ -63,7 +63,8 @@ std::string difference_of(const FieldSet& expected, const FieldSet& found, doubl
         --outliers;
         continue;
       }
-      text << shape_of(field_at(f)).name << " of vertex " << v << ": " << b.x << " " << b.y << ", expected " << a.x << " " << a.y;
+      text << shape_of(field_at(f)).name << " of vertex " << v << ": " << b.x << " " << b.y << ", expected " << a.x
+           << " " << a.y;
       return text.str();
     }
   }
@@ -135,7 +136,8 @@ std::vector<std::uint32_t> moved_places(const Mesh& from, const Mesh& to, const 
 std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mirrored) {
   Random random(seed);
   const RawModel raw = triangles_of(surface_of(testing_models::dented_builtin(random)).mesh());
-  const bool flows = std::holds_alternative<Flow>(testing_commands::empty_tool(tool));  // walks in hundredths of the size
+  const bool flows =
+      std::holds_alternative<Flow>(testing_commands::empty_tool(tool));  // walks in hundredths of the size
   const Motion motion = random_motion(random, mirrored, !flows);
   const Surface here = surface_of(raw), there = surface_of(moved_model(raw, motion));
   const std::vector<std::uint32_t> places = moved_places(here.mesh(), there.mesh(), motion);
@@ -144,9 +146,11 @@ std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mir
   if (by_chance(command) || has_hard_edge(command) || !resolve(command, here).ok()) return {};
   const Command moved = testing_commands::moved(command, motion, here, there, places);
   const FieldSet before = make.fields(), rest = make.fields();
-  const FieldSet before_there = moved_fields(before, here, there, motion, places), rest_there = moved_fields(rest, here, there, motion, places);
+  const FieldSet before_there = moved_fields(before, here, there, motion, places),
+                 rest_there = moved_fields(rest, here, there, motion, places);
   const FieldSet expected = moved_fields(after(command, here, before, rest), here, there, motion, places);
-  // 32-bit positions and normals are rounded anew. Where a heading is nearly across the skin that decides where it goes.
+  // 32-bit positions and normals are rounded anew. Where a heading is nearly across the skin that decides where it
+  // goes.
   constexpr double tolerance = 2e-4;
   return difference_of(expected, after(moved, there, before_there, rest_there), tolerance, 1 + before.size() / 50);
 }

@@ -37,11 +37,13 @@ std::vector<glm::dvec3> places_of(const Command& command) {
         if constexpr (std::is_same_v<std::decay_t<decltype(tool)>, Unify>)
           places.push_back(tool.direction.value_or(glm::dvec3(0)));
         if constexpr (std::is_same_v<std::decay_t<decltype(tool)>, Trim>) {
-          if (auto* plane = std::get_if<TrimPlane>(&tool.shape)) places.push_back(plane->point), places.push_back(plane->normal);
+          if (auto* plane = std::get_if<TrimPlane>(&tool.shape))
+            places.push_back(plane->point), places.push_back(plane->normal);
           if (auto* sphere = std::get_if<TrimSphere>(&tool.shape)) places.push_back(sphere->centre);
         }
         if constexpr (requires { tool.keys; }) {
-          for (const Key& key : tool.keys) places.push_back(key.position), places.push_back(key.direction.value_or(glm::dvec3(0)));
+          for (const Key& key : tool.keys)
+            places.push_back(key.position), places.push_back(key.direction.value_or(glm::dvec3(0)));
         }
         if constexpr (requires { tool.curves; }) {
           for (const auto& curve : tool.curves) places.insert(places.end(), curve.begin(), curve.end());
@@ -62,9 +64,9 @@ bool is_flood(const Command& command) {
 
 bool on_positions(const Command& command) {
   const Stroke* stroke = stroke_of(command);
-  return stroke == nullptr || std::all_of(stroke->samples.begin(), stroke->samples.end(), [](const StrokeSample& sample) {
-           return std::holds_alternative<PositionPlace>(sample.place);
-         });
+  return stroke == nullptr ||
+         std::all_of(stroke->samples.begin(), stroke->samples.end(),
+                     [](const StrokeSample& sample) { return std::holds_alternative<PositionPlace>(sample.place); });
 }
 
 Symmetry random_symmetry(Random& random) {
@@ -94,7 +96,8 @@ RC_GTEST_PROP(Symmetry, ImagesAreThoseOfTheSecondImplementation, (std::uint64_t 
     for (const glm::dvec3 place : places_of(image)) found.push_back(place);
   }
   RC_ASSERT(expected.size() == found.size());
-  for (std::size_t k = 0; k < found.size(); ++k) RC_ASSERT(glm::distance(expected[k], found[k]) < 1e-9 * (1 + glm::length(found[k])));
+  for (std::size_t k = 0; k < found.size(); ++k)
+    RC_ASSERT(glm::distance(expected[k], found[k]) < 1e-9 * (1 + glm::length(found[k])));
 }
 
 // Two small strokes that do not meet: what the symmetry does is what both do.
@@ -108,7 +111,8 @@ TEST(Symmetry, TouchesTheUnionOfTheStrokeAndItsImage) {
   symmetry.planes = {Plane{sphere.mesh().to_model(glm::dvec3(0)), {1, 0, 0}}};
   const std::vector<Command> images = images_of(comb, symmetry, sphere);
   ASSERT_EQ(images.size(), 2u);
-  const FieldDelta first = evaluate(images[0], sphere, fields).delta, second = evaluate(images[1], sphere, fields).delta;
+  const FieldDelta first = evaluate(images[0], sphere, fields).delta,
+                   second = evaluate(images[1], sphere, fields).delta;
   ASSERT_FALSE(first.empty());
   FieldSet between = fields;
   between.apply(first);

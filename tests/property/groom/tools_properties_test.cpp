@@ -34,7 +34,10 @@ bool usable(const Command& command, const Surface& surface) {
   if (!resolved.ok()) return false;
   return std::visit(
       [&](const auto& tool) {
-        if constexpr (requires { tool.stroke; tool.brush; })
+        if constexpr (requires {
+                        tool.stroke;
+                        tool.brush;
+                      })
           return !tool.stroke || BrushStroke(*tool.stroke, tool.brush, surface).dab_count() < most_dabs;
         return true;
       },
@@ -110,7 +113,7 @@ TEST_P(EveryTool, DoesNothingWithoutStrength) {
     Command weak = one.command;
     testing_commands::weaken(weak);
     if (auto* trim = std::get_if<Trim>(&weak); trim && trim->flood) return;  // a flood cuts wholly
-    if (std::holds_alternative<ChangeMask>(weak)) return;                   // has no strength
+    if (std::holds_alternative<ChangeMask>(weak)) return;                    // has no strength
     RC_ASSERT(one.evaluated(weak).delta.empty());
   });
 }

@@ -94,9 +94,11 @@ TEST(Transport, KeepsLengthBetweenRoundedNormals) {
 TEST(Smoothing, IsMonotoneUpToAHalf) {
   const Surface sphere = make_surface(Builtin::sphere, 500);
   FieldSet before(sphere.mesh().positions.size());
-  for (std::uint32_t v = 0; v < before.size(); ++v) before.set(Field::density, v, glm::vec4(v % 3 == 0 ? 1 : 0, 0, 0, 0));
+  for (std::uint32_t v = 0; v < before.size(); ++v)
+    before.set(Field::density, v, glm::vec4(v % 3 == 0 ? 1 : 0, 0, 0, 0));
   const auto spread = [](const FieldSet& fields) {
-    const auto [least, most] = std::minmax_element(fields.values(Field::density).begin(), fields.values(Field::density).end());
+    const auto [least, most] =
+        std::minmax_element(fields.values(Field::density).begin(), fields.values(Field::density).end());
     return *most - *least;
   };
   for (const double t : {0.1, 0.25, 0.5}) {

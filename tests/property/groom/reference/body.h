@@ -40,7 +40,7 @@ struct Body {
   std::vector<std::set<Vertex>> neighbours;
 
   std::size_t size() const { return positions.size(); }
-  dvec3 inside(dvec3 model) const;              // from model to internal coordinates
+  dvec3 inside(dvec3 model) const;                // from model to internal coordinates
   double sizes(double value, Units units) const;  // a length of a command
   dvec2 in_frame(Vertex v, dvec3 vector) const { return {dot(vector, tangents[v]), dot(vector, bitangents[v])}; }
   dvec3 in_space(Vertex v, dvec2 direction) const { return direction.x * tangents[v] + direction.y * bitangents[v]; }

@@ -15,7 +15,8 @@ Reach reach(const Body& body, DistanceKind kind, const std::vector<Corner>& corn
   return kind == DistanceKind::straight ? reach_through_space(body, corners) : reach_along_edges(body, corners);
 }
 
-/// The corners around the place of the surface nearest to a place, with the tangent part of a unit vector, `length` long.
+/// The corners around the place of the surface nearest to a place, with the tangent part of a unit vector, `length`
+/// long.
 void add_corners(const Body& body, dvec3 place, dvec3 way, double length, bool all, std::vector<Corner>& corners) {
   const SurfacePoint nearest = body.surface.nearest(place);
   const dvec3 there = body.surface.position(nearest);
@@ -66,7 +67,8 @@ bool any(const std::vector<double>& weights) {
 /// The inverse distances of a vertex's neighbours.
 std::vector<double> nearness(const Body& body, Vertex v) {
   std::vector<double> inverse;
-  for (const Vertex other : body.neighbours[v]) inverse.push_back(1 / glm::distance(body.positions[v], body.positions[other]));
+  for (const Vertex other : body.neighbours[v])
+    inverse.push_back(1 / glm::distance(body.positions[v], body.positions[other]));
   return inverse;
 }
 
@@ -111,8 +113,10 @@ void apply(const Interpolate& command, const Stage& stage, Fur& fur) {
   for (const Key& key : command.keys) reaches.push_back(reach(body, command.distance, corners_of(key, body)));
   for (Vertex v = 0; v < body.size(); ++v) {
     const double w = command.strength * region[v];
-    const auto directed = key_weights(command, reaches, v, sigma, [](const Key& key) { return key.direction.has_value(); });
-    const auto measured = key_weights(command, reaches, v, sigma, [](const Key& key) { return key.length.has_value(); });
+    const auto directed =
+        key_weights(command, reaches, v, sigma, [](const Key& key) { return key.direction.has_value(); });
+    const auto measured =
+        key_weights(command, reaches, v, sigma, [](const Key& key) { return key.length.has_value(); });
     dvec3 lean(0);
     double length = 0;
     for (std::size_t k = 0; k < reaches.size(); ++k) {

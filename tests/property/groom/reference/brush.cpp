@@ -79,8 +79,8 @@ std::vector<double> distances_of(const Print& print, const Stroke& stroke, const
 
 dvec3 place_of(const StrokeSample& sample, const Body& body) {
   if (const auto* position = std::get_if<PositionPlace>(&sample.place)) return body.inside(position->position);
-  // To the bit what the tools compute: dabs between two places often lie on an edge, where the last bit decides which of
-  // its triangles the march along the surface begins in.
+  // To the bit what the tools compute: dabs between two places often lie on an edge, where the last bit decides which
+  // of its triangles the march along the surface begins in.
   const auto& place = std::get<SurfacePlace>(sample.place);
   const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
   return body.surface.position({place.triangle, place.barycentric / sum});

@@ -63,7 +63,8 @@ std::vector<double> smoothed(const Body& body, std::vector<double> mask, int pas
     const std::vector<double> before = mask;
     for (Vertex v = 0; v < body.size(); ++v) {
       double mean = 0;
-      for (const Vertex other : body.neighbours[v]) mean += before[other] / static_cast<double>(body.neighbours[v].size());
+      for (const Vertex other : body.neighbours[v])
+        mean += before[other] / static_cast<double>(body.neighbours[v].size());
       if (!body.neighbours[v].empty()) mask[v] = (before[v] + mean) / 2;
     }
   }

@@ -91,8 +91,7 @@ void apply(const Blow& command, const Stage& stage, Fur& fur) {
     const double away = glm::distance(body.positions[v], source);
     const double fallen = fall > 0 ? 1 / (1 + (away / fall) * (away / fall)) : 1;
     const double w = command.strength * region[v] * in_cone(command, axis, wind) * fallen;
-    set_direction(fur, v,
-                  turned_to(body, v, fur.direction(v), command.brush.invert ? -wind : wind, command.lean, w));
+    set_direction(fur, v, turned_to(body, v, fur.direction(v), command.brush.invert ? -wind : wind, command.lean, w));
   }
 }
 

@@ -44,7 +44,8 @@ double lattice_noise(dvec3 p, std::uint64_t seed) {
 double noise_at(const Noise& command, const Body& body, Vertex v, std::size_t channel) {
   const std::uint64_t seed = mix_bits(command.seed ^ (static_cast<std::uint64_t>(channel) << 32));
   const double feature = body.sizes(command.feature_size, command.units);
-  return feature < 1e-8 ? number_at(glm::vec3(body.positions[v]), seed) : lattice_noise(body.positions[v] / feature, seed);
+  return feature < 1e-8 ? number_at(glm::vec3(body.positions[v]), seed)
+                        : lattice_noise(body.positions[v] / feature, seed);
 }
 
 void disturb(const Noise& command, const Body& body, Field field, double amount, Vertex v, dvec4& value) {
@@ -90,7 +91,8 @@ class Allowed {
     if (const auto* plane = std::get_if<TrimPlane>(&command_.shape))
       return glm::dot(place - body_.inside(plane->point), unit(plane->normal));
     if (const auto* sphere = std::get_if<TrimSphere>(&command_.shape)) {
-      const double out = glm::distance(place, body_.inside(sphere->centre)) - body_.sizes(sphere->radius, command_.units);
+      const double out =
+          glm::distance(place, body_.inside(sphere->centre)) - body_.sizes(sphere->radius, command_.units);
       return sphere->keep_inside ? out : -out;
     }
     return up - body_.sizes(std::get<double>(command_.shape), command_.units);
@@ -147,7 +149,9 @@ void apply(const Unify& command, const Stage& stage, Fur& fur) {
     lean += share * body.in_space(v, fur.direction(v));
     for (std::size_t f = 0; f < field_count; ++f) mean.values[f][0] += share * fur.values[f][v];
   }
-  const auto named = [&](Field field) { return std::find(command.mean.begin(), command.mean.end(), field) != command.mean.end(); };
+  const auto named = [&](Field field) {
+    return std::find(command.mean.begin(), command.mean.end(), field) != command.mean.end();
+  };
   const bool given = command.direction || command.inclination;
   for (Vertex v = 0; v < body.size(); ++v) {
     const double w = command.weight * region[v];
@@ -201,7 +205,8 @@ void apply(const Trim& command, const Stage& stage, Fur& fur) {
     const dvec3 sideways = unit(body.in_space(v, fur.direction(v)));
     for (int k = 1; k <= 8; ++k) {
       const dvec2 place = lean_place(stage.coat, inclination, k / 8.0);
-      cut = std::min(cut, longest(allowed, body.positions[v], place.x * sideways + place.y * body.normals[v], place.y, cut));
+      cut = std::min(cut,
+                     longest(allowed, body.positions[v], place.x * sideways + place.y * body.normals[v], place.y, cut));
     }
     length += region[v] * (cut - length);
   }
