@@ -6,6 +6,7 @@
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
+#include "server/surface/corners_around.h"
 #include "server/surface/parallel.h"
 
 namespace pelage {
@@ -15,7 +16,7 @@ namespace {
 constexpr double step = 0.01;          // sizes between places along a curve
 constexpr std::size_t most_steps = 4096;  // on one curve
 
-/// Corners of the triangles that a curve passes, with the way that it goes there.
+/// Corners around the places that a curve passes, with the way that it goes there.
 std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   std::vector<SpreadSource> sources;
@@ -28,8 +29,7 @@ std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const
       const SurfacePoint place =
           surface.nearest(glm::mix(from, to, static_cast<double>(k) / static_cast<double>(pieces)));
       const glm::dvec3 on_surface = surface.position(place);
-      for (int c = 0; c < 3; ++c) {
-        const std::uint32_t v = mesh.triangles[place.triangle][c];
+      for (const std::uint32_t v : corners_around(surface, place)) {
         const VertexFrame frame = frame_at(mesh, v);
         const glm::dvec2 part = frame.tangent_part(way);
         if (glm::length(part) < no_heading) continue;

@@ -6,6 +6,7 @@
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
+#include "server/surface/corners_around.h"
 #include "server/surface/parallel.h"
 
 namespace pelage {
@@ -14,15 +15,14 @@ namespace {
 
 constexpr double default_inclination = 0.5;
 
-/// A key's corners as sources: the direction in the surface there, with its inclination as length.
+/// The corners around a key as sources: the direction in the surface there, with its inclination as length.
 std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 place = mesh.to_internal(key.position);
   const SurfacePoint nearest = surface.nearest(place);
   const glm::dvec3 on_surface = surface.position(nearest);
   std::vector<SpreadSource> sources;
-  for (int k = 0; k < 3; ++k) {
-    const std::uint32_t v = mesh.triangles[nearest.triangle][k];
+  for (const std::uint32_t v : corners_around(surface, nearest)) {
     glm::dvec3 lean(0);
     if (key.direction) {
       const VertexFrame frame = frame_at(mesh, v);

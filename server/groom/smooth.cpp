@@ -66,6 +66,9 @@ Value shared(Share share, const Value& value) {
 }
 glm::dvec2 shared(TurnedShare turn, glm::dvec2 v) { return {turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y}; }
 
+double size_of(Share share) { return double{share}; }
+double size_of(TurnedShare turn) { return glm::length(glm::dvec2(turn)); }
+
 void put_share(Share& share, double part, const Mesh&, const VertexFrame&, std::uint32_t) {
   share = static_cast<float>(part);
 }
@@ -176,9 +179,11 @@ class SmoothedField {
     const auto others = near_.others(i);
     if (others.empty()) return own;
     const auto shares = ring_.of(i, scratch);
-    Value mean(0);
-    for (std::size_t k = 0; k < others.size(); ++k) mean += shared(shares[k], now_[others[k]]);
-    const Value blended = own + command_.t * region_[i].weight * (mean - own);
+    // Differences and not values: where nothing differs nothing drifts, however the shares are rounded.
+    Value change(0);
+    for (std::size_t k = 0; k < others.size(); ++k)
+      change += shared(shares[k], now_[others[k]]) - size_of(shares[k]) * own;
+    const Value blended = own + command_.t * region_[i].weight * change;
     if constexpr (std::is_same_v<AnyShare, TurnedShare>) {
       const double length = glm::length(blended);
       if (command_.keep_inclination) return length > no_heading ? blended * (glm::length(own) / length) : own;

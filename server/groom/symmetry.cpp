@@ -105,6 +105,15 @@ class Mover {
     }
     return true;
   }
+  bool move_parts(Unify& unify) const {
+    if (unify.direction) turn(*unify.direction);
+    return false;
+  }
+  bool move_parts(Trim& trim) const {
+    if (auto* plane = std::get_if<TrimPlane>(&trim.shape)) move(plane->point), turn(plane->normal);
+    if (auto* sphere = std::get_if<TrimSphere>(&trim.shape)) move(sphere->centre);
+    return false;
+  }
   bool move_parts(Curl& curl) const {
     if (glm::determinant(motion_.turn) < 0) curl.turn_degrees = -curl.turn_degrees;
     return false;

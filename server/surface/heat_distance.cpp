@@ -44,10 +44,13 @@ std::vector<Element> elements_of(const Mesh& mesh) {
   return elements;
 }
 
+/// Of all sides of all triangles, so that the order of corners does not matter.
 double mean_edge(const Mesh& mesh) {
   double sum = 0;
-  for (const glm::uvec3& t : mesh.triangles) sum += glm::distance(mesh.positions[t.x], mesh.positions[t.y]);
-  return mesh.triangles.empty() ? 1 : sum / static_cast<double>(mesh.triangles.size());
+  for (const glm::uvec3& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) sum += glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
+  }
+  return mesh.triangles.empty() ? 1 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
 /// Each vertex's connected part.

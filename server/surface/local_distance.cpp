@@ -6,6 +6,8 @@
 #include <queue>
 #include <unordered_map>
 
+#include "server/surface/corners_around.h"
+
 namespace pelage {
 
 namespace {
@@ -17,10 +19,13 @@ class March {
  public:
   March(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
+  /// Nothing is nearer to the corners around the centre than the straight way.
   void start(const SurfacePoint& centre) {
     const glm::dvec3 place = surface_.position(centre);
-    const glm::uvec3 corners = surface_.mesh().triangles[centre.triangle];
-    for (int k = 0; k < 3; ++k) offer(corners[k], glm::distance(place, position(corners[k])));
+    for (const std::uint32_t corner : corners_around(surface_, centre)) {
+      offer(corner, glm::distance(place, position(corner)));
+      known_[corner].settled = true;
+    }
   }
 
   void run() {
@@ -29,15 +34,20 @@ class March {
       front_.pop();
       Known& known = known_[vertex];
       if (known.final || distance > known.distance) continue;
-      known.final = true;
-      for (const std::uint32_t next : surface_.neighbours(vertex)) offer(next, distance_by(vertex, distance, next));
+      known.settled = known.final = true;
+      // One ring beyond the radius is marched too: the straight way to a vertex inside it may pass between one vertex
+      // inside and one outside.
+      for (const std::uint32_t next : surface_.neighbours(vertex)) {
+        const double there = distance_by(vertex, distance, next);
+        if (distance <= radius_ || there <= radius_) offer(next, there);
+      }
     }
   }
 
   std::vector<VertexDistance> found() const {
     std::vector<VertexDistance> all;
     for (const auto& [vertex, known] : known_) {
-      if (known.final) all.push_back({vertex, known.distance});
+      if (known.distance <= radius_) all.push_back({vertex, known.distance});
     }
     std::sort(all.begin(), all.end(), [](auto a, auto b) { return a.vertex < b.vertex; });
     return all;
@@ -46,16 +56,16 @@ class March {
  private:
   struct Known {
     double distance = unreached;
-    bool final = false;
+    bool settled = false;  // it will not change
+    bool final = false;    // and its neighbours have been offered theirs
   };
   using Place = std::pair<double, std::uint32_t>;
 
   glm::dvec3 position(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
 
   void offer(std::uint32_t vertex, double distance) {
-    if (!(distance <= radius_)) return;
     Known& known = known_[vertex];
-    if (known.final || known.distance <= distance) return;
+    if (known.settled || known.distance <= distance) return;
     known.distance = distance;
     front_.push({distance, vertex});
   }
@@ -66,7 +76,7 @@ class March {
     double best = distance + near;
     for (const std::uint32_t other : surface_.neighbours(next)) {
       const auto known = known_.find(other);
-      if (other == vertex || known == known_.end() || !known->second.final || !adjacent(other, vertex)) continue;
+      if (other == vertex || known == known_.end() || !known->second.settled || !adjacent(other, vertex)) continue;
       best = std::min(best, unfolded_distance(glm::distance(position(vertex), position(other)), near,
                                               glm::distance(position(other), position(next)), distance,
                                               known->second.distance));
@@ -94,8 +104,10 @@ double unfolded_distance(double along, double near, double far, double near_dist
   const double depth = near_distance * near_distance - source_x * source_x;
   const double place_x = (near * near - far * far + along * along) / (2 * along);
   const double height = near * near - place_x * place_x;
-  if (depth < 0 || !(height > 0)) return unreached;
-  const double below = std::sqrt(depth), above = std::sqrt(height);
+  // Rounding may put a source that lies on the edge itself a little above it.
+  const double rounding = 1e-12 * (near_distance * near_distance + far_distance * far_distance + along * along);
+  if (depth < -rounding || !(height > 0)) return unreached;
+  const double below = std::sqrt(std::max(depth, 0.0)), above = std::sqrt(height);
   const double crossing = source_x + (place_x - source_x) * below / (below + above);
   if (crossing < 0 || crossing > along) return unreached;
   return std::hypot(place_x - source_x, below + above);

@@ -14,8 +14,8 @@ struct VertexDistance {
 };
 
 /// Vertices at most `radius` from the point along the surface, rising. Fast marching that unfolds each triangle about
-/// a virtual source (Novotni and Klein 2002): exact on flat parts, and never longer than the way along edges. Cost
-/// follows the number found, not the mesh.
+/// a virtual source (Novotni and Klein 2002): exact on flat parts, and never longer than the way along edges. It
+/// marches one ring of vertices beyond the radius, and back from there. Cost follows the number found, not the mesh.
 std::vector<VertexDistance> distances_within(const Surface& surface, const SurfacePoint& centre, double radius);
 
 /// The distance of a place in a triangle whose other corners are `along` apart: `near` and `far` from them, which are

@@ -6,12 +6,18 @@
 #include <functional>
 
 #include "protocol/base/random.h"
+#include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "tests/property/groom/command_maker.h"
+#include "tests/property/groom/models.h"
+#include "tests/property/groom/reference/brush.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {
 namespace {
 
+using testing_commands::CommandMaker;
+using testing_commands::Numbers;
 using testing_shapes::lean_of;
 using testing_shapes::make_surface;
 using testing_shapes::stroke_through;
@@ -21,93 +27,22 @@ const Surface& sphere() {
   return surface;
 }
 
-/// Random commands, with the extremes of every range among their numbers.
-class CommandMaker {
- public:
-  explicit CommandMaker(std::uint64_t seed) : random_(seed) {}
-
-  Command command() {
-    const double kind = random_.uniform();
-    if (kind < 0.4) return comb();
-    return kind < 0.7 ? Command(blow()) : Command(attract());
-  }
-
-  FieldSet fields() {
-    FieldSet fields = first_groom(sphere().mesh(), {extreme({0, 1e-6, 10}, 0, 1), extreme({0, 1}, 0, 1)});
-    return fields;
-  }
-
- private:
-  double extreme(std::vector<double> special, double low, double high) {
-    if (random_.uniform() < 0.6) return random_.uniform(low, high);
-    return special[static_cast<std::size_t>(random_.uniform(0, static_cast<double>(special.size())))];
-  }
-  glm::dvec3 point() {
-    const double reach = extreme({0, 0.2887, 1e6}, 0, 0.6);
-    return reach * glm::dvec3(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
-  }
-  glm::dvec3 heading() {
-    const double length = extreme({1e-300, 1e300}, 0.1, 2);
-    return length * glm::dvec3(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0.1, 1));
-  }
-  Brush brush() {
-    Brush brush;
-    brush.radius = extreme({0, 1e6, 1}, 1e-3, 0.5);
-    brush.falloff = static_cast<Falloff>(static_cast<int>(random_.uniform(0, 5)));
-    brush.strength = extreme({0, 1}, 0, 1);
-    brush.spacing = extreme({0.01, 10}, 0.05, 1);
-    brush.front_faces_only = random_.uniform() < 0.5;
-    brush.invert = random_.uniform() < 0.3;
-    return brush;
-  }
-  std::optional<Stroke> stroke() {
-    std::vector<glm::dvec3> points{point()};
-    while (random_.uniform() < 0.7) points.push_back(random_.uniform() < 0.2 ? points.back() : point());
-    Stroke stroke = stroke_through(sphere(), points);
-    for (StrokeSample& sample : stroke.samples) sample.pressure = extreme({0, 1}, 0, 1);
-    return stroke;
-  }
-  Comb comb() {
-    Comb comb;
-    comb.brush = brush();
-    comb.lean = extreme({0, 1}, 0, 1);
-    comb.flood = random_.uniform() < 0.2;
-    if (comb.flood)
-      comb.direction = heading();
-    else
-      comb.stroke = stroke();
-    return comb;
-  }
-  Blow blow() {
-    Blow blow;
-    blow.brush = brush();
-    blow.source = point();
-    blow.direction = heading();
-    blow.cone_degrees = extreme({0, 90, 180}, 0, 180);
-    blow.softness = extreme({0, 1}, 0, 1);
-    blow.strength = extreme({0, 1}, 0, 1);
-    blow.lean = extreme({0, 1}, 0, 1);
-    if (random_.uniform() < 0.5) blow.stroke = stroke();
-    return blow;
-  }
-  Attract attract() {
-    Attract attract;
-    attract.brush = brush();
-    attract.point = point();
-    attract.radius = extreme({0, 1e6}, 0, 1);
-    attract.strength = extreme({0, 1}, 0, 1);
-    attract.duration = extreme({0, 1e4, 1e-6}, 0, 3);
-    attract.threshold = extreme({0, 1e3}, 0, 2);
-    attract.max_stretch = extreme({1, 100}, 1, 10);
-    if (random_.uniform() < 0.5) attract.stroke = stroke();
-    return attract;
-  }
-
-  Random random_;
-};
-
-/// Commands that resolve refuses (too many dabs) are no subject of evaluate.
-bool refused(const Command& command) { return !resolve(command, sphere()).ok(); }
+/// Commands that resolve refuses (too many dabs, too far) are no subject of evaluate; thousands of dabs only take time.
+bool usable(const Command& command, const Surface& surface) {
+  constexpr double most_dabs = 1000;
+  const Result<Command> resolved = resolve(command, surface);
+  if (!resolved.ok()) return false;
+  return std::visit(
+      [&](const auto& tool) {
+        if constexpr (requires {
+                        tool.stroke;
+                        tool.brush;
+                      })
+          return !tool.stroke || BrushStroke(*tool.stroke, tool.brush, surface).dab_count() < most_dabs;
+        return true;
+      },
+      *resolved);
+}
 
 /// Every part rises and changes something; every value is in its field's range.
 void expect_sound(const Evaluation& done, const FieldSet& before) {
@@ -126,38 +61,107 @@ void expect_sound(const Evaluation& done, const FieldSet& before) {
   }
 }
 
-RC_GTEST_PROP(Tools, GiveFiniteFurAtEveryExtreme, (std::uint64_t seed)) {
-  CommandMaker make(seed);
-  FieldSet fields = make.fields();
-  for (int i = 0; i < 6; ++i) {
-    const Command command = make.command();
-    if (refused(command)) continue;
-    const Evaluation done = evaluate(command, sphere(), fields);
-    expect_sound(done, fields);
-    fields.apply(done.delta);
+/// A random model, fur and a tool on it.
+struct Try {
+  Try(std::size_t tool, std::uint64_t seed, Numbers numbers)
+      : random(seed),
+        surface(testing_models::surface_of(testing_models::any_model(random))),
+        make(seed, surface, numbers),
+        command(make.command(tool)),
+        before(make.fields()),
+        rest(make.fields()),
+        coat(make.coat()) {}
+
+  Evaluation evaluated(const Command& tool) const { return evaluate(tool, surface, before, {coat, &rest}); }
+  Evaluation evaluated() const { return evaluated(command); }
+  bool good() const { return usable(command, surface); }
+
+  Random random;
+  Surface surface;
+  CommandMaker make;
+  Command command;
+  FieldSet before, rest;
+  Coat coat;
+};
+
+class EveryTool : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  /// Checks 100 random tries of the tool.
+  template <class Check>
+  void all(Numbers numbers, Check check) const {
+    EXPECT_TRUE(rc::check("holds", [&](std::uint64_t seed) {
+      const Try one(GetParam(), seed, numbers);
+      if (one.good()) check(one);
+    }));
   }
+};
+
+TEST_P(EveryTool, GivesFiniteFurAtEveryExtreme) {
+  all(Numbers::extreme, [](const Try& one) { expect_sound(one.evaluated(), one.before); });
 }
 
-RC_GTEST_PROP(Tools, GiveTheSameBitsEveryTime, (std::uint64_t seed)) {
-  CommandMaker make(seed);
-  const FieldSet fields = make.fields();
-  const Command command = make.command();
-  if (refused(command)) return;
-  const Evaluation first = evaluate(command, sphere(), fields), second = evaluate(command, sphere(), fields);
-  RC_ASSERT(first.delta == second.delta);
-  RC_ASSERT(first.clamped == second.clamped);
+TEST_P(EveryTool, GivesTheSameBitsEveryTime) {
+  all(Numbers::extreme, [](const Try& one) {
+    const Evaluation first = one.evaluated(), second = one.evaluated();
+    RC_ASSERT(first.delta == second.delta);
+    RC_ASSERT(first.clamped == second.clamped);
+  });
 }
 
-RC_GTEST_PROP(Tools, DoNothingWithoutStrength, (std::uint64_t seed)) {
-  CommandMaker make(seed);
-  const FieldSet fields = make.fields();
-  Command command = make.command();
-  if (auto* comb = std::get_if<Comb>(&command)) comb->brush.strength = 0;
-  if (auto* blow = std::get_if<Blow>(&command)) blow->strength = 0;
-  if (auto* attract = std::get_if<Attract>(&command)) attract->strength = 0;
-  if (refused(command)) return;
-  RC_ASSERT(evaluate(command, sphere(), fields).delta.empty());
+TEST_P(EveryTool, DoesNothingWithoutStrength) {
+  all(Numbers::extreme, [](const Try& one) {
+    Command weak = one.command;
+    testing_commands::weaken(weak);
+    if (auto* trim = std::get_if<Trim>(&weak); trim && trim->flood) return;  // a flood cuts wholly
+    if (std::holds_alternative<ChangeMask>(weak)) return;                    // has no strength
+    RC_ASSERT(one.evaluated(weak).delta.empty());
+  });
 }
+
+TEST_P(EveryTool, IsUndoneByItsOwnDelta) {
+  all(Numbers::extreme, [](const Try& one) {
+    FieldSet fields = one.before;
+    const FieldDelta delta = one.evaluated().delta;
+    fields.apply(delta);
+    RC_ASSERT((fields.hash() == one.before.hash()) == delta.empty());
+    fields.apply(delta);
+    RC_ASSERT(fields.hash() == one.before.hash());
+  });
+}
+
+bool changes_the_mask(const Command& command) {
+  const auto* paint = std::get_if<Paint>(&command);
+  return std::holds_alternative<ChangeMask>(command) || (paint && paint->field == Field::mask);
+}
+
+TEST_P(EveryTool, ChangesNothingOutsideBrushAndMask) {
+  all(Numbers::ordinary, [](const Try& one) {
+    const plain::Body body(one.surface);
+    const plain::Fur fur = plain::read(one.before);
+    std::visit(
+        [&](const auto& tool) {
+          if constexpr (requires { tool.stroke; }) {
+            const bool masked = !changes_the_mask(one.command);
+            const std::vector<double> region = plain::region_of(tool.stroke, tool.brush, body, fur, masked);
+            for (const std::uint32_t v : one.evaluated().delta.vertices()) RC_ASSERT(!tool.stroke || region[v] > 0);
+            for (const std::uint32_t v : one.evaluated().delta.vertices())
+              RC_ASSERT(!masked || one.before.number(Field::mask, v) > 0);
+          }
+        },
+        one.command);
+  });
+}
+
+TEST_P(EveryTool, ChangesNothingWhereTheMaskIsZero) {
+  all(Numbers::extreme, [](const Try& one) {
+    if (changes_the_mask(one.command)) return;
+    FieldSet masked = one.before;
+    for (std::uint32_t v = 0; v < masked.size(); ++v) masked.set(Field::mask, v, glm::vec4(0));
+    RC_ASSERT(evaluate(one.command, one.surface, masked, {one.coat, &one.rest}).delta.empty());
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::Range(std::size_t{0}, testing_commands::tool_count));
 
 /// One straight stroke sampled at a rate, internal coordinates.
 Comb straight_comb(glm::dvec3 from, glm::dvec3 to, int samples, double radius) {
@@ -205,19 +209,6 @@ RC_GTEST_PROP(Comb, MirroredStrokesGiveMirroredFur, (std::uint64_t seed)) {
     const glm::dvec3 a = lean_of(sphere(), straight.at(v), v), b = lean_of(sphere(), mirrored.at(twin[0]), twin[0]);
     RC_ASSERT(glm::distance(mirror * a, b) < 1e-4);
   }
-}
-
-RC_GTEST_PROP(Deltas, UndoAfterDoIsTheIdentity, (std::uint64_t seed)) {
-  CommandMaker make(seed);
-  FieldSet fields = make.fields();
-  const FieldsHash before = fields.hash();
-  const Command command = make.command();
-  if (refused(command)) return;
-  const FieldDelta delta = evaluate(command, sphere(), fields).delta;
-  fields.apply(delta);
-  RC_ASSERT((fields.hash() == before) == delta.empty());
-  fields.apply(delta);
-  RC_ASSERT(fields.hash() == before);
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+#include "tests/property/groom/move_command.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace pelage::testing_commands {
+
+namespace {
+
+class Mover {
+ public:
+  Mover(const Motion& motion, const Mesh& from, const Mesh& to, const std::vector<std::uint32_t>& places)
+      : motion_(motion), from_(from), to_(to), places_(places), size_(from.size) {}
+
+  template <class Tool>
+  void operator()(Tool& tool) const {
+    if constexpr (requires { tool.brush; }) move(tool.brush);
+    if constexpr (requires { tool.stroke; }) {
+      if (tool.stroke) move(*tool.stroke);
+    }
+    if constexpr (requires { tool.units; }) move_lengths(tool), tool.units = Units::world;
+    move_parts(tool);
+  }
+
+ private:
+  void place(glm::dvec3& p) const { p = motion_.place(p); }
+  void turn(glm::dvec3& d) const { d = motion_.turn * d; }
+  void turn(std::optional<glm::dvec3>& d) const {
+    if (d) turn(*d);
+  }
+  void length(double& value, Units units) const { value *= motion_.scale * (units == Units::relative ? size_ : 1); }
+  void length(std::optional<double>& value, Units units) const {
+    if (value) length(*value, units);
+  }
+  void move(Brush& brush) const {
+    length(brush.radius, brush.units == RadiusUnits::relative ? Units::relative : Units::world);
+    brush.units = RadiusUnits::world;
+  }
+  void move(Stroke& stroke) const {
+    for (StrokeSample& sample : stroke.samples) {
+      if (auto* position = std::get_if<PositionPlace>(&sample.place)) place(position->position);
+      if (auto* surface = std::get_if<SurfacePlace>(&sample.place)) move(*surface);
+    }
+  }
+  /// The same triangle, whose corners may come in another order.
+  void move(SurfacePlace& place) const {
+    const glm::dvec3 before = place.barycentric;
+    const glm::uvec3 old_corners = from_.triangles[place.triangle], corners = to_.triangles[place.triangle];
+    for (int k = 0; k < 3; ++k) {
+      for (int j = 0; j < 3; ++j) {
+        if (corners[k] == places_[old_corners[j]]) place.barycentric[k] = before[j];
+      }
+    }
+  }
+
+  template <class Tool>
+  void move_lengths(Tool& tool) const {
+    if constexpr (requires { tool.radius; }) length(tool.radius, tool.units);
+    if constexpr (requires { tool.fall; }) length(tool.fall, tool.units);
+    if constexpr (requires { tool.sigma; }) length(tool.sigma, tool.units);
+    if constexpr (requires { tool.feature_size; }) length(tool.feature_size, tool.units);
+    if constexpr (requires {
+                    tool.distance;
+                    tool.combine;
+                  })
+      length(tool.distance, tool.units);
+    if constexpr (requires { tool.length; }) length(tool.length, tool.units);
+    if constexpr (std::is_same_v<Tool, Length>) {
+      if (tool.mode != LengthMode::scale && tool.mode != LengthMode::jitter) length(tool.value, tool.units);
+    }
+    if constexpr (std::is_same_v<Tool, Interpolate>) {
+      for (Key& key : tool.keys) length(key.length, tool.units);
+    }
+    if constexpr (std::is_same_v<Tool, Trim>) {
+      if (auto* height = std::get_if<double>(&tool.shape)) length(*height, tool.units);
+      if (auto* sphere = std::get_if<TrimSphere>(&tool.shape)) length(sphere->radius, tool.units);
+    }
+    if constexpr (std::is_same_v<Tool, ChangeMask>) {
+      if (auto* sphere = std::get_if<MaskSphere>(&tool.shape)) length(sphere->radius, tool.units);
+    }
+  }
+
+  void move_parts(Comb& comb) const { turn(comb.direction); }
+  void move_parts(Blow& blow) const { place(blow.source), turn(blow.direction); }
+  void move_parts(Attract& attract) const { place(attract.point); }
+  void move_parts(Unify& unify) const { turn(unify.direction); }
+  void move_parts(Curl& curl) const {
+    if (glm::determinant(motion_.turn) < 0) curl.turn_degrees = -curl.turn_degrees;
+  }
+  void move_parts(Interpolate& command) const {
+    for (Key& key : command.keys) place(key.position), turn(key.direction);
+  }
+  void move_parts(Flow& command) const {
+    for (auto& curve : command.curves) {
+      for (glm::dvec3& point : curve) place(point);
+    }
+  }
+  void move_parts(Trim& trim) const {
+    if (auto* plane = std::get_if<TrimPlane>(&trim.shape)) place(plane->point), turn(plane->normal);
+    if (auto* sphere = std::get_if<TrimSphere>(&trim.shape)) place(sphere->centre);
+  }
+  void move_parts(ChangeMask& mask) const {
+    if (auto* sphere = std::get_if<MaskSphere>(&mask.shape)) place(sphere->centre);
+    if (auto* part = std::get_if<MaskPart>(&mask.shape)) place(part->position);
+  }
+  template <class Other>
+  void move_parts(Other&) const {}
+
+  const Motion& motion_;
+  const Mesh &from_, &to_;
+  const std::vector<std::uint32_t>& places_;
+  double size_;
+};
+
+}  // namespace
+
+Command moved(const Command& command, const Motion& motion, const Surface& from, const Surface& to,
+              const std::vector<std::uint32_t>& places) {
+  Command other = command;
+  std::visit(Mover(motion, from.mesh(), to.mesh(), places), other);
+  renumber_vertices(other, places);
+  return other;
+}
+
+void renumber_vertices(Command& command, const std::vector<std::uint32_t>& places) {
+  auto* mask = std::get_if<ChangeMask>(&command);
+  auto* list = mask ? std::get_if<MaskVertices>(&mask->shape) : nullptr;
+  if (!list) return;
+  for (std::uint32_t& vertex : list->vertices) vertex = places[vertex];
+}
+
+}  // namespace pelage::testing_commands

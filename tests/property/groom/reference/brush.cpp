@@ -1,0 +1,184 @@
+#include "tests/property/groom/reference/brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/property/groom/reference/spread.h"
+
+namespace pelage::plain {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The stroke's camera, which the tests always place themselves.
+struct Eye {
+  dvec3 place, right, up, forward;
+  double half = 0;  // of the picture's height at distance 1
+};
+
+Eye eye_of(const View& view, const Body& body) {
+  Eye eye;
+  eye.place = body.inside(view.camera.eye);
+  eye.forward = unit(body.inside(view.camera.target) - eye.place);
+  eye.right = unit(glm::cross(eye.forward, view.camera.up));
+  eye.up = glm::cross(eye.right, eye.forward);
+  eye.half = std::tan(glm::radians(view.camera.fov_degrees) / 2);
+  return eye;
+}
+
+double radius_at(dvec3 place, const Stroke& stroke, const Brush& brush, const Body& body) {
+  if (brush.units == RadiusUnits::relative) return brush.radius;
+  if (brush.units == RadiusUnits::world) return brush.radius / body.surface.mesh().size;
+  const Eye eye = eye_of(*stroke.view, body);
+  const double depth = std::max(0.0, glm::dot(place - eye.place, eye.forward));
+  return brush.radius * 2 * eye.half * depth / stroke.view->height;
+}
+
+/// The brush at a share of the way between two samples. On the surface its path follows the surface.
+Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stroke& stroke, const Brush& brush,
+              const Body& body) {
+  Print print;
+  print.centre = glm::mix(place_of(a, body), place_of(b, body), t);
+  if (std::holds_alternative<SurfacePlace>(a.place) && std::holds_alternative<SurfacePlace>(b.place))
+    print.centre = body.surface.position(body.surface.nearest(print.centre));
+  print.pressure = (1 - t) * a.pressure + t * b.pressure;
+  const double kept = 1 - brush.pressure_to_radius + brush.pressure_to_radius * print.pressure;
+  print.radius = kept * radius_at(print.centre, stroke, brush, body);
+  return print;
+}
+
+/// Distances of all vertices from the dab, in its radii.
+std::vector<double> distances_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body) {
+  std::vector<double> distances(body.size(), std::numeric_limits<double>::infinity());
+  if (brush.falloff_shape == FalloffShape::volume) {
+    for (Vertex v = 0; v < body.size(); ++v) distances[v] = glm::distance(body.positions[v], print.centre);
+  } else if (brush.falloff_shape == FalloffShape::surface) {
+    const SurfacePoint nearest = body.surface.nearest(print.centre);
+    const double above = glm::distance(body.surface.position(nearest), print.centre);
+    distances = marched_distances(body, nearest, print.radius);
+    for (double& distance : distances) distance = std::sqrt(distance * distance + above * above);
+  } else {
+    const Eye eye = eye_of(*stroke.view, body);
+    const auto seen = [&](dvec3 p) {
+      const double depth = glm::dot(p - eye.place, eye.forward);
+      return dvec3(glm::dot(p - eye.place, eye.right) / depth, glm::dot(p - eye.place, eye.up) / depth, depth);
+    };
+    const dvec3 middle = seen(print.centre);
+    for (Vertex v = 0; v < body.size(); ++v) {
+      const dvec3 there = seen(body.positions[v]);
+      if (middle.z > 0 && there.z > 0) distances[v] = middle.z * glm::distance(dvec2(there), dvec2(middle));
+    }
+  }
+  for (double& distance : distances) distance /= print.radius;
+  return distances;
+}
+
+}  // namespace
+
+dvec3 place_of(const StrokeSample& sample, const Body& body) {
+  if (const auto* position = std::get_if<PositionPlace>(&sample.place)) return body.inside(position->position);
+  // To the bit what the tools compute: dabs between two places often lie on an edge, where the last bit decides which
+  // of its triangles the march along the surface begins in.
+  const auto& place = std::get<SurfacePlace>(sample.place);
+  const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
+  return body.surface.position({place.triangle, place.barycentric / sum});
+}
+
+std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Body& body, bool begin) {
+  const std::vector<StrokeSample>& samples = stroke.samples;
+  std::vector<Print> prints;
+  if (samples.empty()) return prints;
+  Print first = between(samples[0], samples[0], 0, stroke, brush, body);
+  const dvec3 start = place_of(samples[0], body);
+  const double radius = radius_at(start, stroke, brush, body), step = brush.spacing * radius;
+  dvec3 last = start;
+  double before = 0;  // arc length up to the sample
+  const auto put = [&](Print print, double arc) {
+    print.arc = arc / radius;
+    print.motion = unit(print.centre - last);
+    last = print.centre;
+    prints.push_back(print);
+  };
+  for (std::size_t i = 1; i < samples.size() && step > 0; ++i) {
+    const double piece = glm::distance(place_of(samples[i - 1], body), place_of(samples[i], body));
+    for (double k = static_cast<double>(prints.size()) + 1; k * step <= before + piece; ++k) {
+      const double t = std::clamp((k * step - before) / piece, 0.0, 1.0);
+      put(between(samples[i - 1], samples[i], t, stroke, brush, body), step);
+    }
+    before += piece;
+  }
+  const double left = before - static_cast<double>(prints.size()) * step;
+  if (step > 0 && left > 1e-9 * step) put(between(samples.back(), samples.back(), 0, stroke, brush, body), left);
+  if (begin) prints.insert(prints.begin(), first);
+  return prints;
+}
+
+double falloff_at(const Brush& brush, double d) {
+  if (!(d <= 1)) return 0;
+  if (!brush.falloff_points.empty()) {
+    const std::size_t pieces = brush.falloff_points.size() - 1;
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const double from = static_cast<double>(k) / static_cast<double>(pieces);
+      const double to = static_cast<double>(k + 1) / static_cast<double>(pieces);
+      if (d > to && k + 1 < pieces) continue;
+      return brush.falloff_points[k] +
+             (brush.falloff_points[k + 1] - brush.falloff_points[k]) * (d - from) / (to - from);
+    }
+  }
+  if (brush.falloff == Falloff::constant) return 1;
+  if (brush.falloff == Falloff::linear) return 1 - d;
+  if (brush.falloff == Falloff::smooth) return 1 - 3 * d * d + 2 * d * d * d;
+  if (brush.falloff == Falloff::sharp) return 1 - 2 * d + d * d;
+  return std::sqrt(std::max(0.0, 1 - d * d));
+}
+
+std::vector<double> weights_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body) {
+  std::vector<double> weights(body.size(), 0.0);
+  if (!(print.radius > 0)) return weights;
+  const std::vector<double> distances = distances_of(print, stroke, brush, body);
+  const dvec3 skin = body.surface.normal(body.surface.nearest(print.centre));
+  const double cosine = std::cos(brush.cut_off_degrees * pi / 180);
+  const double pressure = 1 - brush.pressure_to_strength + brush.pressure_to_strength * print.pressure;
+  for (Vertex v = 0; v < body.size(); ++v) {
+    const dvec3 front = stroke.view ? unit(eye_of(*stroke.view, body).place - body.positions[v]) : skin;
+    if (brush.front_faces_only && glm::dot(front, body.normals[v]) <= cosine) continue;
+    weights[v] = brush.strength * pressure * falloff_at(brush, distances[v]);
+  }
+  return weights;
+}
+
+std::vector<double> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Body& body, const Fur& fur,
+                              bool masked) {
+  std::vector<double> region(body.size(), stroke ? 0.0 : brush.strength);
+  if (stroke) {
+    for (const Print& print : prints_of(*stroke, brush, body, true)) {
+      const std::vector<double> weights = weights_of(print, *stroke, brush, body);
+      for (Vertex v = 0; v < body.size(); ++v) region[v] = std::max(region[v], weights[v]);
+    }
+  }
+  for (Vertex v = 0; v < body.size() && masked; ++v) region[v] *= fur.number(Field::mask, v);
+  return region;
+}
+
+std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Brush& brush, const Body& body,
+                                   const Fur& fur) {
+  Brush whole;
+  whole.strength = 1;
+  return region_of(stroke, stroke ? brush : whole, body, fur);
+}
+
+dvec3 nearest_of_path(const Stroke& stroke, const Body& body, dvec3 place) {
+  dvec3 best = place_of(stroke.samples[0], body);
+  for (std::size_t i = 1; i < stroke.samples.size(); ++i) {
+    const dvec3 a = place_of(stroke.samples[i - 1], body), ab = place_of(stroke.samples[i], body) - a;
+    const double whole = glm::dot(ab, ab);
+    if (whole == 0) continue;
+    const dvec3 there = a + std::clamp(glm::dot(place - a, ab) / whole, 0.0, 1.0) * ab;
+    if (glm::distance(place, there) < glm::distance(place, best)) best = there;
+  }
+  return best;
+}
+
+}  // namespace pelage::plain
