@@ -17,9 +17,15 @@ using std::numbers::pi;
 using testing_shapes::make_surface;
 using testing_shapes::vertex_towards;
 
+/// What each source counts: the mean of a value that is 1 there and 0 elsewhere; 0 where nothing reaches.
 std::vector<double> weights_of(const std::vector<double>& distances, double sigma) {
   std::vector<double> weights(distances.size());
-  gaussian_weights(distances, sigma, weights);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    GaussianMean<double> mean;
+    mean.add(distances.size(), sigma, [&](std::size_t k) { return distances[k]; },
+             [&](std::size_t k) { return k == i ? 1.0 : 0.0; });
+    weights[i] = mean.reached() ? mean.mean() : 0;
+  }
   return weights;
 }
 
