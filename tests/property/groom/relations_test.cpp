@@ -141,6 +141,9 @@ std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mir
   const Motion motion = random_motion(random, mirrored, !flows);
   const Surface here = surface_of(raw), there = surface_of(moved_model(raw, motion));
   const std::vector<std::uint32_t> places = moved_places(here.mesh(), there.mesh(), motion);
+  // An open sheet that is nearly flat has no outside: rounding may turn it over when it is prepared anew.
+  const glm::dvec3 normal(there.mesh().normals[places[0]]);
+  if (glm::dot(motion.turn * glm::dvec3(here.mesh().normals[0]), normal) < 0) return {};
   CommandMaker make(seed, here, Numbers::ordinary, Views::none);
   const Command command = make.command(tool);
   if (by_chance(command) || has_hard_edge(command) || !resolve(command, here).ok()) return {};
