@@ -108,23 +108,26 @@ TEST_P(PaintedFrames, DensityTakesStrandsAway) {
 }
 
 TEST_P(PaintedFrames, WhatDensityLeavesIsWhole) {
-  // Upright fur on a plane from above, close by: kept strands are as opaque as before, others are gone.
+  // White fur over dark roots and skin from close above: kept strands are as bright as before, in gaps is the skin.
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0.2});
-  model.settings.coat.ramp = {{0, {1, 1, 1}}};
-  model.settings.coat.colour_spread = 0;
-  model.settings.look.skin = glm::vec3(0), model.settings.look.self_shadow = 0;
-  model.settings.look.ambient = 1, model.settings.look.diffuse = 0, model.settings.look.specular = 0;
-  model.settings.lights.clear();
-  request = small_frame(AutoView::top, 256);
-  request.camera.fov_degrees = 3;
-  flood(model, Field::density, 0.08f);
-  const Image thin = drawn(model);
-  int bright = 0, dark = 0, all = 0;
-  for (std::size_t i = 0; i < thin.rgba.size(); i += 4) {
-    ++all, bright += thin.rgba[i] > 150, dark += thin.rgba[i] < 90;
-  }
-  EXPECT_GT(bright, 0.01 * all);
-  EXPECT_GT(dark, 0.3 * all) << "darkened at once instead of thinned";
+  model.settings.coat.ramp = {{0, {0, 0, 0}}, {0.1, {1, 1, 1}}};
+  model.settings.coat.colour_spread = 0, model.settings.coat.clump = 0;
+  Look& look = model.settings.look;
+  look.skin = glm::vec3(0), look.ambient = 0.6, look.ambient_floor = 1, look.diffuse = look.specular = 0;
+  request = small_frame(AutoView::none, 256);
+  request.camera.eye = {0.02, 0.25, 0.03}, request.camera.target = {0.02, 0, 0.02};
+  request.camera.fov_degrees = 12;
+  const auto share_of = [&](int least, int most) {
+    const Image image = drawn(model);
+    double count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += image.rgba[i] >= least && image.rgba[i] <= most;
+    return 4 * count / static_cast<double>(image.rgba.size());
+  };
+  const int bright = 180, dark = 60;
+  EXPECT_GT(share_of(bright, 255), 0.9);
+  flood(model, Field::density, 0.12f);
+  EXPECT_GT(share_of(bright, 255), 0.1);
+  EXPECT_GT(share_of(0, dark), 0.2) << "dimmed instead of thinned";
 }
 
 TEST_P(PaintedFrames, WidthCoversMoreOrLess) {
@@ -261,23 +264,16 @@ TEST_P(PaintedFrames, ShadowMapsSeeThem) {
   FurredModel model = ball();
   model.settings.lights = {{.direction = {0, 0, -1}, .self_shadow_maps = true}};
   request.knobs.shadow_maps = true;
-  request.knobs.order = FragmentOrder::layers;
-  drawn(model);
-  const auto shadow = [&] {
-    DrawTimes times;
-    const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
-    sync_scene(*renderer, model.view(), {all});
-    const FurFrame frame = make_frame(model.view(), request);
-    const std::array layers{FrameLayer::shadow};
-    const auto images = renderer->draw_layers(frame, layers, &times);
+  const auto light_kept = [&] {  // in the middle
+    drawn(model);
+    const auto images = renderer->draw_layers(make_frame(model.view(), request), std::array{FrameLayer::shadow});
     EXPECT_TRUE(images.ok());
     const FloatImage& image = images->front();
-    const std::size_t i = 4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2);
-    return image.rgba[i];
+    return image.rgba[4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2)];
   };
-  const float dense = shadow();
-  flood(model, Field::density, 0.15f);
-  EXPECT_GT(shadow(), dense + 0.02f);
+  EXPECT_LT(light_kept(), 0.9f);
+  flood(model, Field::density, 0.0f);
+  EXPECT_GT(light_kept(), 0.99f) << "fur that is not there shadows the skin";
 }
 
 TEST_P(PaintedFrames, OverlaysShowThem) {
@@ -308,8 +304,8 @@ TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {
       flood(model, field_at(i), glm::vec4(value));
     }
     if (most) flood(model, Field::bare, 0.4f);
-    for (int shading = 0; shading < 6; ++shading) {
-      model.settings.look.shading = static_cast<ShadingModel>(shading);
+    for (const ShadingModel shading : {ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving}) {
+      model.settings.look.shading = shading;
       const Image image = drawn(model);
       for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);  // a NaN would leave 0
     }
