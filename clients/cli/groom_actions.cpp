@@ -4,9 +4,8 @@
 #include <chrono>
 
 #include "clients/cli/actions.h"
-#include "clients/cli/files.h"
 #include "clients/cli/print.h"
-#include "protocol/base/limits.h"
+#include "clients/cli/steps.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 
@@ -14,7 +13,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t command_file_bytes = std::size_t{1} << 30;
 constexpr std::size_t short_run = 20;  // steps up to which each one is printed
 
 /// Says on standard error how far a long run is: about once a second, and over one line on a terminal.
@@ -55,23 +53,25 @@ HttpHeaders headers_of(const Options& options, std::size_t step) {
   return {{"If-Match", fmt::format("\"{}\"", *options.if_match)}};
 }
 
-std::string step_name(const Options& options, std::size_t step, std::size_t steps) {
-  return fmt::format("step {} of {} of {}", step + 1, steps, options.file);
+ExitCode report_step(const RunStep& step, Status status) {
+  status.pointer.insert(0, step.pointer);
+  return report(status, step.place);
 }
 
-ExitCode run_steps(Session& session, const std::string& address, const std::vector<std::string>& steps) {
+ExitCode run_steps(Session& session, const std::string& address, const std::vector<RunStep>& steps) {
   const Options& options = session.options();
   const bool each = steps.size() <= short_run && !options.json;
   Progress progress(steps.size());
   RunTotals totals;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto answer = Session::accepted(session.connection().post_json(address, steps[i], headers_of(options, i)));
+    const auto answer =
+        Session::accepted(session.connection().post_json(address, steps[i].text, headers_of(options, i)));
     if (!answer) {
       if (i > 0) fmt::print(stderr, "pelage: {} steps before it are done, revision {}\n", i, totals.revision);
-      return report(answer.status(), step_name(options, i, steps.size()));
+      return report_step(steps[i], answer.status());
     }
     const auto result = decode_command_answer(answer->body);
-    if (!result) return report(result.status(), step_name(options, i, steps.size()));
+    if (!result) return report_step(steps[i], result.status());
     add(totals, *result);
     if (options.json) fmt::print("{}\n", answer->body);
     if (each) print(*result);
@@ -84,34 +84,42 @@ ExitCode run_steps(Session& session, const std::string& address, const std::vect
   return done;
 }
 
-/// All steps are checked before the first is sent.
-Status check_steps(const std::vector<std::string>& steps, std::size_t& bad_step) {
-  for (bad_step = 0; bad_step < steps.size(); ++bad_step) {
-    const std::string& step = steps[bad_step];
-    if (step.size() > limits::command_body_bytes) {
-      return failure(Code::too_large, fmt::format("The step has {} bytes.", step.size()), "",
-                     fmt::format("at most {} bytes", limits::command_body_bytes));
-    }
-    if (const auto commands = decode_commands(step); !commands) return commands.status();
+/// What each command would touch after those before it: one request for all of them.
+ExitCode try_steps(Session& session, const std::string& address, const std::vector<RunStep>& steps) {
+  const Options& options = session.options();
+  const auto batch = batch_of(steps);
+  if (!batch) return report(batch.status(), options.file);
+  const auto answer =
+      Session::accepted(session.connection().post_json(address + "?dry_run=1", *batch, headers_of(options, 0)));
+  if (!answer) return report(answer.status(), "a dry run of all steps of " + options.file + " as one batch");
+  const auto result = decode_command_answer(answer->body);
+  if (!result) return report(result.status(), options.file);
+  if (options.json) {
+    fmt::print("{}\n", answer->body);
+    return done;
   }
-  return {};
+  std::size_t number = 0;
+  for (const RunStep& step : steps) {
+    fmt::print("{}{}{}\n", step.place, step.pointer.empty() ? "" : " ", step.pointer);
+    for (std::size_t k = 0; k < step.commands.size() && number < result->results.size(); ++k) {
+      fmt::print("  ");
+      print(result->results[number++]);
+    }
+  }
+  fmt::print("nothing is changed, revision {}\n", result->revision);
+  return done;
 }
 
 }  // namespace
 
 ExitCode run_file(Session& session) {
-  const Options& options = session.options();
-  const auto text = read_file(options.file, command_file_bytes);
-  if (!text) return report(text.status());
-  const auto steps = split_steps(*text);
-  if (!steps) return report(steps.status(), options.file);
-  std::size_t bad_step = 0;
-  if (const Status status = check_steps(*steps, bad_step); !status.ok()) {
-    return report(status, step_name(options, bad_step, steps->size()));
-  }
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  return run_steps(session, *path + (options.dry_run ? "/commands?dry_run=1" : "/commands"), *steps);
+  std::string place;
+  const auto steps = read_steps(session, *path, place);
+  if (!steps) return report(steps.status(), place);
+  const std::string address = *path + "/commands";
+  return session.options().dry_run ? try_steps(session, address, *steps) : run_steps(session, address, *steps);
 }
 
 ExitCode move_in_history(Session& session) {

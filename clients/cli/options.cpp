@@ -24,6 +24,7 @@ void add_fur(CLI::App* command, Options& options) {
       ->capture_default_str();
   command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")
       ->capture_default_str();
+  command->add_option("--form", options.form, "even, or animal: shorter on face and paws, longer on chest and tail");
   command
       ->add_option("--fur-patches", options.fur_patches,
                    "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")
@@ -47,15 +48,17 @@ void add_view(CLI::App* command, Options& options) {
   add_frame_parameter(command, options, "--fov", "fov_degrees", "Vertical field of view, degrees, 1 to 150 [35]");
 }
 
+/// NAME=VALUE, each.
+void add_pairs(const std::vector<std::string>& texts, Parameters& pairs) {
+  for (const std::string& text : texts) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    pairs.emplace_back(text.substr(0, equals), text.substr(std::min(equals + 1, text.size())));
+  }
+}
+
 void add_knob(CLI::App* command, Options& options) {
   command->add_option_function<std::vector<std::string>>(
-      "--knob",
-      [&options](const std::vector<std::string>& knobs) {
-        for (const std::string& knob : knobs) {
-          const std::size_t equals = std::min(knob.find('='), knob.size());
-          options.frame.emplace_back(knob.substr(0, equals), knob.substr(std::min(equals + 1, knob.size())));
-        }
-      },
+      "--knob", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.frame); },
       "NAME=VALUE of a single knob, such as shells=48; may be repeated");
 }
 
@@ -102,9 +105,12 @@ void declare_groom_actions(CLI::App& app, Options& options) {
   CLI::App* run = add_action(app, options, Action::run, "run", "Run commands; each line or element is one undo step");
   add_scene(run, options);
   run->add_option("file", options.file,
-                  "JSON lines (as of `pelage log --lines`), an array or one command; - for standard input")
+                  "A recipe, JSON lines (as of `pelage log --lines`), an array or one command; - for standard input")
       ->required();
-  run->add_flag("--dry-run", options.dry_run, "Say what the commands would do; change nothing");
+  run->add_option_function<std::vector<std::string>>(
+      "--set", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.variables); },
+      "NAME=VALUE of a recipe's variable, as JSON or plain text; may be repeated");
+  run->add_flag("--dry-run", options.dry_run, "Say what each step would touch, after those before it; change nothing");
   run->add_option("--if-match", options.if_match, "Run only when the scene is at this revision");
 
   for (const auto& [action, name, help] : {std::tuple{Action::undo, "undo", "Take back the newest steps"},

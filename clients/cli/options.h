@@ -43,6 +43,7 @@ struct Options {
   // create and load
   double length = 0.03;  // sizes
   double inclination = 0.45;
+  std::string form;  // of the first fur; the server's choice when empty
   std::string fur_patches = "overlapping";
   // load, environment, base_picture and run; "-" is standard input
   std::string file;
@@ -52,6 +53,7 @@ struct Options {
   double intensity = 1, turn_degrees = 0;
   // run
   bool dry_run = false;
+  Parameters variables;  // of a recipe, as text
   std::optional<std::uint64_t> if_match;
   // frame and pick
   std::string output = "frame.png";

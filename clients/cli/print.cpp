@@ -33,16 +33,18 @@ void print(const std::vector<SceneSummary>& summaries) {
   }
 }
 
-void print(const CommandAnswer& answer) {
-  for (const CommandResult& result : answer.results) {
-    fmt::print("{}: touched {}", result.op, result.touched);
-    if (result.clamped > 0) fmt::print(", {} held at a limit", result.clamped);
-    for (const FieldChange& change : result.fields) {
-      fmt::print("; {} {}: mean {:.4g}, largest {:.4g}", change.changed, change.field, change.mean_change,
-                 change.max_change);
-    }
-    fmt::print(" ({:.2f} ms)\n", result.milliseconds);
+void print(const CommandResult& result) {
+  fmt::print("{}: touched {}", result.op, result.touched);
+  if (result.clamped > 0) fmt::print(", {} held at a limit", result.clamped);
+  for (const FieldChange& change : result.fields) {
+    fmt::print("; {} {}: mean {:.4g}, largest {:.4g}", change.changed, change.field, change.mean_change,
+               change.max_change);
   }
+  fmt::print(" ({:.2f} ms)\n", result.milliseconds);
+}
+
+void print(const CommandAnswer& answer) {
+  for (const CommandResult& result : answer.results) print(result);
   fmt::print("revision {}\n", answer.revision);
 }
 

@@ -9,6 +9,7 @@ namespace pelage {
 
 void print(const SceneSummary& summary);
 void print(const std::vector<SceneSummary>& summaries);
+void print(const CommandResult& result);
 void print(const CommandAnswer& answer);
 void print(const PickAnswer& answer);
 void print(const std::vector<LogEntry>& log);

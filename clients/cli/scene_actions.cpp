@@ -17,9 +17,10 @@ namespace pelage {
 namespace {
 
 std::string request_of(const Options& options) {
+  const std::string form = options.form.empty() ? "" : ",\"form\":" + json_text(options.form);
   return fmt::format(
-      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}}},"fur_patches":{}}})",
-      json_text(options.name), json_text(options.builtin), options.triangles, options.length, options.inclination,
+      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}{}}},"fur_patches":{}}})",
+      json_text(options.name), json_text(options.builtin), options.triangles, options.length, options.inclination, form,
       json_text(options.fur_patches));
 }
 
@@ -32,12 +33,14 @@ std::string ending_of(const std::string& path) {
 }
 
 Query import_query(const Options& options) {
-  return {{"format", options.format.empty() ? ending_of(options.file) : options.format},
-          {"up", options.up},
-          {"front", options.front},
-          {"length", fmt::format("{}", options.length)},
-          {"inclination", fmt::format("{}", options.inclination)},
-          {"fur_patches", options.fur_patches}};
+  Query query{{"format", options.format.empty() ? ending_of(options.file) : options.format},
+              {"up", options.up},
+              {"front", options.front},
+              {"length", fmt::format("{}", options.length)},
+              {"inclination", fmt::format("{}", options.inclination)},
+              {"fur_patches", options.fur_patches}};
+  if (!options.form.empty()) query.emplace_back("form", options.form);
+  return query;
 }
 
 /// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.

@@ -100,6 +100,20 @@ struct PickAnswer {
   std::array<glm::dvec4, field_count - first_painted> painted{};
 };
 
+/// What two revisions of a scene differ in.
+struct Comparison {
+  Revision from = 0, to = 0;
+  std::size_t touched = 0;  // vertices at which any field differs
+  std::vector<FieldChange> fields;
+};
+
+/// Triangles of the model, and how many of them the fur's shells turn over above (science.md 1): fur of that length
+/// leans too far there for the skin's bending, or stands in a hollow narrower than it is long.
+struct FoldCount {
+  Revision revision = 0;
+  std::size_t triangles = 0, folded = 0;
+};
+
 /// One line of the undo log.
 struct LogEntry {
   Revision revision = 0;

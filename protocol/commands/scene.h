@@ -10,9 +10,14 @@ enum class ModelFormat { obj, ply, stl, off, gltf, glb, tds };  // tds is "3ds" 
 enum class Axis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  // "x", "-x", ...
 
 /// The first groom: fur that lies from nose to tail and a little down.
+/// even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, told from where they lie in
+/// the model's box when it looks along +Z.
+enum class GroomForm { even, animal };
+
 struct FirstGroom {
   double length = 0.03;      // sizes, [0, 10]
   double inclination = 0.45; // [0, 1]
+  GroomForm form = GroomForm::even;
 };
 
 /// How the sample tile is laid on the surface: lapped patches with soft overlaps, the same with hard borders (each
@@ -37,7 +42,7 @@ struct ImportOptions {
   ModelFormat format = ModelFormat::obj;
   Axis up = Axis::plus_y;
   Axis front = Axis::plus_z;
-  FirstGroom fur;
+  FirstGroom fur{.form = GroomForm::animal};
   FurPatches fur_patches = FurPatches::overlapping;
 };
 

@@ -32,6 +32,8 @@ Result<ImportOptions> decode_import_query(const Query& query);
 
 /// What comes with the octets of an environment's picture: intensity and turn_degrees.
 Result<Environment> decode_environment_query(const Query& query);
+/// `from` and `to`, both required.
+Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 
 struct PickRequest {
   View view;

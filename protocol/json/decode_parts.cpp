@@ -226,6 +226,7 @@ FirstGroom fur(const Value& value) {
   FirstGroom result;
   object.number("length", result.length, {0, 10});
   object.number("inclination", result.inclination, share);
+  object.name("form", result.form, json_names::groom_forms);
   object.finish();
   return result;
 }

@@ -62,12 +62,18 @@ constexpr auto import_parameters = std::to_array<Parameter>({
     {"front", "/front", Kind::text},
     {"length", "/length", Kind::number},
     {"inclination", "/inclination", Kind::number},
+    {"form", "/form", Kind::text},
     {"fur_patches", "/fur_patches", Kind::text},
 });
 
 constexpr auto environment_parameters = std::to_array<Parameter>({
     {"intensity", "/intensity", Kind::number},
     {"turn_degrees", "/turn_degrees", Kind::number},
+});
+
+constexpr auto compare_parameters = std::to_array<Parameter>({
+    {"from", "/from", Kind::number},
+    {"to", "/to", Kind::number},
 });
 
 json names_of(const std::string& text) {
@@ -149,6 +155,18 @@ Result<Environment> decode_environment_query(const Query& query) {
   return environment;
 }
 
+Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query) {
+  const auto document = document_of(query, compare_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  std::pair<std::uint64_t, std::uint64_t> revisions;
+  object.required("from", [&](const Value& v) { revisions.first = v.counter(); });
+  object.required("to", [&](const Value& v) { revisions.second = v.counter(); });
+  if (!first_failure.ok()) return first_failure;
+  return revisions;
+}
+
 Result<ImportOptions> decode_import_query(const Query& query) {
   const auto document = document_of(query, import_parameters);
   if (!document) return document.status();
@@ -160,6 +178,7 @@ Result<ImportOptions> decode_import_query(const Query& query) {
   object.name("front", options.front, json_names::axes);
   object.number("length", options.fur.length, {0, 10});
   object.number("inclination", options.fur.inclination, {0, 1});
+  object.name("form", options.fur.form, json_names::groom_forms);
   object.name("fur_patches", options.fur_patches, json_names::fur_patches);
   const int up_line = static_cast<int>(options.up) / 2;  // x, y or z, whatever the sign
   const int front_line = static_cast<int>(options.front) / 2;

@@ -88,7 +88,8 @@ std::string encode(const std::vector<Command>& commands) {
 std::string encode(const NewScene& request) {
   const Json model = {{"builtin", text_of(json_names::builtins, request.model.shape)},
                       {"triangles", request.model.triangles}};
-  const Json fur = {{"length", request.fur.length}, {"inclination", request.fur.inclination}};
+  const Json fur = {{"length", request.fur.length}, {"inclination", request.fur.inclination},
+                    {"form", text_of(json_names::groom_forms, request.fur.form)}};
   return line({{"name", request.name},
                {"model", model},
                {"fur", fur},

@@ -23,6 +23,8 @@ std::string encode(const CommandAnswer& answer);
 std::string encode(const SceneSummary& summary);
 std::string encode(const std::vector<SceneSummary>& summaries);
 std::string encode(const PickAnswer& answer);
+std::string encode(const Comparison& comparison);
+std::string encode(const FoldCount& folds);
 std::string encode(const std::vector<LogEntry>& log);
 std::string encode(const Knobs& knobs);
 std::string encode(const FrameCounters& counters);

@@ -12,21 +12,25 @@ std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::erro
 
 Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-Json json_of(const CommandResult& result) {
+Json json_of(const std::vector<FieldChange>& changes) {
   Json fields = Json::array();
-  for (const FieldChange& change : result.fields) {
+  for (const FieldChange& change : changes) {
     fields.push_back({{"field", change.field},
                       {"changed", change.changed},
                       {"mean_change", change.mean_change},
                       {"max_change", change.max_change}});
   }
+  return fields;
+}
+
+Json json_of(const CommandResult& result) {
   return {{"op", result.op},
           {"touched", result.touched},
           {"mean_change", result.mean_change},
           {"max_change", result.max_change},
           {"clamped", result.clamped},
           {"milliseconds", result.milliseconds},
-          {"fields", fields}};
+          {"fields", json_of(result.fields)}};
 }
 
 Json json_of(const SceneSummary& summary) {
@@ -124,6 +128,17 @@ std::string encode(const PickAnswer& answer) {
                {"length", answer.length},
                {"stretch", answer.stretch},
                {"painted", painted_of(answer)}});
+}
+
+std::string encode(const Comparison& comparison) {
+  return line({{"from", comparison.from},
+               {"to", comparison.to},
+               {"touched", comparison.touched},
+               {"fields", json_of(comparison.fields)}});
+}
+
+std::string encode(const FoldCount& folds) {
+  return line({{"revision", folds.revision}, {"triangles", folds.triangles}, {"folded", folds.folded}});
 }
 
 std::string encode(const std::vector<LogEntry>& log) {

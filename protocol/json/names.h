@@ -132,6 +132,8 @@ inline constexpr std::array<Name<ModelFormat>, 7> model_formats{{{"obj", ModelFo
                                                                  {"3ds", ModelFormat::tds}}};
 inline constexpr std::array<Name<FurPatches>, 3> fur_patches{
     {{"overlapping", FurPatches::overlapping}, {"hard", FurPatches::hard}, {"own_uvs", FurPatches::own_uvs}}};
+inline constexpr std::array<Name<GroomForm>, 2> groom_forms{
+    {{"even", GroomForm::even}, {"animal", GroomForm::animal}}};
 inline constexpr std::array<Name<Axis>, 6> axes{{{"x", Axis::plus_x},
                                                  {"-x", Axis::minus_x},
                                                  {"y", Axis::plus_y},

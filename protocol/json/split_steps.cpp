@@ -22,7 +22,8 @@ std::vector<std::string_view> filled_lines(std::string_view text) {
 
 Result<std::vector<std::string>> split_steps(std::string_view text) {
   std::vector<std::string> steps;
-  if (const auto whole = parse_json(text)) {
+  const auto whole = parse_json(text);
+  if (whole) {
     if (!whole->is_array()) return std::vector<std::string>{whole->dump()};
     for (const json& member : *whole) steps.push_back(member.dump());
     return steps;
@@ -31,6 +32,7 @@ Result<std::vector<std::string>> split_steps(std::string_view text) {
   if (lines.empty()) return failure(Code::malformed, "There are no commands in it.");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (const auto step = parse_json(lines[i]); !step) {
+      if (i == 0) return whole.status();  // no JSON lines but a document with a mistake in it
       Status status = step.status();
       status.message = "Line " + std::to_string(i + 1) + " (empty ones not counted): " + status.message;
       return status;

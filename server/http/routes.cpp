@@ -47,7 +47,7 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
 }
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 17> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 19> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
                                                 {"/v1/scenes/{id}/environment", "PUT"},
@@ -57,6 +57,8 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/v1/scenes/{id}/redo", "POST"},
                                                 {"/v1/scenes/{id}/revert", "POST"},
                                                 {"/v1/scenes/{id}/log", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/compare", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/folds", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/frames", "POST"},
                                                 {"/v1/scenes/{id}/frame.png", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/pick", "POST"},

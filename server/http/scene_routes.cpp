@@ -36,6 +36,14 @@ void remove_scene(Service& service, const Scene& scene, Response& response) {
   response.status = 204;
 }
 
+void compare_revisions(const Scene& scene, const Request& request, Response& response) {
+  const auto revisions = decode_compare_query(query_of(request));
+  if (!revisions) return reply_problem(response, revisions.status());
+  const Result<Comparison> comparison = scene.compare(revisions->first, revisions->second);
+  if (!comparison) return reply_problem(response, comparison.status());
+  reply_json(response, 200, encode(*comparison));
+}
+
 }  // namespace
 
 void add_scene_routes(httplib::Server& server, Service& service) {
@@ -46,6 +54,13 @@ void add_scene_routes(httplib::Server& server, Service& service) {
   });
   server.Get("/v1/scenes/([^/]+)", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { describe_scene(*scene, request, response); });
+  });
+  server.Get("/v1/scenes/([^/]+)/compare", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { compare_revisions(*scene, request, response); });
+  });
+  server.Get("/v1/scenes/([^/]+)/folds", [&](const Request& request, Response& response) {
+    with_scene(service, request, response,
+               [&](const auto& scene) { reply_json(response, 200, encode(scene->count_folds())); });
   });
   server.Delete("/v1/scenes/([^/]+)", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { remove_scene(service, *scene, response); });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/json/encode.h"
+#include "renderer/coat/folds.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/scene/first_settings.h"
@@ -244,9 +245,9 @@ Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   return entry;
 }
 
-Status Scene::check_revision(Revision revision) const {
+Status Scene::check_revision(Revision revision, std::string pointer) const {
   if (revision >= history_.first_revision() && revision <= history_.revision()) return {};
-  return failure(Code::invalid, "there is no such revision of this model", "/revision",
+  return failure(Code::invalid, "there is no such revision of this model", std::move(pointer),
                  "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
 }
 
@@ -293,6 +294,26 @@ std::vector<std::vector<Command>> Scene::effective_log() const {
 Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
   const std::lock_guard lock(mutex_);
   return pelage::pick(model_->surface, fields_, view, pixel);
+}
+
+Result<Comparison> Scene::compare(Revision from, Revision to) const {
+  const std::lock_guard lock(mutex_);
+  if (Status bad = check_revision(from, "/from"); !bad.ok()) return bad;
+  if (Status bad = check_revision(to, "/to"); !bad.ok()) return bad;
+  const Result<FieldSet> before = fields_at(from), after = fields_at(to);
+  if (!before) return before.status();
+  if (!after) return after.status();
+  const FieldDelta delta = difference(*before, *after);
+  return Comparison{from, to, delta.vertices().size(), measure(delta, *before)};
+}
+
+FoldCount Scene::count_folds() const {
+  const std::lock_guard lock(mutex_);
+  const Mesh& mesh = model_->surface.mesh();
+  const Coat& coat = history_.settings().coat;
+  const FurredSurface fur{mesh.positions,      mesh.normals,     mesh.tangents,   mesh.triangles,
+                          fields_.direction(), fields_.length(), coat.lean_curve, coat.root_share};
+  return {history_.revision(), mesh.triangles.size(), pelage::count_folds(fur)};
 }
 
 void Scene::read(const std::function<void(const SceneView&)>& use) const {

@@ -82,6 +82,10 @@ class Scene {
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
   std::vector<std::vector<Command>> effective_log() const;
   Result<PickAnswer> pick(const View& view, glm::dvec2 pixel) const;
+  /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
+  Result<Comparison> compare(Revision from, Revision to) const;
+  /// Looks at all triangles, each at eight heights: about 30 us a triangle.
+  FoldCount count_folds() const;
 
   /// Runs `use` under the scene's lock.
   void read(const std::function<void(const SceneView&)>& use) const;
@@ -114,7 +118,7 @@ class Scene {
   Status commit(const Entry& entry);
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
-  Status check_revision(Revision revision) const;
+  Status check_revision(Revision revision, std::string pointer = "/revision") const;
   Result<Step> with_rest(Command command) const;
   Status check_names(const Command& command, const std::vector<Command>& before) const;
   Status take_up_picture();

@@ -6,6 +6,7 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
+#include "protocol/json/recipe.h"
 
 namespace {
 
@@ -27,6 +28,14 @@ void check_frame(std::string_view text) {
   const std::string encoded = pelage::encode(*request);
   const auto again = pelage::decode_frame_request(encoded);
   require(again.ok() && pelage::encode(*again) == encoded);
+}
+
+/// The text as a recipe, and as what that recipe includes.
+void check_recipe(std::string_view text) {
+  (void)pelage::is_recipe(text);
+  const auto read = [text](const std::string&) { return pelage::Result<std::string>(std::string(text)); };
+  const auto steps = pelage::expand_recipe({"main.json", std::string(text), {}, {-1, -1, -1}, {1, 1, 1}, read});
+  require(steps.ok() ? !steps->empty() : !steps.status().message.empty());
 }
 
 /// "name=value&name=value", as far as it goes.
@@ -51,6 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_commands(text);
   check_frame(text);
   check_query(text);
+  check_recipe(text);
   (void)pelage::decode_new_scene(text);
   (void)pelage::decode_pick(text);
   (void)pelage::decode_steps(text);

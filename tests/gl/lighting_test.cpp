@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/coat/colour_above.h"
 #include "renderer/light/spherical_harmonics.h"
 #include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_block.h"
@@ -73,9 +74,9 @@ class Lighting : public OnBackend {
 };
 
 /// t of fur of that colour: t^(1 - f_c), f_c = .82 sqrt(C).
-glm::dvec3 let_through(double depth, const glm::vec3& colour) {
+glm::dvec3 let_through(double depth, const glm::dvec3& colour) {
   glm::dvec3 kept;
-  for (int k = 0; k < 3; ++k) kept[k] = std::pow(std::exp(-depth), 1 - 0.82 * std::sqrt(double(colour[k])));
+  for (int k = 0; k < 3; ++k) kept[k] = std::pow(std::exp(-depth), 1 - 0.82 * std::sqrt(std::clamp(colour[k], 0.0, 1.0)));
   return kept;
 }
 
@@ -100,12 +101,17 @@ struct Expected {
   glm::dvec3 direct{0}, unshadowed{0};  // of lamps
 };
 
-/// c = ka g C t E + sum of [scattered] t B L.
+/// c = ka g C E + sum of [scattered] t B L, with t of the colour of the fur above; g = (1-e) o + e, where o goes from s
+/// to t as the self-shadow takes the place of the height.
 Expected expected_light(const FurFrame& frame, const FibreShading& shading, const Case& c) {
   const Look& look = frame.look;
   const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));
   const glm::dvec3 colour(c.colour), normal(c.normal);
-  const double g = (1 - look.ambient_floor) * double(c.height) + look.ambient_floor;
+  const std::size_t slice = std::min<std::size_t>(static_cast<std::size_t>(c.height * slice_count), slice_count - 1);
+  const glm::dvec3 crossed = colour * glm::dvec3(colour_above(frame.coat)[slice]);
+  const glm::dvec3 open = glm::mix(glm::dvec3(double(c.height)), let_through(0.6 * look.self_shadow * double(c.depth), crossed),
+                                   std::min(look.self_shadow, 1.0));
+  const glm::dvec3 g = (1 - look.ambient_floor) * open + look.ambient_floor;
   Expected sum;
   for (const FurLight& light : frame.lights) {
     const Arriving from = arriving_from(light, glm::dvec3(c.place));
@@ -113,11 +119,10 @@ Expected expected_light(const FurFrame& frame, const FibreShading& shading, cons
     const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_eye)};
     const double behind = light_behind(look.shading, facing, look.back_attenuation);
     const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
-    sum.direct += whole * let_through(look.self_shadow * double(c.depth) / std::max(facing, 0.3), c.colour);
+    sum.direct += whole * let_through(look.self_shadow * double(c.depth) / std::max(facing, 0.3), crossed);
     sum.unshadowed += whole;
   }
-  sum.light = sum.direct + look.ambient * g * colour * let_through(0.6 * look.self_shadow * double(c.depth), c.colour) *
-                               glm::max(evaluate(around, normal), 0.0);
+  sum.light = sum.direct + look.ambient * g * colour * glm::max(evaluate(around, normal), 0.0);
   return sum;
 }
 
@@ -199,7 +204,7 @@ TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
   of[0].colour = {0, 0.25f, 1}, of[0].depth = 2;
   const std::vector<glm::vec4> values = on_gpu(transmitted, lit_frame(), of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    ASSERT_LT(apart(values[i], let_through(double(of[i].depth), of[i].colour)), 1e-5);
+    ASSERT_LT(apart(values[i], let_through(double(of[i].depth), glm::dvec3(of[i].colour))), 1e-5);
   }
   EXPECT_NEAR(values[0].r, std::exp(-2), 1e-5);
   EXPECT_GT(values[0].g, 1.5f * values[0].r);
@@ -271,7 +276,7 @@ class ShadowFormulas : public Lighting {
     for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(0.5f));
     for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(std::exp(0.2f * float(layer - 16))));
     depths.insert(depths.end(), 2, glm::vec4(0.5f)), depths.insert(depths.end(), 2, glm::vec4(maps.lower));
-    widths.insert(widths.end(), 4, glm::vec4(maps.white));
+    widths.insert(widths.end(), 4, glm::vec4(maps.white, 0.5f * maps.white, 0, 0));  // cast by the skin at depth .5
     const Texture kept_maps = send_layers(gl(), 2, kept, true);
     const Texture depth_maps = send_layers(gl(), 2, depths, true);
     const Texture width_maps = send_layers(gl(), 2, widths, true);

@@ -443,6 +443,7 @@ TEST(SplitSteps, LinesArraysAndDocuments) {
   EXPECT_EQ(split_steps("{\n\"op\":\n\"a\"}")->size(), 1u);
   EXPECT_FALSE(split_steps("").ok());
   EXPECT_NE(split_steps("{}\n{]\n").status().message.find("Line 2"), std::string::npos);
+  EXPECT_NE(split_steps("{\n\"op\" \"a\"}").status().message.find("line 2"), std::string::npos);
 }
 
 }  // namespace

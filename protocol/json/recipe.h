@@ -1,0 +1,50 @@
+// Recipes: readable JSON files that become steps of commands. They have variables, use one another, and name places by
+// their share of the model's box, so that one recipe fits many models.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocol/base/status.h"
+
+namespace pelage {
+
+inline constexpr std::size_t recipe_file_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t recipe_files = 64;          // read for one run
+inline constexpr int recipe_depth = 8;                   // files that include one another, the first counted
+inline constexpr int recipe_variable_depth = 16;         // variables that are made of variables
+inline constexpr std::size_t recipe_steps = 10'000;      // of all files, comments and uses counted
+inline constexpr std::size_t recipe_values = 1'000'000;  // JSON values of all steps, variables filled in
+
+/// One undo step, and where it stands: `pointer` is a JSON pointer within `file`.
+struct RecipeStep {
+  std::string text;  // a command or a batch for decode_commands
+  std::string file;
+  std::string pointer;
+};
+
+struct Recipe {
+  std::string file;  // names it in refusals; what it includes is relative to its folder
+  std::string text;
+  std::vector<std::pair<std::string, std::string>> variables;  // in place of the recipe's: JSON, or else taken as text
+  glm::dvec3 min{0}, max{1};  // the box of the model, in its own coordinates
+  std::function<Result<std::string>(const std::string& file)> read;  // the text of a file that is included
+};
+
+/// Whether the text is a JSON object that is no command but has a recipe's members.
+bool is_recipe(std::string_view text);
+
+/// The steps of a recipe: `{"description", "variables": {name: value}, "include": [file], "steps": [...]}`. A step is a
+/// command (`op`), a batch (`commands`), the steps of a recipe that is included (`use`: its file's name without the
+/// ending, `with`: values for its variables) or a `comment`, which may stand beside the others too. "${name}" as a
+/// whole text becomes the variable's value, within a longer text its text. `{"at": [x, y, z], "by": [x, y, z]}` becomes
+/// a position: both are shares of the box, 0 at its lowest corner and 1 at its highest, added up; `by` is optional.
+/// Refusals name the file in the message and the JSON pointer within it.
+Result<std::vector<RecipeStep>> expand_recipe(const Recipe& recipe);
+
+}  // namespace pelage

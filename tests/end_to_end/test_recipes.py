@@ -1,0 +1,143 @@
+"""Recipes through the client: what they fill in, what they refuse, and the grooms that come with it."""
+
+import json
+
+from support.server import REPOSITORY, ServedTest, shared_folder
+
+RECIPES = REPOSITORY / "clients" / "recipes"
+EXAMPLES = REPOSITORY / "docs" / "tools" / "examples"
+
+
+class Recipes(ServedTest):
+    def new(self, *arguments):
+        return self.pelage("new", *arguments).stdout.strip()
+
+    def revision(self, scene):
+        return json.loads(self.pelage("info", scene, "--json").stdout)["revision"]
+
+    def file(self, name, tree):
+        path = self.server.folder / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(tree if isinstance(tree, str) else json.dumps(tree, indent=2))
+        return path
+
+    def test_variables_includes_and_places(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 2000)
+        self.file("parts/dab.json", {"variables": {"place": [0.5, 1, 0.5], "value": 0.1}, "steps": [
+            {"op": "length", "value": "${value}", "brush": {"radius": 0.2, "strength": 1, "falloff": "constant"},
+             "stroke": {"samples": [{"position": {"at": "${place}"}}]}}]})
+        recipe = self.file("main.json", {"variables": {"value": 0.2}, "include": ["parts/dab.json"], "steps": [
+            {"comment": "on top and below"}, {"use": "dab", "with": {"value": "${value}"}},
+            {"use": "dab", "with": {"value": 0.3, "place": [0.5, 0, 0.5]}}]})
+        self.assertIn("revision 2", self.pelage("run", scene, recipe, "--set", "value=0.25").stdout)
+        low, high = (json.loads(self.pelage("info", scene, "--json").stdout)["bounds"][k] for k in ("min", "max"))
+        self.assertAlmostEqual(self.length_at(scene, [0, 4 * high[1], 0.001]), 0.25, places=5)
+        self.assertAlmostEqual(self.length_at(scene, [0, 4 * low[1], 0.001]), 0.3, places=5)
+
+    def picked(self, scene, eye, target=(0, 0, 0), up=(0, 1, 0)):
+        view = {"camera": {"eye": list(eye), "target": list(target), "up": list(up)}, "width": 64, "height": 64}
+        answer = self.server.post(f"/v1/scenes/{scene}/pick", {"view": view, "pixel": [32, 32]})
+        self.assertTrue(answer.status == 200 and answer.json["hit"], answer)
+        return answer.json
+
+    def length_at(self, scene, eye):
+        return self.picked(scene, eye)["length"]
+
+    def test_refusals_name_the_file_and_the_place(self):
+        scene = self.new("--builtin", "sphere")
+        self.file("ear.json", {"variables": {"size": 0.1}, "steps": [{"op": "lift", "flood": True, "brush": {"raduis": "${size}"}}]})
+        recipe = self.file("head.json", {"include": ["ear.json"], "steps": [{"use": "ear"}]})
+        run = self.pelage("run", scene, recipe, code=3)
+        for word in ("/steps/0/brush/raduis", "nearest: radius", "ear.json", "next:"):
+            self.assertIn(word, run.stderr)
+        for tree, words in (({"steps": [{"op": "comb", "lean": "${laen}"}], "variables": {"lean": 1}}, ("/steps/0/lean", "nearest: lean")),
+                            ({"include": ["self.json"], "steps": []}, ("circle", "self.json -> ", "/include/0")),
+                            ({"include": ["gone.json"], "steps": []}, ("Cannot read", "gone.json", "/include/0")),
+                            ('{"steps": [\n  {"op" "lift"}\n]}', ("line 2",))):
+            run = self.pelage("run", scene, self.file("self.json", tree), code=3)
+            for word in words:
+                self.assertIn(word, run.stderr)
+        self.assertIn("no recipe", self.pelage("run", scene, "-", "--set", "a=1", code=3, text='{"op": "mask"}').stderr)
+        self.assertIn("nearest: fur", self.pelage("run", scene, RECIPES / "creature.json", "--set", "furr=1", code=3).stderr)
+        self.assertEqual(self.revision(scene), 0)
+
+    def test_a_server_refusal_points_into_the_recipe(self):
+        scene = self.new("--builtin", "sphere")
+        recipe = self.file("far.json", {"steps": [{"comment": "none"}, {"op": "attract", "point": {"at": [1e9, 0, 0]}}]})
+        run = self.pelage("run", scene, recipe, code=3)
+        for word in ("/steps/1/point", "far.json", "sizes"):
+            self.assertIn(word, run.stderr)
+
+    def test_a_dry_run_says_what_each_tool_of_the_pages_would_touch(self):
+        names = sorted(path.stem for path in EXAMPLES.glob("*.json") if path.stem not in ("studio", "checkpoint"))
+        self.assertGreaterEqual(len(names), 19)
+        for name in names:
+            scene = self.new("--builtin", "creature", "--triangles", 5000)
+            path = EXAMPLES / f"{name}.json"
+            tried = json.loads(self.pelage("run", scene, path, "--dry-run", "--json").stdout)["results"]
+            self.assertEqual(self.revision(scene), 0, name)
+            lines = self.pelage("run", scene, path, "--json").stdout.splitlines()
+            done = [result for line in lines for result in json.loads(line)["results"]]
+            for result in [*tried, *done]:
+                del result["milliseconds"]
+            self.assertEqual(tried, done, name)
+            last = json.loads(lines[-1])["results"]
+            self.assertGreater(max(result["touched"] for result in last), 50, name)
+            self.assertTrue(any(result["fields"] for result in last), name)
+
+    def test_a_dry_run_judges_each_step_after_those_before_it(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 500)
+        recipe = self.file("twice.json", {"steps": 2 * [{"op": "length", "flood": True, "value": 0.2, "brush": {"strength": 1}}]})
+        run = self.pelage("run", scene, recipe, "--dry-run").stdout
+        self.assertIn("length: touched 0", run)
+        self.assertNotIn("length: touched 0", run.split("step 2")[0])
+        self.assertIn("nothing is changed, revision 0", run)
+
+    def check_groom(self, scene, name):
+        """Short in the face, long on the chest, back combed to the tail and parted; wet and spotted somewhere."""
+        info = json.loads(self.pelage("info", scene, "--json").stdout)
+        low, high, size = info["bounds"]["min"], info["bounds"]["max"], info["size"]
+        marks = json.loads((RECIPES / f"{name}.json").read_text())["steps"][0]["with"]
+
+        def place(mark, by=(0, 0, 0)):
+            return [l + (s + b) * (h - l) for s, b, l, h in zip(marks[mark], by, low, high)]
+
+        def seen(mark, axis, by=(0, 0, 0), side=1):
+            target = place(mark, by)
+            eye = [t + (side * size if k == axis else 0) for k, t in enumerate(target)]
+            return self.picked(scene, eye, target, (0, 0, -1) if axis == 1 else (0, 1, 0))
+
+        lines = self.pelage("run", scene, RECIPES / f"{name}.json", "--json").stdout.splitlines()
+        results = [result for line in lines for result in json.loads(line)["results"]]
+        self.assertLessEqual(len(results), 60)
+        changed = {field["field"] for result in results for field in result["fields"]}
+        self.assertLessEqual({"wetness", "tip_colour", "root_colour", "clump", "curl", "mask", "stretch"}, changed)
+        fur = 0.022  # of the body
+        self.assertLess(seen("nose", 2)["length"], 0.6 * fur)
+        self.assertGreater(seen("chest", 2)["length"], 1.8 * fur)
+        middle = [(a + b) / 2 - r for a, b, r in zip(marks["withers"], marks["rump"], marks["rump"])]
+        left, right = (seen("rump", 1, [side, *middle[1:]])["direction"] for side in (0.08, -0.08))
+        self.assertGreater(left[0], 0.3)  # away from the parting, on both sides
+        self.assertLess(right[0], -0.3)
+        self.assertLess(seen("belly", 0, (0, 0.2, 0), side=-1)["direction"][2], -0.5)  # to the tail
+        for result in results:
+            if result["op"] == "paint":
+                self.assertGreater(result["touched"], 0, results.index(result))
+
+    def test_the_groom_of_the_creature(self):
+        self.check_groom(self.new("--builtin", "creature", "--triangles", 20000), "creature")
+
+    def test_the_groom_of_the_koala_and_on_another_model(self):
+        meshes = shared_folder() / "meshes"
+        for name, path, front in (("koala", meshes / "koala.ply", "z"), ("spot", meshes / "spot.obj", "-z")):
+            scene = self.new("--builtin", "plane", "--triangles", 2)
+            self.pelage("load", scene, path, f"--front={front}")
+            self.check_groom(scene, name)
+
+    def test_a_recipe_replays_to_the_bit(self):
+        hashes = []
+        for _ in range(2):
+            scene = self.new("--builtin", "creature", "--triangles", 5000)
+            self.pelage("run", scene, RECIPES / "creature.json")
+            hashes.append(json.loads(self.pelage("info", scene, "--json").stdout)["fields_hash"])
+        self.assertEqual(hashes[0], hashes[1])
