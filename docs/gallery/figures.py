@@ -94,10 +94,10 @@ def half(field, value):
 
 
 SPOTS = [dabbed(field, 1, radius, place, colour=colour)
-         for place, radius in (((150, 190), 0.05), ((190, 170), 0.035), ((232, 185), 0.055), ((205, 225), 0.045), ((165, 240), 0.04),
-                               ((255, 235), 0.04), ((285, 200), 0.045))
+         for place, radius in (((150, 215), 0.045), ((185, 240), 0.05), ((195, 205), 0.03), ((230, 215), 0.05), ((160, 255), 0.035),
+                               ((258, 240), 0.04), ((275, 205), 0.04))
          for field, colour in (("root_colour", "#241a14"), ("tip_colour", "#3a2417"))]
-PATCHES = [dabbed("density", 0.2, 0.06, (215, 275), (260, 285)), dabbed("bare", 1, 0.05, (150, 285)),
+PATCHES = [dabbed("density", 0.04, 0.05, (210, 262), (240, 270)), dabbed("bare", 1, 0.05, (150, 290)),
            dabbed("wetness", 1, 0.09, (300, 170), (320, 240))]
 
 
@@ -157,13 +157,13 @@ FIGURES = [
     {"name": "painted", "title": "Painted fields",
      "text": "Strokes on the picture before: spots in two colours, a thinned and a bare patch, a wet one; the density and the wetness "
              "as overlays; and, near by, density, water, clump and curl each on one half of a plane.",
-     "pictures": [*(picture(title, PAINTED_CREATURE, studio(), {"commands": commands}, camera=FLANK, overlay=overlay, quality=FINE)
+     "pictures": [*(picture(title, PAINTED_CREATURE, studio(*commands), camera=FLANK, overlay=overlay, quality=FINE)
                     for title, commands, overlay in (("before", [], "none"), ("spots", SPOTS, "none"),
                                                      ("thinned, bare and wet", [*SPOTS, *PATCHES], "none"),
                                                      ("density", [*SPOTS, *PATCHES], "density"), ("wetness", [*SPOTS, *PATCHES], "wetness"))),
                   *(picture(title, builtin("plane", 8000), studio(), half(field, value), fur_of=fur(0.035, 0.45), camera=NEAR)
                     for title, field, value in (("half the strands", "density", 0.5), ("wet", "wetness", 1), ("clump", "clump", 0.8),
-                                                ("curl", "curl", 0.12)))]},
+                                                ("curl", "curl", 0.06)))]},
     {"name": "stages", "title": "From layers to fur",
      "text": "4, 8 and 16 shells everywhere; then as many as each place needs, how many those are, and with fins and guard hairs.",
      "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)

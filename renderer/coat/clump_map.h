@@ -9,7 +9,8 @@
 namespace pelage {
 
 /// `side * side` texels of 4 octets, x fastest, over the periodic tile: the way to the middle of the place's clump over
-/// +-reach (x, y), how far inside of the clump it lies (0 on the border to the next, 1 in the middle), and 255.
+/// +-reach (x, y), how far inside of the clump it lies (0 on the border to the next, 1 in the middle), and the clump's
+/// pull (Clump).
 struct ClumpMap {
   static constexpr int side = 256;
   std::vector<std::uint8_t> texels;

@@ -25,21 +25,30 @@ float strands_kept(vec2 at, int slice, float sharp) {
   return kept / all;
 }
 
-layout(binding = 15) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it
+layout(binding = 15) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it; its pull
 
-const float most_gathered = 0.7, water_gathers = 0.85;
+const float most_gathered = 0.85, water_gathers = 0.85;
 
-vec2 clump_shift = vec2(0.0);  // tiles
+vec2 clump_middle = vec2(0.0);  // from here, tiles
+float clump_gather = 0.0;       // at the tip
+vec2 clump_shift = vec2(0.0);   // to the root of the strand that is here, tiles
 
 // As tufts.glsl, on the tile: the strand that is here at height s grows further out in its clump, and past the border of
 // the clump there is none. What is finer than pixels stays. Answers the factor on the optical depth.
 float gather_to_clump(float s) {
   float gather = most_gathered * min(forms.y + water_gathers * amounts.z, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
   if (gather <= 0.0) return 1.0;
-  float part = gather * s * sqrt(s), kept = 1.0 - part;
   vec4 clump = textureLod(clump_map, tile, 0.0);
-  clump_shift = -(clump.rg * 2.0 - 1.0) * (paint_block.coat.w * part / kept);
-  return clamp(1.0 + (clump.b + kept - 1.0) / 0.15, 0.0, 1.0) / kept;
+  clump_middle = (clump.rg * 2.0 - 1.0) * paint_block.coat.w;
+  clump_gather = gather * mix(0.5, 1.0, clump.a);
+  float part = clump_gather * s * sqrt(s), kept = 1.0 - part;
+  clump_shift = -clump_middle * (part / kept);
+  return clamp(1.0 + (clump.b + kept - 1.0) / 0.3, 0.0, 1.0) / kept;
+}
+
+// How strands lean to the middle of their clump at height s, over the length that the tile was made for.
+vec2 clump_slope(float s) {
+  return clump_middle / frame.tile.x * (1.5 * clump_gather * sqrt(s) / (1.0 - clump_gather * s * sqrt(s)) / nominal_length);
 }
 
 // Strands of one place curl together; from place to place they do it in another phase, which changes slowly enough

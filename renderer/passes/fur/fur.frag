@@ -58,8 +58,8 @@ void main() {
   vec2 slope = (slab.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
 #ifdef PAINT
-  vec2 curled = curl_slope(height);
-  tangent = normalize(tangent + tile_u * curled.x + cross(normal, tile_u) * curled.y);
+  vec2 turned = curl_slope(height) + clump_slope(height);
+  tangent = normalize(tangent + tile_u * turned.x + cross(normal, tile_u) * turned.y);
 #endif
 #ifdef TUFTS
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
