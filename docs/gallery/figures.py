@@ -97,7 +97,7 @@ SPOTS = [dabbed(field, 1, radius, place, colour=colour)
          for place, radius in (((150, 215), 0.045), ((185, 240), 0.05), ((195, 205), 0.03), ((230, 215), 0.05), ((160, 255), 0.035),
                                ((258, 240), 0.04), ((275, 205), 0.04))
          for field, colour in (("root_colour", "#241a14"), ("tip_colour", "#3a2417"))]
-PATCHES = [dabbed("density", 0.04, 0.05, (210, 262), (240, 270)), dabbed("bare", 1, 0.05, (150, 290)),
+PATCHES = [dabbed("density", 0.04, 0.07, (140, 290), (165, 300), falloff="sphere"), dabbed("bare", 1, 0.1, (222, 268), falloff="sphere"),
            dabbed("wetness", 1, 0.09, (300, 170), (320, 240))]
 
 

@@ -43,7 +43,7 @@ float gather_to_clump(float s) {
   clump_gather = gather * mix(0.5, 1.0, clump.a);
   float part = clump_gather * s * sqrt(s), kept = 1.0 - part;
   clump_shift = -clump_middle * (part / kept);
-  return clamp(1.0 + (clump.b + kept - 1.0) / 0.3, 0.0, 1.0) / kept;
+  return clamp(0.5 + (clump.b - part) / 0.12, 0.0, 1.0) / kept;
 }
 
 // How strands lean to the middle of their clump at height s, over the length that the tile was made for.

@@ -44,7 +44,9 @@ TEST(ClumpMap, InsideIsWholeInTheMiddleAndNothingOnTheBorder) {
       most = std::max(most, here.inside), least = std::min(least, here.inside);
       const double step = 1.0 / ClumpMap::side;
       const bool other_clump = std::abs(next.way.x + step - here.way.x) > 2 * step;
-      if (other_clump) EXPECT_LT(here.inside, 0.35) << x << ' ' << y;
+      if (other_clump) {
+        EXPECT_LT(here.inside * glm::length(here.way), 1.5 * step + 0.01 * map.reach) << x << " " << y;
+      }
     }
   }
   EXPECT_GT(most, 0.9);
