@@ -27,7 +27,7 @@ float strands_kept(vec2 at, int slice, float sharp) {
 
 layout(binding = 15) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it; its pull
 
-const float most_gathered = 0.85, water_gathers = 0.85;
+const float most_gathered = 0.8, water_gathers = 0.85;
 
 vec2 clump_middle = vec2(0.0);  // from here, tiles
 float clump_gather = 0.0;       // at the tip
@@ -43,7 +43,7 @@ float gather_to_clump(float s) {
   clump_gather = gather * mix(0.5, 1.0, clump.a);
   float part = clump_gather * s * sqrt(s), kept = 1.0 - part;
   clump_shift = -clump_middle * (part / kept);
-  return clamp(0.5 + (clump.b - part) / 0.12, 0.0, 1.0) / kept;
+  return clamp(1.0 + (clump.b - part) / 0.15, 0.0, 1.0) / kept;
 }
 
 // How strands lean to the middle of their clump at height s, over the length that the tile was made for.
