@@ -55,7 +55,7 @@ glm::dvec3 colour_at(const Image& image, glm::dvec2 place, int reach = 6) {
   return sum / (4.0 * reach * reach);
 }
 
-TEST_P(PaintedFrames, FieldsAtRestGiveTheSameBytes) {
+TEST_P(PaintedFrames, TouchedButAtRestGivesTheSamePicture) {
   FurredModel model = ball();
   request.knobs.fins = true, request.knobs.guard_hairs = 2000;
   const Image before = drawn(model);
