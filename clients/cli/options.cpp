@@ -147,7 +147,7 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--layers", "layers",
                       "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
                       "shadow, layer_count [beauty]");
-  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, layer_count, light_depth, light_occlusion or shadow_width [none]");
+  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion or shadow_width [none]");
 
   CLI::App* compare =
       add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");

@@ -57,6 +57,12 @@ void print(const PickAnswer& answer) {
              text_of(answer.barycentric), text_of(answer.position), text_of(answer.normal));
   fmt::print("direction   {}\ninclination {:.6g}\nlength      {:.6g}\nstretch     {:.6g}\n", text_of(answer.direction),
              answer.inclination, answer.length, answer.stretch);
+  for (std::size_t i = 0; i < answer.painted.size(); ++i) {
+    const FieldShape& shape = field_shapes[first_painted + i];
+    const glm::dvec4 value = answer.painted[i];
+    if (shape.channels == 1) fmt::print("{:11} {:.6g}\n", shape.name, value.x);
+    if (shape.channels == 4) fmt::print("{:11} {} cover {:.6g}\n", shape.name, text_of(glm::dvec3(value)), value.w);
+  }
 }
 
 void print(const std::vector<LogEntry>& log) {

@@ -75,6 +75,31 @@ WHISKERS = {"op": "set_curves", "groups": [{"width_root": 0.004, "width_tip": 0.
     [[0.1, 0.95, 0.25], [0.35, 1.3, 0.2], [0.8, 1.4, 0.0]]]}]}
 EAR = eye([-0.35, 2.3, 1.9], [0.05, 0.9, 0.12], 17)
 
+PAINTED_CREATURE = builtin("creature", 40000)
+FLANK = eye([-2.3, 1.35, 0.75], [0.0, 0.6, -0.1], 27)
+NEAR = eye([0.0, 0.42, 0.5], [0.0, 0.0, 0.02], 24)
+
+
+def dabbed(field, value, radius, *pixels, falloff="smooth", **settings):
+    """One stroke of paint over pixels of the flank's picture."""
+    return {"op": "paint", "field": field, "value": value, **settings,
+            "brush": {"radius": radius, "strength": 1, "falloff": falloff, "falloff_shape": "surface"},
+            "stroke": {"view": {"camera": FLANK, "width": 420, "height": 420},
+                       "samples": [{"screen": list(pixel), "time": i} for i, pixel in enumerate(pixels)]}}
+
+
+def half(field, value):
+    return {"op": "paint", "field": field, "value": value, "brush": {"radius": 0.36, "strength": 1, "falloff": "constant"},
+            "stroke": {"samples": [{"position": [0.5, 0, z], "time": z + 1} for z in (-1, 1)]}}
+
+
+SPOTS = [dabbed(field, 1, radius, place, colour=colour)
+         for place, radius in (((150, 215), 0.045), ((185, 240), 0.05), ((195, 205), 0.03), ((230, 215), 0.05), ((160, 255), 0.035),
+                               ((258, 240), 0.04), ((275, 205), 0.04))
+         for field, colour in (("root_colour", "#241a14"), ("tip_colour", "#3a2417"))]
+PATCHES = [dabbed("density", 0.04, 0.07, (140, 290), (165, 300), falloff="sphere"), dabbed("bare", 1, 0.1, (222, 268), falloff="sphere"),
+           dabbed("wetness", 1, 0.09, (300, 170), (320, 240))]
+
 
 FIGURES = [
     {"name": "per_pixel", "title": "Light at the vertices, light in each pixel (GPU fur, figure 1)",
@@ -129,6 +154,16 @@ FIGURES = [
      "pictures": [picture(f"{title}, {kind}", CREATURE, studio(), tool, camera=BACK, overlay=overlay, quality=SIMPLE)
                   for kind, overlay in (("fur", "none"), ("short lines", "strokes"))
                   for title, tool in (("before", None), ("after", PULL))]},
+    {"name": "painted", "title": "Painted fields",
+     "text": "Strokes on the picture before: spots in two colours, a thinned and a bare patch, a wet one; the density and the wetness "
+             "as overlays; and, near by, density, water, clump and curl each on one half of a plane.",
+     "pictures": [*(picture(title, PAINTED_CREATURE, studio(*commands), camera=FLANK, overlay=overlay, quality=FINE)
+                    for title, commands, overlay in (("before", [], "none"), ("spots", SPOTS, "none"),
+                                                     ("thinned, bare and wet", [*SPOTS, *PATCHES], "none"),
+                                                     ("density", [*SPOTS, *PATCHES], "density"), ("wetness", [*SPOTS, *PATCHES], "wetness"))),
+                  *(picture(title, builtin("plane", 8000), studio(), half(field, value), fur_of=fur(0.035, 0.45), camera=NEAR)
+                    for title, field, value in (("half the strands", "density", 0.5), ("wet", "wetness", 1), ("clump", "clump", 0.8),
+                                                ("curl", "curl", 0.06)))]},
     {"name": "stages", "title": "From layers to fur",
      "text": "4, 8 and 16 shells everywhere; then as many as each place needs, how many those are, and with fins and guard hairs.",
      "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)

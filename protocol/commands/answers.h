@@ -9,6 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include "protocol/commands/field.h"
+
 namespace pelage {
 
 using Revision = std::uint64_t;
@@ -94,6 +96,8 @@ struct PickAnswer {
   double inclination = 0;   // [0, 1]
   double length = 0;        // sizes
   double stretch = 0;
+  /// Of each painted field, from first_painted on; a colour is that of what covers.
+  std::array<glm::dvec4, field_count - first_painted> painted{};
 };
 
 /// What two revisions of a scene differ in.

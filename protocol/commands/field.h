@@ -44,6 +44,7 @@ inline constexpr std::array<FieldShape, 12> field_shapes{{{"direction", 2, 0, -1
                                                           {"tip_colour", 4, 0, 0, 1}}};
 
 inline constexpr std::size_t field_count = field_shapes.size();
+inline constexpr std::size_t first_painted = static_cast<std::size_t>(Field::density);  // and all after it
 
 constexpr const FieldShape& shape_of(Field field) { return field_shapes[static_cast<std::size_t>(field)]; }
 constexpr Field field_at(std::size_t number) { return static_cast<Field>(number); }

@@ -22,7 +22,9 @@ enum class FrameFormat { png, png16, jpeg, exr };
 enum class ExrType { half, single };
 /// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
 /// first light that casts a soft shadow, as the light sees the model (GPU fur 4).
-enum class Overlay { none, direction, strokes, length, layer_count, light_depth, light_occlusion, shadow_width };
+enum class Overlay {
+  none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width
+};
 
 /// What an EXR can hold beside colour. All but beauty and alpha leave out the ground. Beauty, albedo and direct are
 /// multiplied by alpha; position, normal, tangent and shadow are means over what covers the pixel.

@@ -111,6 +111,16 @@ Result<std::vector<SceneSummary>> decode_scene_list(std::string_view text) {
   });
 }
 
+static auto painted_of(const json& value) {
+  decltype(PickAnswer::painted) painted{};
+  for (std::size_t i = 0; i < painted.size(); ++i) {
+    const json& field = value.at(std::string(field_shapes[first_painted + i].name));
+    if (field.is_number()) painted[i].x = field;
+    for (std::size_t k = 0; field.is_array() && k < 4; ++k) painted[i][static_cast<int>(k)] = field.at(k);
+  }
+  return painted;
+}
+
 Result<PickAnswer> decode_pick_answer(std::string_view text) {
   return decode_document<PickAnswer>(text, [](const json& value) {
     if (!value.at("hit").get<bool>()) return PickAnswer{};
@@ -122,7 +132,8 @@ Result<PickAnswer> decode_pick_answer(std::string_view text) {
                       .direction = triple(value.at("direction")),
                       .inclination = value.at("inclination"),
                       .length = value.at("length"),
-                      .stretch = value.at("stretch")};
+                      .stretch = value.at("stretch"),
+                      .painted = painted_of(value.at("painted"))};
   });
 }
 

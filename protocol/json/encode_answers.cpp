@@ -105,6 +105,17 @@ std::string encode(const std::vector<SceneSummary>& summaries) {
   return line({{"scenes", scenes}});
 }
 
+static Json painted_of(const PickAnswer& answer) {
+  Json painted = Json::object();
+  for (std::size_t i = 0; i < answer.painted.size(); ++i) {
+    const FieldShape& shape = field_shapes[first_painted + i];
+    const glm::dvec4 value = answer.painted[i];
+    painted[std::string(shape.name)] =
+        shape.channels == 1 ? Json(value.x) : Json::array({value.x, value.y, value.z, value.w});
+  }
+  return painted;
+}
+
 std::string encode(const PickAnswer& answer) {
   if (!answer.hit) return line({{"hit", false}});
   return line({{"hit", true},
@@ -115,7 +126,8 @@ std::string encode(const PickAnswer& answer) {
                {"direction", list(answer.direction)},
                {"inclination", answer.inclination},
                {"length", answer.length},
-               {"stretch", answer.stretch}});
+               {"stretch", answer.stretch},
+               {"painted", painted_of(answer)}});
 }
 
 std::string encode(const Comparison& comparison) {

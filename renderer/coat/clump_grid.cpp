@@ -28,19 +28,19 @@ ClumpGrid::ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t
   }
 }
 
-Clump ClumpGrid::nearest(glm::dvec2 place) const {
+NearestClumps ClumpGrid::nearest_two(glm::dvec2 place) const {
   const glm::ivec2 cell(glm::floor(place / tile_ * double(side_)));
-  Clump best;
-  double best_distance = 1e300;
+  NearestClumps near{{}, 1e300, 1e300};
   for (int y = cell.y - 2; y <= cell.y + 2; ++y) {
     for (int x = cell.x - 2; x <= cell.x + 2; ++x) {
       Clump clump = clumps_[static_cast<std::size_t>(wrap(y) * side_ + wrap(x))];
       clump.centre += glm::dvec2(x - wrap(x), y - wrap(y)) * (tile_ / side_);
       const double distance = glm::distance(clump.centre, place);
-      if (distance < best_distance) best = clump, best_distance = distance;
+      near.to_second = std::min(near.to_second, std::max(distance, near.to_first));
+      if (distance < near.to_first) near.first = clump, near.to_first = distance;
     }
   }
-  return best;
+  return near;
 }
 
 }  // namespace pelage

@@ -15,13 +15,20 @@ struct Clump {
   double pull = 1;                   // [.25, 1]: clumps are not all alike
 };
 
+/// The nearest clump, and the distances to it and to the next.
+struct NearestClumps {
+  Clump first;
+  double to_first = 0, to_second = 0;  // sizes
+};
+
 class ClumpGrid {
  public:
   /// Clumps about `size` apart on a tile of side `tile`, both in sizes. Deterministic in all four.
   ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t stream);
 
   /// The nearest clump on the periodic tile, its centre moved by whole tiles to lie next to `place`.
-  Clump nearest(glm::dvec2 place) const;
+  Clump nearest(glm::dvec2 place) const { return nearest_two(place).first; }
+  NearestClumps nearest_two(glm::dvec2 place) const;
 
  private:
   int wrap(int i) const { return (i % side_ + side_) % side_; }

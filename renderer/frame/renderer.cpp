@@ -34,18 +34,19 @@ class Stopwatch {
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
 /// The #define lines of what shapes the fur beside its fields.
-std::string shape_of(const Coat& coat) {
-  return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "");
+std::string shape_of(const Coat& coat, const ModelBuffers& model) {
+  return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "") +
+         model.paint().defines();
 }
 
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
-std::string variant_of(const FurFrame& frame) {
+std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   const Environment& light = frame.environment;
   const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
-         shape_of(frame.coat) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
+         shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
@@ -84,6 +85,7 @@ Renderer::Renderer(const Gl& gl, std::size_t sorted_bytes)
       sorted_(gl, sorted_bytes),
       pattern_(gl),
       tufts_(gl),
+      paint_(gl),
       scattering_(gl),
       frame_block_(gl),
       skin_block_(gl),
@@ -158,7 +160,8 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
       gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest});
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
-  const std::string shape = shape_of(frame.coat);
+  if (model.paint().changes_fur()) paint_.prepare(gl_, frame.coat);
+  const std::string shape = shape_of(frame.coat, model);
   const FurDrawing shaped{frame.knobs, shape, model, lists, coat};
   if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
     gl_.Finish();
@@ -173,7 +176,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, skin_binding, skin_block_.id());
   }
   scattering_.prepare(gl_, frame);
-  return {coat, model, lists, variant_of(frame), block};
+  return {coat, model, lists, variant_of(frame, model), block};
 }
 
 void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs) {

@@ -27,6 +27,7 @@
 #include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
+#include "renderer/upload/paint_textures.h"
 #include "renderer/upload/pattern_textures.h"
 #include "renderer/upload/scattering_textures.h"
 #include "renderer/upload/tuft_textures.h"
@@ -108,6 +109,7 @@ class Renderer {
   std::list<CoatTextures> coats_;  // most recently used first
   PatternTextures pattern_;
   TuftTextures tufts_;
+  PaintTextures paint_;
   ScatteringTextures scattering_;
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;

@@ -64,11 +64,18 @@ struct FurSkinRegion {
   bool operator==(const FurSkinRegion&) const = default;
 };
 
+/// What tools have painted at each vertex (protocol/commands/field.h). Empty where a field is at rest everywhere.
+struct FurPaint {
+  std::span<const float> density, width, curl, clump, wetness, bare, mask;
+  std::span<const glm::vec4> root_colour, tip_colour;  // linear, cover
+};
+
 struct FurFields {
   std::span<const glm::vec2> direction;  // for each vertex, in (tangent, bitangent); length is the inclination [0, 1]
   std::span<const float> length;         // sizes
   std::span<const DirtyRange> dirty;
   std::span<const FurSkinRegion> skin = {};  // at most 64; fur is shorter there
+  FurPaint paint = {};
 };
 
 struct FurLight {

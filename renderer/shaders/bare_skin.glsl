@@ -31,10 +31,17 @@ float bare_share(SkinRegion region, vec3 place, vec3 normal, float pixel) {
          smoothstep(region.facing.w, region.along.w, dot(normal, region.facing.xyz));
 }
 
-// All regions at a place, each over those before it.
-Bare bare_at(vec3 place, vec3 normal) {
+const Bare not_bare = Bare(vec4(0.0), vec4(0.0), 0.0, 0.0);
+
+// Skin that is painted bare: of the scene's colour, otherwise as protocol/commands/skin.h has it. It ends where fur has
+// about half of its length.
+Bare painted_bare(vec3 colour, float bare, float wetness) {
+  return Bare(vec4(colour, 0.5), vec4(0.5, wetness, 0.0004, 0.004), 0.5, smoothstep(0.3, 0.7, bare));
+}
+
+// All regions at a place, each over those before it and over what is bare without them.
+Bare bare_over(Bare bare, vec3 place, vec3 normal) {
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
-  Bare bare = Bare(vec4(0.0), vec4(0.0), 0.0, 0.0);
   for (uint i = 0u; i < bare_skin.count.x; ++i) {
     vec3 apart = place - bare_skin.balls[i].xyz;
     if (dot(apart, apart) > bare_skin.balls[i].w) continue;  // so that most of the body costs little

@@ -25,9 +25,17 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
 // Light that passes pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4).
 vec3 transmittance(float depth, vec3 colour) { return exp2(-1.442695 * depth * (1.0 - 0.82 * sqrt(clamp(colour, 0.0, 1.0)))); }
 
+#ifdef PAINT_COLOUR
+vec4 paint_above = vec4(0.0);  // of the fur over a strand: times its cover, cover
+#endif
+
 // Light on its way to a strand of that colour crosses the fur above it, which may be paler or darker.
 vec3 colour_crossed(vec3 colour, float height) {
-  return colour * frame.colour_above[clamp(int(height * float(slice_count)), 0, slice_count - 1)].rgb;
+  vec3 crossed = colour * frame.colour_above[clamp(int(height * float(slice_count)), 0, slice_count - 1)].rgb;
+#ifdef PAINT_COLOUR
+  crossed = crossed * (1.0 - paint_above.a) + paint_above.rgb;
+#endif
+  return crossed;
 }
 
 // Share of the light from all around that gets to a height: g of GPU fur eq 1, with s where nothing better is known.

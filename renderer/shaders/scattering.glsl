@@ -19,6 +19,12 @@ layout(binding = 3) uniform sampler3D azimuthal_table;  // |phi|, cos theta, abs
 const int model_lengyel = 0, model_kajiya = 1, model_energy_conserving = 2;
 const int model_scheuermann = 3, model_kajiya_kay = 4, model_marschner = 5;
 
+#ifdef PAINT
+float shine = 1.0, sharpness = 1.0;  // factors on the highlight's weight and exponent that painted water sets
+#else
+const float shine = 1.0, sharpness = 1.0;
+#endif
+
 // (1 - d^2)^(n/2). Near d = 0 the series of the logarithm keeps the digits that 1 - d^2 loses.
 float sine_power(float d, float n) {
   float x = d * d;
@@ -33,8 +39,8 @@ vec3 unit_or_zero(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-12)); }
 
 vec3 scatter_kajiya(vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
   float diffuse = sine_power(dot(tangent, to_light), scattering.exponents.x);
-  float specular = sine_power(dot(tangent, unit_or_zero(to_light + to_eye)), scattering.exponents.y);
-  return scattering.weights.x * diffuse * colour + scattering.weights.y * specular;
+  float specular = sine_power(dot(tangent, unit_or_zero(to_light + to_eye)), sharpness * scattering.exponents.y);
+  return scattering.weights.x * diffuse * colour + shine * scattering.weights.y * specular;
 }
 
 // The cosine to the mirror direction by its sine, which keeps its digits where the cosine is near 1.
@@ -43,8 +49,8 @@ vec3 scatter_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
   float sine_light = sine_to(along_light), sine_eye = sine_to(along_eye);
   float mirror = sine_light * sine_eye - along_light * along_eye;
   float off_mirror = sine_light * along_eye + sine_eye * along_light;
-  float highlight = sine_power(mirror > 0.0 ? off_mirror : 1.0, scattering.exponents.y);
-  return scattering.weights.x * sine_light * colour + scattering.weights.y * highlight;
+  float highlight = sine_power(mirror > 0.0 ? off_mirror : 1.0, sharpness * scattering.exponents.y);
+  return scattering.weights.x * sine_light * colour + shine * scattering.weights.y * highlight;
 }
 
 float scheuermann_lobe(float along, float n) { return smoothstep(-1.0, 0.0, along) * sine_power(along, n); }
@@ -52,10 +58,10 @@ float scheuermann_lobe(float along, float n) { return smoothstep(-1.0, 0.0, alon
 vec3 scatter_scheuermann(vec3 tangent, vec3 normal, vec3 to_light, vec3 to_eye, vec3 colour, float strand) {
   vec3 middle = unit_or_zero(to_light + to_eye);
   vec2 shift = scattering.shifts.xy + scattering.weights.w * (2.0 * strand - 1.0);
-  float first = scheuermann_lobe(dot(unit_or_zero(tangent + shift.x * normal), middle), scattering.exponents.y);
+  float first = scheuermann_lobe(dot(unit_or_zero(tangent + shift.x * normal), middle), sharpness * scattering.exponents.y);
   float second = scheuermann_lobe(dot(unit_or_zero(tangent + shift.y * normal), middle), scattering.exponents.z);
   float wrapped = clamp(0.25 + 0.75 * dot(normal, to_light), 0.0, 1.0);
-  return (scattering.weights.x * wrapped + scattering.weights.z * second) * colour + scattering.weights.y * first;
+  return (scattering.weights.x * wrapped + scattering.weights.z * second) * colour + shine * scattering.weights.y * first;
 }
 
 // exp(-x) I0(x), Abramowitz and Stegun 9.8.1 and 9.8.2.

@@ -1,5 +1,6 @@
 // What a ray meets inside one shell's slab.
-layout(binding = 0) uniform sampler2DArray shapes;  // slope, light from above, optical depth
+layout(binding = 0) uniform sampler2DArray shapes;   // slope, light from above, optical depth
+layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square root), number
 
 uniform int shell_count;
 uniform int shell;
@@ -24,6 +25,9 @@ void shift_to_strand(vec3 normal, vec3 tile_u) {
 }
 #endif
 
+#include "paint.glsl"
+#include "paint_form.glsl"
+
 struct Slab {
   float opacity, height, light;  // the last two weighted by opacity
   vec2 slope;
@@ -34,6 +38,9 @@ vec2 tile_at(float s) {
   vec2 at = tile + tile_per_height * (s - shell_height());
 #ifdef TUFTS
   at += tuft_shift;
+#endif
+#ifdef PAINT
+  at += clump_shift - curl_offset(s) * frame.tile.x;
 #endif
   return at;
 }
@@ -46,6 +53,10 @@ Slab march(int steps, float blur, float share) {
 #ifdef TUFTS
   share *= tuft_share(tuft_here(), shell_height());
 #endif
+#ifdef PAINT
+  if (amounts.x <= 0.0) return Slab(0.0, 0.0, 0.0, vec2(0.0));
+  share *= amounts.y * gather_to_clump(shell_height());
+#endif
   float thickness = 1.0 / float(shell_count);
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
@@ -56,7 +67,12 @@ Slab march(int steps, float blur, float share) {
   for (int i = 0; i < steps; ++i) {
     float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);
     float s = shell_height() + off;
-    vec4 shape = textureLod(shapes, vec3(tile_at(s), floor(s * float(slice_count))), sharp);
+    vec2 at = tile_at(s);
+    float slice = floor(s * float(slice_count));
+    vec4 shape = textureLod(shapes, vec3(at, slice), sharp);
+#ifdef PAINT
+    shape.a *= strands_kept(at, int(slice), sharp);
+#endif
     float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));
     slab.opacity += weight;
     slab.height += weight * s;

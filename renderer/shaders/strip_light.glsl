@@ -1,4 +1,6 @@
 // The light on a strip: what fins and guard hairs share. After frame.glsl, lighting.glsl and base_colour.glsl.
+#include "paint_light.glsl"
+
 in vec3 place;
 in vec3 fibre_normal;
 in vec3 fibre_tangent;
@@ -10,11 +12,17 @@ in vec3 root;
 in vec4 varied;
 #endif
 
-// The colour of a strip of fur of this colour in the coat.
-vec3 strip_colour(vec3 strand_colour) {
+// The colour of a strip of fur of this colour in the coat, by `lighter` lighter than others.
+vec3 strip_colour(vec3 strand_colour, float lighter) {
   vec3 colour = fur_colour(strand_colour, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
+#endif
+#ifdef PAINT_COLOUR
+  colour = colour_painted(colour, clamp(height, 0.0, 1.0), lighter);
+#endif
+#ifdef PAINT
+  colour = colour_wetted(colour);
 #endif
   return colour;
 }
@@ -26,6 +34,9 @@ vec3 strip_tangent() { return fibre_tangent / max(length(fibre_tangent), 1e-20);
 vec3 strip_light(vec3 colour, float number) {
   int above = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   float depth = frame.depth_above[above / 4][above % 4];
+#ifdef PAINT
+  depth *= painted_depth();
+#endif
   vec3 to_eye = frame.eye.xyz - place;
   to_eye /= max(length(to_eye), 1e-20);
   return fibre_light(Fibre(place, strip_normal(), strip_tangent(), to_eye, colour, clamp(height, 0.0, 1.0), depth, number));

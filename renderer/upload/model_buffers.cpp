@@ -56,6 +56,7 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
       level_(gl),
       variation_(gl),
       elements_(gl),
+      paint_(gl),
       original_(model.original ? model.original : model.id),
       has_colours_(model.has_colours) {
   std::vector<RenderVertex> vertices;
@@ -66,7 +67,7 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
                      GL_DYNAMIC_DRAW);
   count.bytes += bytes, count.buffers += 1;
   const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};
-  update(gl, {fields.direction, fields.length, {&all, 1}, fields.skin}, count);
+  update(gl, {fields.direction, fields.length, {&all, 1}, fields.skin, fields.paint}, count);
   make_vertex_array(gl);
   send_images(gl, model, count);
 }
@@ -178,9 +179,17 @@ bool ModelBuffers::set_skin(std::span<const FurSkinRegion> skin) {
   return true;
 }
 
+float ModelBuffers::length_at(const FurFields& fields, std::uint32_t i) const {
+  const float skin = kept_.empty() ? 1 : kept_[i];
+  const float bare = fields.paint.bare.empty() ? 0 : fields.paint.bare[welded_[i]];
+  return fields.length[welded_[i]] * skin * (1 - bare);
+}
+
 void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& count) {
   const DirtyRange all{0, static_cast<std::uint32_t>(first_.size() - 1)};
-  const std::span<const DirtyRange> dirty = set_skin(fields.skin) ? std::span(&all, 1) : fields.dirty;
+  const bool other_skin = set_skin(fields.skin);
+  const bool other_paint = paint_.prepare(gl, fields.paint, vertex_array_.id(), positions_.size());
+  const std::span<const DirtyRange> dirty = other_skin || other_paint ? std::span(&all, 1) : fields.dirty;
   if (!dirty.empty()) ++version_;
   std::vector<glm::vec3> values;
   for (const DirtyRange& range : dirty) {
@@ -189,12 +198,13 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
     if (begin == end) continue;
     values.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
-      lengths_[i] = fields.length[welded_[i]] * (kept_.empty() ? 1 : kept_[i]);
+      lengths_[i] = length_at(fields, i);
       values.emplace_back(fields.direction[welded_[i]], lengths_[i]);
     }
     const auto bytes = static_cast<GLsizeiptr>(values.size() * sizeof(glm::vec3));
     gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, values.data());
     count.bytes += static_cast<std::size_t>(bytes), count.buffers += 1;
+    paint_.send(gl, fields.paint, begin, std::span(welded_).subspan(begin, end - begin), count);
   }
 }
 
@@ -208,6 +218,7 @@ void ModelBuffers::bind_storage(const Gl& gl) const {
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, fixed_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, groom_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, variation_.id());
+  paint_.bind_storage(gl);
 }
 
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {

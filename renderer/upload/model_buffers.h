@@ -9,6 +9,7 @@
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/upload/layer_sets.h"
+#include "renderer/upload/paint_buffers.h"
 
 namespace pelage {
 
@@ -24,7 +25,9 @@ enum class Attribute : GLuint {
   groom,
   weight,
   level,
-  variation
+  variation,
+  painted_numbers,  // and the one after it
+  painted_colours = painted_numbers + 2
 };
 
 /// What was sent, for tests and metrics.
@@ -40,14 +43,15 @@ class ModelBuffers {
   /// Sends the whole model and its fields.
   ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count);
 
-  /// Sends the vertices in `fields.dirty` only, or all when other skin is bare. Lengths are sent as bare skin leaves
-  /// them, so that no shader has to know.
+  /// Sends the vertices in `fields.dirty` only, or all when other skin is bare or other fields are painted. Lengths are
+  /// sent as bare skin leaves them, so that no shader has to know.
   void update(const Gl& gl, const FurFields& fields, UploadCount& count);
 
   GLuint vertex_array() const { return vertex_array_.id(); }
   GLuint base_images() const { return images_.id(); }
   std::uint64_t original() const { return original_; }  // FurModel::original, or its id
   bool has_colours() const { return has_colours_; }
+  const PaintBuffers& paint() const { return paint_; }
   /// Counts the changes of the fields.
   std::uint64_t version() const { return version_; }
   float longest_fur() const;  // sizes, beside bare skin
@@ -58,7 +62,7 @@ class ModelBuffers {
   /// The model's vertex of each render vertex.
   std::span<const std::uint32_t> welded() const { return welded_; }
   /// Leaves the vertices, the fields and the variation at the storage bindings 0 to 2, as renderer/shaders/strand.glsl
-  /// reads them.
+  /// reads them, and what is painted where PaintBuffers says.
   void bind_storage(const Gl& gl) const;
   /// Slow changes of the fur at each render vertex (renderer/pattern); read by programs with a pattern only.
   void send_variation(const Gl& gl, std::span<const glm::vec4> values);
@@ -80,11 +84,13 @@ class ModelBuffers {
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
   bool touched_by_skin(const glm::uvec3& triangle) const;
   bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
+  float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 
   VertexArray vertex_array_;
   Buffer fixed_, groom_, level_, variation_, elements_;
+  PaintBuffers paint_;
   Texture images_;
   std::uint64_t original_ = 0;
   bool has_colours_ = false;

@@ -95,6 +95,11 @@ std::span<const glm::vec2> FieldSet::direction() const {
   return {reinterpret_cast<const glm::vec2*>(values(Field::direction).data()), vertices_};
 }
 
+std::span<const glm::vec4> FieldSet::colours(Field field) const {
+  assert(shape_of(field).channels == 4);
+  return {reinterpret_cast<const glm::vec4*>(values(field).data()), values(field).size() / 4};
+}
+
 void FieldSet::set(Field field, std::uint32_t vertex, glm::vec4 value) {
   assert(vertex < vertices_);
   const auto channels = static_cast<std::size_t>(shape_of(field).channels);

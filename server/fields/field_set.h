@@ -45,6 +45,7 @@ class FieldSet {
   const std::vector<float>& values(Field field) const { return values_[static_cast<std::size_t>(field)]; }
   bool at_rest(Field field) const { return values(field).empty(); }
   std::span<const glm::vec2> direction() const;
+  std::span<const glm::vec4> colours(Field field) const;  // of a field with four channels; empty as values() is
   const std::vector<float>& length() const { return values(Field::length); }
 
   /// Kept up to date for touched vertices only. A value at rest adds nothing.

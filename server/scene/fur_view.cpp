@@ -45,6 +45,13 @@ std::uint64_t copy_id(const SceneView& scene) {
   return mix_bits(scene.model.id ^ picture);
 }
 
+FurPaint make_paint(const FieldSet& fields) {
+  const auto numbers = [&](Field field) { return std::span(fields.values(field)); };
+  return {numbers(Field::density), numbers(Field::width),   numbers(Field::curl),
+          numbers(Field::clump),   numbers(Field::wetness), numbers(Field::bare),
+          numbers(Field::mask),    fields.colours(Field::root_colour), fields.colours(Field::tip_colour)};
+}
+
 }  // namespace
 
 FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture) {
@@ -71,7 +78,8 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
   const Mesh& mesh = scene.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
-  const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges, skin};
+  const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges, skin,
+                         make_paint(scene.fields)};
   const std::uint64_t copy = copy_id(scene);
   if (renderer.has(copy)) return renderer.update(copy, fields);
   renderer.forget(scene.model.id);  // in other colours

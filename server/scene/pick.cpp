@@ -26,6 +26,20 @@ void read_fields(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
   answer.direction = safe_unit(lean);
 }
 
+/// Interpolates what is painted; a colour by how much of it covers.
+void read_paint(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
+  for (std::size_t i = 0; i < answer.painted.size(); ++i) {
+    const Field field = field_at(first_painted + i);
+    const bool colour = shape_of(field).channels == 4;
+    glm::dvec4 sum(0);
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec4 value(fields.value(field, mesh.triangles[answer.triangle][k]));
+      sum += answer.barycentric[k] * (colour ? glm::dvec4(glm::dvec3(value) * value.w, value.w) : value);
+    }
+    answer.painted[i] = colour && sum.w > 0 ? glm::dvec4(glm::dvec3(sum) / sum.w, sum.w) : sum;
+  }
+}
+
 }  // namespace
 
 PickAnswer pick(const Surface& surface, const FieldSet& fields, const View& view, glm::dvec2 pixel) {
@@ -40,6 +54,7 @@ PickAnswer pick(const Surface& surface, const FieldSet& fields, const View& view
   answer.position = mesh.to_model(surface.position(*point));
   answer.normal = surface.normal(*point);
   read_fields(mesh, fields, answer);
+  read_paint(mesh, fields, answer);
   return answer;
 }
 

@@ -29,7 +29,7 @@ void main() {
 #endif
   put_fragment(covering(opacity));
 #else
-  vec3 colour = strip_colour(texel.rgb / texel.a);
+  vec3 colour = strip_colour(texel.rgb / texel.a, 1.0);
   put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));
 #ifdef LAYERS
   write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);

@@ -2,6 +2,7 @@
 #include "frame.glsl"
 #include "lean.glsl"
 #include "strand.glsl"
+#include "paint_storage.glsl"
 
 struct FinEdge {
   uvec2 ends;
@@ -46,5 +47,9 @@ void main() {
   along = (apart.x > apart.y ? strand.tile_uv.x : strand.tile_uv.y) * frame.tile.x;
   float facing = abs(dot(safe_unit(frame.eye.xyz - strand.root), safe_unit(strand.normal)));
   strength = min(1.0, edge.width / slab_depth) * furred(strand.fur_length) * (1.0 - smoothstep(0.3 * limit, limit, facing));
+  hand_on_paint(uvec3(gl_VertexID % 2 == 0 ? edge.ends.x : edge.ends.y), vec3(1.0, 0.0, 0.0));
+#ifdef PAINT
+  strength *= amounts.x * amounts.y;
+#endif
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
 }

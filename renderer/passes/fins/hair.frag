@@ -37,7 +37,7 @@ void main() {
 #else
   int slice = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   vec3 strand = textureLod(colours, vec3(tile, float(slice)), local_mean).rgb;
-  vec3 colour = strip_colour(strand * strand * lightness);
+  vec3 colour = strip_colour(strand * strand * lightness, lightness);
   put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));
 #ifdef LAYERS
   write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);

@@ -3,6 +3,7 @@
 #include "lean.glsl"
 #include "strand.glsl"
 #include "ribbon.glsl"
+#include "paint_storage.glsl"
 
 struct HairRoot {
   uvec3 corners;
@@ -73,11 +74,19 @@ void main() {
   tile = strand.tile_uv * frame.tile.x;
   lightness = exp2(2.0 * spread * (2.0 * number_of(hair.bits, 20) - 1.0));
 
-  Ribbon ribbon = ribbon_at(place, fibre_tangent, mix(width_root, width_tip, s), side);
+  float width = mix(width_root, width_tip, s);
+  hand_on_paint(hair.corners, hair.weights);
+#ifdef PAINT
+  width *= amounts.y;
+#endif
+  Ribbon ribbon = ribbon_at(place, fibre_tangent, width, side);
   across = ribbon.across;
   reach = ribbon.reach;
   float facing = abs(dot(safe_unit(frame.eye.xyz - strand.root), normal));
   strength = ribbon.strength * furred(strand.fur_length) * (1.0 - smoothstep(0.4 * limit, limit, facing)) *
              seen_through(height, facing);
+#ifdef PAINT
+  if (number_of(hair.bits * 2654435769u, 10) >= amounts.x && amounts.x < 1.0) strength = 0.0;  // one of those that are gone
+#endif
   gl_Position = ribbon.clip;
 }

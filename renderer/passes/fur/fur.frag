@@ -6,12 +6,11 @@
 #include "pattern.glsl"
 #endif
 #include "slab.glsl"
+#include "paint_light.glsl"
 #include "fragment.glsl"
 #ifdef LAYERS
 #include "layers.glsl"
 #endif
-
-layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square root), number
 
 in vec3 place;
 #ifdef PATTERN
@@ -35,6 +34,15 @@ in vec2 vertex_share;
 
 uniform int step_count;  // texture steps inside the slab
 
+#ifdef PAINT_COLOUR
+const float mean_level = 7.0;  // whose texels hold the mean of many strands
+
+float lightness_over(vec3 strand, vec3 mean) {
+  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+  return clamp(dot(strand, luminance) / max(dot(mean, luminance), 1e-4), 0.5, 1.6);
+}
+#endif
+
 void main() {
   if (no_room()) discard;
   vec3 normal = normalize(fibre_normal);
@@ -49,6 +57,10 @@ void main() {
   vec3 strand = texel.rgb * texel.rgb;
   vec2 slope = (slab.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
+#ifdef PAINT
+  vec2 turned = curl_slope(height) + clump_slope(height);
+  tangent = normalize(tangent + tile_u * turned.x + cross(normal, tile_u) * turned.y);
+#endif
 #ifdef TUFTS
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
 #endif
@@ -56,6 +68,14 @@ void main() {
   vec3 colour = fur_colour(strand, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
+#endif
+#ifdef PAINT_COLOUR
+  vec3 mean = textureLod(colours, vec3(tile, floor(height * float(slice_count))), mean_level).rgb;
+  colour = colour_painted(colour, height, lightness_over(strand, mean * mean));
+#endif
+#ifdef PAINT
+  above *= painted_depth();
+  colour = colour_wetted(colour);
 #endif
   Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, texel.a);
 #ifdef LENGYEL

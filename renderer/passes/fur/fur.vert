@@ -20,6 +20,8 @@ layout(location = 9) in float layer_level;
 layout(location = 10) in vec4 variation;  // factor on length, addition to inclination, factor on lightness, turn of hue
 #endif
 
+#include "paint_attributes.glsl"
+
 uniform int shell_count;
 uniform int shell;
 uniform int shell_side;   // 1 on triangles that face the eye, -1 on those turned away
@@ -106,6 +108,7 @@ void main() {
   vertex_share = light_share;
 #endif
 #endif
+  hand_on_paint();
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);

@@ -5,7 +5,8 @@
 #ifdef PATTERN
 #include "pattern.glsl"
 #endif
-#ifdef BARE_SKIN
+#include "paint_light.glsl"
+#if defined(BARE_SKIN) || defined(PAINT)
 #include "bare_skin.glsl"
 #endif
 
@@ -32,7 +33,11 @@ layout(location = 0) out vec4 result;
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;
-  float grown = smoothstep(0.0, 0.008, fur_length);
+  float grown = smoothstep(0.0, 0.008, fur_length), above = frame.depth_above[0].x;
+#ifdef PAINT
+  grown *= 1.0 - pow(1.0 - clamp(amounts.x, 0.0, 1.0), 3.0);  // thinned fur does not hide the skin
+  above *= painted_depth();
+#endif
   float furred = gl_FrontFacing ? grown : 0.0;
   bool own = frame.skin.w > 0.5;
   vec3 bare = own ? model_colour(base_colour, base_uv) : frame.skin.rgb;
@@ -40,10 +45,16 @@ void main() {
 #ifdef PATTERN
   undercoat = pattern_colour(place, varied, undercoat);
 #endif
+#ifdef PAINT_COLOUR
+  undercoat = colour_painted(undercoat, 0.0, 1.0);
+#endif
+#ifdef PAINT
+  undercoat = colour_wetted(undercoat);
+#endif
   vec3 coat = colour_crossed(undercoat, 0.0);
   vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
-  float depth = furred * frame.depth_above[0].x * frame.exponents.w;
-  vec3 share = mix(vec3(1.0), ambient_share(0.0, frame.depth_above[0].x, crossed), furred);
+  float depth = furred * above * frame.exponents.w;
+  vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), furred);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
@@ -63,8 +74,14 @@ void main() {
     keep_direct(radiance * colour * lit * transmittance(to_skin, crossed), unshadowed * colour * lit);
 #endif
   }
+#if defined(BARE_SKIN) || defined(PAINT)
+  Bare region = not_bare;
+#ifdef PAINT
+  region = painted_bare(bare, amounts.w, amounts.z);
+#endif
 #ifdef BARE_SKIN
-  Bare region = bare_at(place, normal);
+  region = bare_over(region, place, normal);
+#endif
   if (region.share > 0.0) {
 #ifdef LAYERS
     direct_light *= 1.0 - region.share, light_share *= 1.0 - region.share;

@@ -7,6 +7,8 @@ layout(location = 5) in vec3 image_uv;
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;
 
+#include "paint_attributes.glsl"
+
 out vec3 place;
 out vec3 skin_normal;
 out vec3 base_uv;
@@ -35,6 +37,7 @@ void main() {
   base_uv = image_uv;
   base_colour = colour;
   fur_length = groom.z;
+  hand_on_paint();
 #ifdef PATTERN
   varied = variation;
 #endif

@@ -7,10 +7,14 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 tangent;
 layout(location = 7) in vec3 groom;  // direction (tangent, bitangent), length
 
+layout(location = 11) in vec4 amounts;  // density, width, wetness, bare
+layout(location = 12) in vec4 forms;    // curl, clump, mask
+
 uniform float aspect;  // width over height
 
 out vec2 lean;  // of the fur, as it shows: right and up, at most 1 where it lies across the view
 out float fur_length;
+out vec3 painted;  // density, wetness, mask
 
 void main() {
   vec3 towards = tangent * groom.x + cross(normal, tangent) * groom.y;
@@ -21,4 +25,5 @@ void main() {
   float across = length(towards), shown = length(moved) / length(vec3(frame.world_to_clip[0].y, frame.world_to_clip[1].y, frame.world_to_clip[2].y));
   lean = across > 1e-6 && shown > 1e-9 ? moved / length(moved) * min(shown, across) : vec2(0.0);
   fur_length = groom.z;
+  painted = vec3(amounts.xz, forms.z);
 }

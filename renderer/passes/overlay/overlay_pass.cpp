@@ -21,12 +21,17 @@ namespace {
 constexpr float strength = 0.6f;     // of colours over the frame
 constexpr float full_layers = 2.0f;  // times the shells: what the end of the ramp stands for
 
-enum class FieldKind { direction, strokes, length };  // numbers of field.frag
+enum class FieldKind { direction, strokes, length, density, wetness, mask };  // numbers of field.frag
 
 FieldKind kind_of(Overlay overlay) {
-  assert(overlay == Overlay::direction || overlay == Overlay::strokes || overlay == Overlay::length);
-  if (overlay == Overlay::direction) return FieldKind::direction;
-  return overlay == Overlay::strokes ? FieldKind::strokes : FieldKind::length;
+  switch (overlay) {
+    case Overlay::direction: return FieldKind::direction;
+    case Overlay::strokes: return FieldKind::strokes;
+    case Overlay::density: return FieldKind::density;
+    case Overlay::wetness: return FieldKind::wetness;
+    case Overlay::mask: return FieldKind::mask;
+    default: assert(overlay == Overlay::length); return FieldKind::length;
+  }
 }
 
 }  // namespace
@@ -60,6 +65,7 @@ RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const 
   with.field.use();
   with.field.set("aspect", static_cast<float>(frame.width) / static_cast<float>(frame.height));
   with.field.set("kind", static_cast<int>(kind_of(frame.overlay)));
+  with.field.set("touched", model.paint().has_numbers() ? 1 : 0);
   with.field.set("longest", model.longest_fur());
   with.field.set("strength", strength);
   draw_list(gl, triangles);

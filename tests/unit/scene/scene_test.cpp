@@ -199,6 +199,23 @@ TEST_F(SceneTest, PickTellsWhatLiesUnderAPixel) {
   EXPECT_FALSE(scene->pick(view, {1, 1})->hit);
 }
 
+TEST_F(SceneTest, PickTellsWhatIsPainted) {
+  const auto scene = make(Builtin::sphere, 2000);
+  const View view{.camera = {.automatic = AutoView::front}, .width = 300, .height = 300};
+  const auto value = [&](Field field) {
+    return scene->pick(view, {150, 150})->painted[static_cast<std::size_t>(field) - first_painted];
+  };
+  EXPECT_NEAR(value(Field::density).x, 1, 1e-6) << "at rest";
+  EXPECT_EQ(value(Field::root_colour), glm::dvec4(0));
+  Paint thin{.flood = true, .field = Field::density, .value = 0.25};
+  Paint red{.flood = true, .field = Field::root_colour, .value = 0.5, .colour = {0.8f, 0.1f, 0}};
+  thin.brush.strength = red.brush.strength = 1;
+  execute(*scene, {thin, red});
+  EXPECT_NEAR(value(Field::density).x, 0.25, 1e-6);
+  EXPECT_NEAR(glm::distance(value(Field::root_colour), glm::dvec4(0.8, 0.1, 0, 0.5)), 0, 1e-5);
+  EXPECT_EQ(value(Field::tip_colour), glm::dvec4(0));
+}
+
 TEST_F(SceneTest, ANewModelStartsAnEmptyLogAtTheNextRevision) {
   const auto scene = make();
   execute(*scene, {comb_at(*scene, 5)});

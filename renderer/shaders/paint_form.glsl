@@ -1,0 +1,80 @@
+// What paint does to strands in the slices: fewer, drawn together, curled. Part of slab.glsl.
+#ifdef PAINT
+const float finest_shared = 3.0;  // the level from which on texels hold several strands
+
+// Share of the optical depth at a place of a level that belongs to strands whose number is below the density. Numbers
+// cannot be filtered (science.md 1): each of the four texels counts as a whole, and where they hold several strands,
+// the share is the density.
+float strands_kept(vec2 at, int slice, float sharp) {
+  if (amounts.x >= 1.0) return 1.0;
+  if (sharp >= finest_shared) return amounts.x;
+  int lod = int(sharp);
+  ivec2 size = textureSize(shapes, lod).xy;
+  vec2 texel = at * vec2(size) - 0.5;
+  ivec2 low = ivec2(floor(texel));
+  vec2 part = texel - vec2(low);
+  float all = 1e-6, kept = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 corner = ivec2(k & 1, k >> 1);
+    vec2 near = mix(1.0 - part, part, vec2(corner));
+    ivec3 place = ivec3((low + corner) & (size - 1), slice);
+    float depth = near.x * near.y * texelFetch(shapes, place, lod).a;
+    all += depth;
+    if (texelFetch(colours, place, lod).a < amounts.x) kept += depth;
+  }
+  return kept / all;
+}
+
+layout(binding = 15) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it; its pull
+
+const float most_gathered = 0.8, water_gathers = 0.85;
+
+vec2 clump_middle = vec2(0.0);  // from here, tiles
+float clump_gather = 0.0;       // at the tip
+vec2 clump_shift = vec2(0.0);   // to the root of the strand that is here, tiles
+
+// As tufts.glsl, on the tile: the strand that is here at height s grows further out in its clump, and past the border of
+// the clump there is none. What is finer than pixels stays. Answers the factor on the optical depth.
+float gather_to_clump(float s) {
+  float gather = most_gathered * min(forms.y + water_gathers * amounts.z, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
+  if (gather <= 0.0) return 1.0;
+  vec4 clump = textureLod(clump_map, tile, 0.0);
+  clump_middle = (clump.rg * 2.0 - 1.0) * paint_block.coat.w;
+  clump_gather = gather * mix(0.5, 1.0, clump.a);
+  float part = clump_gather * s * sqrt(s), kept = 1.0 - part;
+  clump_shift = -clump_middle * (part / kept);
+  return clamp(1.0 + (clump.b - part) / 0.15, 0.0, 1.0) / kept;
+}
+
+// How strands lean to the middle of their clump at height s, over the length that the tile was made for.
+vec2 clump_slope(float s) {
+  return clump_middle / frame.tile.x * (1.5 * clump_gather * sqrt(s) / (1.0 - clump_gather * s * sqrt(s)) / nominal_length);
+}
+
+// Strands of one place curl together; from place to place they do it in another phase, which changes slowly enough
+// that neighbours do not cross.
+float curl_angle(float s) {
+  vec2 place = 6.2831853 * tile;
+  return 6.2831853 * paint_block.coat.z * s + 2.2 * (sin(place.x + 0.7) + sin(place.y + 2.1));
+}
+
+// Sizes: added to the coat's own, as far as a coat may curl.
+float curl_radius() {
+  float own = paint_block.coat.y;
+  return max(min(own + forms.x, 0.5) - own, 0.0) * nominal_length;
+}
+
+// Offset of a strand at height s from its root, sizes; it grows out of the root as in renderer/coat/strand_tile.cpp.
+vec2 curl_offset(float s) {
+  if (forms.x <= 0.0) return vec2(0.0);
+  float angle = curl_angle(s);
+  return curl_radius() * min(1.0, 4.0 * s) * vec2(cos(angle), sin(angle));
+}
+
+// How that changes for a unit of height, over the length that the tile was made for.
+vec2 curl_slope(float s) {
+  if (forms.x <= 0.0) return vec2(0.0);
+  float angle = curl_angle(s), turning = 6.2831853 * paint_block.coat.z * min(1.0, 4.0 * s);
+  return curl_radius() / nominal_length * turning * vec2(-sin(angle), cos(angle));
+}
+#endif

@@ -1,0 +1,47 @@
+// Painted fields on the GPU: nothing is made before a tool has touched one.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/handles.h"
+#include "renderer/input/fur_scene.h"
+
+namespace pelage {
+
+struct UploadCount;
+
+/// Two buffers over the render vertices of a model, as renderer/shaders/paint_attributes.glsl and paint_storage.glsl
+/// read them: numbers (density, width, wetness, bare; curl, clump, mask) and colours (root, tip; times their cover).
+class PaintBuffers {
+ public:
+  explicit PaintBuffers(const Gl& gl) : numbers_(gl), colours_(gl) {}
+
+  /// Makes room for what is painted, as attributes of the vertex array. True when other fields are touched than before:
+  /// then all vertices are to be sent.
+  bool prepare(const Gl& gl, const FurPaint& paint, GLuint vertex_array, std::size_t render_vertices);
+
+  /// Sends the render vertices from `begin` on; `welded` has the model's vertex of each.
+  void send(const Gl& gl, const FurPaint& paint, std::size_t begin, std::span<const std::uint32_t> welded,
+            UploadCount& count) const;
+
+  /// The #define lines of what is drawn: PAINT for numbers but the mask, PAINT_COLOUR for colours.
+  std::string defines() const;
+  bool has_numbers() const { return touched_.numbers; }
+  bool changes_fur() const { return touched_.fur; }
+  /// Leaves the buffers at the storage bindings 10 and 11.
+  void bind_storage(const Gl& gl) const;
+
+ private:
+  struct Touched {
+    bool numbers = false, fur = false, colours = false;
+    bool operator==(const Touched&) const = default;
+  };
+
+  Buffer numbers_, colours_;
+  Touched touched_;
+};
+
+}  // namespace pelage
