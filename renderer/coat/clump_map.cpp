@@ -24,7 +24,8 @@ ClumpMap bake_clump_map(const Coat& coat) {
       const NearestClumps near = clumps.nearest_two(place);
       const glm::dvec2 way = (near.first.centre - place) / (coat.tile * map.reach);
       const double inside = (near.to_second - near.to_first) / std::max(near.to_second + near.to_first, 1e-12);
-      for (const double value : {0.5 + 0.5 * way.x, 0.5 + 0.5 * way.y, inside, near.first.pull}) map.texels.push_back(octet(value));
+      for (const double value : {0.5 + 0.5 * way.x, 0.5 + 0.5 * way.y, inside, near.first.pull})
+        map.texels.push_back(octet(value));
     }
   }
   return map;

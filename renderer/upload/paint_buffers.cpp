@@ -78,7 +78,9 @@ void PaintBuffers::send(const Gl& gl, const FurPaint& paint, std::size_t begin, 
     send_pairs(gl, numbers_, begin, welded, [&](std::uint32_t v) { return numbers_of(paint, v); }, count);
   }
   if (!touched_.colours) return;
-  const auto colours_of = [&](std::uint32_t v) { return Pair{covered(paint.root_colour, v), covered(paint.tip_colour, v)}; };
+  const auto colours_of = [&](std::uint32_t v) {
+    return Pair{covered(paint.root_colour, v), covered(paint.tip_colour, v)};
+  };
   send_pairs(gl, colours_, begin, welded, colours_of, count);
 }
 

@@ -65,7 +65,8 @@ TEST(Encode, PicksComeBack) {
                           .inclination = 0.5,
                           .length = 0.03,
                           .stretch = 0.1,
-                          .painted = {{{0.25, 0, 0, 0}, {2, 0, 0, 0}, {}, {}, {0.75, 0, 0, 0}, {}, {}, {0.1, 0.2, 0.3, 0.4}}}};
+                          .painted = {{{0.25, 0, 0, 0}, {2, 0, 0, 0}, {}, {}, {0.75, 0, 0, 0}, {}, {},
+                                       {0.1, 0.2, 0.3, 0.4}}}};
   EXPECT_NE(encode(answer).find(R"("root_colour":[0.1,0.2,0.3,0.4])"), std::string::npos);
   EXPECT_NE(encode(answer).find(R"("density":0.25)"), std::string::npos);
   EXPECT_EQ(encode(*decode_pick_answer(encode(answer))), encode(answer));
