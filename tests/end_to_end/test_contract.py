@@ -292,8 +292,10 @@ class Answers(ServedTest):
             name = path.rsplit("/", 1)[1]
             if method == "delete":
                 continue
-            address = path.replace("{id}", scene.id) + {"model": "?format=obj", "frame.png": "?width=16&height=16"}.get(name, "")
-            body["revert"] = {"revision": scene.info()["revision"]}
+            revision = scene.info()["revision"] if name != "scenes" else 0
+            query = {"model": "?format=obj", "frame.png": "?width=16&height=16", "compare": f"?from={revision}&to={revision}"}
+            address = path.replace("{id}", scene.id) + query.get(name, "")
+            body["revert"] = {"revision": revision}
             sent = None if method == "get" else files[name] if method == "put" else body.get(path, body.get(name))
             with self.subTest(f"{method} {path}"):
                 answer = self.server.call(method.upper(), address, sent)
