@@ -122,7 +122,7 @@ class Frames(ServedTest):
         for request, pointer in (({"layers": ["depth"]}, "/layers"), ({"layers": ["beauty"], "format": "jpeg"}, "/layers"),
                                  ({"format": "exr", "layers": []}, "/layers"), ({"format": "exr", "layers": ["depht"]}, "/layers/0"),
                                  ({"format": "exr", "layers": ["depth", "depth"]}, "/layers/1"),
-                                 ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "density"}, "/overlay"),
+                                 ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "stretch"}, "/overlay"),
                                  ({"overlay": "shadow_width", "quality": {"shadow_maps": False}}, "/overlay"),
                                  ({"format": "jpeg", "background": "transparent"}, "/background"),
                                  ({"format": "jpeg", "jpeg_quality": 0}, "/jpeg_quality"), ({"format": "tiff"}, "/format"),
