@@ -220,7 +220,10 @@ FIGURES = [
                           fur_of=fur(0.03, 0.3), camera=eye([0.05, 0.35, 0.75], [0, 0, 0.05], 30))]},
     {"name": "animals", "title": "Four animals",
      "text": "Plush, agouti, sleek and white, with the settings of reference pictures made of strands; interactive and detailed. "
-             "Models by others (docs/models.md); they are skipped where the files are missing.",
+             "Models by others (docs/models.md); they are skipped where the files are missing. "
+             "Beside those made of strands: plush and white faces show cells between clumps, as fur stands up there; plush "
+             "has a bright rim and little shadow under the chin; agouti is too pale and its tufts too fat; sleek shines like "
+             "plastic, with a dark face in a pale ring; white is closest, but flat.",
      "pictures": [picture(f"{title}, {tier}", model, coat(**settings), look(colour_source="coat", **shade), studio(),
                           fur_of=fur(length, lean), quality=tier)
                   for title, model, length, lean, settings, shade in (
