@@ -68,7 +68,7 @@ $bin/pelage run model $out/coat.jsonl >/dev/null
 $bin/pelage run model $out/studio.jsonl >/dev/null
 groom model
 
-oiiotool $out/{creature,model}-{0-before,1-comb,2-blow,3-attract,4-detailed}.png --mosaic:pad=8 5x2 -o $out/contact-sheet.png
+oiiotool --nosoftwareattrib $out/{creature,model}-{0-before,1-comb,2-blow,3-attract,4-detailed}.png --mosaic:pad=8 5x2 -o $out/contact-sheet.png
 rm -f $out/studio.jsonl $out/coat.jsonl $out/1-comb.jsonl $out/2-blow.jsonl $out/3-attract.jsonl
 say "done. Look at out/contact-sheet.png; each picture is beside it, and out/creature.jsonl is the groom as a log."
 if [ $keep = yes ]; then

@@ -73,7 +73,7 @@ def make_picture(server, picture, name):
     with tempfile.NamedTemporaryFile(suffix=".png") as file:
         file.write(png)
         file.flush()
-        subprocess.run(["oiiotool", file.name, "--compression", "jpeg:88", "-o", FOLDER / f"{name}.jpg"], check=True)
+        subprocess.run(["oiiotool", "--nosoftwareattrib", file.name, "--compression", "jpeg:88", "-o", FOLDER / f"{name}.jpg"], check=True)
 
 
 def write_page():

@@ -192,7 +192,7 @@ class Server:
 def draw(server, scene, camera, name):
     picture = pathlib.Path(server.folder.name) / "picture.png"
     server.pelage("frame", scene, "-o", picture, *VIEW, *camera)
-    subprocess.run(["oiiotool", picture, "--compression", "jpeg:88", "-o", FOLDER / f"{name}.jpg"], check=True)
+    subprocess.run(["oiiotool", "--nosoftwareattrib", picture, "--compression", "jpeg:88", "-o", FOLDER / f"{name}.jpg"], check=True)
 
 
 def make_pictures(server, name):
