@@ -65,9 +65,11 @@ struct Checkpoint {
   std::optional<std::uint64_t> revision;  // set when it is resolved
 };
 
-using Command = std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase,
-                             Clump, Curl, Paint, ChangeMask, SetBlowers, SetAttractors, SetSymmetry, Checkpoint, SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes,
-                             SetCurves, SetSkin, SetBasePicture>;
+using Command =
+    std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
+                 Paint, ChangeMask,
+                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint,
+                 SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);
