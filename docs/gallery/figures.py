@@ -8,6 +8,14 @@ LOOKS = pathlib.Path(__file__).resolve().parents[2] / "clients" / "looks"
 STUDIO = [{"op": "set_ground", "ground": {"visible": True}},
           {"op": "set_environment", "environment": {"sky": [1, 1, 1], "horizon": [0.8, 0.82, 0.85],
                                                     "ground": [0.5, 0.48, 0.45], "intensity": 1.2}}]
+# A warm key from above, a cool fill from the front and a little rim, as in the reference pictures.
+REFERENCE_LIGHT = [
+    {"op": "set_environment", "environment": {"sky": [1, 1, 1], "horizon": [0.8, 0.82, 0.85], "ground": [0.45, 0.44, 0.43],
+                                              "intensity": 0.9}},
+    {"op": "set_lights", "lights": [
+        {"direction": [0.2, -0.9, 0.35], "colour": [1, 0.96, 0.9], "intensity": 1.7, "self_shadow_maps": True, "cast_shadow": "soft"},
+        {"direction": [-0.7, -0.3, -0.6], "colour": [0.85, 0.92, 1], "intensity": 0.45},
+        {"direction": [0.6, -0.4, 0.5], "colour": [1, 0.98, 0.95], "intensity": 0.25}]}]
 FINE = {"shells": 24, "shadow_maps": True, "shadow_resolution": 1024, "scale": 1.5}
 SIMPLE = {"shells": 24, "scale": 1.5}
 ONE_LIGHT = {"direction": [-0.5, -0.8, -0.45], "intensity": 1.7}
@@ -219,29 +227,28 @@ FIGURES = [
                                         for side in (-1, 1) for z in (-0.4, 0, 0.4)]},
                           fur_of=fur(0.03, 0.3), camera=eye([0.05, 0.35, 0.75], [0, 0, 0.05], 30))]},
     {"name": "animals", "title": "Four animals",
-     "text": "Plush, agouti, sleek and white, with the settings of reference pictures made of strands; interactive and detailed. "
-             "Models by others (docs/models.md); they are skipped where the files are missing. "
-             "Beside those made of strands: plush and white faces show cells between clumps, as fur stands up there; plush "
-             "has a bright rim and little shadow under the chin; agouti is too pale and its tufts too fat; sleek shines like "
-             "plastic, with a dark face in a pale ring; white is closest, but flat.",
-     "pictures": [picture(f"{title}, {tier}", model, coat(**settings), look(colour_source="coat", **shade), studio(),
-                          fur_of=fur(length, lean), quality=tier)
+     "text": "Plush, agouti, sleek and white, with the settings and a light like those of reference pictures made of strands; "
+             "interactive and detailed. Models by others (docs/models.md); they are skipped where the files are missing. "
+             "ANIMALS_WORDS",
+     "pictures": [picture(f"{title}, {tier}", model, look(colour_source="coat", **shade), studio(*REFERENCE_LIGHT),
+                          coat(length_spread=0.3, fine_clump_size=0.008, width_root=0.00044, width_tip=0.00015, **settings),
+                          fur_of={**fur(length, lean), "form": "even"}, quality=tier)
                   for title, model, length, lean, settings, shade in (
                       ("plush", shared("koala_low.obj"), 0.042, 0.42,
-                       {"count": 5700, "root_share": 0.15, "clump": 0.55, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
-                        "curl": 0.02, "width_root": 0.00044, "width_tip": 0.00011,
-                        "ramp": [{"at": 0, "colour": [0.30, 0.29, 0.28]}, {"at": 0.5, "colour": [0.50, 0.48, 0.46]}, {"at": 1, "colour": [0.72, 0.70, 0.67]}]}, {}),
-                      ("agouti", shared("cat.obj"), 0.042, 0.72,
-                       {"count": 10500, "root_share": 0.45, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
-                        "width_root": 0.00044, "width_tip": 0.00011,
-                        "ramp": [{"at": 0, "colour": [0.18, 0.12, 0.09]}, {"at": 0.5, "colour": [0.62, 0.24, 0.05]}, {"at": 1, "colour": [0.30, 0.12, 0.04]}]}, {}),
+                       {"count": 5700, "root_share": 0.15, "clump": 0.45, "clump_size": 0.02, "fine_clump": 0.6, "curl": 0.02,
+                        "ramp": [{"at": 0, "colour": [0.30, 0.29, 0.28]}, {"at": 0.5, "colour": [0.50, 0.48, 0.46]}, {"at": 1, "colour": [0.72, 0.70, 0.67]}]},
+                       {"specular": 0.1}),
+                      ("agouti", shared("cat.obj", front="-z"), 0.036, 0.72,
+                       {"count": 10500, "root_share": 0.45, "clump": 0.25, "clump_size": 0.02, "fine_clump": 0.4,
+                        "ramp": [{"at": 0, "colour": [0.18, 0.12, 0.09]}, {"at": 0.5, "colour": [0.62, 0.24, 0.05]}, {"at": 1, "colour": [0.30, 0.12, 0.04]}]},
+                       {"specular": 0.15, "diffuse": 0.65}),
                       ("sleek", shared("spot.obj", front="-z"), 0.018, 0.92,
-                       {"count": 8400, "root_share": 0.75, "clump": 0.12, "clump_size": 0.025, "fine_clump": 0.35, "fine_clump_size": 0.008,
-                        "width_root": 0.00044, "width_tip": 0.00011,
-                        "ramp": [{"at": 0, "colour": [0.10, 0.045, 0.02]}, {"at": 0.5, "colour": [0.22, 0.09, 0.035]}, {"at": 1, "colour": [0.28, 0.13, 0.06]}]}, {}),
+                       {"count": 8400, "root_share": 0.6, "clump": 0.12, "clump_size": 0.025, "fine_clump": 0.35,
+                        "ramp": [{"at": 0, "colour": [0.10, 0.045, 0.02]}, {"at": 0.5, "colour": [0.22, 0.09, 0.035]}, {"at": 1, "colour": [0.28, 0.13, 0.06]}]},
+                       {"specular": 0.12}),
                       ("white", shared("koala_low.obj"), 0.042, 0.6,
-                       {"count": 6900, "root_share": 0.4, "clump": 0.5, "clump_size": 0.025, "fine_clump": 0.6, "fine_clump_size": 0.008,
-                        "width_root": 0.00044, "width_tip": 0.00011,
-                        "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]}, {}))
+                       {"count": 6900, "root_share": 0.4, "clump": 0.4, "clump_size": 0.02, "fine_clump": 0.6,
+                        "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]},
+                       {"specular": 0.1}))
                   for tier in ("interactive", "detailed")]},
 ]

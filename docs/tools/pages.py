@@ -56,7 +56,7 @@ fur on the flank, cut to a height of 0.012 sizes. Nothing grows: fur that ends b
 Raises fur that lies; inverted it lays it down. It keeps the heading: fur that stands upright has none and stays.""", "Lift"),
     "erase": page("Erase", """
 Takes fields back to the first groom, to a [checkpoint](checkpoint.md) or to a revision of this model, as far as the brush
-reaches. The mask stays unless it is named. Below: tangled fur, taken back to the first groom on the flank.""", "Erase"),
+reaches; with a [layer](layer.md) and neither of them, takes away what the layer adds. The mask stays unless it is named. Below: tangled fur, taken back to the first groom on the flank.""", "Erase"),
     "clump": page("Clump", """
 Turns fur to the line of the stroke and raises the field `clump`, which gathers tips to locks. Inverted it opens them.
 Below: five strokes down the flank.""", "Clump"),
@@ -86,6 +86,13 @@ Below: a wind from below that brushes over the shoulder, and a stick over the ha
 Gives a revision a name, for [erase](erase.md) to go back to. A name that is known moves. Below: fur is brushed and the
 revision named, then noise tangles it, and a brush takes the flank back to what was named. A dry run of a whole recipe cannot
 go back to a checkpoint that the recipe itself makes.""", "Checkpoint"),
+    "layer": page("Layers of edits", """
+An edit layer keeps changes apart from the groom below. Every tool names its `layer`; it works on what is seen, and the layer
+takes what makes the rest add up to that. What is seen is the groom and, from the lowest layer up, weight times what each
+adds, held in each field's range, so the order of layers matters only where a range ends. The mask lies outside of layers.
+`set` weighs (half, twice, the opposite), mutes and renames, `move` reorders, `merge_down` merges into the layer below or the
+groom, `remove` takes a layer away, [erase](erase.md) with a layer takes away what it adds under the brush. Below: curls,
+combing and spots in three layers; after, the combing at weight -1 and the spots at one half.""", "Layer"),
 }
 
 # Recipes of clients/recipes and the models that they are for; those with a file need the shared models.

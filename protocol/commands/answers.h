@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "protocol/commands/edit_layer.h"
 #include "protocol/commands/field.h"
 
 namespace pelage {
@@ -47,7 +48,8 @@ struct CommandResult {
   double max_change = 0;
   std::size_t clamped = 0;  // vertices at which a value was held at its limit
   double milliseconds = 0;
-  std::vector<FieldChange> fields;
+  std::vector<FieldChange> fields = {};
+  std::vector<std::string> warnings = {};  // what was done but is hardly what was meant
 };
 
 struct CommandAnswer {
@@ -83,6 +85,7 @@ struct SceneSummary {
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // that can be undone
   std::size_t redo_steps = 0;
+  std::vector<EditLayer> layers = {};  // from the lowest
 };
 
 /// What lies under a pixel.

@@ -13,10 +13,11 @@ constexpr bool has_stroke = requires(C command) { command.stroke; };
 
 const char* op_of(const Command& command) {
   static constexpr const char* names[] = {
-      "comb",       "blow",            "attract",  "interpolate", "flow",       "smooth",          "noise",      "unify",
-      "part",       "length",          "trim",     "lift",        "erase",      "clump",           "curl",       "paint",
-      "mask",       "set_blowers",     "set_attractors", "set_symmetry", "checkpoint", "set_coat", "set_look",   "set_lights",
-      "set_environment", "set_ground", "set_eyes", "set_curves",  "set_skin",   "set_base_picture"};
+      "comb", "blow", "attract", "interpolate", "flow", "smooth", "noise", "unify",
+      "part", "length", "trim", "lift", "erase", "clump", "curl", "paint", "mask",
+      "set_blowers", "set_attractors", "set_symmetry", "checkpoint", "layer",
+      "set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves", "set_skin",
+      "set_base_picture"};
   static_assert(std::size(names) == std::variant_size_v<Command>);
   return names[command.index()];
 }
@@ -31,5 +32,14 @@ Stroke* stroke_of(Command& command) {
 }
 
 const Stroke* stroke_of(const Command& command) { return stroke_of(const_cast<Command&>(command)); }
+
+std::string layer_of(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        if constexpr (requires { c.layer; }) return c.layer;
+        else return std::string();
+      },
+      command);
+}
 
 }  // namespace pelage

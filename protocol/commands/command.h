@@ -12,6 +12,7 @@
 #include "protocol/commands/camera.h"
 #include "protocol/commands/coat.h"
 #include "protocol/commands/curves.h"
+#include "protocol/commands/edit_layer.h"
 #include "protocol/commands/eye.h"
 #include "protocol/commands/skin.h"
 #include "protocol/commands/look.h"
@@ -68,7 +69,7 @@ struct Checkpoint {
 using Command =
     std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
                  Paint, ChangeMask,
-                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint,
+                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeLayer,
                  SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
@@ -77,5 +78,8 @@ const char* op_of(const Command& command);
 /// The stroke of the command, or null where it has none.
 const Stroke* stroke_of(const Command& command);
 Stroke* stroke_of(Command& command);
+
+/// The name of the edit layer that keeps what the tool changes; "" for the groom, and for commands that are no tools.
+std::string layer_of(const Command& command);
 
 }  // namespace pelage

@@ -57,7 +57,8 @@ struct Brush {
   double pressure_to_strength = 1;  // share of the strength that pressure scales, [0, 1]
   bool front_faces_only = true;  // against the view of pixel samples, else the surface normal at the sample
   double cut_off_degrees = 90;   // angle to the front from which faces count as turned away, [0, 180]
-  bool invert = false;           // the tool's opposite
+  bool invert = false;           // the tool's opposite, where it has one
+  double strand_from = 0, strand_to = 1;  // from root to tip, [0, 1]: the part of the strand that changes; of colours only
 };
 
 }  // namespace pelage

@@ -43,7 +43,7 @@ CommandResult result_of(const json& value) {
                        .max_change = value.at("max_change"),
                        .clamped = value.at("clamped"),
                        .milliseconds = value.at("milliseconds"),
-                       .fields = {}};
+                       .warnings = value.at("warnings")};
   for (const json& field : value.at("fields")) {
     result.fields.push_back({.field = field.at("field"),
                              .changed = field.at("changed"),
@@ -64,6 +64,9 @@ SceneSummary summary_of(const json& value) {
                      .max = triple(value.at("bounds").at("max")),
                      .repairs = {}};
   for (const json& repair : value.at("repairs")) report.repairs.push_back({repair.at("code"), repair.at("count")});
+  std::vector<EditLayer> layers;
+  for (const json& layer : value.at("layers"))
+    layers.push_back({.name = layer.at("name"), .weight = layer.at("weight"), .muted = layer.at("muted")});
   return {.id = value.at("id"),
           .name = value.at("name"),
           .revision = value.at("revision"),
@@ -72,7 +75,8 @@ SceneSummary summary_of(const json& value) {
           .report = report,
           .fields_hash = hash_of(value.at("fields_hash")),
           .undo_steps = value.at("undo_steps"),
-          .redo_steps = value.at("redo_steps")};
+          .redo_steps = value.at("redo_steps"),
+          .layers = layers};
 }
 
 Code code_of(const std::string& type) {

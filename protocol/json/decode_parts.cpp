@@ -202,6 +202,8 @@ Brush brush(const Value& value) {
   object.number("cut_off_degrees", result.cut_off_degrees, half_circle);
   object.boolean("front_faces_only", result.front_faces_only);
   object.boolean("invert", result.invert);
+  object.number("strand_from", result.strand_from, share);
+  object.number("strand_to", result.strand_to, share);
   object.finish();
   return result;
 }

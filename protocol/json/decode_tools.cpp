@@ -22,6 +22,9 @@ class MemberReader {
     object_.optional("brush", [&](const Value& v) { out = json_parts::brush(v); });
   }
   void boolean(std::string_view name, bool& out) { object_.boolean(name, out); }
+  void boolean(std::string_view name, std::optional<bool>& out) {
+    object_.optional(name, [&](const Value& v) { out = v.boolean(); });
+  }
   void number(std::string_view name, double& out, Range range) { object_.number(name, out, range); }
   void number(std::string_view name, std::optional<double>& out, Range range) {
     object_.optional(name, [&](const Value& v) { out = v.number(range); });
@@ -32,6 +35,9 @@ class MemberReader {
     object_.optional(name, [&](const Value& v) { out = v.counter(); });
   }
   void text(std::string_view name, std::string& out) {
+    object_.optional(name, [&](const Value& v) { out = v.text(0, limits::name_bytes); });
+  }
+  void text(std::string_view name, std::optional<std::string>& out) {
     object_.optional(name, [&](const Value& v) { out = v.text(0, limits::name_bytes); });
   }
   void required_text(std::string_view name, std::string& out) {
@@ -140,6 +146,44 @@ void check_view(const Value& value, const Tool& tool) {
   }
 }
 
+bool has_opposite(const Command& command) {
+  const auto is_any_of = [&]<class... Tools>(std::variant<Tools...>*) {
+    return (std::holds_alternative<Tools>(command) || ...);
+  };
+  return !is_any_of(static_cast<std::variant<Smooth, Unify, Erase, Trim, Interpolate, Flow>*>(nullptr));
+}
+
+bool is_colour(Field field) { return shape_of(field).channels == 4; }
+bool are_colours(const std::vector<Field>& fields) {
+  return !fields.empty() && std::all_of(fields.begin(), fields.end(), is_colour);
+}
+
+/// Whether all that the tool changes differs from root to tip.
+template <class Tool>
+bool changes_colours_only(const Tool&) { return false; }
+bool changes_colours_only(const Paint& paint) { return is_colour(paint.field); }
+bool changes_colours_only(const Smooth& smooth) { return are_colours(smooth.fields); }
+bool changes_colours_only(const Noise& noise) { return are_colours(noise.fields); }
+bool changes_colours_only(const Erase& erase) { return are_colours(erase.fields); }
+bool changes_colours_only(const Unify& unify) {
+  return are_colours(unify.mean) && !unify.direction && !unify.inclination && !unify.length;
+}
+
+template <class Tool>
+void check_brush(const Value& value, const Tool& tool) {
+  if constexpr (requires { tool.brush; }) {
+    const Brush& brush = tool.brush;
+    if (brush.invert && !has_opposite(tool))
+      value.refuse_below("brush/invert", "The tool has no opposite.", "false");
+    if (brush.strand_to <= brush.strand_from)
+      value.refuse_below("brush/strand_to", "The part of the strand ends before it begins.", "above strand_from");
+    if ((brush.strand_from > 0 || brush.strand_to < 1) && !changes_colours_only(tool)) {
+      value.refuse_below("brush/strand_from", "Only colours differ from root to tip.",
+                         "0 to 1, or a tool that changes nothing but root_colour and tip_colour");
+    }
+  }
+}
+
 template <class Tool>
 void check(const Value&, const Tool&) {}
 
@@ -210,6 +254,8 @@ void check(const Value& value, const Paint& paint) {
   const Field unpaintable[] = {Field::direction, Field::length, Field::stretch};
   if (std::count(std::begin(unpaintable), std::end(unpaintable), paint.field) > 0)
     value.refuse_below("field", "Other tools change this field.", "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
+  if (paint.field == Field::mask && !paint.layer.empty())
+    value.refuse_below("layer", "The mask lies outside of all layers.", "no layer");
   if (paint.value > shape.most) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
 }
 
@@ -231,6 +277,14 @@ void check_names(const Value& value, const char* list, const std::vector<T>& nam
 void check(const Value& value, const SetBlowers& c) { check_names(value, "blowers", c.blowers); }
 void check(const Value& value, const SetAttractors& c) { check_names(value, "attractors", c.attractors); }
 
+void check(const Value& value, const ChangeLayer& layer) {
+  if (layer.action == LayerAction::set && !layer.weight && !layer.muted && layer.rename.empty())
+    value.refuse("Nothing of the layer is set.", "one or more of weight | muted | rename");
+  if (layer.action == LayerAction::move && !layer.above)
+    value.refuse_below("above", "Nothing says where the layer moves to.", "required");
+  if (layer.above == layer.name) value.refuse_below("above", "A layer cannot lie on itself.", "another layer");
+}
+
 template <class Tool>
 Command read_tool(Object& object) {
   MemberReader reader(object);
@@ -238,6 +292,7 @@ Command read_tool(Object& object) {
   members(reader, tool);
   check_reach(object.value(), tool);
   check_view(object.value(), tool);
+  check_brush(object.value(), tool);
   check(object.value(), tool);
   return tool;
 }

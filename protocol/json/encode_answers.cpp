@@ -30,13 +30,17 @@ Json json_of(const CommandResult& result) {
           {"max_change", result.max_change},
           {"clamped", result.clamped},
           {"milliseconds", result.milliseconds},
-          {"fields", json_of(result.fields)}};
+          {"fields", json_of(result.fields)},
+          {"warnings", result.warnings}};
 }
 
 Json json_of(const SceneSummary& summary) {
   const ModelReport& report = summary.report;
   Json repairs = Json::array();
   for (const Repair& repair : report.repairs) repairs.push_back({{"code", repair.code}, {"count", repair.count}});
+  Json layers = Json::array();
+  for (const EditLayer& layer : summary.layers)
+    layers.push_back({{"name", layer.name}, {"weight", layer.weight}, {"muted", layer.muted}});
   return {{"id", summary.id},
           {"name", summary.name},
           {"revision", summary.revision},
@@ -52,7 +56,8 @@ Json json_of(const SceneSummary& summary) {
           {"repairs", repairs},
           {"fields_hash", to_hex(summary.fields_hash)},
           {"undo_steps", summary.undo_steps},
-          {"redo_steps", summary.redo_steps}};
+          {"redo_steps", summary.redo_steps},
+          {"layers", layers}};
 }
 
 /// RFC 9457's `type` and `title`. Refusals of HTTP itself have no type of their own but the status.

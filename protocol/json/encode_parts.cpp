@@ -68,7 +68,9 @@ Json json_of(const Brush& brush) {
                {"pressure_to_strength", brush.pressure_to_strength},
                {"front_faces_only", brush.front_faces_only},
                {"cut_off_degrees", brush.cut_off_degrees},
-               {"invert", brush.invert}};
+               {"invert", brush.invert},
+               {"strand_from", brush.strand_from},
+               {"strand_to", brush.strand_to}};
   if (!brush.falloff_points.empty()) json["falloff_points"] = brush.falloff_points;
   return json;
 }

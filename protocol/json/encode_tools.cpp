@@ -19,6 +19,9 @@ class MemberWriter {
   }
   void brush(const Brush& brush) { json_["brush"] = json_of(brush); }
   void boolean(const char* name, bool value) { json_[name] = value; }
+  void boolean(const char* name, const std::optional<bool>& value) {
+    if (value) json_[name] = *value;
+  }
   void number(const char* name, double value, Range) { json_[name] = value; }
   void number(const char* name, const std::optional<double>& value, Range) {
     if (value) json_[name] = *value;
@@ -30,6 +33,9 @@ class MemberWriter {
   }
   void text(const char* name, const std::string& text) {
     if (!text.empty()) json_[name] = text;
+  }
+  void text(const char* name, const std::optional<std::string>& text) {
+    if (text) json_[name] = *text;
   }
   void required_text(const char* name, const std::string& text) { json_[name] = text; }
   void position(const char* name, glm::dvec3 position) { json_[name] = list(position); }

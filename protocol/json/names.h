@@ -31,6 +31,11 @@ inline constexpr std::array<Name<LengthMode>, 7> length_modes{{{"set", LengthMod
                                                                {"jitter", LengthMode::jitter},
                                                                {"least", LengthMode::least},
                                                                {"most", LengthMode::most}}};
+inline constexpr std::array<Name<LayerAction>, 5> layer_actions{{{"add", LayerAction::add},
+                                                                 {"set", LayerAction::set},
+                                                                 {"move", LayerAction::move},
+                                                                 {"merge_down", LayerAction::merge_down},
+                                                                 {"remove", LayerAction::remove}}};
 inline constexpr std::array<Name<MaskAction>, 5> mask_actions{{{"select", MaskAction::select},
                                                                {"grow", MaskAction::grow},
                                                                {"shrink", MaskAction::shrink},

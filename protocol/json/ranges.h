@@ -27,6 +27,7 @@ inline constexpr Range length_in_units{0, 1e27};
 inline constexpr Range width_in_units{1e-27, 1e27};
 inline constexpr Range share{0, 1};
 inline constexpr Range half_circle{0, 180};
+inline constexpr Range layer_weight{-4, 4};
 inline constexpr Range clump_size{0.001, 0.5};
 inline constexpr Range feature_size{0.005, 2};
 inline constexpr Range pixels{1, limits::frame_pixels};

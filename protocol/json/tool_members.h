@@ -14,9 +14,15 @@ namespace pelage::json_parts {
 template <class Visitor, class Tool>
 using Visited = std::conditional_t<Visitor::reads, const Tool, Tool>;
 
+/// Where a tool works, and which layer keeps what it changes.
+template <class V, class Tool>
+void place_members(V& v, Tool& c) {
+  v.stroke(c.stroke), v.brush(c.brush), v.text("layer", c.layer);
+}
+
 template <class V>
 void members(V& v, Visited<V, Comb>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.number("lean", c.lean, share);
   v.boolean("keep_inclination", c.keep_inclination);
   v.direction("direction", c.direction);
@@ -36,7 +42,7 @@ void wind_members(V& v, Visited<V, Blow>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Blow>& c) {
-  v.stroke(c.stroke), v.brush(c.brush);
+  place_members(v, c);
   v.text("blower", c.blower);
   if (c.blower.empty()) wind_members(v, c);
 }
@@ -54,7 +60,7 @@ void stick_members(V& v, Visited<V, Attract>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Attract>& c) {
-  v.stroke(c.stroke), v.brush(c.brush);
+  place_members(v, c);
   v.text("attractor", c.attractor);
   if (c.attractor.empty()) stick_members(v, c);
 }
@@ -69,7 +75,7 @@ void members(V& v, Visited<V, Key>& key) {
 
 template <class V>
 void members(V& v, Visited<V, Interpolate>& c) {
-  v.stroke(c.stroke), v.brush(c.brush);
+  place_members(v, c);
   v.objects("keys", c.keys, {1, limits::keys});
   v.number("sigma", c.sigma, width_in_units);
   v.name("units", c.units, json_names::units);
@@ -79,7 +85,7 @@ void members(V& v, Visited<V, Interpolate>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Flow>& c) {
-  v.stroke(c.stroke), v.brush(c.brush);
+  place_members(v, c);
   v.curves("curves", c.curves, {1, limits::flow_curves}, {2, limits::flow_points});
   v.number("sigma", c.sigma, width_in_units);
   v.name("units", c.units, json_names::units);
@@ -90,7 +96,7 @@ void members(V& v, Visited<V, Flow>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Smooth>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.number("t", c.t, share);
   v.integer("passes", c.passes, {1, limits::passes});
   v.boolean("keep_inclination", c.keep_inclination);
@@ -99,7 +105,7 @@ void members(V& v, Visited<V, Smooth>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Noise>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.seed("seed", c.seed);
   v.number("amount", c.amount, {0, 10});
   v.number("feature_size", c.feature_size, length_in_units);
@@ -109,7 +115,7 @@ void members(V& v, Visited<V, Noise>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Unify>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.direction("direction", c.direction);
   v.number("inclination", c.inclination, share);
   v.number("length", c.length, length_in_units);
@@ -120,13 +126,13 @@ void members(V& v, Visited<V, Unify>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Part>& c) {
-  v.stroke(c.stroke), v.brush(c.brush);
+  place_members(v, c);
   v.number("lean", c.lean, share);
 }
 
 template <class V>
 void members(V& v, Visited<V, Length>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.name("mode", c.mode, json_names::length_modes);
   v.number("value", c.value, {-length_in_units.high, length_in_units.high});
   v.name("units", c.units, json_names::units);
@@ -148,7 +154,7 @@ void members(V& v, Visited<V, TrimSphere>& sphere) {
 
 template <class V>
 void members(V& v, Visited<V, Trim>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.template alternative<TrimPlane>("plane", c.shape);
   v.template alternative<TrimSphere>("sphere", c.shape);
   v.alternative("height", c.shape, length_in_units);
@@ -157,12 +163,12 @@ void members(V& v, Visited<V, Trim>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Lift>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
 }
 
 template <class V>
 void members(V& v, Visited<V, Erase>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.text("checkpoint", c.checkpoint);
   v.counter("revision", c.revision);
   v.fields("fields", c.fields, 0);
@@ -170,21 +176,21 @@ void members(V& v, Visited<V, Erase>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Clump>& c) {
-  v.stroke(c.stroke), v.brush(c.brush);
+  place_members(v, c);
   v.number("gather", c.gather, share);
   v.number("amount", c.amount, share);
 }
 
 template <class V>
 void members(V& v, Visited<V, Curl>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.number("amount", c.amount, share);
   v.number("turn_degrees", c.turn_degrees, {-180, 180});
 }
 
 template <class V>
 void members(V& v, Visited<V, Paint>& c) {
-  v.stroke(c.stroke), v.brush(c.brush), v.boolean("flood", c.flood);
+  place_members(v, c), v.boolean("flood", c.flood);
   v.field("field", c.field);
   v.number("value", c.value, {0, 4});
   if (shape_of(c.field).channels == 4) v.colour("colour", c.colour);
@@ -276,6 +282,16 @@ void members(V& v, Visited<V, Checkpoint>& c) {
   v.counter("revision", c.revision);
 }
 
+template <class V>
+void members(V& v, Visited<V, ChangeLayer>& c) {
+  v.name("action", c.action, json_names::layer_actions);
+  v.required_text("name", c.name);
+  const bool add = c.action == LayerAction::add, set = c.action == LayerAction::set;
+  if (add || set) v.number("weight", c.weight, layer_weight), v.boolean("muted", c.muted);
+  if (set) v.text("rename", c.rename);
+  if (add || c.action == LayerAction::move) v.text("above", c.above);
+}
+
 /// Whether the tool's members are listed here.
 template <class Tool>
 concept ListedTool =
@@ -285,6 +301,7 @@ concept ListedTool =
     std::is_same_v<Tool, Length> || std::is_same_v<Tool, Trim> || std::is_same_v<Tool, Lift> ||
     std::is_same_v<Tool, Erase> || std::is_same_v<Tool, Clump> || std::is_same_v<Tool, Curl> ||
     std::is_same_v<Tool, Paint> || std::is_same_v<Tool, ChangeMask> || std::is_same_v<Tool, SetBlowers> ||
-    std::is_same_v<Tool, SetAttractors> || std::is_same_v<Tool, SetSymmetry> || std::is_same_v<Tool, Checkpoint>;
+    std::is_same_v<Tool, SetAttractors> || std::is_same_v<Tool, SetSymmetry> || std::is_same_v<Tool, Checkpoint> ||
+    std::is_same_v<Tool, ChangeLayer>;
 
 }  // namespace pelage::json_parts

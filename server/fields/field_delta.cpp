@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <span>
+#include <utility>
 
 namespace pelage {
 
@@ -13,7 +15,7 @@ constexpr std::uint32_t dirty_gap = 64;
 /// Merges two rising lists; at a vertex of both the bits that turn over twice stay.
 FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& second) {
   const auto channels = static_cast<std::size_t>(shape_of(first.field).channels);
-  FieldDelta::Part both{first.field, {}, {}};
+  FieldDelta::Part both{first.field, {}, {}, first.sheet};
   std::size_t i = 0, k = 0;
   while (i < first.vertices.size() || k < second.vertices.size()) {
     const bool in_first =
@@ -34,16 +36,9 @@ FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& 
   return both;
 }
 
-}  // namespace
-
-const FieldDelta::Part* FieldDelta::part(Field field) const {
-  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.field == field; });
-  return found == parts.end() ? nullptr : &*found;
-}
-
-std::vector<std::uint32_t> FieldDelta::vertices() const {
+std::vector<std::uint32_t> united(std::span<const FieldDelta::Part> parts) {
   std::vector<std::uint32_t> all;
-  for (const Part& part : parts) {
+  for (const FieldDelta::Part& part : parts) {
     if (part.vertices == all) continue;
     std::vector<std::uint32_t> merged;
     std::set_union(all.begin(), all.end(), part.vertices.begin(), part.vertices.end(), std::back_inserter(merged));
@@ -52,9 +47,24 @@ std::vector<std::uint32_t> FieldDelta::vertices() const {
   return all;
 }
 
+}  // namespace
+
+bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second) {
+  return std::pair(first.sheet, first.field) < std::pair(second.sheet, second.field);
+}
+
+const FieldDelta::Part* FieldDelta::part(Field field, Sheet sheet) const {
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&](const Part& part) { return part.field == field && part.sheet == sheet; });
+  return found == parts.end() ? nullptr : &*found;
+}
+
+std::vector<std::uint32_t> FieldDelta::vertices() const { return united(parts); }
+
 std::vector<VertexRange> FieldDelta::dirty_ranges() const {
+  const auto seen_end = std::find_if(parts.begin(), parts.end(), [](const Part& p) { return p.sheet != seen_sheet; });
   std::vector<VertexRange> ranges;
-  for (const std::uint32_t v : vertices()) {
+  for (const std::uint32_t v : united({parts.begin(), seen_end})) {
     if (!ranges.empty() && v < std::uint64_t{ranges.back().end} + dirty_gap) {
       ranges.back().end = v + 1;
     } else {
@@ -72,11 +82,13 @@ std::size_t FieldDelta::bytes() const {
 
 FieldDelta compose(const FieldDelta& first, const FieldDelta& second) {
   FieldDelta both;
-  for (std::size_t f = 0; f < field_count; ++f) {
-    const FieldDelta::Part *a = first.part(field_at(f)), *b = second.part(field_at(f));
-    if (a == nullptr && b == nullptr) continue;
-    FieldDelta::Part part = a && b ? compose(*a, *b) : a ? *a : *b;
+  auto a = first.parts.begin(), b = second.parts.begin();
+  while (a != first.parts.end() || b != second.parts.end()) {
+    const bool in_first = a != first.parts.end() && (b == second.parts.end() || !comes_before(*b, *a));
+    const bool in_second = b != second.parts.end() && (a == first.parts.end() || !comes_before(*a, *b));
+    FieldDelta::Part part = in_first && in_second ? compose(*a, *b) : in_first ? *a : *b;
     if (!part.vertices.empty()) both.parts.push_back(std::move(part));
+    a += in_first, b += in_second;
   }
   return both;
 }

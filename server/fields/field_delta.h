@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "protocol/base/limits.h"
 #include "protocol/commands/field.h"
 
 namespace pelage {
@@ -13,29 +14,39 @@ struct VertexRange {
   std::uint32_t begin = 0, end = 0;
 };
 
+/// A field lies on sheets: what is seen; what lies under all edit layers, where any of them adds to it; and from
+/// first_layer on, for each edit layer from the lowest, what it adds at full weight.
+using Sheet = std::uint8_t;
+inline constexpr Sheet seen_sheet = 0, under_sheet = 1, first_layer = 2;
+inline constexpr std::size_t sheet_count = first_layer + limits::edit_layers;
+
 /// Applied once it leads from one state to another, applied again it leads back.
 struct FieldDelta {
-  /// The change of one field.
+  /// The change of one field on one sheet.
   struct Part {
     Field field = Field::direction;
     std::vector<std::uint32_t> vertices;  // rising
     std::vector<std::uint32_t> flips;     // for each vertex its channels: the bits before xor the bits after; not all 0
+    Sheet sheet = seen_sheet;
     bool operator==(const Part&) const = default;
   };
 
-  std::vector<Part> parts;  // by rising field; none is empty
+  std::vector<Part> parts;  // by rising sheet, then field; none is empty
 
   bool empty() const { return parts.empty(); }
-  /// Null when the field does not change.
-  const Part* part(Field field) const;
-  /// The vertices at which any field changes, rising.
+  /// Null when the field does not change there.
+  const Part* part(Field field, Sheet sheet = seen_sheet) const;
+  /// The vertices at which any field changes on any sheet, rising.
   std::vector<std::uint32_t> vertices() const;
-  /// Runs of touched vertices, merged where gaps are under 64.
+  /// Runs of vertices at which something changes that is seen, merged where gaps are under 64.
   std::vector<VertexRange> dirty_ranges() const;
   /// What it takes in memory.
   std::size_t bytes() const;
   bool operator==(const FieldDelta&) const = default;
 };
+
+/// Whether the first part comes before the second in a delta.
+bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second);
 
 /// Both, one after the other, in either order; what turns over twice is dropped.
 FieldDelta compose(const FieldDelta& first, const FieldDelta& second);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "protocol/base/random.h"
 
@@ -15,14 +16,21 @@ static_assert(sizeof(glm::vec2) == 2 * sizeof(float) && alignof(glm::vec2) == al
 
 std::uint64_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
 
+/// What every channel holds before anything has touched it.
+float rest_of(Sheet sheet, Field field) {
+  if (sheet == seen_sheet) return shape_of(field).rest;
+  return sheet == under_sheet ? std::numeric_limits<float>::quiet_NaN() : 0.0f;
+}
+
 /// Adds a vertex's channels, two by two, to the sum, or takes them away.
-void add_hash(FieldsHash& sum, Field field, std::uint32_t vertex, const float* channels, bool remove) {
-  const FieldShape& shape = shape_of(field);
-  for (int c = 0; c < shape.channels; c += 2) {
-    const float second = c + 1 < shape.channels ? channels[c + 1] : shape.rest;
-    if (channels[c] == shape.rest && second == shape.rest) continue;
-    const std::uint64_t key =
-        (std::uint64_t{vertex} << 8) | (static_cast<std::uint64_t>(field) << 2) | static_cast<std::uint64_t>(c);
+void add_hash(FieldsHash& sum, const FieldDelta::Part& part, std::uint32_t vertex, const float* channels, bool remove) {
+  const int count = shape_of(part.field).channels;
+  const float rest = rest_of(part.sheet, part.field);
+  for (int c = 0; c < count; c += 2) {
+    const float second = c + 1 < count ? channels[c + 1] : rest;
+    if (bits_of(channels[c]) == bits_of(rest) && bits_of(second) == bits_of(rest)) continue;
+    const std::uint64_t key = (std::uint64_t{part.sheet} << 40) | (std::uint64_t{vertex} << 8) |
+                              (static_cast<std::uint64_t>(part.field) << 2) | static_cast<std::uint64_t>(c);
     const std::uint64_t bits = bits_of(channels[c]) << 32 | bits_of(second);
     const std::uint64_t low = mix_bits(bits ^ mix_bits(key)), high = mix_bits(bits + mix_bits(~key));
     sum.low += remove ? 0 - low : low;
@@ -57,28 +65,33 @@ Groom stored_groom(glm::dvec2 direction, double length, double stretch) {
 }
 
 FieldSet::FieldSet(std::size_t vertices)
-    : vertices_(vertices), hash_{mix_bits(vertices), mix_bits(~std::uint64_t{vertices})} {
+    : vertices_(vertices), sheets_(1), hash_{mix_bits(vertices), mix_bits(~std::uint64_t{vertices})} {
   touched(Field::direction), touched(Field::length);
 }
 
-std::vector<float>& FieldSet::touched(Field field) {
-  std::vector<float>& values = values_[static_cast<std::size_t>(field)];
-  const FieldShape& shape = shape_of(field);
-  if (values.empty()) values.assign(vertices_ * static_cast<std::size_t>(shape.channels), shape.rest);
+std::vector<float>& FieldSet::touched(Field field, Sheet sheet) {
+  if (sheet >= sheets_.size()) sheets_.resize(std::size_t{sheet} + 1);
+  std::vector<float>& values = sheets_[sheet][static_cast<std::size_t>(field)];
+  const auto channels = static_cast<std::size_t>(shape_of(field).channels);
+  if (values.empty()) values.assign(vertices_ * channels, rest_of(sheet, field));
   return values;
 }
 
-glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const {
+glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const { return on_sheet(seen_sheet, field, vertex); }
+
+glm::vec4 FieldSet::on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const {
   assert(vertex < vertices_);
-  const FieldShape& shape = shape_of(field);
-  const std::vector<float>& all = values(field);
-  const int channels = shape.channels;
-  if (all.empty()) {
-    const float rest = shape.rest;
+  const int channels = shape_of(field).channels;
+  if (untouched(sheet, field)) {
+    const float rest = rest_of(sheet, field);
     return {rest, channels > 1 ? rest : 0, channels > 2 ? rest : 0, channels > 3 ? rest : 0};
   }
-  const float* stored = &all[vertex * static_cast<std::size_t>(channels)];
+  const float* stored = &sheets_[sheet][static_cast<std::size_t>(field)][vertex * static_cast<std::size_t>(channels)];
   return {stored[0], channels > 1 ? stored[1] : 0, channels > 2 ? stored[2] : 0, channels > 3 ? stored[3] : 0};
+}
+
+bool FieldSet::untouched(Sheet sheet, Field field) const {
+  return sheet >= sheets_.size() || sheets_[sheet][static_cast<std::size_t>(field)].empty();
 }
 
 float FieldSet::number(Field field, std::uint32_t vertex) const {
@@ -104,9 +117,10 @@ void FieldSet::set(Field field, std::uint32_t vertex, glm::vec4 value) {
   assert(vertex < vertices_);
   const auto channels = static_cast<std::size_t>(shape_of(field).channels);
   float* stored = &touched(field)[vertex * channels];
-  add_hash(hash_, field, vertex, stored, true);
+  const FieldDelta::Part part{field, {}, {}};
+  add_hash(hash_, part, vertex, stored, true);
   for (std::size_t c = 0; c < channels; ++c) stored[c] = value[static_cast<int>(c)] + 0.0f;
-  add_hash(hash_, field, vertex, stored, false);
+  add_hash(hash_, part, vertex, stored, false);
 }
 
 void FieldSet::set(std::uint32_t vertex, const Groom& groom) {
@@ -121,10 +135,10 @@ FieldsHash FieldSet::hash_after(const FieldDelta& delta) const {
     const int channels = shape_of(part.field).channels;
     const std::uint32_t* flips = part.flips.data();
     for (const std::uint32_t v : part.vertices) {
-      glm::vec4 stored = value(part.field, v);
-      add_hash(hash, part.field, v, &stored.x, true);
+      glm::vec4 stored = on_sheet(part.sheet, part.field, v);
+      add_hash(hash, part, v, &stored.x, true);
       flip(&stored.x, flips, channels);
-      add_hash(hash, part.field, v, &stored.x, false);
+      add_hash(hash, part, v, &stored.x, false);
       flips += channels;
     }
   }
@@ -140,13 +154,13 @@ void FieldSet::apply(const FieldDelta& delta) {
   assert(accepts(delta));
   for (const FieldDelta::Part& part : delta.parts) {
     const auto channels = static_cast<std::size_t>(shape_of(part.field).channels);
-    std::vector<float>& values = touched(part.field);
+    std::vector<float>& values = touched(part.field, part.sheet);
     const std::uint32_t* flips = part.flips.data();
     for (const std::uint32_t v : part.vertices) {
       float* stored = &values[v * channels];
-      add_hash(hash_, part.field, v, stored, true);
+      add_hash(hash_, part, v, stored, true);
       flip(stored, flips, static_cast<int>(channels));
-      add_hash(hash_, part.field, v, stored, false);
+      add_hash(hash_, part, v, stored, false);
       flips += channels;
     }
   }
@@ -154,26 +168,39 @@ void FieldSet::apply(const FieldDelta& delta) {
 
 std::size_t FieldSet::bytes() const {
   std::size_t sum = 0;
-  for (const std::vector<float>& values : values_) sum += values.size() * sizeof(float);
+  for (const Arrays& sheet : sheets_) {
+    for (const std::vector<float>& values : sheet) sum += values.size() * sizeof(float);
+  }
   return sum;
+}
+
+static FieldDelta::Part difference(const FieldSet& from, const FieldSet& to, Field field, Sheet sheet) {
+  FieldDelta::Part part{field, {}, {}, sheet};
+  const int channels = shape_of(field).channels;
+  for (std::uint32_t v = 0; v < from.size(); ++v) {
+    const glm::vec4 before = from.on_sheet(sheet, field, v), after = to.on_sheet(sheet, field, v);
+    std::uint32_t flips[4] = {}, any = 0;
+    for (int c = 0; c < channels; ++c) {
+      flips[c] = std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]);
+      any |= flips[c];
+    }
+    if (any == 0) continue;
+    part.vertices.push_back(v);
+    part.flips.insert(part.flips.end(), flips, flips + channels);
+  }
+  return part;
 }
 
 FieldDelta difference(const FieldSet& from, const FieldSet& to) {
   assert(from.size() == to.size());
   FieldDelta delta;
-  for (std::size_t f = 0; f < field_count; ++f) {
-    const Field field = field_at(f);
-    if (from.at_rest(field) && to.at_rest(field)) continue;
-    FieldDelta::Part part{field, {}, {}};
-    for (std::uint32_t v = 0; v < from.size(); ++v) {
-      const glm::vec4 before = from.value(field, v), after = to.value(field, v);
-      if (before == after) continue;
-      part.vertices.push_back(v);
-      for (int c = 0; c < shape_of(field).channels; ++c) {
-        part.flips.push_back(std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]));
-      }
+  for (std::size_t s = 0; s < sheet_count; ++s) {
+    for (std::size_t f = 0; f < field_count; ++f) {
+      const auto sheet = static_cast<Sheet>(s);
+      if (from.untouched(sheet, field_at(f)) && to.untouched(sheet, field_at(f))) continue;
+      FieldDelta::Part part = difference(from, to, field_at(f), sheet);
+      if (!part.vertices.empty()) delta.parts.push_back(std::move(part));
     }
-    if (!part.vertices.empty()) delta.parts.push_back(std::move(part));
   }
   return delta;
 }

@@ -41,8 +41,13 @@ class FieldSet {
   float number(Field field, std::uint32_t vertex) const;
   Groom at(std::uint32_t vertex) const;
 
+  /// What a sheet holds at one vertex. At rest under_sheet holds NaN: what is seen lies there too; layers hold 0.
+  glm::vec4 on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const;
+  /// Whether no vertex of the field has anything on the sheet.
+  bool untouched(Sheet sheet, Field field) const;
+
   /// All values, channel by channel for each vertex; empty while nothing has touched the field.
-  const std::vector<float>& values(Field field) const { return values_[static_cast<std::size_t>(field)]; }
+  const std::vector<float>& values(Field field) const { return sheets_[seen_sheet][static_cast<std::size_t>(field)]; }
   bool at_rest(Field field) const { return values(field).empty(); }
   std::span<const glm::vec2> direction() const;
   std::span<const glm::vec4> colours(Field field) const;  // of a field with four channels; empty as values() is
@@ -63,10 +68,11 @@ class FieldSet {
   std::size_t bytes() const;
 
  private:
-  std::vector<float>& touched(Field field);
+  using Arrays = std::array<std::vector<float>, field_count>;
+  std::vector<float>& touched(Field field, Sheet sheet = seen_sheet);
 
   std::size_t vertices_;
-  std::array<std::vector<float>, field_count> values_;
+  std::vector<Arrays> sheets_;  // as many as were ever needed
   FieldsHash hash_;
 };
 

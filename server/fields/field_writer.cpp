@@ -50,7 +50,7 @@ void FieldWriter::finish_together(std::span<FieldWriter> writers, FieldDelta& de
 
 void FieldWriter::finish(FieldDelta& delta) {
   if (part_.vertices.empty()) return;
-  assert(delta.parts.empty() || delta.parts.back().field < part_.field);
+  assert(delta.parts.empty() || comes_before(delta.parts.back(), part_));
   delta.parts.push_back(std::move(part_));
 }
 

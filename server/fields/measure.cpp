@@ -34,7 +34,9 @@ FieldChange measure_part(const FieldDelta::Part& part, const FieldSet& fields) {
 std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields) {
   std::vector<FieldChange> changes;
   changes.reserve(delta.parts.size());
-  for (const FieldDelta::Part& part : delta.parts) changes.push_back(measure_part(part, fields));
+  for (const FieldDelta::Part& part : delta.parts) {
+    if (part.sheet == seen_sheet) changes.push_back(measure_part(part, fields));
+  }
   return changes;
 }
 

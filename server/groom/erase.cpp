@@ -1,11 +1,46 @@
 #include <algorithm>
 #include <cassert>
 
+#include "server/fields/colour_sum.h"
+#include "server/fields/edit_layers.h"
 #include "server/fields/field_writer.h"
+#include "server/fields/layer_stack.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 
 namespace pelage {
+
+namespace {
+
+/// The mask chooses where tools work; it is not what they undo unless it is asked for.
+bool erases(const Erase& command, Field field) {
+  if (command.fields.empty()) return field != Field::mask;
+  return std::count(command.fields.begin(), command.fields.end(), field) > 0;
+}
+
+}  // namespace
+
+Evaluation erase_layer(const Erase& command, const Surface& surface, const FieldSet& fields,
+                       const std::vector<EditLayer>& layers) {
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
+  const std::size_t layer = number_of(command.layer, layers);
+  Evaluation done;
+  for (std::size_t f = 0; f < field_count; ++f) {
+    const Field field = field_at(f);
+    if (!erases(command, field) || fields.untouched(under_sheet, field)) continue;
+    const double share = strand_share(command.brush, field);
+    StackWriter writer(fields, field, layers.size());
+    for (const auto [v, reach] : region) {
+      LayerStack stack = stack_at(fields, field, v, layers.size());
+      if (!stack.covered) continue;
+      stack.added[layer] *= 1 - share * reach;
+      writer.put(v, stack, layers);
+    }
+    writer.finish(done.delta);
+  }
+  finish_parts(done.delta);
+  return done;
+}
 
 // (1 - w) V + w R: at full strength exactly what was.
 Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& rest) {
@@ -14,13 +49,15 @@ Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& f
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    const bool named = std::count(command.fields.begin(), command.fields.end(), field) > 0;
-    // The mask chooses where tools work; it is not what they undo unless it is asked for.
-    if (!named && (!command.fields.empty() || field == Field::mask)) continue;
+    if (!erases(command, field)) continue;
     if (fields.at_rest(field) && rest.at_rest(field)) continue;
     FieldWriter writer(fields, field);
-    for (const auto [v, weight] : region)
-      writer.put(v, (1 - weight) * glm::dvec4(fields.value(field, v)) + weight * glm::dvec4(rest.value(field, v)));
+    const double share = strand_share(command.brush, field);
+    for (const auto [v, reach] : region) {
+      const double weight = share * reach;
+      const glm::dvec4 now(fields.value(field, v)), then(rest.value(field, v));
+      writer.put(v, from_summable(field, (1 - weight) * to_summable(field, now) + weight * to_summable(field, then)));
+    }
     writer.finish(done.delta);
   }
   return done;

@@ -29,6 +29,10 @@ struct ToolExtras {
 Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields,
                     const ToolExtras& extras = {});
 
+/// Takes away what the command's layer adds, by the brush's weight at each vertex; exactly all of it where that is 1.
+Evaluation erase_layer(const Erase& resolved, const Surface& surface, const FieldSet& fields,
+                       const std::vector<EditLayer>& layers);
+
 /// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
 std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry, const Surface& surface);

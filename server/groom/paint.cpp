@@ -20,8 +20,10 @@ Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& f
   const FieldShape& shape = shape_of(command.field);
   const double value = command.brush.invert ? double{shape.rest} : command.value;
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
+  const double share = strand_share(command.brush, command.field);
   FieldWriter writer(fields, command.field);
-  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, masked)) {
+  for (const auto [v, reach] : region_of(command.stroke, command.brush, surface, fields, masked)) {
+    const double weight = share * reach;
     const glm::dvec4 now(fields.value(command.field, v));
     writer.put(v, shape.channels == 4 ? over(now, glm::dvec3(command.colour), value, weight)
                                       : glm::dvec4(now.x + weight * (value - now.x), 0, 0, 0));

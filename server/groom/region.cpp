@@ -45,4 +45,10 @@ std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const B
   return region;
 }
 
+double strand_share(const Brush& brush, Field field) {
+  if (field != Field::root_colour && field != Field::tip_colour) return 1;
+  const double low = field == Field::root_colour ? 0 : 0.5, high = low + 0.5;
+  return std::max(0.0, std::min(brush.strand_to, high) - std::max(brush.strand_from, low)) / 0.5;
+}
+
 }  // namespace pelage

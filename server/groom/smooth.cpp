@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "server/fields/colour_sum.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
@@ -151,10 +152,12 @@ class SmoothedField {
         region_(region),
         near_(near),
         fields_(fields),
+        share_(strand_share(command.brush, field)),
         ring_(region, surface, command.passes > 1),
         now_(near.size()) {
     for_each_run_in_parallel(static_cast<std::uint32_t>(now_.size()), [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t n = begin; n < end; ++n) narrow(glm::dvec4(fields.value(field, near.vertex(n))), now_[n]);
+      for (std::uint32_t n = begin; n < end; ++n)
+        narrow(to_summable(field, glm::dvec4(fields.value(field, near.vertex(n)))), now_[n]);
     });
     next_ = now_;
   }
@@ -169,7 +172,7 @@ class SmoothedField {
       now_.swap(next_);
     }
     return write_in_parallel(fields_, field_, count, delta, [&](std::uint32_t i, FieldWriter& writer) {
-      return writer.put(region_[i].vertex, wide(now_[near_.number(i)]));
+      return writer.put(region_[i].vertex, from_summable(field_, wide(now_[near_.number(i)])));
     });
   }
 
@@ -183,7 +186,7 @@ class SmoothedField {
     Value change(0);
     for (std::size_t k = 0; k < others.size(); ++k)
       change += shared(shares[k], now_[others[k]]) - size_of(shares[k]) * own;
-    const Value blended = own + command_.t * region_[i].weight * change;
+    const Value blended = own + command_.t * share_ * region_[i].weight * change;
     if constexpr (std::is_same_v<AnyShare, TurnedShare>) {
       const double length = glm::length(blended);
       if (command_.keep_inclination) return length > no_heading ? blended * (glm::length(own) / length) : own;
@@ -196,6 +199,7 @@ class SmoothedField {
   const std::vector<VertexWeight>& region_;
   const Neighbourhood& near_;
   const FieldSet& fields_;
+  const double share_;
   Ring<AnyShare> ring_;
   std::vector<Value> now_, next_;
 };

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "server/fields/colour_sum.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
@@ -24,7 +25,7 @@ Mean mean_of(Field field, const std::vector<VertexWeight>& region, const Mesh& m
   Mean mean;
   double sum = 0;
   for (const auto [v, weight] : region) {
-    const glm::dvec4 value(fields.value(field, v));
+    const glm::dvec4 value = to_summable(field, glm::dvec4(fields.value(field, v)));
     mean.value += weight * value;
     sum += weight;
     if (field != Field::direction) continue;
@@ -72,9 +73,9 @@ Evaluation unify(const Unify& command, const Surface& surface, const FieldSet& f
     const auto count = static_cast<std::uint32_t>(region.size());
     done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
       const auto [v, restriction] = region[i];
-      const double weight = command.weight * restriction;
-      const glm::dvec4 now(fields.value(field, v));
-      if (field != Field::direction) return writer.put(v, now + weight * (goal - now));
+      const double weight = strand_share(command.brush, field) * command.weight * restriction;
+      const glm::dvec4 now = to_summable(field, glm::dvec4(fields.value(field, v)));
+      if (field != Field::direction) return writer.put(v, from_summable(field, now + weight * (goal - now)));
       return writer.put(v, unified(glm::dvec2(now), frame_at(mesh, v), target.heading, target.inclination, weight));
     });
   }

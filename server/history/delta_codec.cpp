@@ -9,6 +9,9 @@ namespace pelage {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
+constexpr std::uint64_t fields_of_a_sheet = 16;  // room for more than there are
+static_assert(field_count <= fields_of_a_sheet);
+
 void put_number(std::string& text, std::uint64_t value) {
   for (; value >= 0x80; value >>= 7) text.push_back(static_cast<char>(value | 0x80));
   text.push_back(static_cast<char>(value));
@@ -76,12 +79,14 @@ bool take_vertices(Octets& in, std::uint64_t count, std::vector<std::uint32_t>& 
   return true;
 }
 
-/// One field's change; false when the octets hold none that could follow `before`.
+/// One field's change on one sheet; false when the octets hold none that could follow `before`.
 bool take_part(Octets& in, const FieldDelta& before, FieldDelta::Part& part) {
-  const std::uint64_t field = in.number(), count = in.number();
-  if (field >= field_count || count == 0 || count > in.left()) return false;  // each vertex takes an octet or more
-  part.field = field_at(field);
-  if (!before.parts.empty() && before.parts.back().field >= part.field) return false;
+  const std::uint64_t place = in.number(), count = in.number();
+  const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet;
+  if (field >= field_count || sheet >= sheet_count) return false;
+  if (count == 0 || count > in.left()) return false;  // each vertex takes an octet or more
+  part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet);
+  if (!before.parts.empty() && !comes_before(before.parts.back(), part)) return false;
   if (!take_vertices(in, count, part.vertices)) return false;
   in.words(part.flips, count * static_cast<std::uint64_t>(shape_of(part.field).channels));
   return in.good();
@@ -93,7 +98,7 @@ std::string encode_delta(const FieldDelta& delta) {
   std::string text;
   put_number(text, delta.parts.size());
   for (const FieldDelta::Part& part : delta.parts) {
-    put_number(text, static_cast<std::uint64_t>(part.field));
+    put_number(text, part.sheet * fields_of_a_sheet + static_cast<std::uint64_t>(part.field));
     put_number(text, part.vertices.size());
     put_vertices(text, part.vertices);
     put_words(text, part.flips);
@@ -105,7 +110,7 @@ Result<FieldDelta> decode_delta(std::span<const std::byte> octets) {
   Octets in(octets);
   FieldDelta delta;
   const std::uint64_t parts = in.number();
-  bool good = in.good() && parts <= field_count;
+  bool good = in.good() && parts <= field_count * sheet_count;
   for (std::uint64_t i = 0; good && i < parts; ++i) {
     FieldDelta::Part part;
     good = take_part(in, delta, part);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/json/decode.h"
+#include "server/fields/edit_layers.h"
 #include "server/history/delta_codec.h"
 
 namespace pelage {
@@ -77,6 +78,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.attractors = attractors->attractors;
   else if (const auto* symmetry = std::get_if<SetSymmetry>(&command))
     settings.symmetry = symmetry->symmetry;
+  else if (const auto* layer = std::get_if<ChangeLayer>(&command))
+    settings.layers = with_change(settings.layers, *layer);
   else if (const auto* checkpoint = std::get_if<Checkpoint>(&command))
     put_checkpoint(settings.checkpoints, *checkpoint, next);
   else
@@ -98,6 +101,8 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
                                 SetAttractors{settings.attractors},
                                 SetSymmetry{settings.symmetry}};
   commands.insert(commands.end(), settings.checkpoints.begin(), settings.checkpoints.end());
+  for (const EditLayer& layer : settings.layers)
+    commands.push_back(ChangeLayer{.name = layer.name, .weight = layer.weight, .muted = layer.muted});
   return commands;
 }
 

@@ -30,6 +30,7 @@ struct SceneSettings {
   std::vector<NamedAttractor> attractors;
   Symmetry symmetry;
   std::vector<Checkpoint> checkpoints;  // with their revisions
+  std::vector<EditLayer> layers;        // from the lowest
 };
 
 /// The settings with a command that sets one of them carried out; none for other commands. A checkpoint that names no

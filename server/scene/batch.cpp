@@ -3,7 +3,9 @@
 #include <chrono>
 
 #include "protocol/json/encode.h"
+#include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/warnings.h"
 
 namespace pelage {
 
@@ -31,7 +33,7 @@ Command with_named(Command command, const SceneSettings& settings) {
     for (const NamedBlower& named : settings.blowers) {
       if (named.name != blow->blower) continue;
       Blow filled = named.blow;
-      filled.stroke = blow->stroke, filled.brush = blow->brush, filled.blower = blow->blower;
+      filled.stroke = blow->stroke, filled.brush = blow->brush, filled.blower = blow->blower, filled.layer = blow->layer;
       *blow = std::move(filled);
       break;
     }
@@ -40,7 +42,7 @@ Command with_named(Command command, const SceneSettings& settings) {
     for (const NamedAttractor& named : settings.attractors) {
       if (named.name != attract->attractor) continue;
       Attract filled = named.attract;
-      filled.stroke = attract->stroke, filled.brush = attract->brush, filled.attractor = attract->attractor;
+      filled.stroke = attract->stroke, filled.brush = attract->brush, filled.attractor = attract->attractor, filled.layer = attract->layer;
       *attract = std::move(filled);
       break;
     }
@@ -48,12 +50,32 @@ Command with_named(Command command, const SceneSettings& settings) {
   return command;
 }
 
+/// Whether an erase takes away what its layer adds, and does not go back to another time.
+bool erases_layer(const Command& command) {
+  const auto* erase = std::get_if<Erase>(&command);
+  return erase && !erase->layer.empty() && erase->checkpoint.empty() && !erase->revision;
+}
+
+/// What one image does to all sheets.
+Evaluation evaluate_image(const Command& image, const Surface& surface, const FieldSet& fields,
+                          const SceneSettings& settings, const ToolExtras& extras) {
+  if (erases_layer(image)) return erase_layer(std::get<Erase>(image), surface, fields, settings.layers);
+  Evaluation done = evaluate(image, surface, fields, extras);
+  done.delta = kept_in_layer(done.delta, layer_of(image), settings.layers, fields);
+  return done;
+}
+
 /// All images of a command, one on what the other left; applied to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings) {
-  const ToolExtras extras{settings.coat, step.rest.get()};
   Evaluation all;
+  if (const auto* layer = std::get_if<ChangeLayer>(&step.command)) {
+    all.delta = change_layers(*layer, settings.layers, fields);
+    fields.apply(all.delta);
+    return all;
+  }
+  const ToolExtras extras{settings.coat, step.rest.get()};
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
-    const Evaluation one = evaluate(image, surface, fields, extras);
+    const Evaluation one = evaluate_image(image, surface, fields, settings, extras);
     fields.apply(one.delta);
     all.delta = compose(all.delta, one.delta);
     all.clamped += one.clamped;
@@ -88,6 +110,7 @@ Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, 
     outcome.delta = compose(outcome.delta, change);
     outcome.results.push_back(describe_change(op_of(steps[k].command), change, fields));
     outcome.results.back().clamped = evaluation.clamped;
+    outcome.results.back().warnings = warnings_of(steps[k].command, surface);
     outcome.results.back().milliseconds = milliseconds_since(begin);
     const bool setting = set(steps[k].command, set_so_far, next);
     any_set = any_set || setting;

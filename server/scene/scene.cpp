@@ -7,6 +7,7 @@
 
 #include "protocol/json/encode.h"
 #include "renderer/coat/folds.h"
+#include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/scene/first_settings.h"
@@ -183,6 +184,8 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
     return failure(Code::invalid, "the scene has no blower of this name", "/blower");
   if (const auto* attract = std::get_if<Attract>(&command); attract && missing(settings.attractors, attract->attractor))
     return failure(Code::invalid, "the scene has no attractor of this name", "/attractor");
+  if (const auto* layer = std::get_if<ChangeLayer>(&command)) return check(*layer, settings.layers);
+  if (Status bad = check_groomed(layer_of(command), settings.layers); !bad.ok()) return bad;
   const auto* base = std::get_if<SetBasePicture>(&command);
   if (base == nullptr || base->picture.empty() || journal_.has_picture(base->picture)) return {};
   return failure(Code::invalid, "there is no such picture here; upload it first", "/picture");
@@ -288,7 +291,8 @@ SceneSummary Scene::describe() const {
           model_->surface.mesh().report,
           fields_.hash(),
           history_.undo_steps(),
-          history_.redo_steps()};
+          history_.redo_steps(),
+          history_.settings().layers};
 }
 
 SceneSummary Scene::summary() const {

@@ -73,6 +73,7 @@ Brush CommandMaker::brush() {
   brush.front_faces_only = chance(0.5);
   if (chance(0.5)) brush.cut_off_degrees = extreme({0, 180, 90}, 5, 175);
   brush.invert = chance(0.3);
+  if (chance(0.2)) brush.strand_from = extreme({0, 0.5}, 0, 0.9), brush.strand_to = brush.strand_from + 0.1;
   if (chance(0.3)) brush.units = RadiusUnits::world, brush.radius *= surface_.mesh().size;
   return brush;
 }

@@ -85,7 +85,9 @@ Brush random_brush() {
           .pressure_to_strength = number(0, 1),
           .front_faces_only = *rc::gen::arbitrary<bool>(),
           .cut_off_degrees = number(0, 180),
-          .invert = *rc::gen::arbitrary<bool>()};
+          .invert = *rc::gen::arbitrary<bool>(),
+          .strand_from = number(0, 0.5),
+          .strand_to = number(0.6, 1)};
 }
 
 static Undercoat undercoat() {

@@ -32,6 +32,9 @@ class MemberMaker {
   }
   void brush(Brush& out) { out = random_brush(); }
   void boolean(std::string_view, bool& out) { out = coin(); }
+  void boolean(std::string_view, std::optional<bool>& out) {
+    if (coin()) out = coin();
+  }
   void number(std::string_view, double& out, Range range) { out = testing::number(range.low, range.high); }
   void number(std::string_view, std::optional<double>& out, Range range) {
     if (coin()) out = testing::number(range.low, range.high);
@@ -44,6 +47,9 @@ class MemberMaker {
     if (coin()) out = *rc::gen::arbitrary<std::uint64_t>();
   }
   void text(std::string_view, std::string& out) { out = word(0); }
+  void text(std::string_view, std::optional<std::string>& out) {
+    if (coin()) out = word(0);
+  }
   void required_text(std::string_view, std::string& out) { out = word(1); }
   void position(std::string_view, glm::dvec3& out) { out = place(); }
   void required_position(std::string_view, glm::dvec3& out) { out = place(); }
@@ -144,6 +150,26 @@ void rename(std::vector<T>& named) {
 void agree(SetBlowers& command) { rename(command.blowers); }
 void agree(SetAttractors& command) { rename(command.attractors); }
 
+void agree(ChangeLayer& layer) {
+  if (layer.action == LayerAction::set && !layer.weight && !layer.muted && layer.rename.empty()) layer.muted = true;
+  if (layer.action == LayerAction::move && !layer.above) layer.above = "";
+  if (layer.above == layer.name) layer.above = "";
+}
+
+// Some tools have no opposite, and only colours differ from root to tip.
+template <class Tool>
+void agree_with_brush(Tool& tool) {
+  constexpr bool no_opposite = std::is_same_v<Tool, Smooth> || std::is_same_v<Tool, Unify> || std::is_same_v<Tool, Erase> ||
+                               std::is_same_v<Tool, Trim> || std::is_same_v<Tool, Interpolate> ||
+                               std::is_same_v<Tool, Flow>;
+  if constexpr (no_opposite) tool.brush.invert = false;
+  if constexpr (std::is_same_v<Tool, Paint>) {
+    if (tool.field == Field::mask) tool.layer.clear();
+    if (shape_of(tool.field).channels == 4) return;
+  }
+  tool.brush.strand_from = 0, tool.brush.strand_to = 1;
+}
+
 template <class Tool>
 Command random_tool() {
   Tool tool;
@@ -154,6 +180,7 @@ Command random_tool() {
     if (!tool.flood) tool.stroke = random_stroke();
   }
   agree(tool);
+  if constexpr (requires { tool.brush; }) agree_with_brush(tool);
   return tool;
 }
 

@@ -23,7 +23,9 @@ class Script {
   /// One accepted request (or more, for a stroke in parts).
   void act() {
     const double kind = random_.uniform();
-    if (kind < 0.40)
+    if (chance(0.06))
+      send({layer_change()});
+    else if (kind < 0.40)
       send({tool()});
     else if (kind < 0.50)
       send({tool(), tool(), setting()});
@@ -80,7 +82,33 @@ class Script {
             .front_faces_only = chance(0.5),
             .invert = chance(0.2)};
   }
+  /// The name of a layer that tools may change, or of none.
+  std::string layer() {
+    const std::vector<EditLayer> layers = scene_.summary().layers;
+    if (layers.empty() || chance(0.4)) return "";
+    const EditLayer& layer = layers[static_cast<std::size_t>(below(static_cast<int>(layers.size())))];
+    return layer.muted || std::abs(layer.weight) < limits::least_groomed_weight ? "" : layer.name;
+  }
+  Command layer_change() {
+    const std::vector<EditLayer> layers = scene_.summary().layers;
+    ChangeLayer change;
+    change.name = std::to_string(scene_.revision()), change.weight = random_.uniform(-2, 3);
+    if (layers.size() < 2 || (layers.size() < limits::edit_layers && chance(0.3))) return change;
+    const auto at = static_cast<std::size_t>(below(static_cast<int>(layers.size())));
+    change.name = layers[at].name;
+    const int kind = below(4);
+    if (kind == 0) change.action = LayerAction::move, change.above = at == 0 ? layers.back().name : "";
+    else if (kind == 1 && !layers[at].muted && (at == 0 || !layers[at - 1].muted)) change.action = LayerAction::merge_down;
+    else if (kind == 2) change.action = LayerAction::remove;
+    else change.action = LayerAction::set, change.muted = chance(0.3);
+    return change;
+  }
   Command tool() {
+    Command tool = tool_of_the_groom();
+    std::visit([&](auto& t) { if constexpr (requires { t.layer; }) t.layer = layer(); }, tool);
+    return tool;
+  }
+  Command tool_of_the_groom() {
     const int kind = below(6);
     if (kind == 0) {
       Blow blow;

@@ -13,6 +13,20 @@ Fur read(const FieldSet& fields) {
   return fur;
 }
 
+void Fur::multiply_colours() {
+  for (const Field field : {Field::root_colour, Field::tip_colour}) {
+    for (dvec4& value : of(field)) value.x *= value.w, value.y *= value.w, value.z *= value.w;
+  }
+}
+
+void Fur::divide_colours() {
+  for (const Field field : {Field::root_colour, Field::tip_colour}) {
+    for (dvec4& value : of(field)) {
+      for (int c = 0; c < 3; ++c) value[c] = value.w > 0 ? value[c] / value.w : 0;
+    }
+  }
+}
+
 Body::Body(const Surface& of) : surface(of) {
   const Mesh& mesh = of.mesh();
   for (Vertex v = 0; v < mesh.positions.size(); ++v) {

@@ -26,6 +26,10 @@ struct Fur {
   const std::vector<dvec4>& of(Field field) const { return values[static_cast<std::size_t>(field)]; }
   double number(Field field, Vertex v) const { return of(field)[v].x; }
   dvec2 direction(Vertex v) const { return dvec2(of(Field::direction)[v]); }
+
+  /// Colours times what they cover, for blending, and back.
+  void multiply_colours();
+  void divide_colours();
 };
 
 Fur read(const FieldSet& fields);

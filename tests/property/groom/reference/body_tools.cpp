@@ -150,9 +150,13 @@ void apply(const Flow& command, const Stage& stage, Fur& fur) {
 
 void apply(const Smooth& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  fur.multiply_colours();
   for (const Field field : command.fields) {
-    for (int pass = 0; pass < command.passes; ++pass) smooth_once(command, stage.body, field, region, fur);
+    std::vector<double> reached = region;
+    for (double& weight : reached) weight *= strand_part(command.brush, field);
+    for (int pass = 0; pass < command.passes; ++pass) smooth_once(command, stage.body, field, reached, fur);
   }
+  fur.divide_colours();
 }
 
 }  // namespace pelage::plain

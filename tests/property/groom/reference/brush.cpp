@@ -115,6 +115,14 @@ std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Bod
   return prints;
 }
 
+double strand_part(const Brush& brush, Field field) {
+  const auto below_half = [](double s) { return s < 0.5 ? 2 * s : 1; };
+  const auto above_half = [](double s) { return s > 0.5 ? 2 * s - 1 : 0; };
+  if (field == Field::root_colour) return below_half(brush.strand_to) - below_half(brush.strand_from);
+  if (field == Field::tip_colour) return above_half(brush.strand_to) - above_half(brush.strand_from);
+  return 1;
+}
+
 double falloff_at(const Brush& brush, double d) {
   if (!(d <= 1)) return 0;
   if (!brush.falloff_points.empty()) {

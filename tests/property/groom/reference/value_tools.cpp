@@ -129,7 +129,8 @@ void apply(const Noise& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
   for (const Field field : command.fields) {
     for (Vertex v = 0; v < stage.body.size(); ++v)
-      disturb(command, stage.body, field, (command.brush.invert ? -1 : 1) * command.amount * region[v], v,
+      disturb(command, stage.body, field,
+              (command.brush.invert ? -1 : 1) * command.amount * region[v] * strand_part(command.brush, field), v,
               fur.of(field)[v]);
   }
 }
@@ -139,10 +140,11 @@ void apply(const Unify& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, body, fur);
   double whole = 0, inclination = 0;
   dvec3 lean(0);
+  fur.multiply_colours();
   Fur mean = fur;  // its first vertex holds the means
   for (std::vector<dvec4>& values : mean.values) values[0] = dvec4(0);
   for (Vertex v = 0; v < body.size(); ++v) whole += region[v];
-  if (whole == 0) return;
+  if (whole == 0) return fur.divide_colours();
   for (Vertex v = 0; v < body.size(); ++v) {
     const double share = region[v] / whole;
     inclination += share * glm::length(fur.direction(v));
@@ -166,10 +168,12 @@ void apply(const Unify& command, const Stage& stage, Fur& fur) {
       fur.of(Field::direction)[v] = dvec4(turned_to(body, v, now, unit(lean), inclination, w), 0, 0);
     if (command.length) mean.of(Field::length)[0] = dvec4(body.sizes(*command.length, command.units), 0, 0, 0);
     for (std::size_t f = 1; f < field_count; ++f) {
+      const double part = w * strand_part(command.brush, field_at(f));
       if (named(field_at(f)) || (field_at(f) == Field::length && command.length))
-        fur.values[f][v] = (1 - w) * fur.values[f][v] + w * mean.values[f][0];
+        fur.values[f][v] = (1 - part) * fur.values[f][v] + part * mean.values[f][0];
     }
   }
+  fur.divide_colours();
 }
 
 void apply(const Length& command, const Stage& stage, Fur& fur) {
@@ -214,13 +218,17 @@ void apply(const Trim& command, const Stage& stage, Fur& fur) {
 
 void apply(const Erase& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  Fur rest = stage.rest;
+  rest.multiply_colours(), fur.multiply_colours();
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     const bool named = std::find(command.fields.begin(), command.fields.end(), field) != command.fields.end();
     if (!named && !(command.fields.empty() && field != Field::mask)) continue;
+    const double part = strand_part(command.brush, field);
     for (Vertex v = 0; v < stage.body.size(); ++v)
-      fur.of(field)[v] = (1 - region[v]) * fur.of(field)[v] + region[v] * stage.rest.of(field)[v];
+      fur.of(field)[v] = (1 - part * region[v]) * fur.of(field)[v] + part * region[v] * rest.of(field)[v];
   }
+  fur.divide_colours();
 }
 
 void apply(const Paint& command, const Stage& stage, Fur& fur) {
@@ -229,14 +237,15 @@ void apply(const Paint& command, const Stage& stage, Fur& fur) {
   const double value = command.brush.invert ? double{shape_of(command.field).rest} : command.value;
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     dvec4& now = fur.of(command.field)[v];
+    const double w = region[v] * strand_part(command.brush, command.field);
     if (shape_of(command.field).channels == 1) {
-      now.x = (1 - region[v]) * now.x + region[v] * value;
+      now.x = (1 - w) * now.x + w * value;
       continue;
     }
     if (region[v] == 0) continue;
     // Colours count by how much of them is seen.
-    const dvec4 below((1 - region[v]) * now.w * dvec3(now), (1 - region[v]) * now.w);
-    const dvec4 laid(region[v] * value * dvec3(command.colour), region[v] * value);
+    const dvec4 below((1 - w) * now.w * dvec3(now), (1 - w) * now.w);
+    const dvec4 laid(w * value * dvec3(command.colour), w * value);
     const dvec4 both = below + laid;
     now = both.w > 0 ? dvec4(dvec3(both) / both.w, both.w) : dvec4(0);
   }
