@@ -68,7 +68,7 @@ struct Checkpoint {
 using Command =
     std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
                  Paint, ChangeMask,
-                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint,
+                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint, Retarget,
                  SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
