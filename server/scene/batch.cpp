@@ -1,6 +1,7 @@
 #include "server/scene/batch.h"
 
 #include <chrono>
+#include <string>
 
 #include "protocol/json/encode.h"
 #include "server/groom/evaluate.h"
@@ -50,7 +51,7 @@ Command with_named(Command command, const SceneSettings& settings) {
 
 /// All images of a command, one on what the other left; applied to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings) {
-  const ToolExtras extras{settings.coat, step.rest.get()};
+  const ToolExtras extras{settings.coat, step.rest.get(), step.source.get()};
   Evaluation all;
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
     const Evaluation one = evaluate(image, surface, fields, extras);
@@ -62,6 +63,11 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
 }
 
 }  // namespace
+
+Status in_batch(Status status, std::size_t command, std::size_t commands) {
+  if (commands > 1) status.pointer.insert(0, "/commands/" + std::to_string(command));
+  return status;
+}
 
 CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields) {
   CommandResult result;

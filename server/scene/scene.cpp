@@ -12,6 +12,7 @@
 #include "server/scene/first_settings.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
+#include "server/scene/refine.h"
 #include "server/surface/import.h"
 
 namespace pelage {
@@ -25,10 +26,20 @@ std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_
 
 Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
 
-/// In a batch the pointer says which command it is about.
-Status in_batch(Status status, std::size_t command, std::size_t commands) {
-  if (commands > 1) status.pointer.insert(0, "/commands/" + std::to_string(command));
+/// In a log the message says which step it is about.
+Status in_step(Status status, std::size_t step) {
+  status.message = "step " + std::to_string(step) + " cannot be carried to another model: " + status.message;
   return status;
+}
+
+Status no_source() {
+  return failure(Code::invalid, "no scene was brought whose fields could be taken", "/scene");
+}
+
+/// A retarget with what it takes, and with the revision of that.
+Step retarget_step(Retarget command, const GroomSource& source) {
+  command.revision = source.revision;
+  return {std::move(command), source.fields, {source.model, &source.model->surface}};
 }
 
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers) {
@@ -48,21 +59,21 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       undo_bytes_(undo_bytes),
       model_(std::move(model)),
       fields_(first_groom(model_->surface.mesh(), fur)),
-      history_(new_history(0)),
+      history_(new_history(0, first_settings(*model_))),
       dirty_(whole_range(fields_.size())) {}
 
 /// Steps beyond the budget are read back from the journal, which has every entry.
-History Scene::new_history(Revision first) const {
+History Scene::new_history(Revision first, SceneSettings settings) const {
   const auto read = [&journal = journal_, id = id_](Revision from, Revision to) {
     return journal.change(id, from, to);
   };
-  return History(first, first_settings(*model_), {undo_bytes_, read});
+  return History(first, std::move(settings), {undo_bytes_, read});
 }
 
-Status Scene::restore(const FieldDelta& first_groom, Revision first) {
+Status Scene::restore(const FieldDelta& first_groom, Revision first, std::shared_ptr<const SceneSettings> settings) {
   const std::lock_guard lock(mutex_);
   fields_ = FieldSet(fields_.size());
-  history_ = new_history(first);
+  history_ = new_history(first, settings ? *settings : first_settings(*model_));
   dirty_ = whole_range(fields_.size());
   if (!fields_.accepts(first_groom)) return damaged();
   fields_.apply(first_groom);
@@ -82,7 +93,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (Status refused = admit(options); !refused.ok()) return refused;
 
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
-  const Result<Plan> planned = plan(commands);
+  const Result<Plan> planned = plan(commands, options.sources);
   if (!planned) return planned.status();
 
   // What the commands do. This is pure: nothing has changed yet.
@@ -132,8 +143,9 @@ Status Scene::admit(const ExecuteOptions& options) const {
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
 }
 
-Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
+Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const {
   Plan plan;
+  auto source = sources.begin();
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Result<Command> command = resolve(commands[k], model_->surface);
     if (!command) return in_batch(command.status(), k, commands.size());
@@ -142,6 +154,12 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
     if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
       Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
       return in_batch(std::move(parts), k, commands.size());
+    }
+    if (std::holds_alternative<Retarget>(*command)) {
+      if (source == sources.end()) return in_batch(no_source(), k, commands.size());
+      plan.whole.push_back(retarget_step(std::get<Retarget>(*command), *source++));
+      plan.logged.push_back(plan.whole.back().command);
+      continue;
     }
     Result<Step> step = with_rest(*command);
     if (!step) return in_batch(step.status(), k, commands.size());
@@ -306,6 +324,36 @@ std::vector<std::vector<Command>> Scene::effective_log() const {
   return history_.effective_log();
 }
 
+Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneModel& other) const {
+  std::shared_ptr<const SceneModel> own;
+  std::vector<std::vector<Command>> steps;
+  {
+    const std::lock_guard lock(mutex_);
+    own = model_, steps = history_.effective_log();
+  }
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    for (Command& command : steps[k]) {
+      Result<Command> carried = carried_command(command, own->surface, other.surface);
+      if (!carried) return in_step(carried.status(), k + 1);
+      command = std::move(*carried);
+    }
+  }
+  return steps;
+}
+
+std::shared_ptr<const SceneModel> Scene::model() const {
+  const std::lock_guard lock(mutex_);
+  return model_;
+}
+
+Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
+  const std::lock_guard lock(mutex_);
+  Result<FieldSet> fields = fields_at(revision.value_or(history_.revision()));
+  if (!fields) return fields.status();
+  return GroomSource{revision.value_or(history_.revision()), model_,
+                     std::make_shared<const FieldSet>(std::move(*fields))};
+}
+
 Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
   const std::lock_guard lock(mutex_);
   return pelage::pick(model_->surface, fields_, view, pixel);
@@ -354,8 +402,31 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   if (!written.ok()) return written;
   model_ = std::move(model);
   fields_ = std::move(first);
-  history_ = new_history(revision);
+  history_ = new_history(revision, first_settings(*model_));
   picture_.reset(), picture_name_.clear();
+  live_.end();
+  dirty_ = whole_range(fields_.size());
+  changed_.notify_all();
+  return describe();
+}
+
+Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options) {
+  const std::lock_guard lock(mutex_);
+  if (Status refused = admit(options); !refused.ok()) return refused;
+  Result<RefinedScene> refined = refine(*model_, fields_, how, id);
+  if (!refined) return refined.status();
+  if (options.dry_run || !refined->model) return describe();
+  const Revision revision = history_.revision() + 1;
+  auto settings = std::make_shared<SceneSettings>(history_.settings());
+  settings->checkpoints.clear();  // of revisions that are gone
+  StoredModel model;
+  model.refinements = refined->model->refinements;
+  const FieldDelta groom = difference(FieldSet(refined->fields.size()), refined->fields);
+  Status written = journal_.refine_model({id_, name_, std::move(model), revision, groom, settings});
+  if (!written.ok()) return written;
+  model_ = std::move(refined->model);
+  fields_ = std::move(refined->fields);
+  history_ = new_history(revision, *settings);
   live_.end();
   dirty_ = whole_range(fields_.size());
   changed_.notify_all();
