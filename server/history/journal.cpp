@@ -102,6 +102,7 @@ Statement& bind_settings(Statement& statement, const std::shared_ptr<const Scene
 
 /// Binds all that a new model changes about a scene, and its id last.
 Status run_with_model(Statement statement, const StoredScene& scene, const std::string& first_groom) {
+  const std::string refinements = encode_refinements(scene.model.refinements);
   statement.text(scene.model.name)
       .number(static_cast<std::uint64_t>(scene.model.up))
       .number(static_cast<std::uint64_t>(scene.model.front))
@@ -110,7 +111,7 @@ Status run_with_model(Statement statement, const StoredScene& scene, const std::
       .blob(first_groom)
       .blob(scene.model.raw)
       .number(static_cast<std::uint64_t>(scene.model.fur_patches))
-      .blob(encode_refinements(scene.model.refinements));
+      .blob(refinements);
   return bind_settings(statement, scene.first_settings).text(scene.id).run();
 }
 
@@ -191,13 +192,14 @@ Status Journal::replace_model(const StoredScene& scene) {
 
 Status Journal::refine_model(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
+  const std::string refinements = encode_refinements(scene.model.refinements);
   const std::lock_guard lock(mutex_);
   return database_->transaction([&] {
     Status changed = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!changed.ok()) return changed;
     Statement update = database_->prepare(
         "UPDATE scenes SET first_revision = ?, first_groom = ?, refinements = ?, settings = ? WHERE id = ?");
-    update.number(scene.first_revision).blob(first_groom).blob(encode_refinements(scene.model.refinements));
+    update.number(scene.first_revision).blob(first_groom).blob(refinements);
     return bind_settings(update, scene.first_settings).text(scene.id).run();
   });
 }

@@ -63,7 +63,7 @@ TEST_F(RefineTest, ARestartRefinesAgain) {
   subdivide(*scene, {.masked = true});
   run(*scene, {comb_at(*scene, 9)});
   subdivide(*scene, {.levels = 2, .masked = true});
-  run(*scene, {comb_at(*scene, 12)});
+  run(*scene, {comb_at(*scene, 40)});
   const SceneSummary before = scene->summary();
   const auto finer = scene->model();
   EXPECT_LT(before.report.triangles, 64u * 600);
