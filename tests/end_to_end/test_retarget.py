@@ -18,23 +18,28 @@ class Retarget(ServedTest):
     def picture(self, scene):
         return scene.frame(width=256, height=256, camera={"auto": "three_quarter"}, background="transparent").body
 
-    def test_subdividing_changes_no_root_and_survives_a_restart(self):
-        scene = self.server.new_scene("creature", 5000)
+    def test_no_root_moves(self):
+        # On a plane nothing but rounding differs. On a body normals between the old vertices are new, which shells and
+        # outlines show; other roots differ by more than either, and by the same wherever they are.
+        for builtin, most in (("plane", 0.005), ("creature", 0.065)):
+            scene = self.server.new_scene(builtin, 5000)
+            before = self.picture(scene)
+            self.assertEqual(scene.post("subdivide", {}).status, 200)
+            after = self.picture(scene)
+            scene.run({"op": "set_coat", "coat": {"seed": 2}})
+            self.assertLess(self.flip(before, after), most, builtin)
+            self.assertGreater(self.flip(before, self.picture(scene)), 0.08, builtin)
+
+    def test_subdividing_survives_a_restart(self):
+        scene = self.server.new_scene("creature", 3000)
         scene.run(comb([0.3, 0.6, 0.5], [0.3, 0.6, -0.5], radius=0.2))
         scene.run({"op": "set_coat", "coat": {"count": 4000, "seed": 5}})
         before = scene.info()
-        old, moved = self.picture(scene), None
         printed = self.pelage("subdivide", scene.id).stdout
         self.assertIn(f"triangles   {4 * before['triangles']}", printed)
         finer = scene.info()
         self.assertEqual((finer["revision"], finer["undo_steps"]), (before["revision"] + 1, 0))
-        new = self.picture(scene)
-        scene.run({"op": "set_coat", "coat": {"count": 4000, "seed": 6}})
-        moved = self.picture(scene)  # as other roots would look
-        self.assertLess(self.flip(old, new), 0.25 * self.flip(old, moved))
-        self.assertLess(self.flip(old, new), 0.03)
-        scene.post("undo", {})
-        self.assertEqual(self.picture(scene), new)
+        self.assert_problem(scene.post("undo", {}), 422, "/steps")
         scene.run(flood([0, -1, 0], lean=0.3))
         groomed, picture = scene.info(), self.picture(scene)
         self.server.terminate()
