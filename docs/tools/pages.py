@@ -5,8 +5,9 @@ ABOVE = ["--eye=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]
 SPINE = ["--eye=0,1.95,-0.5", "--target=0,0.5,-0.03"]
 
 
-def page(title, words, *schemas, camera=SIDE):
-    return {"title": title, "words": words, "schemas": schemas, "camera": camera}
+def page(title, words, *schemas, camera=SIDE, source=None):
+    """`source` is the recipe of another scene, whose id the example takes as its variable `source`."""
+    return {"title": title, "words": words, "schemas": schemas, "camera": camera, "source": source}
 
 
 PAGES = {
@@ -86,6 +87,10 @@ Below: a wind from below that brushes over the shoulder, and a stick over the ha
 Gives a revision a name, for [erase](erase.md) to go back to. A name that is known moves. Below: fur is brushed and the
 revision named, then noise tangles it, and a brush takes the flank back to what was named. A dry run of a whole recipe cannot
 go back to a checkpoint that the recipe itself makes.""", "Checkpoint"),
+    "retarget": page("Retarget", """
+Takes the fields of another scene's model, or of this one at an earlier revision, from the nearest places of its surface, as
+[retarget](../retarget.md) says. It is one undo step; the revision that was taken is in the log. Below: plain fur takes the
+groom of `clients/recipes/creature.json`, which stands in another scene.""", "Retarget", source="creature"),
 }
 
 # Recipes of clients/recipes and the models that they are for; those with a file need the shared models.

@@ -54,7 +54,7 @@ class Document(unittest.TestCase):
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
-                    "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
+                    "RevisionBody", "Subdivide", "Retarget", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -87,6 +87,7 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
         self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
+        self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
         builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
         self.assertEqual(builtin["triangles"]["maximum"], limits["builtin_triangles"])

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from support.server import ServedTest, comb, flood
+from support.server import REPOSITORY, ServedTest, comb, flood
 
 
 class Retarget(ServedTest):
@@ -19,8 +19,8 @@ class Retarget(ServedTest):
         return scene.frame(width=256, height=256, camera={"auto": "three_quarter"}, background="transparent").body
 
     def test_no_root_moves(self):
-        # On a plane nothing but rounding differs. On a body normals between the old vertices are new, which shells and
-        # outlines show; other roots differ by more than either, and by the same wherever they are.
+        # On a plane hardly more than rounding differs. On a body the new vertices have unit normals, where they were
+        # interpolated before, which shells and outlines show. Other roots differ by more.
         for builtin, most in (("plane", 0.005), ("creature", 0.065)):
             scene = self.server.new_scene(builtin, 5000)
             before = self.picture(scene)
@@ -75,6 +75,15 @@ class Retarget(ServedTest):
         again = self.server.new_scene("creature", 5000)
         self.pelage("run", again.id, "-", text=line)
         self.assertEqual(again.info()["fields_hash"], target.info()["fields_hash"])
+
+    def test_the_example_of_the_page(self):
+        source = self.server.new_scene("creature", 3000)
+        source.run(flood([0, 1, 0.2]))
+        scene = self.server.new_scene("creature", 5000)
+        example = REPOSITORY / "docs" / "tools" / "examples" / "retarget.json"
+        printed = self.pelage("run", scene.id, example, "--set", f"source={source.id}").stdout
+        self.assertIn("retarget: touched ", printed)
+        self.assertIn("/scene", self.pelage("run", scene.id, example, code=3).stderr)
 
     def test_the_log_of_one_scene_on_another(self):
         source = self.server.new_scene("creature", 3000, name="carried")
