@@ -1,6 +1,8 @@
 // Fields and commands on another model.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "protocol/base/random.h"
@@ -98,6 +100,67 @@ TEST(Retarget, WithoutAlignmentLengthsStayAsLongAsTheyAre) {
   for (std::uint32_t v = 0; v < taken.size(); ++v) taken.set(Field::length, v, {0.08f, 0, 0, 0});
   const FieldSet result = retargeted(command, twice, FieldSet(taken.size()), source, taken);
   for (std::uint32_t v = 0; v < result.size(); ++v) ASSERT_NEAR(result.number(Field::length, v), 0.04f, 1e-6);
+}
+
+/// The nearest place of all triangles, each by itself: where a projection falls inside, else on a side.
+struct PlainNearest {
+  double distance = 1e9;
+  std::uint32_t triangle = 0;
+  glm::dvec3 barycentric{0};
+};
+
+void try_place(PlainNearest& best, std::uint32_t t, const std::array<glm::dvec3, 3>& p, glm::dvec3 place, glm::dvec3 barycentric) {
+  const double distance = glm::distance(place, barycentric.x * p[0] + barycentric.y * p[1] + barycentric.z * p[2]);
+  if (distance < best.distance) best = {distance, t, barycentric};
+}
+
+PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 place) {
+  PlainNearest best;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<glm::dvec3, 3> p;
+    for (int k = 0; k < 3; ++k) p[static_cast<std::size_t>(k)] = mesh.to_model(glm::dvec3(mesh.positions[mesh.triangles[t][k]]));
+    const glm::dvec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
+    glm::dvec3 inside;
+    for (std::size_t k = 0; k < 3; ++k)
+      inside[static_cast<int>(k)] = glm::dot(glm::cross(p[(k + 2) % 3] - p[(k + 1) % 3], place - p[(k + 1) % 3]), n) / glm::dot(n, n);
+    if (inside.x >= 0 && inside.y >= 0 && inside.z >= 0) try_place(best, t, p, place, inside);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 side = p[(k + 1) % 3] - p[k];
+      const double along = std::clamp(glm::dot(place - p[k], side) / glm::dot(side, side), 0.0, 1.0);
+      glm::dvec3 on_side(0);
+      on_side[static_cast<int>(k)] = 1 - along, on_side[static_cast<int>((k + 1) % 3)] = along;
+      try_place(best, t, p, place, on_side);
+    }
+  }
+  return best;
+}
+
+// A second, plain way to the same: in model coordinates, every triangle looked at.
+TEST(Retarget, TakesWhatLiesAtTheNearestPlaceInModelCoordinates) {
+  const Surface source = make_surface(Builtin::sphere, 500);
+  const FieldSet taken = smooth_fields(source);
+  for (const Alignment align : {Alignment::none, Alignment::box}) {
+    const Surface surface = moved(Builtin::creature, 600, glm::dvec3(1.7), {0.3, -0.8, 0.2});
+    const Mesh &mesh = surface.mesh(), &other = source.mesh();
+    Retarget command;
+    command.align = align;
+    const FieldSet result = retargeted(command, surface, FieldSet(mesh.positions.size()), source, taken);
+    const glm::dvec3 ratio = (other.report.max - other.report.min) / (mesh.report.max - mesh.report.min);
+    for (std::uint32_t v = 0; v < result.size(); ++v) {
+      glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[v]));
+      if (align == Alignment::box) place = (place - mesh.report.min) * ratio + other.report.min;
+      const PlainNearest nearest = plain_nearest(other, place);
+      double density = 0, length = 0;
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t corner = other.triangles[nearest.triangle][k];
+        density += nearest.barycentric[k] * taken.number(Field::density, corner);
+        length += nearest.barycentric[k] * taken.number(Field::length, corner);
+      }
+      if (align == Alignment::none) length *= other.size / mesh.size;
+      ASSERT_NEAR(result.number(Field::density, v), density, 2e-5) << v;
+      ASSERT_NEAR(result.number(Field::length, v), length, 2e-5) << v;
+    }
+  }
 }
 
 TEST(Retarget, ObeysTheMaskAndItsFieldsAndItsStrength) {
