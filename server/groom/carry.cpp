@@ -48,7 +48,8 @@ class ModelMap : public PlaceMap {
 /// What means something on one model only.
 Status check_carried(const Command& command) {
   if (const auto* mask = std::get_if<ChangeMask>(&command); mask && std::holds_alternative<MaskVertices>(mask->shape))
-    return failure(Code::invalid, "vertices of one model are not those of another", "/vertices", "a box, sphere or part");
+    return failure(Code::invalid, "vertices of one model are not those of another", "/vertices",
+                   "a box, sphere or part");
   const auto* erase = std::get_if<Erase>(&command);
   const auto* checkpoint = std::get_if<Checkpoint>(&command);
   if ((erase && erase->revision) || (checkpoint && checkpoint->revision))

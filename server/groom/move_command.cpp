@@ -97,7 +97,8 @@ class Mover {
     return false;
   }
   bool move_parts(Trim& trim) const {
-    if (auto* plane = std::get_if<TrimPlane>(&trim.shape)) move(plane->point), plane->normal = map_.normal(plane->normal);
+    if (auto* plane = std::get_if<TrimPlane>(&trim.shape))
+      move(plane->point), plane->normal = map_.normal(plane->normal);
     if (auto* sphere = std::get_if<TrimSphere>(&trim.shape)) move(sphere->centre), scale(sphere->radius, trim.units);
     if (auto* height = std::get_if<double>(&trim.shape)) scale(*height, trim.units);
     return false;

@@ -20,8 +20,8 @@ class PlaceMap {
 };
 
 /// Moves the places, directions and lengths of a command made on `surface`. Strokes lose their views, which are of what
-/// was drawn: front faces are then judged by the skin, and a radius in pixels is that of the first sample. Gives whether
-/// a place of a tool was moved, so that an image of it makes sense.
+/// was drawn: front faces are then judged by the skin, and a radius in pixels is that of the first sample. Gives
+/// whether a place of a tool was moved, so that an image of it makes sense.
 bool move_command(Command& command, const PlaceMap& map, const Surface& surface);
 
 }  // namespace pelage

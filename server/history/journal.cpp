@@ -291,7 +291,8 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
                     std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
                     static_cast<FurPatches>(row.number_at(8)),
                     std::move(*refinements)};
-  return StoredScene{id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom), std::move(settings)};
+  return StoredScene{id,          row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom),
+                     std::move(settings)};
 }
 
 Status Journal::for_each_entry(const std::string& scene, Revision after,

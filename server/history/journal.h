@@ -47,9 +47,9 @@ class Journal {
   Status add_scene(const StoredScene& scene);
   /// Puts a new model in place of the old one and its log.
   Status replace_model(const StoredScene& scene);
-  /// Puts all refinements of the scene's model, its first revision, groom and settings in place of those that are there,
-  /// and empties its log. What the model came from stays, whatever `scene` says of it, and so do the scene's pictures,
-  /// one of which its settings may name.
+  /// Puts all refinements of the scene's model, its first revision, groom and settings in place of those that are
+  /// there, and empties its log. What the model came from stays, whatever `scene` says of it, and so do the scene's
+  /// pictures, one of which its settings may name.
   Status refine_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
   /// Fails when the entry's settings name a picture that the journal does not have.

@@ -12,7 +12,6 @@
 #include "server/scene/first_settings.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
-#include "server/scene/refine.h"
 #include "server/surface/import.h"
 
 namespace pelage {
@@ -25,12 +24,6 @@ constexpr std::size_t many_ranges = 1 << 12;  // when nobody draws, ranges are m
 std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_cast<std::uint32_t>(vertices)}}; }
 
 Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
-
-/// In a log the message says which step it is about.
-Status in_step(Status status, std::size_t step) {
-  status.message = "step " + std::to_string(step) + " cannot be carried to another model: " + status.message;
-  return status;
-}
 
 Status no_source() {
   return failure(Code::invalid, "no scene was brought whose fields could be taken", "/scene");
@@ -143,7 +136,8 @@ Status Scene::admit(const ExecuteOptions& options) const {
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
 }
 
-Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const {
+Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
+                                const std::vector<GroomSource>& sources) const {
   Plan plan;
   auto source = sources.begin();
   for (std::size_t k = 0; k < commands.size(); ++k) {
@@ -324,36 +318,6 @@ std::vector<std::vector<Command>> Scene::effective_log() const {
   return history_.effective_log();
 }
 
-Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneModel& other) const {
-  std::shared_ptr<const SceneModel> own;
-  std::vector<std::vector<Command>> steps;
-  {
-    const std::lock_guard lock(mutex_);
-    own = model_, steps = history_.effective_log();
-  }
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    for (Command& command : steps[k]) {
-      Result<Command> carried = carried_command(command, own->surface, other.surface);
-      if (!carried) return in_step(carried.status(), k + 1);
-      command = std::move(*carried);
-    }
-  }
-  return steps;
-}
-
-std::shared_ptr<const SceneModel> Scene::model() const {
-  const std::lock_guard lock(mutex_);
-  return model_;
-}
-
-Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
-  const std::lock_guard lock(mutex_);
-  Result<FieldSet> fields = fields_at(revision.value_or(history_.revision()));
-  if (!fields) return fields.status();
-  return GroomSource{revision.value_or(history_.revision()), model_,
-                     std::make_shared<const FieldSet>(std::move(*fields))};
-}
-
 Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
   const std::lock_guard lock(mutex_);
   return pelage::pick(model_->surface, fields_, view, pixel);
@@ -404,29 +368,6 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   fields_ = std::move(first);
   history_ = new_history(revision, first_settings(*model_));
   picture_.reset(), picture_name_.clear();
-  live_.end();
-  dirty_ = whole_range(fields_.size());
-  changed_.notify_all();
-  return describe();
-}
-
-Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options) {
-  const std::lock_guard lock(mutex_);
-  if (Status refused = admit(options); !refused.ok()) return refused;
-  Result<RefinedScene> refined = refine(*model_, fields_, how, id);
-  if (!refined) return refined.status();
-  if (options.dry_run || !refined->model) return describe();
-  const Revision revision = history_.revision() + 1;
-  auto settings = std::make_shared<SceneSettings>(history_.settings());
-  settings->checkpoints.clear();  // of revisions that are gone
-  StoredModel model;
-  model.refinements = refined->model->refinements;
-  const FieldDelta groom = difference(FieldSet(refined->fields.size()), refined->fields);
-  Status written = journal_.refine_model({id_, name_, std::move(model), revision, groom, settings});
-  if (!written.ok()) return written;
-  model_ = std::move(refined->model);
-  fields_ = std::move(refined->fields);
-  history_ = new_history(revision, *settings);
   live_.end();
   dirty_ = whole_range(fields_.size());
   changed_.notify_all();

@@ -96,7 +96,8 @@ class Scene {
   std::vector<LogEntry> log() const;
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
   std::vector<std::vector<Command>> effective_log() const;
-  /// The same, carried to another model (carried_command). The message of a refusal gives the number of its step, from 1.
+  /// The same, carried to another model (carried_command). The message of a refusal gives the number of its step,
+  /// from 1.
   Result<std::vector<std::vector<Command>>> effective_log_for(const SceneModel& other) const;
   std::shared_ptr<const SceneModel> model() const;
   /// What a retarget takes from this scene: at the present revision or an earlier one of this model, else refused
