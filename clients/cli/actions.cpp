@@ -18,6 +18,7 @@ ExitCode perform(Session& session) {
     case Action::list: return list_scenes(session);
     case Action::remove: return remove_scene(session);
     case Action::info: return describe_scene(session);
+    case Action::subdivide: return subdivide_model(session);
     case Action::compare: break;  // needs no session: pelage-compare does it
   }
   return failed;

@@ -13,6 +13,7 @@ ExitCode load_environment(Session& session);
 ExitCode load_base_picture(Session& session);
 ExitCode list_scenes(Session& session);
 ExitCode describe_scene(Session& session);
+ExitCode subdivide_model(Session& session);
 ExitCode remove_scene(Session& session);
 
 ExitCode run_file(Session& session);

@@ -137,8 +137,13 @@ ExitCode show_log(Session& session) {
   const Options& options = session.options();
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  const auto answer =
-      Session::accepted(session.connection().get(*path + (options.lines ? "/log?format=jsonl" : "/log")));
+  std::string address = *path + (options.lines ? "/log?format=jsonl" : "/log");
+  if (!options.other.empty()) {
+    const auto other = session.scene_id(options.other);
+    if (!other) return report(other.status());
+    address += "&for=" + *other;
+  }
+  const auto answer = Session::accepted(session.connection().get(address));
   if (!answer) return report(answer.status());
   if (options.lines || options.json) {
     fmt::print("{}{}", answer->body, options.lines ? "" : "\n");

@@ -96,6 +96,12 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   add_scene(base, options);
   base->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")->required();
 
+  CLI::App* subdivide = add_action(app, options, Action::subdivide, "subdivide",
+                                   "Split the triangles of a scene's model in four; fields stay, its log starts empty");
+  add_scene(subdivide, options);
+  subdivide->add_option("--levels", options.levels, "How often, 1 to 8")->capture_default_str();
+  subdivide->add_flag("--masked", options.masked, "Only triangles with a corner whose mask is above 0.5");
+
   add_action(app, options, Action::list, "list", "List the scenes");
   add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);
   add_scene(add_action(app, options, Action::remove, "rm", "Remove a scene"), options);
@@ -125,7 +131,11 @@ void declare_groom_actions(CLI::App& app, Options& options) {
 
   CLI::App* log = add_action(app, options, Action::log, "log", "Show the undo log");
   add_scene(log, options);
-  log->add_flag("--lines", options.lines, "The commands that lead to the present, as JSON lines for `pelage run`");
+  CLI::Option* lines =
+      log->add_flag("--lines", options.lines, "The commands that lead to the present, as JSON lines for `pelage run`");
+  log->add_option("--for", options.other,
+                  "Id or name of another scene: places, directions and lengths are carried to its model")
+      ->needs(lines);
 }
 
 void declare_picture_actions(CLI::App& app, Options& options) {

@@ -24,6 +24,7 @@ enum class Action {
   list,
   remove,
   info,
+  subdivide,
   compare
 };
 
@@ -68,6 +69,10 @@ struct Options {
   std::string tone_map = "filmic";  // of EXR and HDR: none or filmic
   // log
   bool lines = false;
+  std::string other;  // scene that the lines are carried to, by id or name; "" for this one
+  // subdivide
+  int levels = 1;
+  bool masked = false;
 };
 
 /// Parses the command line. Gives the exit code instead when that is all there is to do: 0 after --help, 2 when the

@@ -119,6 +119,15 @@ ExitCode describe_scene(Session& session) {
   return print_summary(session, Session::accepted(session.connection().get(*path)));
 }
 
+ExitCode subdivide_model(Session& session) {
+  const Options& options = session.options();
+  const std::string body = fmt::format(R"({{"levels":{},"masked":{}}})", options.levels, options.masked);
+  if (const auto checked = decode_subdivide(body); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_summary(session, Session::accepted(session.connection().post_json(*path + "/subdivide", body)));
+}
+
 ExitCode remove_scene(Session& session) {
   const auto path = session.scene_path();
   if (!path) return report(path.status());

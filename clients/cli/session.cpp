@@ -64,11 +64,14 @@ Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
 }
 
 Result<std::string> Session::scene_path() {
-  const std::string& wanted = options_.scene;
+  const auto id = scene_id(options_.scene);
+  return id ? Result<std::string>("/v1/scenes/" + *id) : id.status();
+}
+
+Result<std::string> Session::scene_id(const std::string& wanted) {
   if (could_be_id(wanted)) {
-    const std::string path = "/v1/scenes/" + wanted;
-    const auto answer = accepted(connection_.get(path));
-    if (answer) return path;
+    const auto answer = accepted(connection_.get("/v1/scenes/" + wanted));
+    if (answer) return wanted;
     if (answer.status().code != Code::not_found) return answer.status();
   }
   const auto answer = accepted(connection_.get("/v1/scenes"));
@@ -81,7 +84,7 @@ Result<std::string> Session::scene_path() {
     names.push_back(scene.name);
     if (scene.name == wanted) ids.push_back(scene.id);
   }
-  if (ids.size() == 1) return "/v1/scenes/" + ids.front();
+  if (ids.size() == 1) return ids.front();
   if (ids.size() > 1)
     return failure(Code::not_found, fmt::format("{} scenes are named \"{}\"; use an id.", ids.size(), wanted));
   return failure(Code::not_found, "There is no scene \"" + wanted + "\".", "", "", nearest_name(wanted, names));

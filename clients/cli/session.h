@@ -27,6 +27,8 @@ class Session {
 
   /// "/v1/scenes/ID" of the scene that the user named by id or, when only one has it, by name.
   Result<std::string> scene_path();
+  /// The id of a scene that is named by id or, when only one has it, by name.
+  Result<std::string> scene_id(const std::string& wanted);
 
  private:
   Connection connection_;

@@ -117,10 +117,13 @@ def where(name):
 def page_text(name):
     page = PAGES[name]
     recipe = (FOLDER / "examples" / f"{name}.json").read_text(encoding="utf-8")
+    source = ["    SOURCE=$(build/release/bin/pelage new --name source)",
+              f"    build/release/bin/pelage run $SOURCE clients/recipes/{page['source']}.json"] if page["source"] else []
+    given = " --set source=$SOURCE" if page["source"] else ""
     lines = [f"# {page['title']}", "", page["words"].strip(), "", "| before | after |", "|---|---|",
              f"| ![]({name}-before.jpg) | ![]({name}-after.jpg) |", "",
              "To try it, with the scene `fox` of the [first steps](../../README.md#first-steps-by-hand):", "",
-             f"    build/release/bin/pelage run fox docs/tools/examples/{name}.json",
+             *source, f"    build/release/bin/pelage run fox docs/tools/examples/{name}.json{given}",
              f"    build/release/bin/pelage frame fox -o {name}.png {' '.join(page['camera'])}", "",
              "`pelage undo fox` shows the fur before. The recipe (places are shares of the model's box):", "",
              "```json", recipe.strip(), "```", ""]
@@ -195,10 +198,18 @@ def draw(server, scene, camera, name):
     subprocess.run(["oiiotool", "--nosoftwareattrib", picture, "--compression", "jpeg:88", "-o", FOLDER / f"{name}.jpg"], check=True)
 
 
+def make_source(server, recipe):
+    """Another scene, groomed by a recipe of clients/recipes; its id."""
+    scene = server.pelage("new", "--name", "source", "--builtin", "creature", "--triangles", "20000")
+    server.pelage("run", scene, ROOT / "clients" / "recipes" / f"{recipe}.json")
+    return scene
+
+
 def make_pictures(server, name):
     """The fur that the example leaves, and before that the one without its last step."""
     scene = server.pelage("new", "--name", "fox", "--builtin", "creature", "--triangles", "20000")
-    server.pelage("run", scene, FOLDER / "examples" / f"{name}.json")
+    given = ["--set", f"source={make_source(server, PAGES[name]['source'])}"] if PAGES[name]["source"] else []
+    server.pelage("run", scene, FOLDER / "examples" / f"{name}.json", *given)
     draw(server, scene, PAGES[name]["camera"], f"{name}-after")
     server.pelage("undo", scene)
     draw(server, scene, PAGES[name]["camera"], f"{name}-before")
@@ -221,6 +232,25 @@ def make_groom(server, name):
     server.pelage("rm", scene)
 
 
+def make_retargeted(server, name):
+    """The creature's groom on another model, by its fields and by its log, for docs/retarget.md."""
+    path = SHARED / GROOMS[name]["file"]
+    if not path.exists():
+        return print(f"retarget-{name}: skipped, there is no {path}")
+    source = make_source(server, "creature")
+    scene = server.pelage("new", "--name", name)
+    server.pelage("load", scene, path, *GROOMS[name]["options"])
+    lines, look = (pathlib.Path(server.folder.name) / file for file in ("lines", "look.json"))
+    lines.write_text(server.pelage("log", source, "--lines", "--for", scene), encoding="utf-8")
+    look.write_text('{"op": "set_look", "look": {"colour_source": "coat"}}', encoding="utf-8")  # the model has none
+    server.pelage("run", scene, FOLDER / "examples" / "retarget.json", "--set", f"source={source}")
+    draw(server, scene, GROOMS[name]["camera"], f"retarget-{name}-fields")
+    server.pelage("undo", scene)
+    server.pelage("run", scene, lines)
+    server.pelage("run", scene, look)
+    draw(server, scene, GROOMS[name]["camera"], f"retarget-{name}-log")
+
+
 def main():
     if sys.argv[1:] == ["--check"]:
         return check()
@@ -234,6 +264,8 @@ def main():
                 start = time.monotonic()
                 (make_pictures if name in PAGES else make_groom)(server, name)
                 print(f"{name}: {time.monotonic() - start:.1f} s", flush=True)
+        if "retarget-koala".startswith(wanted):
+            make_retargeted(server, "koala")
 
 
 main()

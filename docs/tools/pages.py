@@ -5,8 +5,9 @@ ABOVE = ["--eye=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]
 SPINE = ["--eye=0,1.95,-0.5", "--target=0,0.5,-0.03"]
 
 
-def page(title, words, *schemas, camera=SIDE):
-    return {"title": title, "words": words, "schemas": schemas, "camera": camera}
+def page(title, words, *schemas, camera=SIDE, source=None):
+    """`source` is the recipe of another scene, whose id the example takes as its variable `source`."""
+    return {"title": title, "words": words, "schemas": schemas, "camera": camera, "source": source}
 
 
 PAGES = {
@@ -93,6 +94,10 @@ adds, held in each field's range, so the order of layers matters only where a ra
 `set` weighs (half, twice, the opposite), mutes and renames, `move` reorders, `merge_down` merges into the layer below or the
 groom, `remove` takes a layer away, [erase](erase.md) with a layer takes away what it adds under the brush. Below: curls,
 combing and spots in three layers; after, the combing at weight -1 and the spots at one half.""", "Layer"),
+    "retarget": page("Retarget", """
+Takes the fields of another scene's model, or of this one at an earlier revision, from the nearest places of its surface, as
+[retarget](../retarget.md) says. It is one undo step; the revision that was taken is in the log. Below: plain fur takes the
+groom of `clients/recipes/creature.json`, which stands in another scene.""", "Retarget", source="creature"),
 }
 
 # Recipes of clients/recipes and the models that they are for; those with a file need the shared models.

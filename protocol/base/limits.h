@@ -29,6 +29,7 @@ inline constexpr std::size_t symmetry_planes = 3;
 inline constexpr int symmetry_images = 16;               // of a rotation
 inline constexpr double least_sigma = 1e-6;              // sizes; width of a Gaussian
 inline constexpr double fur_length = 10;                 // sizes
+inline constexpr int subdivide_levels = 8;
 inline constexpr std::size_t scenes = 64;
 inline constexpr std::size_t undo_bytes = std::size_t{256} << 20;  // of a scene's undo steps in memory
 inline constexpr std::size_t name_bytes = 200;

@@ -69,7 +69,7 @@ struct Checkpoint {
 using Command =
     std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
                  Paint, ChangeMask,
-                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeLayer,
+                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeLayer, Retarget,
                  SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...

@@ -46,4 +46,11 @@ struct ImportOptions {
   FurPatches fur_patches = FurPatches::overlapping;
 };
 
+/// Splits the triangles of the field mesh in four at the middles of their edges; the shape stays. `masked` splits only
+/// triangles with a corner whose mask is above .5, and their neighbours so that no crack opens.
+struct Subdivide {
+  int levels = 1;       // [1, 8]
+  bool masked = false;
+};
+
 }  // namespace pelage

@@ -212,6 +212,19 @@ struct Paint {
   glm::vec3 colour{1};           // linear; of colour fields
 };
 
+/// How a model is laid over another one: its box over the other's, axis by axis, or both in the same model coordinates.
+enum class Alignment { box, none };
+/// Takes the fields of another scene, or of this one at another revision, from the nearest places of its surface.
+/// Lengths stay shares of the size; without alignment they stay as long as they are in the models' unit.
+struct Retarget {
+  std::string scene = {};                      // id of the source, on the same server
+  std::optional<std::uint64_t> revision = {};  // of the source's model; set when it is resolved
+  Alignment align = Alignment::box;
+  std::vector<Field> fields = {};              // all but the mask when empty
+  double strength = 1;                         // [0, 1]
+  std::string layer = {};
+};
+
 enum class MaskAction { select, grow, shrink, smooth, invert };
 enum class MaskCombine { replace, add, subtract, intersect };
 struct MaskAll {};

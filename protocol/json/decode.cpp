@@ -265,6 +265,18 @@ Result<int> decode_steps(std::string_view text) {
   });
 }
 
+Result<Subdivide> decode_subdivide(std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return Subdivide{};
+  return decode_document<Subdivide>(text, [](const Value& value) {
+    Object object(value);
+    Subdivide result;
+    object.integer("levels", result.levels, {1, limits::subdivide_levels});
+    object.boolean("masked", result.masked);
+    object.finish();
+    return result;
+  });
+}
+
 Result<std::uint64_t> decode_revision(std::string_view text) {
   return decode_document<std::uint64_t>(text, [](const Value& value) {
     Object object(value);

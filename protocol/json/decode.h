@@ -46,6 +46,9 @@ Result<int> decode_steps(std::string_view text);
 /// `{"revision": n}`.
 Result<std::uint64_t> decode_revision(std::string_view text);
 
+/// `{"levels": n, "masked": false}`; both have defaults, and the body may be empty.
+Result<Subdivide> decode_subdivide(std::string_view text);
+
 /// The texts of a file of commands, each one undo step: JSON lines, an array, or one document over many lines.
 /// Malformed texts are refused with the number of their line or element in the message.
 Result<std::vector<std::string>> split_steps(std::string_view text);

@@ -24,6 +24,7 @@ inline constexpr std::array<Name<FalloffShape>, 3> falloff_shapes{
     {{"volume", FalloffShape::volume}, {"surface", FalloffShape::surface}, {"screen", FalloffShape::screen}}};
 inline constexpr std::array<Name<DistanceKind>, 3> distance_kinds{
     {{"straight", DistanceKind::straight}, {"dijkstra", DistanceKind::dijkstra}, {"heat", DistanceKind::heat}}};
+inline constexpr std::array<Name<Alignment>, 2> alignments{{{"box", Alignment::box}, {"none", Alignment::none}}};
 inline constexpr std::array<Name<LengthMode>, 7> length_modes{{{"set", LengthMode::set},
                                                                {"add", LengthMode::add},
                                                                {"scale", LengthMode::scale},

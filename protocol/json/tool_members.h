@@ -292,6 +292,16 @@ void members(V& v, Visited<V, ChangeLayer>& c) {
   if (add || c.action == LayerAction::move) v.text("above", c.above);
 }
 
+template <class V>
+void members(V& v, Visited<V, Retarget>& c) {
+  v.required_text("scene", c.scene);
+  v.counter("revision", c.revision);
+  v.name("align", c.align, json_names::alignments);
+  v.fields("fields", c.fields, 0);
+  v.number("strength", c.strength, share);
+  v.text("layer", c.layer);
+}
+
 /// Whether the tool's members are listed here.
 template <class Tool>
 concept ListedTool =
@@ -302,6 +312,6 @@ concept ListedTool =
     std::is_same_v<Tool, Erase> || std::is_same_v<Tool, Clump> || std::is_same_v<Tool, Curl> ||
     std::is_same_v<Tool, Paint> || std::is_same_v<Tool, ChangeMask> || std::is_same_v<Tool, SetBlowers> ||
     std::is_same_v<Tool, SetAttractors> || std::is_same_v<Tool, SetSymmetry> || std::is_same_v<Tool, Checkpoint> ||
-    std::is_same_v<Tool, ChangeLayer>;
+    std::is_same_v<Tool, ChangeLayer> || std::is_same_v<Tool, Retarget>;
 
 }  // namespace pelage::json_parts

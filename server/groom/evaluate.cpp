@@ -34,6 +34,10 @@ struct Tools {
   Evaluation operator()(const Curl& command) const { return curl(command, surface, fields); }
   Evaluation operator()(const Paint& command) const { return paint(command, surface, fields); }
   Evaluation operator()(const ChangeMask& command) const { return mask(command, surface, fields); }
+  Evaluation operator()(const Retarget& command) const {
+    assert(extras.source != nullptr && extras.rest != nullptr);
+    return retarget(command, surface, fields, *extras.source, *extras.rest);
+  }
   template <class Setting>
   Evaluation operator()(const Setting&) const { return {}; }
 };

@@ -22,7 +22,8 @@ Result<Command> resolve(const Command& command, const Surface& surface);
 /// What some tools read beside the surface and its fields.
 struct ToolExtras {
   Coat coat;                      // trim: how strands lean
-  const FieldSet* rest = nullptr;  // erase: what it goes back to; required
+  const FieldSet* rest = nullptr;  // erase: what it goes back to, retarget: what it takes; required
+  const Surface* source = nullptr;  // retarget: where `rest` lies; required
 };
 
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count.
@@ -36,6 +37,12 @@ Evaluation erase_layer(const Erase& resolved, const Surface& surface, const Fiel
 /// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
 std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry, const Surface& surface);
+
+/// The command on another model: places go where the boxes of both models laid over each other take them, and then as
+/// far from the surface as they were, places on triangles to the nearest ones; directions follow the boxes, lengths in
+/// the model's unit its size. Strokes lose their views as images of a symmetry do. A place that both models have stays
+/// to the bit. Refused (invalid, with a pointer): what names vertices or revisions of the model.
+Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to);
 
 /// The view's camera as rays and a facing test. `automatic` cameras are placed around the mesh's box.
 struct PlacedCamera {

@@ -1,7 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/move_command.h"
 #include "server/groom/vertex_frame.h"
 
 namespace pelage {
@@ -44,85 +44,25 @@ std::vector<Motion> motions_of(const Symmetry& symmetry) {
   return all;
 }
 
-/// Moves the places and directions of a command.
-class Mover {
+/// A motion of places on a surface: those on triangles go to the nearest ones.
+class MotionMap : public PlaceMap {
  public:
-  Mover(const Motion& motion, const Surface& surface) : motion_(motion), surface_(surface) {}
+  MotionMap(const Motion& motion, const Surface& surface) : motion_(motion), surface_(surface) {}
 
-  template <class Tool>
-  bool operator()(Tool& tool) const {
-    bool moved = false;
-    if constexpr (requires { tool.stroke; }) {
-      if (tool.stroke) {
-        without_view(tool.brush, *tool.stroke);
-        move(*tool.stroke), moved = true;
-      }
-    }
-    return move_parts(tool) || moved;
-  }
-
- private:
-  void move(glm::dvec3& place) const { place = motion_.place(place); }
-  void turn(glm::dvec3& direction) const { direction = motion_.direction(direction); }
-
-  /// Views are of what was drawn, so an image has none: it judges its front faces by the skin, and its radius is that
-  /// of the first sample.
-  void without_view(Brush& brush, const Stroke& stroke) const {
-    if (!stroke.view) return;
-    brush.radius = BrushStroke(stroke, brush, surface_).radius(), brush.units = RadiusUnits::relative;
-    if (brush.falloff_shape == FalloffShape::screen) brush.falloff_shape = FalloffShape::volume;
-  }
-  void move(Stroke& stroke) const {
-    for (StrokeSample& sample : stroke.samples) {
-      if (auto* place = std::get_if<PositionPlace>(&sample.place)) move(place->position);
-      if (auto* place = std::get_if<SurfacePlace>(&sample.place)) *place = moved(*place);
-    }
-    stroke.view.reset();
-  }
-  SurfacePlace moved(const SurfacePlace& place) const {
+  glm::dvec3 place(glm::dvec3 position) const override { return motion_.place(position); }
+  glm::dvec3 on_skin(glm::dvec3 position) const override { return motion_.place(position); }
+  SurfacePlace on_skin(const SurfacePlace& place) const override {
     const Mesh& mesh = surface_.mesh();
     const glm::dvec3 position = mesh.to_model(surface_.position({place.triangle, place.barycentric}));
     const SurfacePoint there = surface_.nearest(mesh.to_internal(motion_.place(position)));
     return {there.triangle, glm::max(there.barycentric, 0.0)};
   }
+  glm::dvec3 direction(glm::dvec3 direction) const override { return motion_.direction(direction); }
+  glm::dvec3 normal(glm::dvec3 normal) const override { return motion_.direction(normal); }
+  double length(double length) const override { return length; }
+  bool mirrors() const override { return glm::determinant(motion_.turn) < 0; }
 
-  bool move_parts(Comb& comb) const {
-    if (comb.direction) turn(*comb.direction);
-    return comb.direction.has_value();
-  }
-  bool move_parts(Blow& blow) const { return move(blow.source), turn(blow.direction), true; }
-  bool move_parts(Attract& attract) const { return move(attract.point), true; }
-  bool move_parts(Interpolate& command) const {
-    for (Key& key : command.keys) {
-      move(key.position);
-      if (key.direction) turn(*key.direction);
-    }
-    return true;
-  }
-  bool move_parts(Flow& command) const {
-    for (std::vector<glm::dvec3>& curve : command.curves) {
-      for (glm::dvec3& point : curve) move(point);
-    }
-    return true;
-  }
-  bool move_parts(Unify& unify) const {
-    if (unify.direction) turn(*unify.direction);
-    return false;
-  }
-  bool move_parts(Trim& trim) const {
-    if (auto* plane = std::get_if<TrimPlane>(&trim.shape)) move(plane->point), turn(plane->normal);
-    if (auto* sphere = std::get_if<TrimSphere>(&trim.shape)) move(sphere->centre);
-    return false;
-  }
-  bool move_parts(Curl& curl) const {
-    if (glm::determinant(motion_.turn) < 0) curl.turn_degrees = -curl.turn_degrees;
-    return false;
-  }
-  template <class Tool>
-  bool move_parts(Tool&) const {
-    return false;
-  }
-
+ private:
   const Motion& motion_;
   const Surface& surface_;
 };
@@ -160,7 +100,7 @@ std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry
   if (is_flood(resolved)) return images;
   for (const Motion& motion : motions_of(symmetry)) {
     Command image = resolved;
-    if (!std::visit(Mover(motion, surface), image)) break;  // no place that could be moved
+    if (!move_command(image, MotionMap(motion, surface), surface)) break;  // no place that could be moved
     if (!joins_images(images.front(), image)) images.push_back(std::move(image));
   }
   return images;

@@ -23,5 +23,7 @@ Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& f
 Evaluation curl(const Curl& command, const Surface& surface, const FieldSet& fields);
 Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& fields);
 Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields);
+Evaluation retarget(const Retarget& command, const Surface& surface, const FieldSet& fields, const Surface& source,
+                    const FieldSet& source_fields);
 
 }  // namespace pelage

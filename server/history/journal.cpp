@@ -5,13 +5,14 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "server/history/delta_codec.h"
+#include "server/history/refinement_codec.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t schema_version = 3;
+constexpr std::uint64_t schema_version = 4;
 
 // Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
 constexpr const char* how_to_keep = R"(
@@ -26,7 +27,8 @@ constexpr const char* schema = R"(
   CREATE TABLE scenes(
     number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
     model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
-    first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL);
+    first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL,
+    refinements BLOB NOT NULL, settings TEXT);
   CREATE TABLE entries(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
@@ -36,7 +38,15 @@ constexpr const char* schema = R"(
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
-  PRAGMA user_version = 3;
+  PRAGMA user_version = 4;
+)";
+
+// Version 3 knew no refined models.
+constexpr std::uint64_t oldest_schema = 3;
+constexpr const char* from_version_3 = R"(
+  ALTER TABLE scenes ADD COLUMN refinements BLOB NOT NULL DEFAULT x'';
+  ALTER TABLE scenes ADD COLUMN settings TEXT;
+  PRAGMA user_version = 4;
 )";
 
 // What no log names any more; at the start also what was uploaded and never used.
@@ -62,12 +72,16 @@ Status check_schema(Database& database) {
     return failure(Code::internal, "the journal comes from a newer version of this program");
   if (*version == 0 && *tables > 0)
     return failure(Code::internal, "the file in the journal's place is another database");
-  if (*version > 0 && *version < schema_version) {
+  if (*version > 0 && *version < oldest_schema) {
     return failure(Code::internal,
                    "the journal comes from an older version, whose fields were stored in another way: start that "
                    "version, save the logs of its scenes, and run them on this one with another data folder");
   }
-  return database.transaction([&] { return database.execute(*version == 0 ? schema : drop_unused_pictures); });
+  return database.transaction([&] {
+    if (*version == 0) return database.execute(schema);
+    Status current = *version == schema_version ? Status{} : database.execute(from_version_3);
+    return current.ok() ? database.execute(drop_unused_pictures) : current;
+  });
 }
 
 std::string settings_text(const SceneSettings& settings) {
@@ -82,9 +96,14 @@ Result<std::shared_ptr<const SceneSettings>> settings_from(const std::string& te
   return std::make_shared<const SceneSettings>(std::move(settings));
 }
 
+Statement& bind_settings(Statement& statement, const std::shared_ptr<const SceneSettings>& settings) {
+  return settings ? statement.text(settings_text(*settings)) : statement.null();
+}
+
 /// Binds all that a new model changes about a scene, and its id last.
 Status run_with_model(Statement statement, const StoredScene& scene, const std::string& first_groom) {
-  return statement.text(scene.model.name)
+  const std::string refinements = encode_refinements(scene.model.refinements);
+  statement.text(scene.model.name)
       .number(static_cast<std::uint64_t>(scene.model.up))
       .number(static_cast<std::uint64_t>(scene.model.front))
       .number(scene.model.source_is_32_bit)
@@ -92,9 +111,10 @@ Status run_with_model(Statement statement, const StoredScene& scene, const std::
       .blob(first_groom)
       .blob(scene.model.raw)
       .number(static_cast<std::uint64_t>(scene.model.fur_patches))
-      .text(scene.id)
-      .run();
+      .blob(refinements);
+  return bind_settings(statement, scene.first_settings).text(scene.id).run();
 }
+
 
 /// The scene's log no longer names pictures; those that only it named go.
 Status leave_pictures(Database& database, const std::string& scene) {
@@ -151,7 +171,7 @@ Status Journal::add_scene(const StoredScene& scene) {
   const std::lock_guard lock(mutex_);
   Statement insert = database_->prepare(
       "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
-      " first_groom, raw, fur_patches, id) VALUES(?,?,?,?,?,?,?,?,?,?)");
+      " first_groom, raw, fur_patches, refinements, settings, id) VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.text(scene.name);
   return run_with_model(std::move(insert), scene, first_groom);
 }
@@ -164,9 +184,23 @@ Status Journal::replace_model(const StoredScene& scene) {
     if (!cleared.ok()) return cleared;
     if (Status unused = leave_pictures(*database_, scene.id); !unused.ok()) return unused;
     return run_with_model(database_->prepare("UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?,"
-                                             " first_revision = ?, first_groom = ?, raw = ?, fur_patches = ?"
-                                             " WHERE id = ?"),
+                                             " first_revision = ?, first_groom = ?, raw = ?, fur_patches = ?,"
+                                             " refinements = ?, settings = ? WHERE id = ?"),
                           scene, first_groom);
+  });
+}
+
+Status Journal::refine_model(const StoredScene& scene) {
+  const std::string first_groom = encode_delta(scene.first_groom);
+  const std::string refinements = encode_refinements(scene.model.refinements);
+  const std::lock_guard lock(mutex_);
+  return database_->transaction([&] {
+    Status changed = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
+    if (!changed.ok()) return changed;
+    Statement update = database_->prepare(
+        "UPDATE scenes SET first_revision = ?, first_groom = ?, refinements = ?, settings = ? WHERE id = ?");
+    update.number(scene.first_revision).blob(first_groom).blob(refinements);
+    return bind_settings(update, scene.first_settings).text(scene.id).run();
   });
 }
 
@@ -231,8 +265,8 @@ Result<std::vector<std::string>> Journal::scene_ids() const {
 Result<StoredScene> Journal::scene(const std::string& id) const {
   const std::lock_guard lock(mutex_);
   Statement row = database_->prepare(
-      "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches"
-      " FROM scenes WHERE id = ?");
+      "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches,"
+      " refinements, settings FROM scenes WHERE id = ?");
   const Result<bool> found = row.text(id).step();
   if (!found) return found.status();
   if (!*found) return failure(Code::not_found, "the journal has no such scene");
@@ -241,14 +275,24 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
   if (row.number_at(8) > static_cast<std::uint64_t>(FurPatches::own_uvs)) return damaged("patches of a model");
   Result<FieldDelta> first_groom = decode_delta(row.blob_at(6));
   if (!first_groom) return first_groom.status();
+  Result<std::vector<ChosenTriangles>> refinements = decode_refinements(row.blob_at(9));
+  if (!refinements) return refinements.status();
+  std::shared_ptr<const SceneSettings> settings;
+  if (!row.null_at(10)) {
+    auto stored = settings_from(row.text_at(10));
+    if (!stored) return stored.status();
+    settings = *stored;
+  }
   const std::span<const std::byte> raw = row.blob_at(7);
   StoredModel model{row.text_at(1),
                     static_cast<Axis>(row.number_at(2)),
                     static_cast<Axis>(row.number_at(3)),
                     row.number_at(4) != 0,
                     std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
-                    static_cast<FurPatches>(row.number_at(8))};
-  return StoredScene{id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom)};
+                    static_cast<FurPatches>(row.number_at(8)),
+                    std::move(*refinements)};
+  return StoredScene{id,          row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom),
+                     std::move(settings)};
 }
 
 Status Journal::for_each_entry(const std::string& scene, Revision after,

@@ -25,12 +25,24 @@ void reply_answer(Response& response, const Result<CommandAnswer>& answer) {
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void run_commands(Scene& scene, const Request& request, Response& response) {
+void run_commands(Service& service, Scene& scene, const Request& request, Response& response) {
   const auto options = options_of(request, {"dry_run"});
   if (!options) return reply_problem(response, options.status());
   const auto commands = decode_commands(request.body);
   if (!commands) return reply_problem(response, commands.status());
-  reply_answer(response, scene.execute(*commands, *options));
+  reply_answer(response, service.scenes.execute(scene, *commands, *options));
+}
+
+void subdivide(Service& service, Scene& scene, const Request& request, Response& response) {
+  const auto options = options_of(request, {});
+  if (!options) return reply_problem(response, options.status());
+  const auto how = decode_subdivide(request.body);
+  if (!how) return reply_problem(response, how.status());
+  const std::uint64_t old_model = model_id_of(scene);
+  const auto summary = service.scenes.subdivide(scene, *how, *options);
+  if (!summary) return reply_problem(response, summary.status());
+  if (model_id_of(scene) != old_model) service.frames.forget(old_model);
+  reply_json(response, 200, encode(*summary), summary->revision);
 }
 
 Result<HistoryMove> undo_of(const std::string& body) {
@@ -58,16 +70,28 @@ void move(Scene& scene, const Result<HistoryMove>& wanted, const Request& reques
   reply_answer(response, scene.move(*wanted, *options));
 }
 
-void read_log(const Scene& scene, const Request& request, Response& response) {
-  const Status status = check_query(request, {"format"});
+/// The commands that lead to where the scene is now; for another scene's model where one is named.
+Result<std::vector<std::vector<Command>>> lines_of(Service& service, const Scene& scene, const Request& request) {
+  if (!request.has_param("for")) return scene.effective_log();
+  const auto other = service.scenes.find(request.get_param_value("for"));
+  if (!other) return failure(Code::invalid, "The server has no such scene to carry the log to.", "/for");
+  return scene.effective_log_for(*(*other)->model());
+}
+
+void read_log(Service& service, const Scene& scene, const Request& request, Response& response) {
+  const Status status = check_query(request, {"format", "for"});
   if (!status.ok()) return reply_problem(response, status);
   const std::string format = request.has_param("format") ? request.get_param_value("format") : "json";
+  if (format == "json" && request.has_param("for"))
+    return reply_problem(response, failure(Code::invalid, "Only lines are carried.", "/for", "with format jsonl"));
   if (format == "json") return reply_json(response, 200, encode(scene.log()));
   if (format != "jsonl") {
     return reply_problem(response, failure(Code::invalid, "The log has no such format.", "/format", "json | jsonl"));
   }
+  const auto steps = lines_of(service, scene, request);
+  if (!steps) return reply_problem(response, steps.status());
   std::string lines;
-  for (const std::vector<Command>& step : scene.effective_log()) lines += encode(step) + "\n";
+  for (const std::vector<Command>& step : *steps) lines += encode(step) + "\n";
   response.status = 200;
   response.set_content(lines, "application/jsonl");
 }
@@ -86,7 +110,12 @@ void post(httplib::Server& server, Service& service, const char* name, const Sce
 }  // namespace
 
 void add_command_routes(httplib::Server& server, Service& service) {
-  post(server, service, "commands", run_commands);
+  post(server, service, "commands", [&](Scene& scene, const Request& request, Response& response) {
+    run_commands(service, scene, request, response);
+  });
+  post(server, service, "subdivide", [&](Scene& scene, const Request& request, Response& response) {
+    subdivide(service, scene, request, response);
+  });
   post(server, service, "undo", [](Scene& scene, const Request& request, Response& response) {
     move(scene, undo_of(request.body), request, response);
   });
@@ -97,7 +126,7 @@ void add_command_routes(httplib::Server& server, Service& service) {
     move(scene, revert_of(request.body), request, response);
   });
   server.Get("/v1/scenes/([^/]+)/log", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) { read_log(*scene, request, response); });
+    with_scene(service, request, response, [&](const auto& scene) { read_log(service, *scene, request, response); });
   });
 }
 

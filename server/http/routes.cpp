@@ -47,9 +47,10 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
 }
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 19> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 20> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
+                                                {"/v1/scenes/{id}/subdivide", "POST"},
                                                 {"/v1/scenes/{id}/environment", "PUT"},
                                                 {"/v1/scenes/{id}/base_picture", "PUT"},
                                                 {"/v1/scenes/{id}/commands", "POST"},

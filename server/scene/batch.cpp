@@ -1,6 +1,7 @@
 #include "server/scene/batch.h"
 
 #include <chrono>
+#include <string>
 
 #include "protocol/json/encode.h"
 #include "server/fields/edit_layers.h"
@@ -73,7 +74,7 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
     fields.apply(all.delta);
     return all;
   }
-  const ToolExtras extras{settings.coat, step.rest.get()};
+  const ToolExtras extras{settings.coat, step.rest.get(), step.source.get()};
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
     const Evaluation one = evaluate_image(image, surface, fields, settings, extras);
     fields.apply(one.delta);
@@ -84,6 +85,11 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
 }
 
 }  // namespace
+
+Status in_batch(Status status, std::size_t command, std::size_t commands) {
+  if (commands > 1) status.pointer.insert(0, "/commands/" + std::to_string(command));
+  return status;
+}
 
 CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields) {
   CommandResult result;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
@@ -25,8 +26,12 @@ struct Outcome {
 /// A resolved command, and what it reads beside the scene's fields.
 struct Step {
   Command command;
-  std::shared_ptr<const FieldSet> rest;  // of erase: what it goes back to
+  std::shared_ptr<const FieldSet> rest;  // of erase: what it goes back to; of retarget: what it takes
+  std::shared_ptr<const Surface> source = nullptr;  // of retarget: where that lies
 };
+
+/// In a batch the pointer of a refusal says which command it is about.
+Status in_batch(Status status, std::size_t command, std::size_t commands);
 
 /// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted
 /// from before that change has happened to `fields`, which are used on the way and are left as they were. `next` is the

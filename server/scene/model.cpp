@@ -60,8 +60,13 @@ Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const
   if (!mesh) return mesh.status();
   Result<PatchMap> patches = lay(*mesh, how.fur_patches);
   if (!patches) return patches.status();
-  return std::shared_ptr<const SceneModel>(
-      new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name, how.fur_patches});
+  for (const ChosenTriangles& chosen : how.refinements) {
+    Result<RefinedSurface> finer = subdivide(*mesh, *patches, chosen);
+    if (!finer) return finer.status();
+    mesh = std::move(finer->mesh), patches = std::move(finer->patches);
+  }
+  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name,
+                                                          how.fur_patches, how.refinements});
 }
 
 }  // namespace pelage

@@ -26,10 +26,14 @@ std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_
 
 Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
 
-/// In a batch the pointer says which command it is about.
-Status in_batch(Status status, std::size_t command, std::size_t commands) {
-  if (commands > 1) status.pointer.insert(0, "/commands/" + std::to_string(command));
-  return status;
+Status no_source() {
+  return failure(Code::invalid, "no scene was brought whose fields could be taken", "/scene");
+}
+
+/// A retarget with what it takes, and with the revision of that.
+Step retarget_step(Retarget command, const GroomSource& source) {
+  command.revision = source.revision;
+  return {std::move(command), source.fields, {source.model, &source.model->surface}};
 }
 
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers) {
@@ -49,21 +53,21 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       undo_bytes_(undo_bytes),
       model_(std::move(model)),
       fields_(first_groom(model_->surface.mesh(), fur)),
-      history_(new_history(0)),
+      history_(new_history(0, first_settings(*model_))),
       dirty_(whole_range(fields_.size())) {}
 
 /// Steps beyond the budget are read back from the journal, which has every entry.
-History Scene::new_history(Revision first) const {
+History Scene::new_history(Revision first, SceneSettings settings) const {
   const auto read = [&journal = journal_, id = id_](Revision from, Revision to) {
     return journal.change(id, from, to);
   };
-  return History(first, first_settings(*model_), {undo_bytes_, read});
+  return History(first, std::move(settings), {undo_bytes_, read});
 }
 
-Status Scene::restore(const FieldDelta& first_groom, Revision first) {
+Status Scene::restore(const FieldDelta& first_groom, Revision first, std::shared_ptr<const SceneSettings> settings) {
   const std::lock_guard lock(mutex_);
   fields_ = FieldSet(fields_.size());
-  history_ = new_history(first);
+  history_ = new_history(first, settings ? *settings : first_settings(*model_));
   dirty_ = whole_range(fields_.size());
   if (!fields_.accepts(first_groom)) return damaged();
   fields_.apply(first_groom);
@@ -83,7 +87,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (Status refused = admit(options); !refused.ok()) return refused;
 
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
-  const Result<Plan> planned = plan(commands);
+  const Result<Plan> planned = plan(commands, options.sources);
   if (!planned) return planned.status();
 
   // What the commands do. This is pure: nothing has changed yet.
@@ -133,8 +137,10 @@ Status Scene::admit(const ExecuteOptions& options) const {
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
 }
 
-Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
+Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
+                                const std::vector<GroomSource>& sources) const {
   Plan plan;
+  auto source = sources.begin();
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Result<Command> command = resolve(commands[k], model_->surface);
     if (!command) return in_batch(command.status(), k, commands.size());
@@ -143,6 +149,12 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
     if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
       Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
       return in_batch(std::move(parts), k, commands.size());
+    }
+    if (std::holds_alternative<Retarget>(*command)) {
+      if (source == sources.end()) return in_batch(no_source(), k, commands.size());
+      plan.whole.push_back(retarget_step(std::get<Retarget>(*command), *source++));
+      plan.logged.push_back(plan.whole.back().command);
+      continue;
     }
     Result<Step> step = with_rest(*command);
     if (!step) return in_batch(step.status(), k, commands.size());
@@ -358,7 +370,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   if (!written.ok()) return written;
   model_ = std::move(model);
   fields_ = std::move(first);
-  history_ = new_history(revision);
+  history_ = new_history(revision, first_settings(*model_));
   picture_.reset(), picture_name_.clear();
   live_.end();
   dirty_ = whole_range(fields_.size());

@@ -20,6 +20,7 @@
 #include "server/history/live_stroke.h"
 #include "server/scene/batch.h"
 #include "server/surface/patches.h"
+#include "server/surface/subdivide.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -31,6 +32,14 @@ struct SceneModel {
   std::uint64_t id = 0;  // unique in the process: what the renderer caches by
   std::string name;      // "creature", "obj", ...
   FurPatches fur_patches = FurPatches::overlapping;
+  std::vector<ChosenTriangles> refinements = {};  // since it was prepared
+};
+
+/// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.
+struct GroomSource {
+  Revision revision = 0;
+  std::shared_ptr<const SceneModel> model;
+  std::shared_ptr<const FieldSet> fields;
 };
 
 /// What drawing needs to read, under the scene's lock, for as long as the callback of Scene::read runs.
@@ -45,6 +54,7 @@ struct SceneView {
 struct ExecuteOptions {
   std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
   bool dry_run = false;                   // answer what it would do; nothing changes
+  std::vector<GroomSource> sources = {};  // of each retarget among the commands, in order (SceneStore::sources_of)
 };
 
 struct Undo {
@@ -71,7 +81,9 @@ class Scene {
 
   /// Takes the place of what the constructor made: the stored first groom and every entry of the journal since. Fails
   /// (internal) when they do not fit together; the scene is then not to be used.
-  Status restore(const FieldDelta& first_groom, Revision first);
+  /// Settings begin as `settings` say, or as a scene of this model begins.
+  Status restore(const FieldDelta& first_groom, Revision first,
+                 std::shared_ptr<const SceneSettings> settings = nullptr);
 
   /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
   /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field
@@ -84,6 +96,13 @@ class Scene {
   std::vector<LogEntry> log() const;
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
   std::vector<std::vector<Command>> effective_log() const;
+  /// The same, carried to another model (carried_command). The message of a refusal gives the number of its step,
+  /// from 1.
+  Result<std::vector<std::vector<Command>>> effective_log_for(const SceneModel& other) const;
+  std::shared_ptr<const SceneModel> model() const;
+  /// What a retarget takes from this scene: at the present revision or an earlier one of this model, else refused
+  /// (invalid, "/revision").
+  Result<GroomSource> groom(std::optional<Revision> revision) const;
   Result<PickAnswer> pick(const View& view, glm::dvec2 pixel) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
@@ -98,6 +117,11 @@ class Scene {
   /// A new model starts an empty log at the next revision. `stored` is what the journal keeps of it.
   Result<SceneSummary> replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
                                      const ExecuteOptions& options = {});
+
+  /// Splits triangles of the model, whose fields, roots and settings stay; checkpoints are dropped. An empty log starts
+  /// at the next revision, unless no triangle was chosen: then nothing changes. `id` is the new model's. Refused
+  /// (invalid, "/levels") beyond the limit of triangles.
+  Result<SceneSummary> subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options = {});
 
   /// Takes the scene out of the journal. Whoever still holds it gets not_found for every change.
   Status remove();
@@ -117,9 +141,9 @@ class Scene {
 
   // All of these need the lock.
   Status admit(const ExecuteOptions& options) const;
-  Result<Plan> plan(const std::vector<Command>& commands) const;
+  Result<Plan> plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const;
   Status commit(const Entry& entry);
-  History new_history(Revision first) const;
+  History new_history(Revision first, SceneSettings settings) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
   Status check_revision(Revision revision, std::string pointer = "/revision") const;

@@ -64,6 +64,10 @@ std::string name_of_picture(std::string_view octets) {
   return to_hex(hash);
 }
 
+Status no_such_source() {
+  return failure(Code::invalid, "the server has no such scene to take fields from", "/scene");
+}
+
 FieldDelta groom_of(const Scene& scene) {
   FieldDelta groom;
   scene.read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
@@ -98,7 +102,7 @@ Status SceneStore::Impl::restore(const std::string& id) {
   auto model = build_model(*raw, stored->model, ++last_model);
   if (!model) return model.status();
   auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal, undo_bytes);
-  Status restored = scene->restore(stored->first_groom, stored->first_revision);
+  Status restored = scene->restore(stored->first_groom, stored->first_revision, stored->first_settings);
   if (restored.ok()) scenes.push_back(std::move(scene));
   return restored;
 }
@@ -188,6 +192,31 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
   if (!model) return model.status();
   how.raw = encode_raw_model(*raw);
   return scene.replace_model(*model, options.fur, std::move(how), execute);
+}
+
+Result<SceneSummary> SceneStore::subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute) {
+  return scene.subdivide(how, ++impl_->last_model, execute);
+}
+
+Result<std::vector<GroomSource>> SceneStore::sources_of(const std::vector<Command>& commands) const {
+  std::vector<GroomSource> sources;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    const auto* retarget = std::get_if<Retarget>(&commands[k]);
+    if (retarget == nullptr) continue;
+    const Result<std::shared_ptr<Scene>> scene = find(retarget->scene);
+    Result<GroomSource> groom = scene ? (*scene)->groom(retarget->revision) : no_such_source();
+    if (!groom) return in_batch(groom.status(), k, commands.size());
+    sources.push_back(std::move(*groom));
+  }
+  return sources;
+}
+
+Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Command>& commands,
+                                          ExecuteOptions options) const {
+  Result<std::vector<GroomSource>> sources = sources_of(commands);
+  if (!sources) return sources.status();
+  options.sources = std::move(*sources);
+  return scene.execute(commands, options);
 }
 
 Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,

@@ -33,6 +33,16 @@ class SceneStore {
   Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> octets,
                                   const ExecuteOptions& execute = {});
 
+  /// Finer triangles for the scene's model, as Scene::subdivide.
+  Result<SceneSummary> subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute = {});
+
+  /// The grooms that the retargets among the commands take, copied before their target is locked. Refused (invalid):
+  /// "/scene" where there is no such scene, "/revision" where its model has no such revision; in a batch after
+  /// "/commands/K".
+  Result<std::vector<GroomSource>> sources_of(const std::vector<Command>& commands) const;
+  /// Scene::execute with those grooms.
+  Result<CommandAnswer> execute(Scene& scene, const std::vector<Command>& commands, ExecuteOptions options = {}) const;
+
   /// Reads a picture of all directions through the worker and sets the scene's environment to `how` with its light: a
   /// set_environment with harmonics, which needs no picture when it is run again. Counts as an import.
   Result<CommandAnswer> load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,

@@ -54,7 +54,7 @@ class Document(unittest.TestCase):
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
-                    "RevisionBody", "Knobs", "FrameRequest", "PickRequest")
+                    "RevisionBody", "Subdivide", "Retarget", "Knobs", "FrameRequest", "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -87,6 +87,7 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
         self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
+        self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
         builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
         self.assertEqual(builtin["triangles"]["maximum"], limits["builtin_triangles"])
@@ -177,6 +178,20 @@ class Requests(ServedTest):
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
+
+    def test_subdivide(self):
+        for variation in self.variations({"levels": 1, "masked": True}):
+            scene = self.server.new_scene("plane", 8)
+            self.agree("Subdivide", variation, lambda b: scene.post("subdivide", b))
+            self.server.call("DELETE", scene.path)
+
+    def test_retarget(self):
+        scene = self.server.new_scene("plane", 50)
+        body = {"op": "retarget", "scene": scene.id, "revision": 0, "align": "none", "fields": ["length"], "strength": 0.5}
+        for variation in self.variations(body):
+            if variation.get("scene") == "text" or variation.get("revision") not in (0, None):
+                continue  # well formed, and only the server knows that there is no such scene or revision
+            self.agree("Command", variation, lambda b: scene.post("commands?dry_run=1", b))
 
     def test_new_scenes(self):
         body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}, "fur_patches": "hard"}
@@ -283,7 +298,7 @@ class Answers(ServedTest):
 
     def test_every_operation_answers_what_it_says(self):
         scene = self.server.new_scene("creature", 1000)
-        body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1},
+        body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "subdivide": {"levels": 1, "masked": False},
                 "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                  "environment": hdr([[[1, 1, 1]]]), "base_picture": png([[[1, 2, 3]]])}

@@ -177,8 +177,56 @@ TEST_F(JournalTest, AnOlderJournalIsRefusedAndLeftAsItIs) {
   execute("PRAGMA user_version = 2");
   EXPECT_EQ(refusal().code, Code::internal);
   EXPECT_NE(refusal().message.find("older version"), std::string::npos);
-  execute("PRAGMA user_version = 3");
-  EXPECT_TRUE(open()->scene_ids().ok());
+}
+
+TEST_F(JournalTest, AJournalFromBeforeRefinementsIsTakenOver) {
+  ASSERT_TRUE(open()->add_scene(scene("a")).ok());
+  execute(
+      "ALTER TABLE scenes DROP COLUMN refinements; ALTER TABLE scenes DROP COLUMN settings; PRAGMA user_version = 3;");
+  const auto journal = open();
+  ASSERT_TRUE(journal);
+  const auto found = journal->scene("a");
+  ASSERT_TRUE(found.ok()) << found.status().message;
+  EXPECT_EQ(found->first_groom, scene("a").first_groom);
+  EXPECT_TRUE(found->model.refinements.empty());
+  EXPECT_FALSE(found->first_settings);
+  EXPECT_TRUE(journal->add_scene(scene("b")).ok());
+}
+
+TEST_F(JournalTest, RefinementsAndFirstSettingsStayOverARestart) {
+  StoredScene finer;
+  finer.id = "a", finer.first_revision = 5, finer.first_groom = {{{Field::length, {9}, {1}}}};
+  finer.model.refinements = {{{0, 4}, {6, 7}}, {}, {{2, 3}}};
+  SceneSettings settings;
+  settings.coat.count = 77;
+  finer.first_settings = std::make_shared<const SceneSettings>(settings);
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    ASSERT_TRUE(journal->append("a", entry(4)).ok());
+    ASSERT_TRUE(journal->refine_model(finer).ok());
+  }
+  {
+    const auto journal = open();
+    const auto found = journal->scene("a");
+    ASSERT_TRUE(found.ok()) << found.status().message;
+    EXPECT_EQ(found->model.refinements, finer.model.refinements);
+    EXPECT_EQ(found->model.raw, scene("a").model.raw);
+    EXPECT_EQ(found->first_groom, finer.first_groom);
+    EXPECT_EQ(found->first_revision, 5u);
+    ASSERT_TRUE(found->first_settings);
+    EXPECT_EQ(found->first_settings->coat.count, 77);
+    EXPECT_TRUE(journal->entries("a", 0)->empty());
+    ASSERT_TRUE(journal->replace_model(scene("a")).ok());
+    EXPECT_TRUE(journal->scene("a")->model.refinements.empty()) << "a new model is not refined";
+    EXPECT_FALSE(journal->scene("a")->first_settings);
+    ASSERT_TRUE(journal->refine_model(finer).ok());
+  }
+  for (const char* damage : {"x'010000'", "x'01000000'", "x'010000000500000005000000'",
+                             "x'0200000000000000020000000200000003000000'"}) {
+    execute((std::string("UPDATE scenes SET refinements = ") + damage).c_str());
+    EXPECT_EQ(open()->scene("a").status().code, Code::internal) << damage;
+  }
 }
 
 Entry with_picture(Revision revision, const std::string& name) {

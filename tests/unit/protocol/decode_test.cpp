@@ -446,5 +446,31 @@ TEST(SplitSteps, LinesArraysAndDocuments) {
   EXPECT_NE(split_steps("{\n\"op\" \"a\"}").status().message.find("line 2"), std::string::npos);
 }
 
+TEST(DecodeSubdivide, HasDefaultsAndLimits) {
+  EXPECT_EQ(decode_subdivide("")->levels, 1);
+  EXPECT_FALSE(decode_subdivide("{}")->masked);
+  const auto both = decode_subdivide(R"({"levels": 3, "masked": true})");
+  ASSERT_TRUE(both.ok());
+  EXPECT_EQ(both->levels, 3);
+  EXPECT_TRUE(both->masked);
+  EXPECT_EQ(decode_subdivide(R"({"levels": 0})").status().pointer, "/levels");
+  EXPECT_EQ(decode_subdivide(R"({"levels": 9})").status().pointer, "/levels");
+  EXPECT_EQ(decode_subdivide(R"({"mask": true})").status().nearest, "masked");
+}
+
+TEST(DecodeRetarget, NamesItsSource) {
+  const auto commands = decode_commands(R"({"op": "retarget", "scene": "abc", "fields": ["length"]})");
+  ASSERT_TRUE(commands.ok());
+  const auto& retarget = std::get<Retarget>(commands->front());
+  EXPECT_EQ(retarget.scene, "abc");
+  EXPECT_FALSE(retarget.revision);
+  EXPECT_EQ(retarget.align, Alignment::box);
+  EXPECT_EQ(retarget.strength, 1);
+  expect_refusal(R"({"op": "retarget"})", Code::invalid, "/scene");
+  expect_refusal(R"({"op": "retarget", "scene": ""})", Code::invalid, "/scene");
+  expect_refusal(R"({"op": "retarget", "scene": "abc", "align": "boxes"})", Code::invalid, "/align");
+  expect_refusal(R"({"op": "retarget", "scene": "abc", "strength": 2})", Code::invalid, "/strength");
+}
+
 }  // namespace
 }  // namespace pelage

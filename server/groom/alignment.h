@@ -1,0 +1,27 @@
+// How one model is laid over another one.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "protocol/commands/tools.h"
+#include "server/surface/mesh.h"
+
+namespace pelage {
+
+/// Takes places of one model to those of another: scale, axis by axis, and shift.
+struct Laid {
+  glm::dvec3 scale{1}, shift{0};
+
+  glm::dvec3 place(glm::dvec3 p) const { return scale * p + shift; }
+  glm::dvec3 direction(glm::dvec3 d) const { return uniform() ? d : scale * d; }
+  /// Of a plane.
+  glm::dvec3 normal(glm::dvec3 n) const { return uniform() ? n : n / scale; }
+  bool uniform() const { return scale.x == scale.y && scale.y == scale.z; }
+};
+
+/// Between the internal coordinates of both. A box that is flat along an axis keeps the other's extent there.
+Laid lay_over(const Mesh& from, const Mesh& to, Alignment how);
+/// Between the models' own coordinates, by their boxes.
+Laid lay_models_over(const Mesh& from, const Mesh& to);
+
+}  // namespace pelage
