@@ -58,6 +58,14 @@ void move(Scene& scene, const Result<HistoryMove>& wanted, const Request& reques
   reply_answer(response, scene.move(*wanted, *options));
 }
 
+void amend(Scene& scene, const Request& request, Response& response) {
+  const auto options = options_of(request, {"dry_run"});
+  if (!options) return reply_problem(response, options.status());
+  const auto wanted = decode_amend(request.body);
+  if (!wanted) return reply_problem(response, wanted.status());
+  reply_answer(response, scene.amend(*wanted, *options));
+}
+
 void read_log(const Scene& scene, const Request& request, Response& response) {
   const Status status = check_query(request, {"format"});
   if (!status.ok()) return reply_problem(response, status);
@@ -96,6 +104,7 @@ void add_command_routes(httplib::Server& server, Service& service) {
   post(server, service, "revert", [](Scene& scene, const Request& request, Response& response) {
     move(scene, revert_of(request.body), request, response);
   });
+  post(server, service, "amend", amend);
   server.Get("/v1/scenes/([^/]+)/log", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { read_log(*scene, request, response); });
   });

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
@@ -33,6 +34,12 @@ struct Step {
 /// revision that they lead to.
 Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
                        FieldSet& fields, const SceneSettings& settings, Revision next);
+
+/// Refused (invalid, "/stroke/part") for a part of a stroke.
+Status check_whole(const Command& command);
+
+/// Those of the commands whose numbers are given.
+std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers);
 
 /// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
 CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields);

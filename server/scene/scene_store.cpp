@@ -148,6 +148,20 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
   return impl_->add({random_id(), request.name, std::move(how), 0, {}}, *model, request.fur);
 }
 
+Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request) {
+  if (!impl_->has_room()) return full();
+  Result<std::shared_ptr<Scene>> scene =
+      from.branch(random_id(), request.name, request.revision, ++impl_->last_model);
+  if (!scene) return scene;
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->scenes.size() >= limits::scenes) {  // others came while it was copied
+    const Status removed = (*scene)->remove();
+    return removed.ok() ? full() : removed;
+  }
+  impl_->scenes.push_back(*scene);
+  return scene;
+}
+
 Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const {
   const std::lock_guard lock(impl_->mutex);
   for (const auto& scene : impl_->scenes) {

@@ -24,6 +24,9 @@ class SceneStore {
 
   /// Refused (busy) at the limit of scenes.
   Result<std::shared_ptr<Scene>> create(const NewScene& request);
+  /// A scene of its own that begins as `from` is or was at a revision. Refused: busy at the limit of scenes; as
+  /// Scene::branch does.
+  Result<std::shared_ptr<Scene>> branch(const Scene& from, const BranchRequest& request);
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
   std::vector<SceneSummary> list() const;

@@ -30,6 +30,13 @@ void check_frame(std::string_view text) {
   require(again.ok() && pelage::encode(*again) == encoded);
 }
 
+void check_history(std::string_view text) {
+  const auto amendment = pelage::decode_amend(text);
+  if (amendment) require(pelage::encode(*pelage::decode_amend(pelage::encode(*amendment))) == pelage::encode(*amendment));
+  const auto branch = pelage::decode_branch(text);
+  if (branch) require(pelage::encode(*pelage::decode_branch(pelage::encode(*branch))) == pelage::encode(*branch));
+}
+
 /// The text as a recipe, and as what that recipe includes.
 void check_recipe(std::string_view text) {
   (void)pelage::is_recipe(text);
@@ -59,6 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   check_commands(text);
   check_frame(text);
+  check_history(text);
   check_query(text);
   check_recipe(text);
   (void)pelage::decode_new_scene(text);
