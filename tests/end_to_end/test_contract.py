@@ -181,7 +181,7 @@ class Requests(ServedTest):
 
     def test_branches_and_amendments(self):
         scene = self.server.new_scene("plane", 50)
-        scene.run(flood([0, 1, 0]))
+        scene.run(flood([1, 0, 0]))
 
         def branch(request):
             answer = scene.post("branch", request)
