@@ -296,7 +296,8 @@ TEST_P(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
   const FurredModel model = ball();
   drawn(model);
   FurFrame frame = make_frame(model.view(), request);
-  const Image plain = *renderer->draw(frame);
+  DrawTimes before;
+  const Image plain = *renderer->draw(frame, &before);
   frame.overlay = Overlay::difference;
   const auto with = [&](float left, float right) {
     frame.difference.clear();
@@ -315,7 +316,9 @@ TEST_P(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
   EXPECT_LT(largest_difference(with(0, 0), with(0, 0)), 1);
 
   frame.overlay = Overlay::none;  // and costs later frames nothing
-  EXPECT_EQ(renderer->draw(frame)->rgba, plain.rgba);
+  DrawTimes after;
+  EXPECT_EQ(renderer->draw(frame, &after)->rgba, plain.rgba);
+  EXPECT_EQ(after.counters, before.counters);
 }
 
 TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {
