@@ -74,7 +74,8 @@ void declare_history_actions(CLI::App& app, Options& options) {
                                "Put other commands in the place of an earlier step and replay what follows");
   add_scene(amend, options);
   amend->add_option("revision", options.count, "A revision of the step, as in `pelage log`")->required();
-  CLI::Option* file = amend->add_option("file", options.file, "The new commands, as for `pelage run`; - for standard input");
+  CLI::Option* file =
+      amend->add_option("file", options.file, "The new commands, as for `pelage run`; - for standard input");
   CLI::Option* drop = amend->add_flag("--drop", options.drop, "Leave the step out, in place of a file")->excludes(file);
   amend->callback([&options, file, drop] {
     options.action = Action::amend;
@@ -175,7 +176,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
                       "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
                       "shadow, layer_count [beauty]");
   add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width or difference [none]");
-  add_frame_parameter(frame, options, "--from", "overlay_from", "With --overlay difference: the revision to compare the present with");
+  add_frame_parameter(frame, options, "--from", "overlay_from",
+                      "With --overlay difference: the revision to compare the present with");
 
   CLI::App* compare =
       add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");

@@ -210,7 +210,8 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   const std::lock_guard lock(mutex_);
   return database_->transaction([&] {
     Statement row = database_->prepare(
-        "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches)"
+        "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
+        " first_revision, first_groom, raw, fur_patches)"
         " SELECT ?, ?, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches"
         " FROM scenes WHERE id = ?");
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;

@@ -89,9 +89,9 @@ class Scene {
   Result<CommandAnswer> move(const HistoryMove& move, const ExecuteOptions& options = {});
 
   /// Puts other commands in the place of an earlier step and evaluates the steps after it anew: a revert to before the
-  /// step, then an entry for each step that changes anything, all of them or none, and one undo step. Refused (invalid):
-  /// "/revision" when no step that is in effect has it, "/commands/K" as execute does, "/commands" when a later step
-  /// cannot be replayed. Results are those of all replayed commands.
+  /// step, then an entry for each step that changes anything, all of them or none, and one undo step. Refused (invalid)
+  /// with "/revision" when no step that is in effect has it, with "/commands/K" as execute does, and with "/commands"
+  /// when a later step cannot be replayed. Results are those of all replayed commands.
   Result<CommandAnswer> amend(const AmendRequest& request, const ExecuteOptions& options = {});
 
   /// A scene of its own, in the journal too, that begins as this one is or was `at` a revision (refused, "/revision",

@@ -31,10 +31,16 @@ void check_frame(std::string_view text) {
 }
 
 void check_history(std::string_view text) {
-  const auto amendment = pelage::decode_amend(text);
-  if (amendment) require(pelage::encode(*pelage::decode_amend(pelage::encode(*amendment))) == pelage::encode(*amendment));
-  const auto branch = pelage::decode_branch(text);
-  if (branch) require(pelage::encode(*pelage::decode_branch(pelage::encode(*branch))) == pelage::encode(*branch));
+  if (const auto amendment = pelage::decode_amend(text)) {
+    const std::string encoded = pelage::encode(*amendment);
+    const auto again = pelage::decode_amend(encoded);
+    require(again.ok() && pelage::encode(*again) == encoded);
+  }
+  if (const auto branch = pelage::decode_branch(text)) {
+    const std::string encoded = pelage::encode(*branch);
+    const auto again = pelage::decode_branch(encoded);
+    require(again.ok() && pelage::encode(*again) == encoded);
+  }
 }
 
 /// The text as a recipe, and as what that recipe includes.

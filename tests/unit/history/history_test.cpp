@@ -282,7 +282,8 @@ TEST_F(UndoMemoryTest, AmendmentsCountAndAreReadBackWhole) {
   const auto go_on = [&](EntryKind kind, Revision argument, float length) {
     FieldSet after = fields_;
     for (std::uint32_t v = 0; v < fields_.size(); ++v) after.set(v, {{}, length, 0});
-    take({history_.revision() + 1, kind, argument, encode(Command(comb_at(length))), difference(fields_, after), {}, {}});
+    const std::string text = encode(Command(comb_at(length)));
+    take({history_.revision() + 1, kind, argument, text, difference(fields_, after), {}, {}});
   };
   go_on(EntryKind::revert, 1, 1);
   for (const float length : {20.0f, 30.0f, 40.0f}) go_on(EntryKind::replay, 0, length);

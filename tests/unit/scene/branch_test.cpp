@@ -1,3 +1,5 @@
+#include <thread>
+
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/scene/difference_view.h"
@@ -140,6 +142,30 @@ TEST_F(BranchTest, PastFieldsAreThoseOfTheirRevision) {
     EXPECT_EQ(past->model.get(), model_of(*scene));
   }
   EXPECT_EQ(scene->past_fields(4).status().pointer, "/overlay_from");
+}
+
+TEST_F(BranchTest, CanBeTakenWhileTheSceneChanges) {
+  const auto scene = make();
+  std::thread artist([&] {
+    for (std::size_t i = 0; i < 60; ++i) {
+      execute(*scene, {comb_at(*scene, 7 * i)});
+      if (i % 20 == 19) {
+        EXPECT_TRUE(scene->amend({scene->revision() - 5, {}}).ok());
+      }
+    }
+  });
+  std::vector<std::shared_ptr<Scene>> sides;
+  for (int i = 0; i < 20; ++i) {
+    sides.push_back(branch(*scene));
+    const auto past = scene->past_fields(sides.back()->revision());
+    EXPECT_TRUE(past.ok() && past->fields.hash() == hash(*sides.back()));
+  }
+  artist.join();
+  for (const auto& side : sides) {
+    const auto past = scene->past_fields(side->revision());
+    ASSERT_TRUE(past.ok());
+    EXPECT_EQ(past->fields.hash(), hash(*side)) << side->revision();
+  }
 }
 
 TEST(ChangeShares, AreOfWhatCountsAsMuch) {
