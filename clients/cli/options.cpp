@@ -73,7 +73,7 @@ void declare_history_actions(CLI::App& app, Options& options) {
   CLI::App* amend = add_action(app, options, Action::amend, "amend",
                                "Put other commands in the place of an earlier step and replay what follows");
   add_scene(amend, options);
-  amend->add_option("revision", options.count, "A revision of the step, as in `pelage log`")->required();
+  amend->add_option("revision", options.count, "A revision of the step, marked * in `pelage log`")->required();
   CLI::Option* file =
       amend->add_option("file", options.file, "The new commands, as for `pelage run`; - for standard input");
   CLI::Option* drop = amend->add_flag("--drop", options.drop, "Leave the step out, in place of a file")->excludes(file);
@@ -151,7 +151,7 @@ void declare_groom_actions(CLI::App& app, Options& options) {
   add_scene(revert, options);
   revert->add_option("revision", options.count, "The revision")->required();
 
-  CLI::App* log = add_action(app, options, Action::log, "log", "Show the undo log");
+  CLI::App* log = add_action(app, options, Action::log, "log", "Show the undo log; * marks what leads to the present");
   add_scene(log, options);
   log->add_flag("--lines", options.lines, "The commands that lead to the present, as JSON lines for `pelage run`");
 }

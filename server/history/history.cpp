@@ -244,6 +244,7 @@ std::vector<LogEntry> History::log() const {
   std::vector<LogEntry> lines;
   std::transform(records_.begin() + 1, records_.end(), std::back_inserter(lines),
                  [](const Record& record) { return record.line; });
+  for (std::size_t at = records_.back().top; at != 0; at = records_[at].below) lines[at - 1].in_effect = true;
   return lines;
 }
 

@@ -37,8 +37,10 @@ class Amend(ServedTest):
             self.assertEqual(anew.run(json.loads(line)).status, 200)
         self.assertEqual(anew.info()["fields_hash"], scene.info()["fields_hash"])
         self.assertNotEqual(before["fields_hash"], scene.info()["fields_hash"])
-        kinds = [entry["kind"] for entry in self.server.get(f"{scene.path}/log").json["entries"]]
-        self.assertEqual(kinds, ["do"] * 4 + ["revert"] + ["replay"] * 3)
+        entries = self.server.get(f"{scene.path}/log").json["entries"]
+        self.assertEqual([entry["kind"] for entry in entries], ["do"] * 4 + ["revert"] + ["replay"] * 3)
+        self.assertEqual([entry["revision"] for entry in entries if entry["in_effect"]], [1, 6, 7, 8])
+        self.assertEqual([line[:8] for line in self.pelage("log", scene.id).stdout.splitlines()][:2], ["     1* ", "     2  "])
         self.assertEqual(scene.post("undo").json["fields_hash"], before["fields_hash"])
         self.assertEqual(scene.post("redo").json["fields_hash"], answer.json["fields_hash"])
 

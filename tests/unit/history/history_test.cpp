@@ -173,6 +173,11 @@ TEST_F(HistoryTest, ListedStepsHaveTheirRevisions) {
   step(4);                                                                     // 11
   take(EntryKind::revert, 6, "", to(1));                                       // 12
   take(EntryKind::replay, 0, encode(Command(comb_at(5))), to(5));              // 13
+  std::vector<Revision> marked;
+  for (const LogEntry& line : history_.log()) {
+    if (line.in_effect) marked.push_back(line.revision);
+  }
+  EXPECT_EQ(marked, (std::vector<Revision>{6, 13}));
   const auto revisions = [&] {
     std::vector<std::array<Revision, 3>> found;
     for (const ListedStep& one : history_.listed_steps()) found.push_back({one.before, one.first, one.last});
