@@ -13,6 +13,8 @@ ExitCode perform(Session& session) {
     case Action::undo:
     case Action::redo:
     case Action::revert: return move_in_history(session);
+    case Action::amend: return amend_step(session);
+    case Action::branch: return branch_scene(session);
     case Action::log: return show_log(session);
     case Action::pick: return pick_pixel(session);
     case Action::list: return list_scenes(session);

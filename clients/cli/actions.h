@@ -18,6 +18,8 @@ ExitCode remove_scene(Session& session);
 
 ExitCode run_file(Session& session);
 ExitCode move_in_history(Session& session);
+ExitCode amend_step(Session& session);
+ExitCode branch_scene(Session& session);
 ExitCode show_log(Session& session);
 
 ExitCode draw_frame(Session& session);

@@ -62,6 +62,36 @@ void add_knob(CLI::App* command, Options& options) {
       "NAME=VALUE of a single knob, such as shells=48; may be repeated");
 }
 
+void add_variables(CLI::App* command, Options& options) {
+  command->add_option_function<std::vector<std::string>>(
+      "--set", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.variables); },
+      "NAME=VALUE of a recipe's variable, as JSON or plain text; may be repeated");
+}
+
+/// Changes of what has been done.
+void declare_history_actions(CLI::App& app, Options& options) {
+  CLI::App* amend = add_action(app, options, Action::amend, "amend",
+                               "Put other commands in the place of an earlier step and replay what follows");
+  add_scene(amend, options);
+  amend->add_option("revision", options.count, "A revision of the step, marked * in `pelage log`")->required();
+  CLI::Option* file =
+      amend->add_option("file", options.file, "The new commands, as for `pelage run`; - for standard input");
+  CLI::Option* drop = amend->add_flag("--drop", options.drop, "Leave the step out, in place of a file")->excludes(file);
+  amend->callback([&options, file, drop] {
+    options.action = Action::amend;
+    if (file->count() + drop->count() == 0) throw CLI::ValidationError("amend", "a file or --drop is required");
+  });
+  add_variables(amend, options);
+  amend->add_flag("--dry-run", options.dry_run, "Say what each command would touch; change nothing");
+  amend->add_option("--if-match", options.if_match, "Amend only when the scene is at this revision");
+
+  CLI::App* branch = add_action(app, options, Action::branch, "branch",
+                                "Make a scene of its own that begins as this one was; prints its id");
+  add_scene(branch, options);
+  branch->add_option("name", options.name, "Name of the new scene, 1 to 200 bytes")->required();
+  branch->add_option("--revision", options.revision, "Where it begins [the present]");
+}
+
 void declare_scene_actions(CLI::App& app, Options& options) {
   CLI::App* create =
       add_action(app, options, Action::create, "new", "Make a scene with a built-in model; prints its id");
@@ -113,9 +143,7 @@ void declare_groom_actions(CLI::App& app, Options& options) {
   run->add_option("file", options.file,
                   "A recipe, JSON lines (as of `pelage log --lines`), an array or one command; - for standard input")
       ->required();
-  run->add_option_function<std::vector<std::string>>(
-      "--set", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.variables); },
-      "NAME=VALUE of a recipe's variable, as JSON or plain text; may be repeated");
+  add_variables(run, options);
   run->add_flag("--dry-run", options.dry_run, "Say what each step would touch, after those before it; change nothing");
   run->add_option("--if-match", options.if_match, "Run only when the scene is at this revision");
 
@@ -129,7 +157,7 @@ void declare_groom_actions(CLI::App& app, Options& options) {
   add_scene(revert, options);
   revert->add_option("revision", options.count, "The revision")->required();
 
-  CLI::App* log = add_action(app, options, Action::log, "log", "Show the undo log");
+  CLI::App* log = add_action(app, options, Action::log, "log", "Show the undo log; * marks what leads to the present");
   add_scene(log, options);
   CLI::Option* lines =
       log->add_flag("--lines", options.lines, "The commands that lead to the present, as JSON lines for `pelage run`");
@@ -157,7 +185,9 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--layers", "layers",
                       "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
                       "shadow, layer_count [beauty]");
-  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion or shadow_width [none]");
+  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width or difference [none]");
+  add_frame_parameter(frame, options, "--from", "overlay_from",
+                      "With --overlay difference: the revision to compare the present with");
 
   CLI::App* compare =
       add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");
@@ -192,6 +222,7 @@ ParsedLine parse_line(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
   declare_scene_actions(app, options);
   declare_groom_actions(app, options);
+  declare_history_actions(app, options);
   declare_picture_actions(app, options);
   try {
     app.parse(argc, argv);

@@ -19,6 +19,8 @@ enum class Action {
   undo,
   redo,
   revert,
+  amend,
+  branch,
   log,
   pick,
   list,
@@ -46,13 +48,13 @@ struct Options {
   double inclination = 0.45;
   std::string form;  // of the first fur; the server's choice when empty
   std::string fur_patches = "overlapping";
-  // load, environment, base_picture and run; "-" is standard input
+  // load, environment, base_picture, run and amend; "-" is standard input
   std::string file;
   std::string format;  // "" for the file's ending
   std::string up = "y", front = "z";
   // environment
   double intensity = 1, turn_degrees = 0;
-  // run
+  // run and amend
   bool dry_run = false;
   Parameters variables;  // of a recipe, as text
   std::optional<std::uint64_t> if_match;
@@ -60,8 +62,11 @@ struct Options {
   std::string output = "frame.png";
   Parameters frame;     // as in the address of frame.png
   double x = 0, y = 0;  // pixels
-  // undo, redo, revert
+  // undo, redo, revert, amend
   std::uint64_t count = 1;  // steps, or the revision
+  bool drop = false;        // amend: leave the step out
+  // branch
+  std::optional<std::uint64_t> revision;  // the present one when not given
   // compare
   std::string reference, test;      // pictures; "-" is standard input
   std::string mask;                 // a picture; "" for the alpha of both

@@ -70,8 +70,8 @@ void print(const PickAnswer& answer) {
 
 void print(const std::vector<LogEntry>& log) {
   for (const LogEntry& entry : log) {
-    fmt::print("{:>6}  {:<6}  {:>8} touched  {}\n", entry.revision, entry.kind, entry.touched,
-               shortened(entry.commands));
+    fmt::print("{:>6}{} {:<6}  {:>8} touched  {}\n", entry.revision, entry.in_effect ? '*' : ' ', entry.kind,
+               entry.touched, shortened(entry.commands));
   }
 }
 

@@ -162,6 +162,11 @@ FIGURES = [
      "pictures": [picture(f"{title}, {kind}", CREATURE, studio(), tool, camera=BACK, overlay=overlay, quality=SIMPLE)
                   for kind, overlay in (("fur", "none"), ("short lines", "strokes"))
                   for title, tool in (("before", None), ("after", PULL))]},
+    {"name": "difference", "title": "What a step has changed",
+     "text": "A stick pulls, and a picture of the difference to the revision before (docs/history.md): grey where nothing has changed, yellow most.",
+     "pictures": [picture(title, CREATURE, studio(), tool, camera=BACK, quality=SIMPLE, **overlay)
+                  for title, tool, overlay in (("before", None, {}), ("after", PULL, {}),
+                                               ("difference", PULL, {"overlay": "difference", "overlay_from": 1}))]},
     {"name": "painted", "title": "Painted fields",
      "text": "Strokes on the picture before: spots in two colours, a thinned and a bare patch, a wet one; the density and the wetness "
              "as overlays; and, near by, density, water, clump and curl each on one half of a plane.",

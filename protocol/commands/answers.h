@@ -120,9 +120,10 @@ struct FoldCount {
 /// One line of the undo log.
 struct LogEntry {
   Revision revision = 0;
-  std::string kind;      // "do", "join", "undo", "redo", "revert"
+  std::string kind;      // "do", "join", "undo", "redo", "revert", "replay"
   std::string commands;  // JSON text of the resolved commands, "" for undo and redo
   std::size_t touched = 0;
+  bool in_effect = false;  // whether its commands are among those that lead to the present
 };
 
 }  // namespace pelage

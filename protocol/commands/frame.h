@@ -1,6 +1,7 @@
 // What a frame request says: the size, the camera and the quality.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ enum class ExrType { half, single };
 /// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
 /// first light that casts a soft shadow, as the light sees the model (GPU fur 4).
 enum class Overlay {
-  none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width
+  none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width,
+  difference  // how much the fields have changed since overlay_from
 };
 
 /// What an EXR can hold beside colour. All but beauty and alpha leave out the ground. Beauty, albedo and direct are
@@ -78,6 +80,7 @@ struct FrameRequest {
   ExrType exr_type = ExrType::half;                                          // depth and position are always single
   std::vector<FrameLayer> layers{FrameLayer::beauty};                        // of an EXR: at least one, each once
   Overlay overlay = Overlay::none;                                           // not in an EXR
+  std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
   std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
 };
 

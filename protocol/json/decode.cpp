@@ -171,6 +171,13 @@ void check_frame(const Value& value, const FrameRequest& request, bool names_lay
   if (exr && request.overlay != Overlay::none) {
     value.refuse_below("overlay", "An EXR has no overlay.", "format png, png16 or jpeg");
   }
+  const bool compares = request.overlay == Overlay::difference;
+  if (compares && !request.overlay_from) {
+    value.refuse_below("overlay_from", "A picture of a difference needs the revision to compare with.", "required");
+  }
+  if (!compares && request.overlay_from) {
+    value.refuse_below("overlay_from", "Only a picture of a difference compares.", "overlay difference");
+  }
   if (request.format == FrameFormat::jpeg && request.background == Background::transparent) {
     value.refuse_below("background", "JPEG has no alpha.", "a colour or studio");
   }
@@ -193,6 +200,7 @@ FrameRequest frame_request(const Value& value) {
   object.name("exr_type", result.exr_type, json_names::exr_types);
   object.optional("layers", [&](const Value& v) { result.layers = layers(v); });
   object.name("overlay", result.overlay, json_names::overlays);
+  object.optional("overlay_from", [&](const Value& v) { result.overlay_from = v.counter(); });
   object.finish();
   check_frame(value, result, object.has("layers"));
   return result;
@@ -272,6 +280,31 @@ Result<Subdivide> decode_subdivide(std::string_view text) {
     Subdivide result;
     object.integer("levels", result.levels, {1, limits::subdivide_levels});
     object.boolean("masked", result.masked);
+    object.finish();
+    return result;
+  });
+}
+
+Result<BranchRequest> decode_branch(std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return BranchRequest{};
+  return decode_document<BranchRequest>(text, [](const Value& value) {
+    Object object(value);
+    BranchRequest result;
+    object.optional("name", [&](const Value& v) { result.name = v.text(1, limits::name_bytes); });
+    object.optional("revision", [&](const Value& v) { result.revision = v.counter(); });
+    object.finish();
+    return result;
+  });
+}
+
+Result<AmendRequest> decode_amend(std::string_view text) {
+  return decode_document<AmendRequest>(text, [](const Value& value) {
+    Object object(value);
+    AmendRequest result;
+    object.required("revision", [&](const Value& v) { result.revision = v.counter(); });
+    object.required("commands", [&](const Value& list) {
+      for (const Value& member : list.list(0, limits::commands_per_batch)) result.commands.push_back(command(member));
+    });
     object.finish();
     return result;
   });

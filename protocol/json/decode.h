@@ -9,6 +9,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/history.h"
 #include "protocol/commands/scene.h"
 
 namespace pelage {
@@ -25,7 +26,7 @@ Result<FrameRequest> decode_frame_request(std::string_view text);
 using Query = std::vector<std::pair<std::string, std::string>>;
 /// The same request as parameters of an address: width, height, camera (an automatic view) or eye, target, up (three
 /// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view,
-/// format, jpeg_quality, exr_type, layers (names with commas), overlay. Pointers name the member of the request that the parameter stands for.
+/// format, jpeg_quality, exr_type, layers (names with commas), overlay, overlay_from. Pointers name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How to read a model's octets: format (required), up, front, length, inclination, fur_patches.
 Result<ImportOptions> decode_import_query(const Query& query);
@@ -48,6 +49,10 @@ Result<std::uint64_t> decode_revision(std::string_view text);
 
 /// `{"levels": n, "masked": false}`; both have defaults, and the body may be empty.
 Result<Subdivide> decode_subdivide(std::string_view text);
+/// `{"name": ..., "revision": n}`, both optional; an empty body is {}.
+Result<BranchRequest> decode_branch(std::string_view text);
+/// `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.
+Result<AmendRequest> decode_amend(std::string_view text);
 
 /// The texts of a file of commands, each one undo step: JSON lines, an array, or one document over many lines.
 /// Malformed texts are refused with the number of their line or element in the message.

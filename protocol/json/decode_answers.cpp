@@ -148,7 +148,8 @@ Result<std::vector<LogEntry>> decode_log(std::string_view text) {
       log.push_back({.revision = entry.at("revision"),
                      .kind = entry.at("kind"),
                      .commands = entry.contains("commands") ? entry.at("commands").dump() : std::string(),
-                     .touched = entry.at("touched")});
+                     .touched = entry.at("touched"),
+                     .in_effect = entry.at("in_effect")});
     }
     return log;
   });

@@ -53,6 +53,7 @@ constexpr auto frame_parameters = std::to_array<Parameter>({
     {"exr_type", "/exr_type", Kind::text},
     {"layers", "/layers", Kind::names},
     {"overlay", "/overlay", Kind::text},
+    {"overlay_from", "/overlay_from", Kind::number},
     {"colour_source", "/look/colour_source", Kind::text},
 });
 

@@ -112,7 +112,20 @@ std::string encode(const FrameRequest& request) {
   if (request.background == Background::colour) json["background"] = colour(request.background_colour);
   if (request.look) json["look"] = json_of(*request.look);
   if (!request.view.empty()) json["view"] = request.view;
+  if (request.overlay_from) json["overlay_from"] = *request.overlay_from;
   return line(json);
+}
+
+std::string encode(const BranchRequest& request) {
+  Json json = {{"name", request.name}};
+  if (request.revision) json["revision"] = *request.revision;
+  return line(json);
+}
+
+std::string encode(const AmendRequest& request) {
+  Json commands = Json::array();
+  for (const Command& command : request.commands) commands.push_back(json_of(command));
+  return line({{"revision", request.revision}, {"commands", commands}});
 }
 
 std::string encode(const PickRequest& request) {

@@ -18,6 +18,8 @@ std::string encode(const Command& command);                // decodes to the sam
 std::string encode(const std::vector<Command>& commands);  // one: the command itself; more: {"commands": [...]}
 std::string encode(const NewScene& request);               // decodes to the same request
 std::string encode(const FrameRequest& request);           // decodes to the same request
+std::string encode(const BranchRequest& request);          // decodes to the same request
+std::string encode(const AmendRequest& request);           // decodes to the same request
 std::string encode(const PickRequest& request);            // decodes to the same request
 std::string encode(const CommandAnswer& answer);
 std::string encode(const SceneSummary& summary);

@@ -112,7 +112,7 @@ inline constexpr std::array<Name<FrameLayer>, 10> frame_layers{{{"beauty", Frame
                                                                 {"direct", FrameLayer::direct},
                                                                 {"shadow", FrameLayer::shadow},
                                                                 {"layer_count", FrameLayer::layer_count}}};
-inline constexpr std::array<Name<Overlay>, 11> overlays{{{"none", Overlay::none},
+inline constexpr std::array<Name<Overlay>, 12> overlays{{{"none", Overlay::none},
                                                          {"direction", Overlay::direction},
                                                          {"strokes", Overlay::strokes},
                                                          {"length", Overlay::length},
@@ -122,7 +122,8 @@ inline constexpr std::array<Name<Overlay>, 11> overlays{{{"none", Overlay::none}
                                                          {"layer_count", Overlay::layer_count},
                                                          {"light_depth", Overlay::light_depth},
                                                          {"light_occlusion", Overlay::light_occlusion},
-                                                         {"shadow_width", Overlay::shadow_width}}};
+                                                         {"shadow_width", Overlay::shadow_width},
+                                                         {"difference", Overlay::difference}}};
 inline constexpr std::array<Name<Builtin>, 6> builtins{{{"torus", Builtin::torus},
                                                         {"knot", Builtin::knot},
                                                         {"sphere", Builtin::sphere},

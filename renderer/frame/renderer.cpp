@@ -255,6 +255,8 @@ Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepare
     Result<RenderTarget> map = draw_light_map(frame, scene);
     if (!map) return map.status();
     overlay = std::move(map).value();
+  } else if (frame.overlay == Overlay::difference) {
+    overlay = overlay_.draw_difference(gl_, frame, scene.model, scene.lists.all);
   } else {
     overlay = overlay_.draw_field(gl_, frame, scene.model, scene.lists.all);
   }

@@ -162,6 +162,7 @@ struct FurFrame {
   double exposure = 0;             // stops
   ToneMap tone_map = ToneMap::filmic;
   Overlay overlay = Overlay::none;
+  std::vector<float> difference;  // of each vertex, [0, 1], 0 for none; what Overlay::difference shows
 };
 
 }  // namespace pelage

@@ -107,7 +107,7 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
 }
 
 const char* name_of(EntryKind kind) {
-  static constexpr const char* names[] = {"do", "join", "undo", "redo", "revert"};
+  static constexpr const char* names[] = {"do", "join", "undo", "redo", "revert", "replay"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -154,11 +154,14 @@ void History::keep_to_budget() {
   for (std::size_t i = 0; held_bytes_ > memory_.bytes; ++i) drop(undone_[i]);
 }
 
+bool History::is_last(EntryKind kind) const { return records_.back().line.kind == name_of(kind); }
+
 bool History::accepts(const Entry& entry) const {
   if (entry.revision != revision() + 1) return false;
   switch (entry.kind) {
     case EntryKind::command: return true;
     case EntryKind::join: return !done_.empty();
+    case EntryKind::replay: return is_last(EntryKind::revert) || is_last(EntryKind::replay);
     case EntryKind::undo: return entry.argument <= done_.size();
     case EntryKind::redo: return entry.argument <= undone_.size();
     case EntryKind::revert: return entry.argument >= first_ && entry.argument <= revision();
@@ -172,7 +175,8 @@ void History::record(const Entry& entry) {
   record.line = {entry.revision, name_of(entry.kind), entry.commands, entry.delta.vertices().size()};
   switch (entry.kind) {
     case EntryKind::command: record_do(entry, record); break;
-    case EntryKind::join: record_join(entry, record); break;
+    case EntryKind::join:
+    case EntryKind::replay: record_join(entry, record); break;
     case EntryKind::undo: record_undo(entry, record); break;
     case EntryKind::redo: record_redo(entry, record); break;
     case EntryKind::revert: record_revert(entry, record); break;
@@ -195,21 +199,22 @@ void History::arrive(std::size_t state, Record& record) const {
   record.settings = records_[state].settings;
 }
 
-void History::record_do(const Entry& entry, Record& record) {
-  const std::size_t now = records_.size();
-  record.top = now;
+/// The entry's commands follow those that lead to the record before it.
+void History::list(const Entry& entry, Record& record) const {
+  record.top = records_.size();
   record.below = records_.back().top;
   record.settings = entry.settings ? entry.settings : records_.back().settings;
-  add_step(entry.delta, now - 1);
+}
+
+void History::record_do(const Entry& entry, Record& record) {
+  list(entry, record);
+  add_step(entry.delta, records_.size() - 1);
 }
 
 void History::record_join(const Entry& entry, Record& record) {
-  const std::size_t now = records_.size();
-  record.top = now;
-  record.below = records_.back().top;
-  record.settings = records_.back().settings;
+  list(entry, record);
   Step& step = done_.back();
-  step.after = now;
+  step.after = records_.size();
   if (step.octets.empty()) return;  // the journal has both parts
   const Result<FieldDelta> so_far = change(step);
   assert(so_far.ok());  // encode_delta wrote it
@@ -244,25 +249,33 @@ std::vector<LogEntry> History::log() const {
   std::vector<LogEntry> lines;
   std::transform(records_.begin() + 1, records_.end(), std::back_inserter(lines),
                  [](const Record& record) { return record.line; });
+  for (std::size_t at = records_.back().top; at != 0; at = records_[at].below) lines[at - 1].in_effect = true;
   return lines;
 }
 
-std::vector<std::vector<Command>> History::effective_log() const {
-  std::vector<std::vector<Command>> steps;
-  std::optional<Command> later;  // parts that join the entry below
+std::vector<ListedStep> History::listed_steps() const {
+  std::vector<ListedStep> steps;
+  std::optional<ListedStep> later;  // parts that join the entry below
   for (std::size_t at = records_.back().top; at != 0; at = records_[at].below) {
-    std::vector<Command> commands = whole_commands(records_[at].line.commands);
+    ListedStep step{first_ + at, first_ + at, first_ + records_[at].below, whole_commands(records_[at].line.commands)};
     if (later) {
-      prepend_samples(*later, commands.front());
-      commands.front() = std::exchange(later, std::nullopt).value();
+      prepend_samples(later->commands.front(), step.commands.front());
+      step.commands = std::move(later->commands), step.last = later->last;
+      later.reset();
     }
     if (records_[at].line.kind == name_of(EntryKind::join))
-      later = std::move(commands.front());
+      later = std::move(step);
     else
-      steps.push_back(std::move(commands));
+      steps.push_back(std::move(step));
   }
   std::reverse(steps.begin(), steps.end());
   return steps;
+}
+
+std::vector<std::vector<Command>> History::effective_log() const {
+  std::vector<std::vector<Command>> log;
+  for (ListedStep& step : listed_steps()) log.push_back(std::move(step.commands));
+  return log;
 }
 
 }  // namespace pelage

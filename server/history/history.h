@@ -39,9 +39,10 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
 /// The commands that set all of them.
 std::vector<Command> commands_of(const SceneSettings& settings);
 
-/// A new step; a part that joins the last step; and the ways through the steps.
-enum class EntryKind { command, join, undo, redo, revert };
-/// "do", "join", "undo", "redo", "revert".
+/// A new step; a part that joins the last step; the ways through the steps; and commands that are listed by themselves
+/// but belong to the undo step of the entry before. The journal holds the numbers.
+enum class EntryKind { command, join, undo, redo, revert, replay };
+/// "do", "join", "undo", "redo", "revert", "replay".
 const char* name_of(EntryKind kind);
 
 /// One accepted change, as the journal keeps it.
@@ -61,6 +62,13 @@ struct UndoMemory {
   std::size_t bytes = std::numeric_limits<std::size_t>::max();
   /// What leads from one revision to another, later one. Required where `bytes` has a limit.
   std::function<Result<FieldDelta>(Revision from, Revision to)> read = {};
+};
+
+/// A step of the list of commands that leads to the present.
+struct ListedStep {
+  Revision first = 0, last = 0;   // those of its entries; they differ where parts were joined
+  Revision before = 0;            // one that has the list up to it and the same state
+  std::vector<Command> commands;  // a stroke that came in parts is one whole stroke without an id
 };
 
 /// Record k describes the state at revision first + k. The commands that lead to a state form a list that shares its
@@ -93,6 +101,9 @@ class History {
 
   /// One line for each entry, oldest first.
   std::vector<LogEntry> log() const;
+  /// The steps from the first groom to the present state, oldest first. After an amendment each replayed step is one of
+  /// them, though all are undone together.
+  std::vector<ListedStep> listed_steps() const;
   /// The commands from the first groom to the present state, one element for each step; parts of a stroke are one whole
   /// stroke without an id.
   std::vector<std::vector<Command>> effective_log() const;
@@ -101,7 +112,7 @@ class History {
   struct Record {
     LogEntry line;
     std::size_t top = 0;    // record of the last entry in the list of commands that leads here
-    std::size_t below = 0;  // do and join: the top of the list before this entry; the list ends at 0
+    std::size_t below = 0;  // do, join and replay: the top of the list before this entry; the list ends at 0
     std::shared_ptr<const SceneSettings> settings;
   };
   struct Step {
@@ -109,6 +120,7 @@ class History {
     std::size_t before = 0, after = 0;  // records that describe the states
   };
 
+  bool is_last(EntryKind kind) const;
   Result<FieldDelta> change(const Step& step) const;
   Result<FieldDelta> change_of_last(const std::vector<Step>& steps, std::uint64_t count) const;
   void add_step(const FieldDelta& delta, std::size_t before);
@@ -120,6 +132,7 @@ class History {
   void record_undo(const Entry& entry, Record& record);
   void record_redo(const Entry& entry, Record& record);
   void record_revert(const Entry& entry, Record& record);
+  void list(const Entry& entry, Record& record) const;
   void arrive(std::size_t state, Record& record) const;
 
   Revision first_;

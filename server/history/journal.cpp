@@ -133,11 +133,26 @@ Status leave_pictures(Database& database, const std::string& scene) {
   return left;
 }
 
+Status write_entry(Database& database, const std::string& scene, const Entry& entry, const std::string& delta) {
+  if (entry.settings && !entry.settings->base_picture.empty()) {
+    Statement use = database.prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
+    if (Status kept = use.text(scene).text(entry.settings->base_picture).run(); !kept.ok()) return kept;
+  }
+  Statement insert = database.prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
+  insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
+  insert.text(entry.commands);
+  if (entry.settings)
+    insert.text(settings_text(*entry.settings));
+  else
+    insert.null();
+  return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
+}
+
 Result<Entry> read_entry(const Statement& row) {
   Entry entry;
   entry.revision = row.number_at(0);
   const std::uint64_t kind = row.number_at(1);
-  if (kind > static_cast<std::uint64_t>(EntryKind::revert)) return damaged("kind of an entry");
+  if (kind > static_cast<std::uint64_t>(EntryKind::replay)) return damaged("kind of an entry");
   entry.kind = static_cast<EntryKind>(kind);
   entry.argument = row.number_at(2);
   entry.commands = row.text_at(3);
@@ -212,22 +227,37 @@ Status Journal::remove_scene(const std::string& id) {
   });
 }
 
-Status Journal::append(const std::string& scene, const Entry& entry) {
-  const std::string delta = encode_delta(entry.delta);
+Status Journal::append(const std::string& scene, std::span<const Entry> entries) {
+  std::vector<std::string> deltas;
+  for (const Entry& entry : entries) deltas.push_back(encode_delta(entry.delta));
   const std::lock_guard lock(mutex_);
   return database_->transaction([&] {
-    if (entry.settings && !entry.settings->base_picture.empty()) {
-      Statement use = database_->prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
-      if (Status kept = use.text(scene).text(entry.settings->base_picture).run(); !kept.ok()) return kept;
-    }
-    Statement insert = database_->prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
-    insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
-    insert.text(entry.commands);
-    if (entry.settings)
-      insert.text(settings_text(*entry.settings));
-    else
-      insert.null();
-    return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
+    Status written;
+    for (std::size_t i = 0; written.ok() && i < entries.size(); ++i)
+      written = write_entry(*database_, scene, entries[i], deltas[i]);
+    return written;
+  });
+}
+
+// The branch keeps all pictures of the scene, also those that only later entries name.
+Status Journal::branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last) {
+  const std::lock_guard lock(mutex_);
+  return database_->transaction([&] {
+    Statement row = database_->prepare(
+        "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
+        " first_revision, first_groom, raw, fur_patches, refinements, settings)"
+        " SELECT ?, ?, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches, refinements,"
+        " settings"
+        " FROM scenes WHERE id = ?");
+    if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
+    Statement entries = database_->prepare(
+        "INSERT INTO entries SELECT ?, revision, kind, argument, commands, settings, hash_low, hash_high, delta"
+        " FROM entries WHERE scene = ? AND revision <= ?");
+    if (Status copied = entries.text(branch).text(scene).number(last).run(); !copied.ok()) return copied;
+    return database_->prepare("INSERT INTO picture_uses SELECT ?, picture FROM picture_uses WHERE scene = ?")
+        .text(branch)
+        .text(scene)
+        .run();
   });
 }
 

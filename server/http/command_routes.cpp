@@ -70,6 +70,14 @@ void move(Scene& scene, const Result<HistoryMove>& wanted, const Request& reques
   reply_answer(response, scene.move(*wanted, *options));
 }
 
+void amend(Service& service, Scene& scene, const Request& request, Response& response) {
+  const auto options = options_of(request, {"dry_run"});
+  if (!options) return reply_problem(response, options.status());
+  const auto wanted = decode_amend(request.body);
+  if (!wanted) return reply_problem(response, wanted.status());
+  reply_answer(response, service.scenes.amend(scene, *wanted, *options));
+}
+
 /// The commands that lead to where the scene is now; for another scene's model where one is named.
 Result<std::vector<std::vector<Command>>> lines_of(Service& service, const Scene& scene, const Request& request) {
   if (!request.has_param("for")) return scene.effective_log();
@@ -124,6 +132,9 @@ void add_command_routes(httplib::Server& server, Service& service) {
   });
   post(server, service, "revert", [](Scene& scene, const Request& request, Response& response) {
     move(scene, revert_of(request.body), request, response);
+  });
+  post(server, service, "amend", [&service](Scene& scene, const Request& request, Response& response) {
+    amend(service, scene, request, response);
   });
   server.Get("/v1/scenes/([^/]+)/log", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { read_log(service, *scene, request, response); });

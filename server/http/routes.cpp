@@ -20,7 +20,7 @@ void with_scene(Service& service, const httplib::Request& request, httplib::Resp
 
 std::uint64_t model_id_of(const Scene& scene) {
   std::uint64_t id = 0;
-  scene.read([&](const SceneView& view) { id = view.model.id; });
+  scene.read([&](const SceneView& view) { id = view.copy_id; });
   return id;
 }
 
@@ -47,7 +47,7 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
 }
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 20> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 22> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
                                                 {"/v1/scenes/{id}/subdivide", "POST"},
@@ -57,6 +57,8 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/v1/scenes/{id}/undo", "POST"},
                                                 {"/v1/scenes/{id}/redo", "POST"},
                                                 {"/v1/scenes/{id}/revert", "POST"},
+                                                {"/v1/scenes/{id}/amend", "POST"},
+                                                {"/v1/scenes/{id}/branch", "POST"},
                                                 {"/v1/scenes/{id}/log", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/compare", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/folds", "GET, HEAD"},

@@ -9,14 +9,23 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-void create_scene(Service& service, const Request& request, Response& response) {
-  const auto wanted = decode_new_scene(request.body);
-  if (!wanted) return reply_problem(response, wanted.status());
-  const auto scene = service.scenes.create(*wanted);
+void reply_created(Response& response, const Result<std::shared_ptr<Scene>>& scene) {
   if (!scene) return reply_problem(response, scene.status());
   const SceneSummary summary = (*scene)->summary();
   reply_json(response, 201, encode(summary), summary.revision);
   response.set_header("Location", "/v1/scenes/" + summary.id);
+}
+
+void create_scene(Service& service, const Request& request, Response& response) {
+  const auto wanted = decode_new_scene(request.body);
+  if (!wanted) return reply_problem(response, wanted.status());
+  reply_created(response, service.scenes.create(*wanted));
+}
+
+void branch_scene(Service& service, const Scene& scene, const Request& request, Response& response) {
+  const auto wanted = decode_branch(request.body);
+  if (!wanted) return reply_problem(response, wanted.status());
+  reply_created(response, service.scenes.branch(scene, *wanted));
 }
 
 void describe_scene(const Scene& scene, const Request& request, Response& response) {
@@ -51,6 +60,12 @@ void add_scene_routes(httplib::Server& server, Service& service) {
              [&](const Request&, Response& response) { reply_json(response, 200, encode(service.scenes.list())); });
   add_post(server, "/v1/scenes", [&](const Request& request, Response& response) {
     service.idempotency.answer(request, response, [&] { create_scene(service, request, response); });
+  });
+  add_post(server, "/v1/scenes/([^/]+)/branch", [&](const Request& request, Response& response) {
+    service.idempotency.answer(request, response, [&] {
+      with_scene(service, request, response,
+                 [&](const auto& scene) { branch_scene(service, *scene, request, response); });
+    });
   });
   server.Get("/v1/scenes/([^/]+)", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { describe_scene(*scene, request, response); });

@@ -91,6 +91,19 @@ Status in_batch(Status status, std::size_t command, std::size_t commands) {
   return status;
 }
 
+Status check_whole(const Command& command) {
+  const Stroke* stroke = stroke_of(command);
+  if (stroke == nullptr || (stroke->part == 0 && stroke->last)) return {};
+  return failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
+}
+
+std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers) {
+  std::vector<Command> some;
+  some.reserve(numbers.size());
+  for (const std::size_t k : numbers) some.push_back(commands[k]);
+  return some;
+}
+
 CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields) {
   CommandResult result;
   result.op = op;

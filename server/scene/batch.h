@@ -39,6 +39,12 @@ Status in_batch(Status status, std::size_t command, std::size_t commands);
 Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
                        FieldSet& fields, const SceneSettings& settings, Revision next);
 
+/// Refused (invalid, "/stroke/part") for a part of a stroke.
+Status check_whole(const Command& command);
+
+/// Those of the commands whose numbers are given.
+std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers);
+
 /// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
 CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields);
 

@@ -7,10 +7,12 @@
 #include <deque>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "renderer/frame/renderer.h"
+#include "server/scene/difference_view.h"
 #include "server/scene/frame_file.h"
 #include "server/scene/fur_view.h"
 
@@ -37,6 +39,7 @@ struct Job {
   std::shared_ptr<Scene> scene;
   FrameRequest request;
   std::function<bool()> abandoned;
+  std::optional<PastFields> past = {};  // what the overlay compares with
   Clock::time_point asked = Clock::now();
   std::promise<Result<DrawnFrame>> answer;
 
@@ -100,13 +103,17 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   frame.timings.queue = milliseconds_since(job.asked);
   const Clock::time_point start = Clock::now();
   FurFrame fur;
+  bool comparable = true;
   job.scene->read_for_drawing([&](const SceneView& scene, const std::vector<VertexRange>& dirty) {
     frame.revision = scene.revision;
     fur = make_frame(scene, job.request);
     const Mesh& mesh = scene.model.surface.mesh();
     frame.placement = {mesh.centre, mesh.size};
     sync_scene(renderer, scene, dirty);
+    comparable = !job.past || job.past->model.get() == &scene.model;
+    if (job.past && comparable) fur.difference = change_shares(job.past->fields, scene.fields);
   });
+  if (!comparable) return failure(Code::conflict, "the scene has another model since the frame was asked for");
   frame.timings.upload = milliseconds_since(start);
   DrawTimes times;
   Result<DrawnPicture> picture = draw_for_format(renderer, fur, job.request, times);
@@ -161,6 +168,11 @@ FrameService::~FrameService() {
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                         const std::function<bool()>& abandoned) {
   auto job = std::make_unique<Job>(Job{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
+  if (request.overlay == Overlay::difference) {  // read here, where it holds up no other frame
+    Result<PastFields> past = scene->past_fields(request.overlay_from.value_or(0));
+    if (!past) return past.status();
+    job->past = std::move(*past);
+  }
   std::future<Result<DrawnFrame>> answer = job->answer.get_future();
   impl_->add(std::move(job));
   Result<DrawnFrame> drawn = answer.get();

@@ -35,7 +35,8 @@ class FrameService {
   ~FrameService();
 
   /// Draws and encodes. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
-  /// before drawing starts; a frame that nobody waits for is dropped (unavailable).
+  /// before drawing starts; a frame that nobody waits for is dropped (unavailable). Refused (invalid, "/overlay_from")
+  /// when the scene's model has no such revision.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
 

@@ -38,11 +38,11 @@ FurGround make_ground(const Ground& ground, const Mesh& mesh) {
 
 /// What the renderer keeps the model in its present colours by.
 std::uint64_t copy_id(const SceneView& scene) {
-  if (!scene.base_picture) return scene.model.id;
+  if (!scene.base_picture) return scene.copy_id;
   std::uint64_t picture = 0;
   const char* digits = scene.settings.base_picture.data();
   std::from_chars(digits, digits + 16, picture, 16);
-  return mix_bits(scene.model.id ^ picture);
+  return mix_bits(scene.copy_id ^ picture);
 }
 
 FurPaint make_paint(const FieldSet& fields) {
@@ -82,7 +82,7 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
                          make_paint(scene.fields)};
   const std::uint64_t copy = copy_id(scene);
   if (renderer.has(copy)) return renderer.update(copy, fields);
-  renderer.forget(scene.model.id);  // in other colours
+  renderer.forget(scene.copy_id);  // in other colours
   const RawImage* picture = scene.base_picture;
   const FurPieces pieces = make_pieces(mesh, scene.model.patches, picture != nullptr);
   std::vector<ImageView> images;
@@ -92,7 +92,7 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
     for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
   }
   return renderer.add({copy, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, images,
-                       picture || !mesh.corners.empty(), scene.model.id},
+                       picture || !mesh.corners.empty(), scene.copy_id},
                       fields);
 }
 

@@ -26,21 +26,15 @@ std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_
 
 Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
 
-Status no_source() {
-  return failure(Code::invalid, "no scene was brought whose fields could be taken", "/scene");
-}
-
 /// A retarget with what it takes, and with the revision of that.
-Step retarget_step(Retarget command, const GroomSource& source) {
-  command.revision = source.revision;
-  return {std::move(command), source.fields, {source.model, &source.model->surface}};
-}
-
-std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers) {
-  std::vector<Command> some;
-  some.reserve(numbers.size());
-  for (const std::size_t k : numbers) some.push_back(commands[k]);
-  return some;
+Result<Step> with_source(Retarget command, const std::vector<GroomSource>& sources) {
+  const auto source = std::find_if(sources.begin(), sources.end(), [&](const GroomSource& one) {
+    return one.scene == command.scene && one.asked == command.revision;
+  });
+  if (source == sources.end())
+    return failure(Code::invalid, "the server has no such scene to take fields from", "/scene");
+  command.revision = source->revision;
+  return Step{std::move(command), source->fields, {source->model, &source->model->surface}};
 }
 
 }  // namespace
@@ -52,6 +46,7 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       journal_(journal),
       undo_bytes_(undo_bytes),
       model_(std::move(model)),
+      copy_id_(model_->id),
       fields_(first_groom(model_->surface.mesh(), fur)),
       history_(new_history(0, first_settings(*model_))),
       dirty_(whole_range(fields_.size())) {}
@@ -140,26 +135,13 @@ Status Scene::admit(const ExecuteOptions& options) const {
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
                                 const std::vector<GroomSource>& sources) const {
   Plan plan;
-  auto source = sources.begin();
+  const Past past{history_.settings(), [this](Revision revision) { return fields_at(revision); }, sources};
   for (std::size_t k = 0; k < commands.size(); ++k) {
-    Result<Command> command = resolve(commands[k], model_->surface);
-    if (!command) return in_batch(command.status(), k, commands.size());
-    if (Status missing = check_names(*command, plan.logged); !missing.ok()) return in_batch(missing, k, commands.size());
-    const Stroke* stroke = stroke_of(*command);
-    if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
-      Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
-      return in_batch(std::move(parts), k, commands.size());
-    }
-    if (std::holds_alternative<Retarget>(*command)) {
-      if (source == sources.end()) return in_batch(no_source(), k, commands.size());
-      plan.whole.push_back(retarget_step(std::get<Retarget>(*command), *source++));
-      plan.logged.push_back(plan.whole.back().command);
-      continue;
-    }
-    Result<Step> step = with_rest(*command);
+    Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
+    Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;
     if (!step) return in_batch(step.status(), k, commands.size());
+    plan.logged.push_back(step->command);
     plan.whole.push_back(std::move(*step));
-    plan.logged.push_back(std::move(*command));
   }
   if (commands.size() != 1) return plan;
   Result<LiveStroke::Plan> live = live_.plan(plan.logged.front());
@@ -173,20 +155,30 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
   return plan;
 }
 
-Status Scene::commit(const Entry& entry) {
-  if (Status written = journal_.append(id_, entry); !written.ok()) return written;
-  fields_.apply(entry.delta);
-  history_.record(entry);
-  const std::vector<VertexRange> dirty = entry.delta.dirty_ranges();
-  dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
+/// A command as it is evaluated: resolved, with all that it names.
+Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
+  Result<Command> resolved = resolve(command, model_->surface);
+  if (!resolved) return resolved.status();
+  if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
+  const auto* retarget = std::get_if<Retarget>(&*resolved);
+  return retarget ? with_source(*retarget, past.sources) : with_rest(std::move(*resolved), past);
+}
+
+Status Scene::commit_all(std::span<const Entry> entries) {
+  if (Status written = journal_.append(id_, entries); !written.ok()) return written;
+  for (const Entry& entry : entries) {
+    fields_.apply(entry.delta);
+    history_.record(entry);
+    const std::vector<VertexRange> dirty = entry.delta.dirty_ranges();
+    dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
+  }
   if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_), dirty_gap);
   changed_.notify_all();
   return take_up_picture();
 }
 
 /// What a command names has to be there: in the scene, or made by the commands before it in its batch.
-Status Scene::check_names(const Command& command, const std::vector<Command>& before) const {
-  SceneSettings settings = history_.settings();
+Status Scene::check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const {
   for (const Command& earlier : before) settings = with_setting(settings, earlier).value_or(settings);
   const auto missing = [](const auto& list, const std::string& name) {
     return !name.empty() &&
@@ -204,7 +196,7 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
 }
 
 /// An erase finds the fields that it goes back to.
-Result<Step> Scene::with_rest(Command command) const {
+Result<Step> Scene::with_rest(Command command, const Past& past) const {
   Step step{std::move(command), nullptr};
   const auto* erase = std::get_if<Erase>(&step.command);
   const auto* checkpoint = std::get_if<Checkpoint>(&step.command);
@@ -215,14 +207,14 @@ Result<Step> Scene::with_rest(Command command) const {
   }
   Revision revision = erase->revision.value_or(history_.first_revision());
   if (!erase->checkpoint.empty()) {
-    const std::vector<Checkpoint>& known = history_.settings().checkpoints;
+    const std::vector<Checkpoint>& known = past.settings.checkpoints;
     const auto named = std::find_if(known.begin(), known.end(),
                                     [&](const Checkpoint& other) { return other.name == erase->checkpoint; });
     if (named == known.end())
       return failure(Code::invalid, "the scene has no checkpoint of this name", "/checkpoint");
     revision = *named->revision;
   }
-  Result<FieldSet> rest = fields_at(revision);
+  Result<FieldSet> rest = past.fields_at(revision);
   if (!rest) return rest.status();
   step.rest = std::make_shared<const FieldSet>(std::move(*rest));
   return step;
@@ -245,7 +237,9 @@ Status Scene::take_up_picture() {
   return {};
 }
 
-SceneView Scene::view() const { return {*model_, fields_, history_.settings(), history_.revision(), picture_.get()}; }
+SceneView Scene::view() const {
+  return {*model_, fields_, history_.settings(), history_.revision(), picture_.get(), copy_id_};
+}
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   Entry entry;
@@ -369,6 +363,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   Status written = journal_.replace_model({id_, name_, std::move(stored), revision, groom});
   if (!written.ok()) return written;
   model_ = std::move(model);
+  copy_id_ = model_->id;
   fields_ = std::move(first);
   history_ = new_history(revision, first_settings(*model_));
   picture_.reset(), picture_name_.clear();

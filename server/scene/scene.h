@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
+#include "protocol/commands/history.h"
 #include "protocol/commands/scene.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
@@ -29,7 +31,7 @@ namespace pelage {
 struct SceneModel {
   Surface surface;
   PatchMap patches;
-  std::uint64_t id = 0;  // unique in the process: what the renderer caches by
+  std::uint64_t id = 0;  // unique in the process: what the renderer caches by, but for branches that share the model
   std::string name;      // "creature", "obj", ...
   FurPatches fur_patches = FurPatches::overlapping;
   std::vector<ChosenTriangles> refinements = {};  // since it was prepared
@@ -37,6 +39,8 @@ struct SceneModel {
 
 /// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.
 struct GroomSource {
+  std::string scene;
+  std::optional<Revision> asked = {};  // the revision that was asked for
   Revision revision = 0;
   std::shared_ptr<const SceneModel> model;
   std::shared_ptr<const FieldSet> fields;
@@ -49,12 +53,19 @@ struct SceneView {
   const SceneSettings& settings;
   Revision revision;
   const RawImage* base_picture = nullptr;  // that the settings name; null for the model's own colours
+  std::uint64_t copy_id = model.id;        // what the renderer keeps the model with these fields by
+};
+
+/// What a scene's fields were at a revision.
+struct PastFields {
+  std::shared_ptr<const SceneModel> model;
+  FieldSet fields;
 };
 
 struct ExecuteOptions {
   std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
   bool dry_run = false;                   // answer what it would do; nothing changes
-  std::vector<GroomSource> sources = {};  // of each retarget among the commands, in order (SceneStore::sources_of)
+  std::vector<GroomSource> sources = {};  // what retargets take (SceneStore::execute and amend find them)
 };
 
 struct Undo {
@@ -90,6 +101,20 @@ class Scene {
   /// bit, no setting) keeps the revision and makes no step.
   Result<CommandAnswer> execute(const std::vector<Command>& commands, const ExecuteOptions& options = {});
   Result<CommandAnswer> move(const HistoryMove& move, const ExecuteOptions& options = {});
+
+  /// Puts other commands in the place of an earlier step and evaluates the steps after it anew: a revert to before the
+  /// step, then an entry for each step that changes anything, all of them or none, and one undo step. Refused (invalid)
+  /// with "/revision" when no step that is in effect has it, with "/commands/K" as execute does, and with "/commands"
+  /// when a later step cannot be replayed. Results are those of all replayed commands.
+  Result<CommandAnswer> amend(const AmendRequest& request, const ExecuteOptions& options = {});
+
+  /// A scene of its own, in the journal too, that begins as this one is or was `at` a revision (refused, "/revision",
+  /// where this model has none of that number). `copy_id` is its own for the renderer.
+  Result<std::shared_ptr<Scene>> branch(const std::string& id, const std::string& name, std::optional<Revision> at,
+                                        std::uint64_t copy_id) const;
+
+  /// Reads the journal without holding up commands. Refused (invalid, "/overlay_from") as compare does.
+  Result<PastFields> past_fields(Revision revision) const;
 
   SceneSummary summary() const;
   /// All entries of the journal since the model came, oldest first.
@@ -139,16 +164,35 @@ class Scene {
     bool joins = false;
   };
 
+  /// What the names and revisions in commands refer to.
+  struct Past {
+    const SceneSettings& settings;
+    std::function<Result<FieldSet>(Revision)> fields_at;
+    const std::vector<GroomSource>& sources;
+  };
+  /// Steps that have been evaluated but are not in the journal yet.
+  struct Replay {
+    FieldSet fields;  // after them
+    std::shared_ptr<const SceneSettings> settings;
+    std::vector<Entry> entries;
+    std::vector<CommandResult> results;
+  };
+
   // All of these need the lock.
   Status admit(const ExecuteOptions& options) const;
   Result<Plan> plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const;
-  Status commit(const Entry& entry);
+  Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
+  Status commit(const Entry& entry) { return commit_all(std::span(&entry, 1)); }
+  Status commit_all(std::span<const Entry> entries);
+  Result<Replay> begin_replay(Revision before) const;
+  Status replay_step(Replay& replay, const std::vector<Command>& commands,
+                     const std::vector<GroomSource>& sources) const;
   History new_history(Revision first, SceneSettings settings) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
   Status check_revision(Revision revision, std::string pointer = "/revision") const;
-  Result<Step> with_rest(Command command) const;
-  Status check_names(const Command& command, const std::vector<Command>& before) const;
+  Result<Step> with_rest(Command command, const Past& past) const;
+  Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   Status take_up_picture();
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
@@ -160,6 +204,7 @@ class Scene {
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::shared_ptr<const SceneModel> model_;
+  std::uint64_t copy_id_;
   FieldSet fields_;
   History history_;
   LiveStroke live_;

@@ -46,7 +46,7 @@ Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
   const std::lock_guard lock(mutex_);
   Result<FieldSet> fields = fields_at(revision.value_or(history_.revision()));
   if (!fields) return fields.status();
-  return GroomSource{revision.value_or(history_.revision()), model_,
+  return GroomSource{id_, revision, revision.value_or(history_.revision()), model_,
                      std::make_shared<const FieldSet>(std::move(*fields))};
 }
 
@@ -65,6 +65,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   Status written = journal_.refine_model({id_, name_, std::move(model), revision, groom, settings});
   if (!written.ok()) return written;
   model_ = std::move(refined->model);
+  copy_id_ = model_->id;
   fields_ = std::move(refined->fields);
   history_ = new_history(revision, *settings);
   live_.end();

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <random>
 
@@ -152,6 +153,20 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
   return impl_->add({random_id(), request.name, std::move(how), 0, {}}, *model, request.fur);
 }
 
+Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request) {
+  if (!impl_->has_room()) return full();
+  Result<std::shared_ptr<Scene>> scene =
+      from.branch(random_id(), request.name, request.revision, ++impl_->last_model);
+  if (!scene) return scene;
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->scenes.size() >= limits::scenes) {  // others came while it was copied
+    const Status removed = (*scene)->remove();
+    return removed.ok() ? full() : removed;
+  }
+  impl_->scenes.push_back(*scene);
+  return scene;
+}
+
 Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const {
   const std::lock_guard lock(impl_->mutex);
   for (const auto& scene : impl_->scenes) {
@@ -209,6 +224,20 @@ Result<std::vector<GroomSource>> SceneStore::sources_of(const std::vector<Comman
     sources.push_back(std::move(*groom));
   }
   return sources;
+}
+
+Result<CommandAnswer> SceneStore::amend(Scene& scene, const AmendRequest& request, ExecuteOptions options) const {
+  Result<std::vector<GroomSource>> sources = sources_of(request.commands);
+  if (!sources) return sources.status();
+  options.sources = std::move(*sources);
+  // What the log takes from scenes that are gone is refused only where it has to be replayed.
+  for (const std::vector<Command>& step : scene.effective_log()) {
+    for (const Command& command : step) {
+      Result<std::vector<GroomSource>> logged = sources_of({command});
+      if (logged) std::move(logged->begin(), logged->end(), std::back_inserter(options.sources));
+    }
+  }
+  return scene.amend(request, options);
 }
 
 Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Command>& commands,

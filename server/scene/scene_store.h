@@ -24,6 +24,9 @@ class SceneStore {
 
   /// Refused (busy) at the limit of scenes.
   Result<std::shared_ptr<Scene>> create(const NewScene& request);
+  /// A scene of its own that begins as `from` is or was at a revision. Refused: busy at the limit of scenes; as
+  /// Scene::branch does.
+  Result<std::shared_ptr<Scene>> branch(const Scene& from, const BranchRequest& request);
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
   std::vector<SceneSummary> list() const;
@@ -42,6 +45,8 @@ class SceneStore {
   Result<std::vector<GroomSource>> sources_of(const std::vector<Command>& commands) const;
   /// Scene::execute with those grooms.
   Result<CommandAnswer> execute(Scene& scene, const std::vector<Command>& commands, ExecuteOptions options = {}) const;
+  /// Scene::amend with them and with those that the scene's log takes.
+  Result<CommandAnswer> amend(Scene& scene, const AmendRequest& request, ExecuteOptions options = {}) const;
 
   /// Reads a picture of all directions through the worker and sets the scene's environment to `how` with its light: a
   /// set_environment with harmonics, which needs no picture when it is run again. Counts as an import.

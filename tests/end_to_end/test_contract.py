@@ -54,7 +54,8 @@ class Document(unittest.TestCase):
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
-                    "RevisionBody", "Subdivide", "Retarget", "Knobs", "FrameRequest", "PickRequest")
+                    "RevisionBody", "Subdivide", "Retarget", "Layer", "BranchRequest", "AmendRequest", "Knobs", "FrameRequest",
+                    "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -173,7 +174,8 @@ class Requests(ServedTest):
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
         exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "layers": ["depth", "beauty"], "overlay": "none"}
         jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
-        for variation in (v for request in (frame, exr, jpeg) for v in self.variations(request)):
+        difference = {"width": 8, "height": 8, "overlay": "difference", "overlay_from": 0}
+        for variation in (v for request in (frame, exr, jpeg, difference) for v in self.variations(request)):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):
@@ -192,6 +194,22 @@ class Requests(ServedTest):
             if variation.get("scene") == "text" or variation.get("revision") not in (0, None):
                 continue  # well formed, and only the server knows that there is no such scene or revision
             self.agree("Command", variation, lambda b: scene.post("commands?dry_run=1", b))
+
+    def test_branches_and_amendments(self):
+        scene = self.server.new_scene("plane", 50)
+        scene.run(flood([1, 0, 0]))
+
+        def branch(request):
+            answer = scene.post("branch", request)
+            if answer.status == 201:
+                self.server.call("DELETE", answer.headers["location"])
+            return answer
+
+        for variation in self.variations({"name": "a", "revision": 1}):
+            self.agree("BranchRequest", variation, branch)
+        amendment = {"revision": 1, "commands": [{"op": "set_ground", "ground": {"visible": True}}, flood([1, 0, 0])]}
+        for variation in self.variations(amendment):
+            self.agree("AmendRequest", variation, lambda b: scene.post("amend?dry_run=1", b))
 
     def test_new_scenes(self):
         body = {"name": "a", "model": {"builtin": "plane", "triangles": 2}, "fur": {"length": 0.1, "inclination": 0.2}, "fur_patches": "hard"}
@@ -299,6 +317,7 @@ class Answers(ServedTest):
     def test_every_operation_answers_what_it_says(self):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "subdivide": {"levels": 1, "masked": False},
+        body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "branch": {"name": "side"},
                 "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                  "environment": hdr([[[1, 1, 1]]]), "base_picture": png([[[1, 2, 3]]])}
@@ -311,6 +330,9 @@ class Answers(ServedTest):
             query = {"model": "?format=obj", "frame.png": "?width=16&height=16", "compare": f"?from={revision}&to={revision}"}
             address = path.replace("{id}", scene.id) + query.get(name, "")
             body["revert"] = {"revision": revision}
+            if name == "amend":
+                steps = [entry["revision"] for entry in self.server.get(f"{scene.path}/log").json["entries"] if entry["kind"] == "do"]
+                body["amend"] = {"revision": steps[-1], "commands": [flood([1, 0, 0])]}
             sent = None if method == "get" else files[name] if method == "put" else body.get(path, body.get(name))
             with self.subTest(f"{method} {path}"):
                 answer = self.server.call(method.upper(), address, sent)
@@ -320,7 +342,7 @@ class Answers(ServedTest):
                     self.check(path, method, self.server.call("POST", address, "{"))
                 self.check(path, method, self.server.call(method.upper(), address, sent, headers={"Host": "evil.example"}))
                 seen += 1
-        self.assertGreaterEqual(seen, 18)
+        self.assertGreaterEqual(seen, 20)
         self.check("/v1/scenes/{id}/log", "get", self.server.get(f"{scene.path}/log?format=jsonl"))
         self.check("/v1/scenes/{id}/pick", "post", scene.post("pick", {"pixel": [0, 0]}))
         self.check("/v1/scenes/{id}", "delete", self.server.call("DELETE", scene.path))

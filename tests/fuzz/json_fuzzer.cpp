@@ -30,6 +30,19 @@ void check_frame(std::string_view text) {
   require(again.ok() && pelage::encode(*again) == encoded);
 }
 
+void check_history(std::string_view text) {
+  if (const auto amendment = pelage::decode_amend(text)) {
+    const std::string encoded = pelage::encode(*amendment);
+    const auto again = pelage::decode_amend(encoded);
+    require(again.ok() && pelage::encode(*again) == encoded);
+  }
+  if (const auto branch = pelage::decode_branch(text)) {
+    const std::string encoded = pelage::encode(*branch);
+    const auto again = pelage::decode_branch(encoded);
+    require(again.ok() && pelage::encode(*again) == encoded);
+  }
+}
+
 /// The text as a recipe, and as what that recipe includes.
 void check_recipe(std::string_view text) {
   (void)pelage::is_recipe(text);
@@ -59,6 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   check_commands(text);
   check_frame(text);
+  check_history(text);
   check_query(text);
   check_recipe(text);
   (void)pelage::decode_new_scene(text);

@@ -292,6 +292,35 @@ TEST_P(PaintedFrames, OverlaysShowThem) {
   EXPECT_EQ(middle(Overlay::none), none) << "a mask is not drawn";
 }
 
+TEST_P(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
+  const FurredModel model = ball();
+  drawn(model);
+  FurFrame frame = make_frame(model.view(), request);
+  DrawTimes before;
+  const Image plain = *renderer->draw(frame, &before);
+  frame.overlay = Overlay::difference;
+  const auto with = [&](float left, float right) {
+    frame.difference.clear();
+    for (const glm::vec3 place : model.model.surface.mesh().positions)
+      frame.difference.push_back(place.x < 0 ? left : right);
+    const Result<Image> image = renderer->draw(frame);
+    EXPECT_TRUE(image.ok());
+    return *image;
+  };
+  const Image image = with(0, 1);
+  const glm::dvec3 same = colour_at(image, {0.3, 0.5}), changed = colour_at(image, {0.7, 0.5});
+  EXPECT_GT(changed.g, changed.b + 60) << "yellow";
+  EXPECT_LT(std::abs(same.g - same.b), 30) << "grey over the coat";
+  const glm::dvec3 little = colour_at(with(0, 1e-6f), {0.7, 0.5});
+  EXPECT_GT(little.b, little.g + 30) << "the least change is violet, and not grey";
+  EXPECT_LT(largest_difference(with(0, 0), with(0, 0)), 1);
+
+  frame.overlay = Overlay::none;  // and costs later frames nothing
+  DrawTimes after;
+  EXPECT_EQ(renderer->draw(frame, &after)->rgba, plain.rgba);
+  EXPECT_EQ(after.counters, before.counters);
+}
+
 TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {
   FurredModel model = ball(0.08, 300);
   model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};

@@ -11,6 +11,8 @@ namespace shaders {
 extern const char* const whole_target_vert;
 extern const char* const field_vert;
 extern const char* const field_frag;
+extern const char* const difference_vert;
+extern const char* const difference_frag;
 extern const char* const strokes_frag;
 extern const char* const count_frag;
 extern const char* const map_frag;
@@ -19,6 +21,7 @@ extern const char* const map_frag;
 namespace {
 
 constexpr float strength = 0.6f;     // of colours over the frame
+constexpr GLuint shares_binding = 3;  // as in difference.vert
 constexpr float full_layers = 2.0f;  // times the shells: what the end of the ramp stands for
 
 enum class FieldKind { direction, strokes, length, density, wetness, mask };  // numbers of field.frag
@@ -42,18 +45,22 @@ OverlayPass::Programs::Programs(const Gl& gl)
       count(gl, shaders::whole_target_vert, shaders::count_frag),
       map(gl, shaders::whole_target_vert, shaders::map_frag) {}
 
+OverlayPass::Comparison::Comparison(const Gl& gl)
+    : program(gl, shaders::difference_vert, shaders::difference_frag), shares(gl) {}
+
 const OverlayPass::Programs& OverlayPass::programs(const Gl& gl) {
   if (!programs_) programs_.emplace(gl);
   return *programs_;
 }
 
 std::string OverlayPass::failure() const {
-  return programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() + programs_->map.log()
-                   : "";
+  const std::string others = programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() +
+                                             programs_->map.log()
+                                       : "";
+  return comparison_ ? others + comparison_->program.log() : others;
 }
 
-RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
-                                     const ModelBuffers::DrawList& triangles) {
+RenderTarget OverlayPass::begin_skin(const Gl& gl, const FurFrame& frame, const ModelBuffers& model) const {
   RenderTarget field(gl, GL_RGBA16F, frame.width, frame.height, 1, true);
   if (!field.complete()) return field;
   set_draw_state(gl, field);
@@ -61,6 +68,13 @@ RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const 
   gl.Disable(GL_BLEND);
   clear_target(gl, field, {});
   gl.BindVertexArray(model.vertex_array());
+  return field;
+}
+
+RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
+                                     const ModelBuffers::DrawList& triangles) {
+  RenderTarget field = begin_skin(gl, frame, model);
+  if (!field.complete()) return field;
   const Programs& with = programs(gl);
   with.field.use();
   with.field.set("aspect", static_cast<float>(frame.width) / static_cast<float>(frame.height));
@@ -75,6 +89,23 @@ RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const 
   with.strokes.use();
   draw_whole(gl, lines, field.texture());
   return lines;
+}
+
+RenderTarget OverlayPass::draw_difference(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
+                                          const ModelBuffers::DrawList& triangles) {
+  RenderTarget target = begin_skin(gl, frame, model);
+  if (!target.complete()) return target;
+  if (!comparison_) comparison_.emplace(gl);
+  std::vector<float> shares;
+  shares.reserve(model.welded().size());
+  for (const std::uint32_t vertex : model.welded()) shares.push_back(frame.difference[vertex]);
+  gl.NamedBufferData(comparison_->shares.id(), static_cast<GLsizeiptr>(shares.size() * sizeof(float)), shares.data(),
+                     GL_STREAM_DRAW);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, shares_binding, comparison_->shares.id());
+  comparison_->program.use();
+  comparison_->program.set("strength", strength);
+  draw_list(gl, triangles);
+  return target;
 }
 
 RenderTarget OverlayPass::draw_count(const Gl& gl, const FurFrame& frame, GLuint counts, float scale) {

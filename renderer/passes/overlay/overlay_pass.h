@@ -24,6 +24,9 @@ class OverlayPass {
   /// frame's block is bound.
   RenderTarget draw_field(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
                           const ModelBuffers::DrawList& triangles);
+  /// FurFrame::difference, as draw_field.
+  RenderTarget draw_difference(const Gl& gl, const FurFrame& frame, const ModelBuffers& model,
+                               const ModelBuffers::DrawList& triangles);
   /// Whether an overlay is a map of a light and not a picture of the model.
   static bool is_map(Overlay overlay);
   /// A light's map: the first channel of a texture as grey, black at `ends[0]` and white at `ends[1]`, in the largest
@@ -38,9 +41,19 @@ class OverlayPass {
     Program field, strokes, count, map;
   };
   const Programs& programs(const Gl& gl);
+  /// A target for the skin, bound with the model's vertices; it may be incomplete.
+  RenderTarget begin_skin(const Gl& gl, const FurFrame& frame, const ModelBuffers& model) const;
   void draw_whole(const Gl& gl, const RenderTarget& target, GLuint source) const;
 
-  std::optional<Programs> programs_;  // made when first used
+  /// What a comparison needs beside the model.
+  struct Comparison {
+    explicit Comparison(const Gl& gl);
+    Program program;
+    Buffer shares;  // of render vertices
+  };
+
+  std::optional<Programs> programs_;      // made when first used
+  std::optional<Comparison> comparison_;  // the same
   VertexArray nothing_;
 };
 

@@ -111,7 +111,8 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   if (before.format == FrameFormat::exr) {
     if (*rc::gen::arbitrary<bool>()) before.layers = {one_of(FrameLayer::layer_count)};
   } else {
-    before.overlay = one_of(Overlay::shadow_width);
+    before.overlay = one_of(Overlay::difference);
+    if (before.overlay == Overlay::difference) before.overlay_from = *rc::gen::arbitrary<std::uint64_t>();
   }
   before.background_colour = colour();
   before.exposure = number(-20, 20);
@@ -122,7 +123,26 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   RC_ASSERT(after->knobs == before.knobs);
   RC_ASSERT(encode(*after) == encode(before));
   RC_ASSERT(after->format == before.format && after->layers == before.layers && after->overlay == before.overlay);
+  RC_ASSERT(after->overlay_from == before.overlay_from);
   RC_ASSERT(after->background == before.background && after->exr_type == before.exr_type);
+}
+
+RC_GTEST_PROP(Json, BranchesComeBack, ()) {
+  BranchRequest before;
+  if (*rc::gen::arbitrary<bool>()) before.revision = *rc::gen::arbitrary<std::uint64_t>();
+  before.name = std::string(static_cast<std::size_t>(*rc::gen::inRange(1, 201)), *rc::gen::inRange('!', '~'));
+  const auto after = decode_branch(encode(before));
+  RC_ASSERT(after.ok());
+  RC_ASSERT(after->name == before.name && after->revision == before.revision);
+}
+
+RC_GTEST_PROP(Json, AmendmentsComeBack, ()) {
+  AmendRequest before{.revision = *rc::gen::arbitrary<std::uint64_t>(), .commands = {}};
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) before.commands.push_back(command());
+  const auto after = decode_amend(encode(before));
+  if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
+  RC_ASSERT(after->revision == before.revision && after->commands.size() == before.commands.size());
+  RC_ASSERT(encode(*after) == encode(before));
 }
 
 RC_GTEST_PROP(Json, AnyOctetsGiveACommandOrARefusal, (const std::string& octets)) {

@@ -41,7 +41,40 @@ class Script {
       move(Revert{static_cast<Revision>(below(static_cast<int>(scene_.revision()) + 1))});
   }
 
+  /// Changes, leaves out or replaces a step, and gives the list of steps as it is to be from then on.
+  std::vector<std::vector<Command>> amend() {
+    std::vector<std::vector<Command>> steps = scene_.effective_log();
+    std::vector<std::pair<Revision, std::size_t>> known = revisions_in_effect();
+    if (known.empty()) return steps;
+    const auto [revision, number] = known[static_cast<std::size_t>(below(static_cast<int>(known.size())))];
+    const double kind = random_.uniform();
+    if (kind < 0.4)
+      steps[number] = {tool()};
+    else if (kind < 0.6)
+      steps[number] = {tool(), setting(), tool()};
+    else
+      steps[number].clear();
+    const auto answer = scene_.amend({revision, steps[number]});
+    EXPECT_TRUE(answer.ok()) << answer.status().message << answer.status().pointer;
+    std::erase_if(steps, [](const auto& step) { return step.empty(); });
+    return steps;
+  }
+
  private:
+  /// A revision of each step that is in effect, found by trying: what the log marks can be amended, and nothing else.
+  std::vector<std::pair<Revision, std::size_t>> revisions_in_effect() {
+    std::vector<std::pair<Revision, std::size_t>> known;
+    const std::size_t steps = scene_.effective_log().size();
+    bool in_stroke = false;  // of parts the first one counts
+    for (const LogEntry& entry : scene_.log()) {
+      const bool joins = entry.kind == "join";
+      EXPECT_EQ(scene_.amend({entry.revision, {}}, {.dry_run = true}).ok(), entry.in_effect) << entry.revision;
+      if (entry.in_effect && !(joins && in_stroke)) known.emplace_back(entry.revision, known.size());
+      in_stroke = joins || entry.kind == "do";
+    }
+    EXPECT_EQ(known.size(), steps);
+    return known.size() == steps ? known : decltype(known){};
+  }
   int below(int limit) { return static_cast<int>(random_.uniform(0, limit)); }
   bool chance(double share) { return random_.uniform() < share; }
 
@@ -208,6 +241,12 @@ std::string settings_text(const Scene& scene) {
   return text;
 }
 
+std::string lines_of(const std::vector<std::vector<Command>>& steps) {
+  std::string text;
+  for (const std::vector<Command>& step : steps) text += encode(step) + "\n";
+  return text;
+}
+
 class ReplayTest : public StoreTest, public ::testing::WithParamInterface<std::uint64_t> {
  protected:
   void SetUp() override {
@@ -310,6 +349,49 @@ TEST_P(ReplayTest, StepsBeyondTheUndoMemoryComeBackFromTheJournal) {
   const std::vector<FieldsHash> all_in_memory = run(limits::undo_bytes);
   EXPECT_EQ(run(0), all_in_memory);
   EXPECT_EQ(run(4000), all_in_memory) << "some steps in memory, some not";
+}
+
+// The model of an amendment: its edited list, replayed into a fresh scene.
+TEST_P(ReplayTest, AmendmentsAndBranchesAreWhatTheirListsSay) {
+  open(4000);  // some steps in memory, some not
+  auto scene = make(Builtin::torus, 600);
+  Script script(*scene, GetParam() + 3000);
+  std::vector<std::string> ids;
+  for (int round = 0; round < 6 && !HasFatalFailure(); ++round) {
+    for (int i = 0; i < 8; ++i) script.act();
+    const SceneSummary before = scene->summary();
+    const std::string settings = settings_text(*scene);
+    const auto steps = script.amend();
+    const auto anew = make(Builtin::torus, 600);
+    replay(steps, *anew);
+    ASSERT_EQ(hash(*scene), hash(*anew)) << round;
+    ASSERT_EQ(settings_text(*scene), settings_text(*anew)) << round;
+    ASSERT_EQ(lines_of(scene->effective_log()), lines_of(anew->effective_log())) << round;
+    ASSERT_TRUE(store_->remove(anew->id()).ok());
+
+    if (scene->revision() == before.revision) continue;  // there was nothing to amend
+    const auto side = store_->branch(*scene, {});
+    ASSERT_TRUE(side.ok());
+    const FieldsHash amended = hash(*scene);
+    ASSERT_EQ(move(**side, Undo{}).fields_hash, before.fields_hash) << round;
+    ASSERT_EQ(settings_text(**side), settings) << round;
+    ASSERT_EQ(move(**side, Redo{}).fields_hash, amended) << round;
+    const auto back = store_->branch(*scene, {"back", before.revision});
+    ASSERT_TRUE(back.ok());
+    ASSERT_EQ(hash(**back), before.fields_hash) << round;
+    ids.push_back((*side)->id()), ids.push_back((*back)->id());
+  }
+  EXPECT_GE(ids.size(), 6u) << "most rounds amend something";
+  ids.push_back(scene->id());
+  std::vector<std::pair<FieldsHash, std::string>> known;
+  for (const std::string& id : ids) known.emplace_back(hash(**store_->find(id)), encode((*store_->find(id))->log()));
+  scene.reset();
+  open();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto again = *store_->find(ids[i]);
+    EXPECT_EQ(hash(*again), known[i].first);
+    EXPECT_EQ(encode(again->log()), known[i].second);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ReplayTest, ::testing::Range<std::uint64_t>(1, 5));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "protocol/json/encode.h"
 #include "server/fields/field_set.h"
 #include "server/history/delta_codec.h"
@@ -138,7 +140,76 @@ TEST_F(HistoryTest, JoinedPartsAreOneStepAndOneWholeStroke) {
   EXPECT_EQ(effective(), (std::vector<double>{1}));
 }
 
+TEST_F(HistoryTest, AnAmendmentIsOneStepOverAListOfReplayedOnes) {
+  step(1);
+  step(2);
+  step(3);
+  take(EntryKind::revert, 6, "", to(1));
+  take(EntryKind::replay, 0, encode(Command(comb_at(20))), to(20));
+  take(EntryKind::replay, 0, encode(Command(comb_at(3))), to(23));
+  EXPECT_EQ(effective(), (std::vector<double>{1, 20, 3}));
+  EXPECT_EQ(history_.undo_steps(), 4u);
+  EXPECT_EQ(history_.log().back().kind, "replay");
+  undo(1);
+  EXPECT_EQ(length_, 3);
+  EXPECT_EQ(effective(), (std::vector<double>{1, 2, 3}));
+  redo(1);
+  EXPECT_EQ(length_, 23);
+  EXPECT_EQ(effective(), (std::vector<double>{1, 20, 3}));
+  step(24);
+  take(EntryKind::revert, 10, "", to(20));  // amended again: what was replayed is a step like any other
+  take(EntryKind::replay, 0, encode(Command(comb_at(30))), to(30));
+  EXPECT_EQ(effective(), (std::vector<double>{1, 20, 30}));
+  undo(3);
+  EXPECT_EQ(effective(), (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(HistoryTest, ListedStepsHaveTheirRevisions) {
+  step(1);                                                                     // 6
+  take(EntryKind::command, 0, encode(Command(comb_at(2, "k", 0, false))), to(2));  // 7
+  take(EntryKind::join, 0, encode(Command(comb_at(3, "k", 1, true))), to(3));      // 8
+  undo(1);
+  redo(1);
+  step(4);                                                                     // 11
+  take(EntryKind::revert, 6, "", to(1));                                       // 12
+  take(EntryKind::replay, 0, encode(Command(comb_at(5))), to(5));              // 13
+  std::vector<Revision> marked;
+  for (const LogEntry& line : history_.log()) {
+    if (line.in_effect) marked.push_back(line.revision);
+  }
+  EXPECT_EQ(marked, (std::vector<Revision>{6, 13}));
+  const auto revisions = [&] {
+    std::vector<std::array<Revision, 3>> found;
+    for (const ListedStep& one : history_.listed_steps()) found.push_back({one.before, one.first, one.last});
+    return found;
+  };
+  EXPECT_EQ(revisions(), (std::vector<std::array<Revision, 3>>{{5, 6, 6}, {6, 13, 13}}));
+  undo(1);
+  EXPECT_EQ(revisions(), (std::vector<std::array<Revision, 3>>{{5, 6, 6}, {6, 7, 8}, {8, 11, 11}}));
+}
+
+TEST_F(HistoryTest, SettingsGoWithReplayedSteps) {
+  SceneSettings grey;
+  grey.look.ambient = 2;
+  const auto settings = std::make_shared<const SceneSettings>(grey);
+  step(1);
+  take(EntryKind::revert, 5, "", to(0));
+  take(EntryKind::replay, 0, encode(Command(SetLook{grey.look})), {}, settings);
+  take(EntryKind::replay, 0, encode(Command(comb_at(1))), to(1));
+  EXPECT_EQ(history_.settings().look.ambient, 2);
+  undo(1);
+  EXPECT_EQ(history_.settings().look.ambient, Look{}.ambient);
+  redo(1);
+  EXPECT_EQ(history_.settings().look.ambient, 2);
+}
+
 TEST_F(HistoryTest, RefusesEntriesThatCannotFollow) {
+  step(1);
+  EXPECT_FALSE(history_.accepts({7, EntryKind::replay, 0, "", {}, {}, {}})) << "nothing is gone back to";
+  undo(1);
+  history_ = History(5);
+  length_ = 0;
+  EXPECT_FALSE(history_.accepts({6, EntryKind::replay, 0, "", {}, {}, {}}));
   EXPECT_FALSE(history_.accepts({7, EntryKind::command, 0, "", {}, {}, {}}));
   EXPECT_FALSE(history_.accepts({6, EntryKind::undo, 1, "", {}, {}, {}}));
   EXPECT_FALSE(history_.accepts({6, EntryKind::join, 0, "", {}, {}, {}}));
@@ -209,6 +280,28 @@ TEST_F(UndoMemoryTest, TheOldestStepsGiveWayAndAreReadBack) {
   EXPECT_EQ(history_.redo_steps(), 0u);
   undo(2);
   EXPECT_EQ(length(), 0);
+}
+
+TEST_F(UndoMemoryTest, AmendmentsCountAndAreReadBackWhole) {
+  for (int i = 1; i <= 3; ++i) step(static_cast<float>(i));
+  const auto go_on = [&](EntryKind kind, Revision argument, float length) {
+    FieldSet after = fields_;
+    for (std::uint32_t v = 0; v < fields_.size(); ++v) after.set(v, {{}, length, 0});
+    const std::string text = encode(Command(comb_at(length)));
+    take({history_.revision() + 1, kind, argument, text, difference(fields_, after), {}, {}});
+  };
+  go_on(EntryKind::revert, 1, 1);
+  for (const float length : {20.0f, 30.0f, 40.0f}) go_on(EntryKind::replay, 0, length);
+  EXPECT_EQ(history_.undo_steps(), 4u);
+  for (int i = 5; i <= 8; ++i) step(static_cast<float>(i));  // the amendment gives way
+  undo(4);
+  EXPECT_EQ(length(), 40);
+  reads_ = 0;
+  undo(1);
+  EXPECT_EQ(length(), 3);
+  EXPECT_EQ(reads_, 1);
+  redo(1);
+  EXPECT_EQ(length(), 40);
 }
 
 TEST_F(UndoMemoryTest, WhatCannotBeReadBackIsAFailureAndNotALoss) {

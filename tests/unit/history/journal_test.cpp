@@ -143,6 +143,43 @@ TEST_F(JournalTest, NoRevisionIsWrittenTwice) {
   EXPECT_FALSE(journal->append("a", entry(4)).ok());
 }
 
+TEST_F(JournalTest, SeveralEntriesAreWrittenAllOrNone) {
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  EXPECT_TRUE(journal->append("a", std::vector{entry(4), entry(5)}).ok());
+  EXPECT_FALSE(journal->append("a", std::vector{entry(6), entry(7), entry(5)}).ok());
+  EXPECT_EQ(journal->entries("a", 0)->size(), 2u);
+  EXPECT_TRUE(journal->append("a", std::vector{entry(6)}).ok());
+}
+
+TEST_F(JournalTest, ABranchHasTheEntriesUpToARevisionAndTheModel) {
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    Entry last = entry(6);
+    last.kind = EntryKind::replay;
+    ASSERT_TRUE(journal->append("a", std::vector{entry(4), entry(5), last}).ok());
+    ASSERT_TRUE(journal->branch("a", "b", "other \"name\"", 5).ok());
+    ASSERT_TRUE(journal->branch("a", "c", "whole", 6).ok());
+    EXPECT_FALSE(journal->branch("a", "b", "again", 5).ok()) << "the id is taken";
+    ASSERT_TRUE(journal->remove_scene("a").ok());
+  }
+  const auto journal = open();
+  EXPECT_EQ(*journal->scene_ids(), (std::vector<std::string>{"b", "c"}));
+  const auto found = journal->scene("b");
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->name, "other \"name\"");
+  EXPECT_EQ(found->model.raw, scene("a").model.raw);
+  EXPECT_EQ(found->model.up, Axis::plus_z);
+  EXPECT_EQ(found->model.fur_patches, FurPatches::hard);
+  EXPECT_EQ(found->first_revision, 3u);
+  EXPECT_EQ(found->first_groom, scene("a").first_groom);
+  EXPECT_EQ(journal->entries("b", 0)->size(), 2u);
+  EXPECT_EQ(journal->entries("b", 0)->front().delta, entry(4).delta);
+  ASSERT_EQ(journal->entries("c", 0)->size(), 3u);
+  EXPECT_EQ(journal->entries("c", 0)->back().kind, EntryKind::replay);
+}
+
 TEST_F(JournalTest, RefusesWhatItCannotRead) {
   open().reset();
   execute("PRAGMA user_version = 99");
@@ -260,6 +297,19 @@ TEST_F(JournalTest, PicturesStayWhileALogNamesThem) {
   ASSERT_TRUE(journal->replace_model(scene("b")).ok());
   EXPECT_FALSE(journal->has_picture(used));
   EXPECT_EQ(journal->picture(used).status().code, Code::internal);
+}
+
+TEST_F(JournalTest, ABranchKeepsThePicturesOfItsLog) {
+  const std::string used(32, 'a');
+  const auto journal = open();
+  ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+  ASSERT_TRUE(journal->add_picture(used, "x").ok());
+  ASSERT_TRUE(journal->append("a", with_picture(4, used)).ok());
+  ASSERT_TRUE(journal->branch("a", "b", "b", 4).ok());
+  ASSERT_TRUE(journal->remove_scene("a").ok());
+  EXPECT_TRUE(journal->has_picture(used));
+  ASSERT_TRUE(journal->remove_scene("b").ok());
+  EXPECT_FALSE(journal->has_picture(used));
 }
 
 TEST_F(JournalTest, AnEntryWithAPictureThatIsNotThereIsNotWritten) {

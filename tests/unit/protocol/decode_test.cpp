@@ -334,6 +334,38 @@ TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
   EXPECT_EQ(decode_frame_request(R"({"format": "tiff"})").status().limit, "png | png16 | jpeg | exr");
 }
 
+TEST(DecodeFrame, ADifferenceIsFromARevision) {
+  const auto taken = decode_frame_request(R"({"overlay": "difference", "overlay_from": 18446744073709551615})");
+  ASSERT_TRUE(taken.ok()) << taken.status().message;
+  EXPECT_EQ(taken->overlay, Overlay::difference);
+  EXPECT_EQ(taken->overlay_from, std::uint64_t{18446744073709551615u});
+  for (const char* wrong : {R"({"overlay": "difference"})", R"({"overlay": "mask", "overlay_from": 3})",
+                            R"({"overlay_from": 3})", R"({"overlay": "difference", "overlay_from": -1})",
+                            R"({"overlay": "difference", "overlay_from": 1.5})"}) {
+    EXPECT_EQ(decode_frame_request(wrong).status().pointer, "/overlay_from") << wrong;
+  }
+  EXPECT_EQ(decode_frame_query({{"overlay", "difference"}, {"overlay_from", "7"}})->overlay_from, std::uint64_t{7});
+}
+
+TEST(DecodeHistory, BranchesAndAmendments) {
+  EXPECT_EQ(decode_branch(" ")->name, "branch");
+  EXPECT_FALSE(decode_branch("{}")->revision);
+  EXPECT_EQ(decode_branch(R"({"revision": 3})")->revision, std::uint64_t{3});
+  EXPECT_EQ(decode_branch(R"({"name": ""})").status().pointer, "/name");
+  EXPECT_EQ(decode_branch(R"({"revision": -3})").status().pointer, "/revision");
+  EXPECT_EQ(decode_branch(R"({"at": 3})").status().pointer, "/at");
+
+  EXPECT_TRUE(decode_amend(R"({"revision": 3, "commands": []})")->commands.empty());
+  EXPECT_EQ(decode_amend(R"({"commands": []})").status().pointer, "/revision");
+  EXPECT_EQ(decode_amend(R"({"revision": 3})").status().pointer, "/commands");
+  EXPECT_EQ(decode_amend(R"({"revision": 3, "commands": {"op": "set_ground"}})").status().pointer, "/commands");
+  EXPECT_EQ(decode_amend(R"({"revision": 3, "commands": [{"op": "set_grond", "ground": {}}]})").status().nearest,
+            "set_ground");
+  std::string many = R"({"revision": 3, "commands": [)";
+  for (int i = 0; i < 1001; ++i) many += std::string(i == 0 ? "" : ",") + R"({"op": "set_ground", "ground": {}})";
+  EXPECT_EQ(decode_amend(many + "]}").status().pointer, "/commands");
+}
+
 TEST(DecodeFrame, LayersTogetherHaveALimit) {
   const auto with = [](const char* more) {
     return decode_frame_request(std::string(R"({"format": "exr", "width": 8192, "height": 4096, "quality": {"scale": 1}, )") + more + "}");

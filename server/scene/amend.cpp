@@ -1,0 +1,98 @@
+// Changing an earlier step: what follows is evaluated anew, beside the scene, and then taken over as a whole.
+#include <algorithm>
+#include <utility>
+
+#include "protocol/json/encode.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+namespace {
+
+Status not_in_effect() {
+  return failure(Code::invalid, "no step that is in effect has this revision", "/revision",
+                 "a revision of the log that made, joined or replayed commands and is not undone or reverted past");
+}
+
+/// A refusal of a step that was fine before the amendment. Where it stands in that step does not help whoever amends.
+Status not_replayed(const ListedStep& step, Status reason) {
+  reason.message = "the step of revision " + std::to_string(step.first) + " cannot be replayed: " + reason.message;
+  reason.pointer = "/commands";
+  return reason;
+}
+
+}  // namespace
+
+Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOptions& options) {
+  const std::lock_guard lock(mutex_);
+  if (Status refused = admit(options); !refused.ok()) return refused;
+  const std::vector<ListedStep> steps = history_.listed_steps();
+  const auto amended = std::find_if(steps.begin(), steps.end(), [&](const ListedStep& step) {
+    return step.first <= request.revision && request.revision <= step.last;
+  });
+  if (amended == steps.end()) return not_in_effect();
+
+  // Beside the scene: nothing has changed yet.
+  Result<Replay> replay = begin_replay(amended->before);
+  if (!replay) return replay.status();
+  if (Status refused = replay_step(*replay, request.commands, options.sources); !refused.ok()) return refused;
+  for (auto later = amended + 1; later != steps.end(); ++later) {
+    if (Status refused = replay_step(*replay, later->commands, options.sources); !refused.ok()) return not_replayed(*later, refused);
+  }
+
+  if (!options.dry_run) {
+    if (Status written = commit_all(replay->entries); !written.ok()) return written;
+    live_.end();
+  }
+  return answer(std::move(replay->results));
+}
+
+/// Goes back to a revision.
+Result<Scene::Replay> Scene::begin_replay(Revision before) const {
+  Result<FieldSet> then = fields_at(before);
+  if (!then) return then.status();
+  Entry entry;
+  entry.revision = history_.revision() + 1, entry.kind = EntryKind::revert, entry.argument = before;
+  entry.delta = difference(fields_, *then);
+  entry.fields_hash = then->hash();
+  auto settings = std::make_shared<const SceneSettings>(history_.settings_at(before));
+  return Replay{std::move(*then), std::move(settings), {std::move(entry)}, {}};
+}
+
+/// Evaluates one step on what those before it left. Its entry has a revision of its own, which its checkpoints name.
+Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
+                          const std::vector<GroomSource>& sources) const {
+  const auto replayed_fields_at = [&](Revision revision) -> Result<FieldSet> {
+    if (revision <= history_.revision()) return fields_at(revision);
+    FieldSet then = replay.fields;
+    for (const Entry& entry : replay.entries) {
+      if (entry.revision > revision) then.apply(entry.delta);
+    }
+    return then;
+  };
+  const Past past{*replay.settings, replayed_fields_at, sources};
+  std::vector<Step> steps;
+  std::vector<Command> resolved;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    const Status parts = check_whole(commands[k]);
+    Result<Step> step = parts.ok() ? prepare(commands[k], resolved, past) : parts;
+    if (!step) {
+      Status refused = step.status();
+      refused.pointer.insert(0, "/commands/" + std::to_string(k));
+      return refused;
+    }
+    resolved.push_back(step->command);
+    steps.push_back(std::move(*step));
+  }
+  const Revision next = replay.entries.back().revision + 1;
+  Outcome outcome = evaluate_batch(steps, {}, model_->surface, replay.fields, *replay.settings, next);
+  std::move(outcome.results.begin(), outcome.results.end(), std::back_inserter(replay.results));
+  if (!outcome.changed()) return {};
+  replay.fields.apply(outcome.delta);
+  if (outcome.settings) replay.settings = outcome.settings;
+  replay.entries.push_back({next, EntryKind::replay, 0, encode(chosen(resolved, outcome.effective)),
+                            std::move(outcome.delta), outcome.fields_hash, outcome.settings});
+  return {};
+}
+
+}  // namespace pelage
