@@ -25,7 +25,6 @@ glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> 
 
 /// All fields on a refined mesh: what was there, and at each new vertex the mean of its parents
 /// (RefinedSurface::parents).
-FieldSet refined(const FieldSet& fields, const Mesh& before, const Mesh& after,
-                 const std::vector<glm::uvec2>& parents);
+FieldSet refined(const FieldSet& fields, const Mesh& before, const Mesh& after, const std::vector<glm::uvec2>& parents);
 
 }  // namespace pelage

@@ -143,7 +143,8 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Result<Command> command = resolve(commands[k], model_->surface);
     if (!command) return in_batch(command.status(), k, commands.size());
-    if (Status missing = check_names(*command, plan.logged); !missing.ok()) return in_batch(missing, k, commands.size());
+    if (Status missing = check_names(*command, plan.logged); !missing.ok())
+      return in_batch(missing, k, commands.size());
     const Stroke* stroke = stroke_of(*command);
     if (commands.size() > 1 && stroke != nullptr && (stroke->part != 0 || !stroke->last)) {
       Status parts = failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");
