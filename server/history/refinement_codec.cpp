@@ -9,9 +9,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-void put_word(std::string& text, std::uint32_t word) {
-  text.append(reinterpret_cast<const char*>(&word), sizeof word);
-}
+void put_word(std::string& text, std::uint32_t word) { text.append(reinterpret_cast<const char*>(&word), sizeof word); }
 
 /// The next run of a refinement; false when it could not follow the one before.
 bool take_run(std::span<const std::uint32_t> words, ChosenTriangles& runs) {

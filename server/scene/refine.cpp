@@ -54,9 +54,8 @@ Result<RefinedScene> refine(const SceneModel& model, const FieldSet& fields, con
     mesh = std::move(finer->mesh), patches = std::move(finer->patches);
     refinements.push_back(std::move(chosen));
   }
-  refined.model = std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(mesh)), std::move(patches), id,
-                                                                   model.name, model.fur_patches,
-                                                                   std::move(refinements)});
+  refined.model = std::shared_ptr<const SceneModel>(new SceneModel{
+      Surface(std::move(mesh)), std::move(patches), id, model.name, model.fur_patches, std::move(refinements)});
   return refined;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// A point of the refined map: one of the old map, or the middle of two of them.
 struct Middle {
-  std::uint32_t vertex = 0;  // of the refined mesh
+  std::uint32_t vertex = 0;         // of the refined mesh
   std::uint32_t low = 0, high = 0;  // points of the old map; the same for a point that was there
 
   auto order() const { return std::tie(vertex, low, high); }

@@ -42,11 +42,12 @@ Middles halve_edges(const Mesh& mesh, const std::vector<bool>& chosen) {
   return middles;
 }
 
-double distance_between(const Mesh& mesh, const glm::uvec3& t, const std::array<std::uint32_t, 3>& middles,
-                        const std::vector<glm::uvec2>& parents, int corner, int side) {
-  const glm::uvec2 ends = parents[middles[static_cast<std::size_t>(side)] - mesh.positions.size()];
-  const glm::vec3 middle = middle_of(mesh, ends.x, ends.y);
-  return glm::distance(glm::dvec3(mesh.positions[t[corner]]), glm::dvec3(middle));
+/// From a corner of a triangle to the middle of one of its sides that is halved.
+double distance_to_middle(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int corner, int side) {
+  const std::uint32_t vertex = middles.of[triangle][static_cast<std::size_t>(side)];
+  const glm::uvec2 ends = middles.parents[vertex - mesh.positions.size()];
+  const glm::vec3 from = mesh.positions[mesh.triangles[triangle][corner]];
+  return glm::distance(glm::dvec3(from), glm::dvec3(middle_of(mesh, ends.x, ends.y)));
 }
 
 /// Three triangles where one side stays whole. The four corners beside it are cut along their shorter diagonal.
@@ -55,9 +56,7 @@ void add_three(const Mesh& mesh, const Middles& middles, std::uint32_t triangle,
   const int a = whole_side, b = (a + 1) % 3, c = (a + 2) % 3;
   const auto corner = [](int k) { return static_cast<std::uint8_t>(k); };
   const std::uint8_t after = corner(3 + b), before = corner(3 + c);  // middles of the sides from b to c, from c to a
-  const auto length = [&](int from, int side) {
-    return distance_between(mesh, mesh.triangles[triangle], middles.of[triangle], middles.parents, from, side);
-  };
+  const auto length = [&](int from, int side) { return distance_to_middle(mesh, middles, triangle, from, side); };
   children.push_back({triangle, {after, corner(c), before}});
   if (length(a, b) <= length(b, c)) {
     children.push_back({triangle, {corner(a), corner(b), after}});
@@ -75,9 +74,8 @@ void add_children(const Mesh& mesh, const Middles& middles, std::uint32_t triang
   if (halved == 0) {
     children.push_back({triangle, {0, 1, 2}});
   } else if (halved == 1) {
-    const auto a = static_cast<std::uint8_t>(std::find_if(sides.begin(), sides.end(), [](std::uint32_t m) {
-                                               return m != whole;
-                                             }) - sides.begin());
+    const auto a = static_cast<std::uint8_t>(
+        std::find_if(sides.begin(), sides.end(), [](std::uint32_t m) { return m != whole; }) - sides.begin());
     const auto b = static_cast<std::uint8_t>((a + 1) % 3), c = static_cast<std::uint8_t>((a + 2) % 3);
     const auto middle = static_cast<std::uint8_t>(3 + a);
     children.push_back({triangle, {a, middle, c}});
@@ -104,8 +102,7 @@ void add_vertex(const Mesh& mesh, glm::uvec2 parents, Mesh& refined) {
   refined.positions.push_back(middle_of(mesh, a, b));
   refined.normals.emplace_back(normal);
   refined.tangents.emplace_back(length > vanishing ? tangent / length : tailward(normal));
-  refined.length_scale.push_back(
-      static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
+  refined.length_scale.push_back(static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
 }
 
 LookCorner mean(const LookCorner& a, const LookCorner& b) {

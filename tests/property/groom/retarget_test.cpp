@@ -1,6 +1,5 @@
 // Fields and commands on random other models: soups, lone triangles, many parts, far away.
 #include <gtest/gtest.h>
-
 #include <rapidcheck/gtest.h>
 
 #include <cmath>

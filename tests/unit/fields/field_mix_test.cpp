@@ -71,8 +71,7 @@ TEST(FieldMix, ADirectionKeepsItsInclinationOnAnotherPlane) {
 TEST(FieldMix, FinerFieldsAreWhatWasThereAndTheMeansBetween) {
   const Mesh mesh = built_in(Builtin::sphere, 2000);
   const FieldSet fields = random_fields(mesh.positions.size());
-  const auto finer =
-      subdivide(mesh, lay_patches(mesh), {{0, static_cast<std::uint32_t>(mesh.triangles.size())}});
+  const auto finer = subdivide(mesh, lay_patches(mesh), {{0, static_cast<std::uint32_t>(mesh.triangles.size())}});
   const FieldSet result = refined(fields, mesh, finer->mesh, finer->parents);
   ASSERT_EQ(result.size(), finer->mesh.positions.size());
   const auto old = static_cast<std::uint32_t>(fields.size());
@@ -81,7 +80,8 @@ TEST(FieldMix, FinerFieldsAreWhatWasThereAndTheMeansBetween) {
   }
   for (std::uint32_t k = 0; k < finer->parents.size(); ++k) {
     const auto [a, b] = std::pair(finer->parents[k].x, finer->parents[k].y);
-    ASSERT_NEAR(result.number(Field::width, old + k), (fields.number(Field::width, a) + fields.number(Field::width, b)) / 2, 1e-6);
+    ASSERT_NEAR(result.number(Field::width, old + k),
+                (fields.number(Field::width, a) + fields.number(Field::width, b)) / 2, 1e-6);
     const glm::dvec3 mean = (lean(mesh, fields, a) + lean(mesh, fields, b)) / 2.0;
     ASSERT_NEAR(glm::distance(lean(finer->mesh, result, old + k), mean), 0, 0.12) << "turned by half an edge's bend";
   }

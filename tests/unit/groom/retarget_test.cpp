@@ -109,7 +109,8 @@ struct PlainNearest {
   glm::dvec3 barycentric{0};
 };
 
-void try_place(PlainNearest& best, std::uint32_t t, const std::array<glm::dvec3, 3>& p, glm::dvec3 place, glm::dvec3 barycentric) {
+void try_place(PlainNearest& best, std::uint32_t t, const std::array<glm::dvec3, 3>& p, glm::dvec3 place,
+               glm::dvec3 barycentric) {
   const double distance = glm::distance(place, barycentric.x * p[0] + barycentric.y * p[1] + barycentric.z * p[2]);
   if (distance < best.distance) best = {distance, t, barycentric};
 }
@@ -118,11 +119,13 @@ PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 place) {
   PlainNearest best;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<glm::dvec3, 3> p;
-    for (int k = 0; k < 3; ++k) p[static_cast<std::size_t>(k)] = mesh.to_model(glm::dvec3(mesh.positions[mesh.triangles[t][k]]));
+    for (int k = 0; k < 3; ++k)
+      p[static_cast<std::size_t>(k)] = mesh.to_model(glm::dvec3(mesh.positions[mesh.triangles[t][k]]));
     const glm::dvec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
     glm::dvec3 inside;
     for (std::size_t k = 0; k < 3; ++k)
-      inside[static_cast<int>(k)] = glm::dot(glm::cross(p[(k + 2) % 3] - p[(k + 1) % 3], place - p[(k + 1) % 3]), n) / glm::dot(n, n);
+      inside[static_cast<int>(k)] =
+          glm::dot(glm::cross(p[(k + 2) % 3] - p[(k + 1) % 3], place - p[(k + 1) % 3]), n) / glm::dot(n, n);
     if (inside.x >= 0 && inside.y >= 0 && inside.z >= 0) try_place(best, t, p, place, inside);
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 side = p[(k + 1) % 3] - p[k];
@@ -183,7 +186,8 @@ TEST(Retarget, ObeysTheMaskAndItsFieldsAndItsStrength) {
   }
   for (std::uint32_t v = 0; v < fields.size(); ++v) fields.set(Field::mask, v, glm::vec4(0));
   EXPECT_TRUE(evaluate(Retarget{}, surface, fields, {{}, &source, &surface}).delta.empty());
-  EXPECT_TRUE(evaluate(Retarget{.strength = 0}, surface, FieldSet(source.size()), {{}, &source, &surface}).delta.empty());
+  EXPECT_TRUE(
+      evaluate(Retarget{.strength = 0}, surface, FieldSet(source.size()), {{}, &source, &surface}).delta.empty());
 }
 
 FieldSet groomed(const std::vector<Command>& commands, const Surface& surface) {
@@ -216,8 +220,10 @@ std::vector<Command> log_on(const Surface& surface) {
   ChangeMask mask;
   mask.shape = MaskSphere{at(0.1, 0.1, 0.3), 0.3 * unit, 0.5}, mask.units = Units::world;
   log.emplace_back(mask);
-  log.emplace_back(Trim{.flood = true, .shape = TrimSphere{surface.mesh().to_model({0, 0, 0}), 0.3 * unit, true}, .units = Units::world});
-  log.emplace_back(ChangeMask{.shape = MaskBox{surface.mesh().to_model({-1, -1, -1}), surface.mesh().to_model({0.0123, 1, 1})}});
+  log.emplace_back(Trim{
+      .flood = true, .shape = TrimSphere{surface.mesh().to_model({0, 0, 0}), 0.3 * unit, true}, .units = Units::world});
+  log.emplace_back(
+      ChangeMask{.shape = MaskBox{surface.mesh().to_model({-1, -1, -1}), surface.mesh().to_model({0.0123, 1, 1})}});
   log.emplace_back(Length{.flood = true, .mode = LengthMode::add, .value = 0.01 * unit, .units = Units::world});
   return log;
 }
@@ -263,7 +269,8 @@ TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
   for (std::uint32_t t = 0; t < 60; t += 7) {
     comb.stroke->samples.push_back({SurfacePlace{t, {0.2, 0.3, 0.5}}});
     const glm::dvec3 skin = from.position({t, {0.2, 0.3, 0.5}});
-    comb.stroke->samples.push_back({PositionPlace{from.mesh().to_model(skin + 0.05 * from.normal({t, {0.2, 0.3, 0.5}}))}});
+    comb.stroke->samples.push_back(
+        {PositionPlace{from.mesh().to_model(skin + 0.05 * from.normal({t, {0.2, 0.3, 0.5}}))}});
   }
   comb.stroke->view = View{};
   comb.brush.units = RadiusUnits::pixels, comb.brush.radius = 30, comb.brush.falloff_shape = FalloffShape::screen;
@@ -306,7 +313,8 @@ TEST(CarriedLog, SettingsGoAlong) {
   symmetry.planes = {{{0.5, 0, 0}, {1, 0, 0}}};
   const auto mirror = carried_command(SetSymmetry{symmetry}, from, to);
   near(std::get<SetSymmetry>(*mirror).symmetry.planes[0].point, {2, 0, 0});
-  const auto winds = carried_command(SetBlowers{{{"fan", Blow{.source = {0, 1, 0}, .fall = 2, .units = Units::world}}}}, from, to);
+  const auto winds =
+      carried_command(SetBlowers{{{"fan", Blow{.source = {0, 1, 0}, .fall = 2, .units = Units::world}}}}, from, to);
   near(std::get<SetBlowers>(*winds).blowers[0].blow.source, {0, 4, 0});
   EXPECT_DOUBLE_EQ(std::get<SetBlowers>(*winds).blowers[0].blow.fall, 8);
 }

@@ -62,7 +62,8 @@ long euler(const Mesh& mesh) {
 double boundary_of(const Mesh& mesh) {
   double sum = 0;
   for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
-    if (edge.size() == 1) sum += glm::distance(glm::dvec3(mesh.positions[edge[0].low]), glm::dvec3(mesh.positions[edge[0].high]));
+    if (edge.size() == 1)
+      sum += glm::distance(glm::dvec3(mesh.positions[edge[0].low]), glm::dvec3(mesh.positions[edge[0].high]));
   });
   return sum;
 }
@@ -88,7 +89,8 @@ void expect_shares(const Mesh& mesh, const PatchMap& map) {
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(sum[k], 1, 1e-5);
   }
   for (std::size_t i = 1; i < map.points.size(); ++i)
-    ASSERT_LE(std::pair(map.points[i - 1].patch, map.points[i - 1].vertex), std::pair(map.points[i].patch, map.points[i].vertex));
+    ASSERT_LE(std::pair(map.points[i - 1].patch, map.points[i - 1].vertex),
+              std::pair(map.points[i].patch, map.points[i].vertex));
 }
 
 Mesh built_in(Builtin shape, int triangles) { return *shapes::prepared(make_builtin({shape, triangles})); }
@@ -149,9 +151,8 @@ TEST(Subdivide, PlacesOnTheTileAreTheMeansOfTheirParents) {
     }
     const glm::uvec2 parents = finer->parents[point.vertex - old];
     const auto of = [&](std::uint32_t vertex) {
-      return *std::find_if(patches.points.begin(), patches.points.end(), [&](const PatchPoint& p) {
-        return p.patch == point.patch && p.vertex == vertex;
-      });
+      return *std::find_if(patches.points.begin(), patches.points.end(),
+                           [&](const PatchPoint& p) { return p.patch == point.patch && p.vertex == vertex; });
     };
     const PatchPoint a = of(parents.x), b = of(parents.y);
     ASSERT_NEAR(glm::distance(point.uv, (a.uv + b.uv) * 0.5f), 0, 1e-6);
