@@ -15,7 +15,9 @@ const char* op_of(const Command& command) {
   static constexpr const char* names[] = {
       "comb",       "blow",            "attract",  "interpolate", "flow",       "smooth",          "noise",      "unify",
       "part",       "length",          "trim",     "lift",        "erase",      "clump",           "curl",       "paint",
-      "mask",       "set_blowers",     "set_attractors", "set_symmetry", "checkpoint", "set_coat", "set_look",   "set_lights",
+      "mask",
+      "map",
+      "set_blowers",     "set_attractors", "set_symmetry", "checkpoint", "set_coat", "set_look",   "set_lights",
       "set_environment", "set_ground", "set_eyes", "set_curves",  "set_skin",   "set_base_picture"};
   static_assert(std::size(names) == std::variant_size_v<Command>);
   return names[command.index()];

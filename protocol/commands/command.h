@@ -15,6 +15,7 @@
 #include "protocol/commands/eye.h"
 #include "protocol/commands/skin.h"
 #include "protocol/commands/look.h"
+#include "protocol/commands/map.h"
 #include "protocol/commands/tools.h"
 
 namespace pelage {
@@ -68,6 +69,7 @@ struct Checkpoint {
 using Command =
     std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
                  Paint, ChangeMask,
+                 ApplyMap,
                  SetBlowers, SetAttractors, SetSymmetry, Checkpoint,
                  SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
 

@@ -4,6 +4,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
+#include "server/surface/map_picture.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -23,6 +24,7 @@ Result<Command> resolve(const Command& command, const Surface& surface);
 struct ToolExtras {
   Coat coat;                      // trim: how strands lean
   const FieldSet* rest = nullptr;  // erase: what it goes back to; required
+  const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
 };
 
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count.

@@ -45,10 +45,10 @@ class Journal {
   /// Puts a new model in place of the old one and its log.
   Status replace_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
-  /// Fails when the entry's settings name a picture that the journal does not have.
+  /// Fails when the entry's settings or commands name a picture that the journal does not have.
   Status append(const std::string& scene, const Entry& entry);
 
-  /// Keeps a picture (encode_raw_image) under its name, for as long as a scene's log names it. One that is known stays.
+  /// Keeps a picture (encode_raw_image, encode_map_picture) under its name, for as long as a scene's log names it. One that is known stays.
   Status add_picture(const std::string& name, const std::string& octets);
   bool has_picture(const std::string& name) const;
   /// Fails (internal) when there is none of that name.

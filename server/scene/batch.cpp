@@ -50,7 +50,7 @@ Command with_named(Command command, const SceneSettings& settings) {
 
 /// All images of a command, one on what the other left; applied to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings) {
-  const ToolExtras extras{settings.coat, step.rest.get()};
+  const ToolExtras extras{settings.coat, step.rest.get(), step.picture.get()};
   Evaluation all;
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
     const Evaluation one = evaluate(image, surface, fields, extras);

@@ -8,6 +8,7 @@
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
+#include "server/surface/map_picture.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -26,6 +27,7 @@ struct Outcome {
 struct Step {
   Command command;
   std::shared_ptr<const FieldSet> rest;  // of erase: what it goes back to
+  std::shared_ptr<const MapPicture> picture = {};  // of map, and of a mask by a picture
 };
 
 /// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted

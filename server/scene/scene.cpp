@@ -10,6 +10,7 @@
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/scene/first_settings.h"
+#include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
 #include "server/surface/import.h"
@@ -96,9 +97,9 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // On disk, and only then in the fields and the log. A stroke that misses makes no step.
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
-    const std::string text = encode(chosen(planned->logged, outcome.effective));
-    Status written = commit(
-        {history_.revision() + 1, kind, 0, text, std::move(outcome.delta), outcome.fields_hash, outcome.settings});
+    const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
+    Status written = commit({history_.revision() + 1, kind, 0, encode(logged), std::move(outcome.delta),
+                             outcome.fields_hash, outcome.settings, pictures_read_by(logged)});
     if (!written.ok()) return written;
   }
 
@@ -145,6 +146,9 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
     }
     Result<Step> step = with_rest(*command);
     if (!step) return in_batch(step.status(), k, commands.size());
+    auto picture = find_picture(*command, journal_);
+    if (!picture) return in_batch(picture.status(), k, commands.size());
+    step->picture = std::move(*picture);
     plan.whole.push_back(std::move(*step));
     plan.logged.push_back(std::move(*command));
   }
@@ -184,8 +188,8 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
   if (const auto* attract = std::get_if<Attract>(&command); attract && missing(settings.attractors, attract->attractor))
     return failure(Code::invalid, "the scene has no attractor of this name", "/attractor");
   const auto* base = std::get_if<SetBasePicture>(&command);
-  if (base == nullptr || base->picture.empty() || journal_.has_picture(base->picture)) return {};
-  return failure(Code::invalid, "there is no such picture here; upload it first", "/picture");
+  if (base == nullptr || base->picture.empty()) return {};
+  return check_base_picture(base->picture, journal_);
 }
 
 /// An erase finds the fields that it goes back to.
@@ -304,6 +308,17 @@ std::vector<LogEntry> Scene::log() const {
 std::vector<std::vector<Command>> Scene::effective_log() const {
   const std::lock_guard lock(mutex_);
   return history_.effective_log();
+}
+
+Result<MapFile> Scene::draw_map(const MapRequest& request) const {
+  std::unique_lock lock(mutex_);
+  const std::shared_ptr<const SceneModel> model = model_;
+  const FieldSet fields = fields_;
+  const Revision revision = history_.revision();
+  lock.unlock();
+  Result<MapFile> file = make_map_file(model->surface.mesh(), fields, request);
+  if (file) file->answer.revision = revision;
+  return file;
 }
 
 Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {

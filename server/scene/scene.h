@@ -59,6 +59,7 @@ struct Revert {
 using HistoryMove = std::variant<Undo, Redo, Revert>;
 
 class Journal;
+struct MapFile;
 struct StoredModel;
 
 /// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned.
@@ -85,6 +86,8 @@ class Scene {
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
   std::vector<std::vector<Command>> effective_log() const;
   Result<PickAnswer> pick(const View& view, glm::dvec2 pixel) const;
+  /// A field through the model's texture coordinates; the scene goes on while it is drawn. Refused as make_map_file.
+  Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
   /// Looks at all triangles, each at eight heights: about 30 us a triangle.

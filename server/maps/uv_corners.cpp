@@ -1,0 +1,91 @@
+#include "server/maps/uv_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace pelage {
+
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+/// How a triangle lies in the texture.
+struct Slope {
+  dvec3 along_u{0};  // dP/du as long as the triangle's area; 0 where the triangle has no area in the texture
+  double side = 1;
+};
+
+Slope slope_of(const Mesh& mesh, std::size_t t) {
+  const glm::uvec3 v = mesh.triangles[t];
+  const auto& uv = mesh.texture_uv[t];
+  const dvec3 p(mesh.positions[v.x]), e1 = dvec3(mesh.positions[v.y]) - p, e2 = dvec3(mesh.positions[v.z]) - p;
+  const dvec2 d1 = dvec2(uv[1]) - dvec2(uv[0]), d2 = dvec2(uv[2]) - dvec2(uv[0]);
+  const double det = d1.x * d2.y - d1.y * d2.x;
+  const dvec3 along = (det < 0 ? -1.0 : 1.0) * (e1 * d2.y - e2 * d1.y);
+  const double length = glm::length(along);
+  if (det == 0 || !(length > 0)) return {};
+  return {glm::length(glm::cross(e1, e2)) / length * along, det < 0 ? -1.0 : 1.0};
+}
+
+/// A corner of a triangle: 3 * triangle + its number there.
+struct Corner {
+  std::uint32_t vertex;
+  glm::vec2 uv;
+  double side;
+  std::uint32_t number;
+
+  auto key() const { return std::tuple(vertex, uv.x, uv.y, side); }
+};
+
+std::vector<Corner> sorted_corners(const Mesh& mesh, const std::vector<Slope>& slopes) {
+  std::vector<Corner> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      corners.push_back({mesh.triangles[t][static_cast<int>(k)], mesh.texture_uv[t][k], slopes[t].side, 3 * t + k});
+    }
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::tuple_cat(a.key(), std::tuple(a.number)) < std::tuple_cat(b.key(), std::tuple(b.number));
+  });
+  return corners;
+}
+
+/// Turns the sum of slopes into the corner's axis.
+void settle(UvCorner& corner, dvec3 along_u, const Mesh& mesh) {
+  const dvec3 tangent(mesh.tangents[corner.vertex]), normal(mesh.normals[corner.vertex]);
+  const dvec2 axis(glm::dot(along_u, tangent), glm::dot(along_u, glm::cross(normal, tangent)));
+  const double length = glm::length(axis);
+  corner.mapped = length > 1e-9 * glm::length(along_u);
+  if (corner.mapped) corner.axis = axis / length;
+}
+
+}  // namespace
+
+UvCorners make_uv_corners(const Mesh& mesh) {
+  std::vector<Slope> slopes(mesh.triangles.size());
+  for (std::size_t t = 0; t < slopes.size(); ++t) slopes[t] = slope_of(mesh, t);
+  const std::vector<Corner> sorted = sorted_corners(mesh, slopes);
+  UvCorners all;
+  all.of_triangle.resize(mesh.triangles.size());
+  all.first.assign(mesh.positions.size() + 1, 0);
+  for (std::size_t i = 0; i < sorted.size();) {
+    const Corner& one = sorted[i];
+    dvec3 along_u(0);
+    const auto index = static_cast<std::uint32_t>(all.corners.size());
+    for (; i < sorted.size() && sorted[i].key() == one.key(); ++i) {
+      const std::uint32_t t = sorted[i].number / 3;
+      all.of_triangle[t][static_cast<int>(sorted[i].number % 3)] = index;
+      along_u += slopes[t].along_u;
+    }
+    UvCorner& corner = all.corners.emplace_back(UvCorner{one.vertex, one.uv, {1, 0}, one.side, false});
+    settle(corner, along_u, mesh);
+    ++all.first[one.vertex + 1];
+  }
+  for (std::size_t v = 0; v + 1 < all.first.size(); ++v) all.first[v + 1] += all.first[v];
+  return all;
+}
+
+}  // namespace pelage
