@@ -18,9 +18,11 @@ struct Taps {
 /// Whether a place lies in the picture itself.
 inline bool is_inside(glm::vec2 uv) { return uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1; }
 
+/// A coordinate in the picture repeated; both 0 and 1 stay where they are.
+inline double wrapped(double x) { return x >= 0 && x <= 1 ? x : x - std::floor(x); }
+
 /// Places outside [0, 1] are those of the picture repeated; at its edges the last pixel goes on.
 inline Taps taps_at(glm::vec2 uv, int width, int height) {
-  const auto wrapped = [](double x) { return x >= 0 && x <= 1 ? x : x - std::floor(x); };
   const double x = wrapped(uv.x) * width - 0.5, y = (1 - wrapped(uv.y)) * height - 0.5;
   const double left = std::floor(x), top = std::floor(y);
   const auto pixel = [&](double column, double row) {

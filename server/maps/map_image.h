@@ -26,14 +26,15 @@ MapImage make_map_image(int size, int channels, glm::dvec4 background);
 
 /// Draws the triangles; `values` are those of the corners. A pixel takes what lies under its centre, of triangles that
 /// overlap that of the last one; a corner that no pixel's centre shows is put into the pixel that it lies in. What lies
-/// outside [0, 1] is clipped. The same at any thread count.
+/// outside [0, 1] is drawn where a picture that repeats shows it (of a triangle that spans more than 4 repeats along a
+/// side, the first 4). The same at any thread count.
 void draw_triangles(const UvCorners& uvs, std::span<const glm::vec4> values, MapImage& image);
 
 /// Gives pixels within `distance` pixels of covered ones, [0, 64], what the nearest of those holds, so that readers that
 /// mix pixels see no background at seams.
 void dilate(MapImage& image, int distance);
 
-/// Corrects covered pixels around the corners so that a bilinear reader finds at each corner in [0, 1] just its value
+/// Corrects covered pixels around the corners so that a bilinear reader finds at each corner just its value
 /// (projections onto each corner's equation in turn, Kaczmarz 1937, held in [least, most]). Without it mixing rounds off
 /// what bends at a vertex. Corners that share pixels and disagree find a compromise; those in
 /// no triangle with an area in the texture are left alone.

@@ -42,9 +42,11 @@ std::vector<glm::vec4> random_values(std::uint64_t seed, std::size_t count) {
 
 /// What a pixel shows: the last triangle whose half planes all hold its centre, by the areas opposite to its corners.
 bool plain_pixel(const UvCorners& uvs, const std::vector<glm::vec4>& values, int size, int x, int y, glm::dvec4& value) {
-  const double u = (x + 0.5) / size, v = 1 - (y + 0.5) / size;
   bool found = false;
-  for (const glm::uvec3 t : uvs.of_triangle) {
+  for (std::size_t i = 0; i < 9 * uvs.of_triangle.size(); ++i) {
+    const glm::uvec3 t = uvs.of_triangle[i / 9];  // and the nine repeats of the picture around it
+    const double u = (x + 0.5) / size + static_cast<double>(i % 3) - 1;
+    const double v = 1 - (y + 0.5) / size + static_cast<double>(i / 3 % 3) - 1;
     const glm::dvec2 a(uvs.corners[t.x].uv), b(uvs.corners[t.y].uv), c(uvs.corners[t.z].uv);
     const double whole = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     const double wb = ((u - a.x) * (c.y - a.y) - (c.x - a.x) * (v - a.y)) / whole;

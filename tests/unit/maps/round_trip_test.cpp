@@ -16,6 +16,13 @@ namespace {
 
 Surface surface_of(const RawModel& raw) { return Surface(prepare(raw, Axis::plus_y, Axis::plus_z, false).value()); }
 
+MapRequest asked(Field field, int size, MapFormat format = MapFormat::png16,
+                 MapEncoding encoding = MapEncoding::automatic) {
+  MapRequest request;
+  request.field = field, request.size = size, request.format = format, request.encoding = encoding;
+  return request;
+}
+
 /// Fur in which every field differs from vertex to vertex.
 FieldSet random_fields(std::size_t vertices) {
   Random random(5);
@@ -79,7 +86,7 @@ class MapRoundTrip : public ::testing::Test {
 TEST_F(MapRoundTrip, EveryFieldComesBack) {
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    MapRequest request{.field = field, .size = 512};
+    const MapRequest request = asked(field, 512);
     EXPECT_LT(worst_change(surface_, fields_, request, 32), 1e-5) << shape_of(field).name;
     const bool part = field == Field::direction, colour = shape_of(field).channels == 4;
     const double scale = field == Field::length ? 0.09 : 1;
@@ -91,7 +98,7 @@ TEST_F(MapRoundTrip, EveryFieldComesBack) {
 }
 
 TEST_F(MapRoundTrip, TheOtherEncodingsOfDirection) {
-  MapRequest request{.field = Field::direction, .encoding = MapEncoding::fast_fur, .size = 512};
+  MapRequest request = asked(Field::direction, 512, MapFormat::png16, MapEncoding::fast_fur);
   EXPECT_LT(worst_change(surface_, fields_, request, 32), 1e-5);
   EXPECT_LT(worst_change(surface_, fields_, request, 16), 3.0 / 65535);
   request.encoding = MapEncoding::vector;
@@ -99,7 +106,7 @@ TEST_F(MapRoundTrip, TheOtherEncodingsOfDirection) {
 }
 
 TEST_F(MapRoundTrip, ScalesAndUnits) {
-  MapRequest request{.field = Field::length, .format = MapFormat::png16, .size = 64};
+  MapRequest request = asked(Field::length, 64);
   const DrawnMap own = draw_map(surface_.mesh(), fields_, request);
   EXPECT_NEAR(own.answer.scale, 0.09, 0.001) << "the longest fur";
   request.units = Units::world, request.scale = 0.5;
@@ -112,14 +119,14 @@ TEST_F(MapRoundTrip, ScalesAndUnits) {
 
 TEST_F(MapRoundTrip, UprightFurStaysExactlyUpright) {
   FieldSet upright(fields_.size());
-  const MapRequest request{.field = Field::direction, .size = 128};
+  const MapRequest request = asked(Field::direction, 128);
   for (const int bits : {8, 16, 32}) EXPECT_EQ(worst_change(surface_, upright, request, bits), 0) << bits;
   EXPECT_EQ(file_number(ChannelKind::part, 0, 8), 128);
   EXPECT_EQ(file_number(ChannelKind::part, 0, 16), 32768);
 }
 
 TEST_F(MapRoundTrip, MaskAndStrengthHold) {
-  const MapRequest request{.field = Field::density, .format = MapFormat::exr, .size = 256};
+  const MapRequest request = asked(Field::density, 256, MapFormat::exr);
   const DrawnMap map = draw_map(surface_.mesh(), fields_, request);
   FieldSet other(fields_.size());
   EXPECT_TRUE(read_back(map, 32, surface_, other, 0).delta.empty());
@@ -144,7 +151,7 @@ TEST_F(MapRoundTrip, ValuesBeyondTheFieldAreHeldAndCounted) {
 }
 
 TEST_F(MapRoundTrip, OnePixel) {
-  for (const int bits : {8, 16, 32}) EXPECT_TRUE(std::isfinite(worst_change(surface_, fields_, {.size = 1}, bits)));
+  for (const int bits : {8, 16, 32}) EXPECT_TRUE(std::isfinite(worst_change(surface_, fields_, asked(Field::length, 1), bits)));
 }
 
 TEST_F(MapRoundTrip, AMaskIsReadFromTheChannelThatIsNamed) {
@@ -182,7 +189,7 @@ glm::dvec2 drawn_lean(const Surface& surface, glm::dvec3 lean) {
     const glm::dvec3 tangent(mesh.tangents[v]), normal(mesh.normals[v]);
     fields.set(v, Groom{glm::vec2(glm::dot(lean, tangent), glm::dot(lean, glm::cross(normal, tangent))), 0.1f, 0});
   }
-  const DrawnMap map = draw_map(mesh, fields, {.field = Field::direction, .format = MapFormat::exr, .size = 33});
+  const DrawnMap map = draw_map(mesh, fields, asked(Field::direction, 33, MapFormat::exr));
   const float* middle = map.image.at(16 * 33 + 16);
   return {middle[0], middle[1]};
 }
@@ -212,7 +219,7 @@ TEST(MapTangents, DirectionsComeBackFromTurnedAndMirroredIslands) {
         return 0.6 * glm::dvec2(c * q.x - s * q.y, s * q.x + c * q.y) + 0.5;
       });
       const FieldSet fields = random_fields(surface.mesh().positions.size());
-      EXPECT_LT(worst_change(surface, fields, {.field = Field::direction, .size = 256}, 32), 1e-5) << degrees << mirror;
+      EXPECT_LT(worst_change(surface, fields, asked(Field::direction, 256), 32), 1e-5) << degrees << mirror;
     }
   }
 }
@@ -225,16 +232,16 @@ TEST(MapExtremes, TexturesThatCollapseOrLeaveThePicture) {
   for (const Surface* surface : {&flat, &line, &far}) {
     const FieldSet fields = random_fields(surface->mesh().positions.size());
     for (const Field field : {Field::direction, Field::length, Field::tip_colour})
-      EXPECT_TRUE(std::isfinite(worst_change(*surface, fields, {.field = field, .size = 64}, 16)));
+      EXPECT_TRUE(std::isfinite(worst_change(*surface, fields, asked(field, 64), 16)));
   }
-  EXPECT_GT(draw_map(far.mesh(), FieldSet(far.mesh().positions.size()), {.size = 16}).answer.outside, 100u);
+  EXPECT_GT(draw_map(far.mesh(), FieldSet(far.mesh().positions.size()), asked(Field::length, 16)).answer.outside, 100u);
 }
 
 TEST(MapBuiltins, SheetsHaveTextureCoordinates) {
   for (const Builtin shape : {Builtin::torus, Builtin::knot, Builtin::plane, Builtin::cloth})
     EXPECT_TRUE(has_own_uvs(surface_of(make_builtin({shape, 600})).mesh())) << static_cast<int>(shape);
   const Surface torus = surface_of(make_builtin({Builtin::torus, 600}));
-  const DrawnMap map = draw_map(torus.mesh(), FieldSet(torus.mesh().positions.size()), {.size = 64});
+  const DrawnMap map = draw_map(torus.mesh(), FieldSet(torus.mesh().positions.size()), asked(Field::length, 64));
   EXPECT_EQ(map.answer.covered, 1);
   EXPECT_EQ(map.answer.outside, 0u);
 }
