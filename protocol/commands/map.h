@@ -36,7 +36,7 @@ struct MapRequest {
   MapEncoding encoding = MapEncoding::automatic;
   int size = 1024;               // pixels of a side, [1, 8192]
   int dilate = 8;                // pixels by which islands grow, [0, 64]
-  std::optional<double> scale;   // as in ApplyMap; absent: the field's largest value for PNG, 1 for EXR
+  std::optional<double> scale = {};   // as in ApplyMap; absent: the field's largest value for PNG, 1 for EXR
   Units units = Units::relative;
 };
 
@@ -44,7 +44,7 @@ struct MapRequest {
 struct MapUpload {
   Field field = Field::length;
   MapEncoding encoding = MapEncoding::automatic;
-  std::optional<double> scale;   // absent: what the picture says about itself, else 1
+  std::optional<double> scale = {};   // absent: what the picture says about itself, else 1
   Units units = Units::relative;
   double strength = 1;
 };
@@ -57,7 +57,7 @@ struct MapAnswer {
   double scale = 1;              // that 1 in the picture stands for
   Units units = Units::relative;
   double covered = 0;            // share of the pixels that lie in triangles
-  std::size_t outside = 0;       // triangles that lie outside [0, 1] in part or whole, and are clipped there
+  std::size_t outside = 0;       // triangles with a part outside [0, 1], drawn where a picture that repeats shows them
 };
 
 /// A picture that the server keeps for commands to name.
@@ -65,7 +65,7 @@ struct PictureAnswer {
   std::string picture;           // 32 hex digits
   int width = 0, height = 0;     // pixels
   int bits = 8;                  // of a channel: 8, 16, or 32 for any float
-  std::optional<double> scale;   // sizes, or the field's unit, where the picture says it of itself
+  std::optional<double> scale = {};   // sizes, or the field's unit, where the picture says it of itself
 };
 
 /// What `automatic` stands for.
