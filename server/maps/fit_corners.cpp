@@ -10,7 +10,8 @@ namespace pelage {
 
 namespace {
 
-constexpr int most_passes = 48;
+constexpr std::size_t least_passes = 48, most_passes = 2000;
+constexpr std::size_t most_corrections = 10'000'000;  // beyond the least passes: small models may take more of them
 constexpr double close_enough = 1e-6;  // of a value's own size, or of 0.01 where it is smaller
 constexpr double least_hold = 0.05;    // of covered pixels on a corner; with less a correction would grow beyond measure
 
@@ -71,8 +72,10 @@ bool project(const Taps& taps, double wanted, int channel, double least, double 
 
 void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::dvec4 least, glm::dvec4 most,
                  MapImage& image) {
+  const std::size_t passes =
+      std::clamp(most_corrections / std::max<std::size_t>(uvs.corners.size(), 1), least_passes, most_passes);
   bool moved = true;
-  for (int pass = 0; pass < most_passes && moved; ++pass) {
+  for (std::size_t pass = 0; pass < passes && moved; ++pass) {
     moved = false;
     for (std::size_t k = 0; k < uvs.corners.size(); ++k) {
       if (!uvs.corners[k].mapped) continue;
