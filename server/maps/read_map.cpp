@@ -3,7 +3,6 @@
 
 #include "server/maps/bilinear.h"
 #include "server/maps/draw_map.h"
-#include "server/surface/parallel.h"
 
 namespace pelage {
 

@@ -37,19 +37,27 @@ std::vector<std::string> pictures_read_by(const std::vector<Command>& commands) 
   return names;
 }
 
-Result<std::shared_ptr<const MapPicture>> find_picture(const Command& command, const Journal& journal) {
-  const NamedPicture named = picture_of(command);
-  if (named.name.empty()) return std::shared_ptr<const MapPicture>();
-  if (!journal.has_picture(named.name)) return unknown_picture(named.pointer);
-  const Result<std::string> octets = journal.picture(named.name);
+Result<std::shared_ptr<const MapPicture>> BatchPictures::read(const std::string& name, const char* pointer) {
+  if (const auto found = known_.find(name); found != known_.end()) return found->second;
+  if (!journal_.has_picture(name)) return unknown_picture(pointer);
+  if (known_.size() == most)
+    return failure(Code::invalid, "a batch reads too many pictures", pointer, std::to_string(most) + " different ones");
+  const Result<std::string> octets = journal_.picture(name);
   if (!octets) return octets.status();
   Result<MapPicture> picture = decode_map_picture(std::as_bytes(std::span(*octets)));
   if (!picture) return failure(Code::internal, "the journal is damaged: a picture cannot be read");
+  return known_[name] = std::make_shared<const MapPicture>(std::move(*picture));
+}
+
+Result<std::shared_ptr<const MapPicture>> BatchPictures::find(const Command& command) {
+  const NamedPicture named = picture_of(command);
+  if (named.name.empty()) return std::shared_ptr<const MapPicture>();
+  auto picture = read(named.name, named.pointer);
   const auto* map = std::get_if<ApplyMap>(&command);
-  if (map != nullptr && map->encoding == MapEncoding::vector && picture->bits != 32)
+  if (picture && map != nullptr && map->encoding == MapEncoding::vector && (*picture)->bits != 32)
     return failure(Code::invalid, "vectors have parts below 0, and this picture holds no floats", "/encoding",
                    "a picture of floats, such as an EXR");
-  return std::make_shared<const MapPicture>(std::move(*picture));
+  return picture;
 }
 
 Status check_base_picture(const std::string& name, const Journal& journal) {

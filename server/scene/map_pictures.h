@@ -1,6 +1,7 @@
 // Pictures that commands name, and maps as files.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,9 +18,23 @@ namespace pelage {
 /// The names of the pictures that the commands read, each once.
 std::vector<std::string> pictures_read_by(const std::vector<Command>& commands);
 
-/// The picture that the command reads; null where it reads none. Refused (invalid) when the journal has none of that
-/// name, and when a map of vectors is to be read from a picture that holds no floats.
-Result<std::shared_ptr<const MapPicture>> find_picture(const Command& command, const Journal& journal);
+/// The pictures that the commands of a batch read, each once in memory.
+class BatchPictures {
+ public:
+  static constexpr std::size_t most = 8;  // different ones in a batch: each takes up to 256 MiB
+
+  explicit BatchPictures(const Journal& journal) : journal_(journal) {}
+
+  /// The picture that the command reads; null where it reads none. Refused (invalid) when the journal has none of that
+  /// name, when the batch reads too many, and when vectors are to be read from a picture that holds no floats.
+  Result<std::shared_ptr<const MapPicture>> find(const Command& command);
+
+ private:
+  Result<std::shared_ptr<const MapPicture>> read(const std::string& name, const char* pointer);
+
+  const Journal& journal_;
+  std::map<std::string, std::shared_ptr<const MapPicture>> known_;
+};
 
 /// Refuses (invalid, "/picture") a name that is not known, or is that of a picture that was uploaded as data.
 Status check_base_picture(const std::string& name, const Journal& journal);

@@ -135,6 +135,7 @@ Status Scene::admit(const ExecuteOptions& options) const {
 
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
   Plan plan;
+  BatchPictures pictures(journal_);
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Result<Command> command = resolve(commands[k], model_->surface);
     if (!command) return in_batch(command.status(), k, commands.size());
@@ -146,7 +147,7 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands) const {
     }
     Result<Step> step = with_rest(*command);
     if (!step) return in_batch(step.status(), k, commands.size());
-    auto picture = find_picture(*command, journal_);
+    auto picture = pictures.find(*command);
     if (!picture) return in_batch(picture.status(), k, commands.size());
     step->picture = std::move(*picture);
     plan.whole.push_back(std::move(*step));

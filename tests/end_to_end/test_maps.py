@@ -125,6 +125,13 @@ class Maps(ServedTest):
         through = self.put(scene, "mask", png(numpy.full((2, 2, 3), 255)))
         self.assertEqual(self.changes(through), {"mask": 1.0}, "a map of the mask looks past the mask")
 
+    def test_a_batch_reads_few_pictures(self):
+        scene = self.server.new_scene("torus", 600)
+        names = [self.server.call("PUT", f"{scene.path}/pictures", png(numpy.full((1, 1, 3), k))).json["picture"] for k in range(9)]
+        maps = [{"op": "map", "picture": name, "field": "density"} for name in names]
+        self.assertEqual(scene.run(*maps[:8], *maps[:8]).status, 200)
+        self.assert_problem(scene.run(*maps), 422, "/commands/8/picture")
+
     def test_refusals(self):
         scene = self.server.new_scene("torus", 600)
         revision = scene.info()["revision"]
