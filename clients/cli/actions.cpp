@@ -8,6 +8,9 @@ ExitCode perform(Session& session) {
     case Action::load: return load_model(session);
     case Action::environment: return load_environment(session);
     case Action::base_picture: return load_base_picture(session);
+    case Action::get_map: return get_map(session);
+    case Action::put_map: return put_map(session);
+    case Action::put_picture: return put_picture(session);
     case Action::run: return run_file(session);
     case Action::frame: return draw_frame(session);
     case Action::undo:

@@ -92,6 +92,45 @@ void declare_history_actions(CLI::App& app, Options& options) {
   branch->add_option("--revision", options.revision, "Where it begins [the present]");
 }
 
+/// Options that are handed on under the name that the address of a map knows them by.
+void add_map_parameter(CLI::App* command, Options& options, const char* flag, const char* parameter, const char* help) {
+  command->add_option_function<std::string>(
+      flag, [&options, parameter](const std::string& value) { options.map_parameters.emplace_back(parameter, value); }, help);
+}
+
+void add_map(CLI::App* command, Options& options, bool field_is_chosen = true) {
+  add_scene(command, options);
+  if (!field_is_chosen) return;
+  command->add_option("field", options.field, "direction, length, density, mask or another field")->required();
+  add_map_parameter(command, options, "--encoding", "encoding", "Of direction uv_tangent, fast_fur or vector; else value");
+  add_map_parameter(command, options, "--scale", "scale",
+                    "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
+  add_map_parameter(command, options, "--units", "units", "Of a scale of lengths: relative (sizes) or world [relative]");
+}
+
+void declare_map_actions(CLI::App& app, Options& options) {
+  CLI::App* map = app.add_subcommand("map", "Fields as pictures through a model's texture coordinates");
+  map->require_subcommand(1);
+  map->fallthrough();
+
+  CLI::App* get = add_action(*map, options, Action::get_map, "get", "Write a field as a picture");
+  add_map(get, options);
+  get->add_option("-o,--output", options.output, "The picture, .png or .exr; - for standard output")->required();
+  add_map_parameter(get, options, "--format", "format", "png, png16, exr or exr_half [png16, exr for .exr]");
+  add_map_parameter(get, options, "--size", "size", "Pixels of a side, 1 to 8192 [1024]");
+  add_map_parameter(get, options, "--dilate", "dilate", "Pixels by which islands grow over their seams, 0 to 64 [8]");
+
+  CLI::App* put = add_action(*map, options, Action::put_map, "put", "Read a field from a picture, as one undo step");
+  add_map(put, options);
+  put->add_option("file", options.file, "PNG, JPEG, EXR or HDR, up to 4096 pixels wide; - for standard input")->required();
+  add_map_parameter(put, options, "--strength", "strength", "How far the field goes to the picture's, 0 to 1 [1]");
+
+  CLI::App* keep = add_action(*map, options, Action::put_picture, "upload",
+                              "Keep a picture for commands to name, such as mask; prints its name");
+  add_map(keep, options, false);
+  keep->add_option("file", options.file, "The picture; - for standard input")->required();
+}
+
 void declare_scene_actions(CLI::App& app, Options& options) {
   CLI::App* create =
       add_action(app, options, Action::create, "new", "Make a scene with a built-in model; prints its id");
@@ -221,6 +260,7 @@ ParsedLine parse_line(int argc, char** argv) {
   app.add_flag("--json", options.json, "Print the server's answer as JSON");
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
   declare_scene_actions(app, options);
+  declare_map_actions(app, options);
   declare_groom_actions(app, options);
   declare_history_actions(app, options);
   declare_picture_actions(app, options);

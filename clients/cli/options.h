@@ -14,6 +14,9 @@ enum class Action {
   load,
   environment,
   base_picture,
+  get_map,
+  put_map,
+  put_picture,
   run,
   frame,
   undo,
@@ -54,6 +57,9 @@ struct Options {
   std::string up = "y", front = "z";
   // environment
   double intensity = 1, turn_degrees = 0;
+  // map
+  std::string field;
+  Parameters map_parameters;  // as in the address of the map
   // run and amend
   bool dry_run = false;
   Parameters variables;  // of a recipe, as text

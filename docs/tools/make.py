@@ -114,6 +114,14 @@ def where(name):
 
 # Pages
 
+def first_lines(page):
+    """Where the recipe is tried, and what has to be there first."""
+    if page["builtin"] == "creature":
+        return ["To try it, with the scene `fox` of the [first steps](../../README.md#first-steps-by-hand):"]
+    return ["To try it:", "", f"    build/release/bin/pelage new --name fox --builtin {page['builtin']} --triangles 20000",
+            f"    build/release/bin/pelage map upload fox docs/tools/examples/{page['picture']}"]
+
+
 def page_text(name):
     page = PAGES[name]
     recipe = (FOLDER / "examples" / f"{name}.json").read_text(encoding="utf-8")
@@ -122,7 +130,7 @@ def page_text(name):
     given = " --set source=$SOURCE" if page["source"] else ""
     lines = [f"# {page['title']}", "", page["words"].strip(), "", "| before | after |", "|---|---|",
              f"| ![]({name}-before.jpg) | ![]({name}-after.jpg) |", "",
-             "To try it, with the scene `fox` of the [first steps](../../README.md#first-steps-by-hand):", "",
+             *first_lines(page), "",
              *source, f"    build/release/bin/pelage run fox docs/tools/examples/{name}.json{given}",
              f"    build/release/bin/pelage frame fox -o {name}.png {' '.join(page['camera'])}", "",
              "`pelage undo fox` shows the fur before. The recipe (places are shares of the model's box):", "",
@@ -207,8 +215,11 @@ def make_source(server, recipe):
 
 def make_pictures(server, name):
     """The fur that the example leaves, and before that the one without its last step."""
-    scene = server.pelage("new", "--name", "fox", "--builtin", "creature", "--triangles", "20000")
-    given = ["--set", f"source={make_source(server, PAGES[name]['source'])}"] if PAGES[name]["source"] else []
+    page = PAGES[name]
+    scene = server.pelage("new", "--name", "fox", "--builtin", page["builtin"], "--triangles", "20000")
+    if page["picture"]:
+        server.pelage("map", "upload", scene, FOLDER / "examples" / page["picture"])
+    given = ["--set", f"source={make_source(server, page['source'])}"] if page["source"] else []
     server.pelage("run", scene, FOLDER / "examples" / f"{name}.json", *given)
     draw(server, scene, PAGES[name]["camera"], f"{name}-after")
     server.pelage("undo", scene)

@@ -5,9 +5,11 @@ ABOVE = ["--eye=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]
 SPINE = ["--eye=0,1.95,-0.5", "--target=0,0.5,-0.03"]
 
 
-def page(title, words, *schemas, camera=SIDE, source=None):
-    """`source` is the recipe of another scene, whose id the example takes as its variable `source`."""
-    return {"title": title, "words": words, "schemas": schemas, "camera": camera, "source": source}
+def page(title, words, *schemas, camera=SIDE, builtin="creature", source=None, picture=None):
+    """`source` is the recipe of another scene, whose id the example takes as its variable `source`; `picture` is a file
+    of docs/tools/examples that the recipe names and that has to be uploaded before it."""
+    return {"title": title, "words": words, "schemas": schemas, "camera": camera, "builtin": builtin, "source": source,
+            "picture": picture}
 
 
 PAGES = {
@@ -70,9 +72,15 @@ by `value`. Inverted it takes the field back to rest. Below, from the shoulder t
 thin place.""", "Paint"),
     "mask": page("Mask", """
 The mask says how much every tool may change: all where it is 1, nothing where it is 0. It starts at 1 everywhere. Select
-takes everything, vertices, a box, a sphere or a connected part, and combines it with the mask that is there; grow, shrink,
-smooth and invert change it; [paint](paint.md) brushes it. Below: a band of the body is chosen, its edge smoothed, and the
-fur made three times as long; `{"op": "mask"}` ends with everything chosen.""", "Mask", "MaskBox", "MaskSphere", "MaskPart"),
+takes everything, vertices, a box, a sphere, a connected part or an uploaded picture ([maps](../maps.md)), and combines it with
+the mask that is there; grow, shrink, smooth and invert change it; [paint](paint.md) brushes it. Below: a band of the body is
+chosen, its edge smoothed, and the fur made three times as long; `{"op": "mask"}` ends with everything chosen.""", "Mask",
+                 "MaskBox", "MaskSphere", "MaskPart", "MaskPicture"),
+    "map": page("Map", """
+Reads a field from an uploaded picture through the model's own texture coordinates. `PUT .../maps/{field}` and `pelage map put`
+upload a picture and run this command, and `pelage map get` writes one; [maps](../maps.md) has the files and their encodings. The
+log names the picture by its pixels, and the server keeps it as long as the log does. Below: a checked picture makes the fur
+of a ring long and short.""", "Map", camera=["--camera", "three_quarter"], builtin="torus", picture="map.png"),
     "symmetry": page("Symmetry", """
 From `set_symmetry` on each tool with a place works on all images of it too, as one undo step: mirrored in up to three planes
 and their combinations, or turned about an axis. Places on the surface are mirrored to the nearest ones, so a roughly

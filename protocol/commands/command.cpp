@@ -14,7 +14,7 @@ constexpr bool has_stroke = requires(C command) { command.stroke; };
 const char* op_of(const Command& command) {
   static constexpr const char* names[] = {
       "comb", "blow", "attract", "interpolate", "flow", "smooth", "noise", "unify",
-      "part", "length", "trim", "lift", "erase", "clump", "curl", "paint", "mask",
+      "part", "length", "trim", "lift", "erase", "clump", "curl", "paint", "mask", "map",
       "set_blowers", "set_attractors", "set_symmetry", "checkpoint", "layer", "retarget",
       "set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves", "set_skin",
       "set_base_picture"};

@@ -16,6 +16,7 @@
 #include "protocol/commands/eye.h"
 #include "protocol/commands/skin.h"
 #include "protocol/commands/look.h"
+#include "protocol/commands/map.h"
 #include "protocol/commands/tools.h"
 
 namespace pelage {
@@ -68,7 +69,7 @@ struct Checkpoint {
 
 using Command =
     std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
-                 Paint, ChangeMask,
+                 Paint, ChangeMask, ApplyMap,
                  SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeLayer, Retarget,
                  SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
 

@@ -232,10 +232,13 @@ struct MaskVertices { std::vector<std::uint32_t> vertices = {}; };  // 1 to 100,
 struct MaskBox { glm::dvec3 min{0}, max{0}; };                  // model coordinates
 struct MaskSphere { glm::dvec3 centre{0}; double radius = 0.1; double softness = 0; };  // radius in `units`; share that fades
 struct MaskPart { glm::dvec3 position{0}; };                    // the connected part nearest to it
+enum class PictureChannel { luminance, red, green, blue, alpha };  // luminance: by Rec. 709's weights of the file's numbers
+/// What an uploaded picture holds at the vertices' texture coordinates.
+struct MaskPicture { std::string name = {}; PictureChannel channel = PictureChannel::luminance; };  // 32 hex digits
 /// Chooses where tools work. Brushes paint it with `paint`.
 struct ChangeMask {
   MaskAction action = MaskAction::select;
-  std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart> shape = {};  // of select
+  std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskPicture> shape = {};  // of select
   MaskCombine combine = MaskCombine::replace;                                // of select
   double value = 1;        // of select: what the chosen get, [0, 1]; with replace the others get 1 - value
   double distance = 0.02;  // of grow and shrink: along the surface, in `units`

@@ -79,17 +79,10 @@ Command set_skin(Object& object) {
   return result;
 }
 
-bool is_picture_name(const std::string& text) {
-  return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 Command set_base_picture(Object& object) {
   SetBasePicture result;
   object.required("picture", [&](const Value& v) {
-    const std::string name = v.text(1, 32);
-    if (name == "own") return;
-    if (!is_picture_name(name)) v.refuse("This names no picture.", "own, or 32 hex digits in lower case");
-    result.picture = name;
+    if (v.tree() != "own") result.picture = picture_name(v, "own, or 32 hex digits in lower case");
   });
   return result;
 }

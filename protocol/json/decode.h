@@ -36,6 +36,11 @@ Result<Environment> decode_environment_query(const Query& query);
 /// `from` and `to`, both required.
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 
+/// Which map: field (required), format, encoding, size, dilate, scale, units.
+Result<MapRequest> decode_map_query(const Query& query);
+/// What comes with the octets of a map: field (required), encoding, scale, units, strength.
+Result<MapUpload> decode_map_upload_query(const Query& query);
+
 struct PickRequest {
   View view;
   glm::dvec2 pixel{0};  // origin top left

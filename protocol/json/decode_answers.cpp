@@ -141,6 +141,18 @@ Result<PickAnswer> decode_pick_answer(std::string_view text) {
   });
 }
 
+Result<PictureAnswer> decode_picture_answer(std::string_view text) {
+  return decode_document<PictureAnswer>(text, [](const json& value) {
+    PictureAnswer answer{.picture = value.at("picture"),
+                         .width = value.at("width"),
+                         .height = value.at("height"),
+                         .bits = value.at("bits"),
+                         .scale = {}};
+    if (value.contains("scale")) answer.scale = value.at("scale").get<double>();
+    return answer;
+  });
+}
+
 Result<std::vector<LogEntry>> decode_log(std::string_view text) {
   return decode_document<std::vector<LogEntry>>(text, [](const json& value) {
     std::vector<LogEntry> log;

@@ -6,6 +6,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
+#include "protocol/commands/map.h"
 
 namespace pelage {
 
@@ -14,6 +15,7 @@ Result<CommandAnswer> decode_command_answer(std::string_view text);
 Result<SceneSummary> decode_scene_summary(std::string_view text);
 Result<std::vector<SceneSummary>> decode_scene_list(std::string_view text);
 Result<PickAnswer> decode_pick_answer(std::string_view text);
+Result<PictureAnswer> decode_picture_answer(std::string_view text);
 Result<std::vector<LogEntry>> decode_log(std::string_view text);
 
 /// The refusal in a problem document; its code follows the `type`. Malformed when it is no problem document.

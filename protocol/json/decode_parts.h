@@ -20,6 +20,10 @@ SkinRegion skin_region(const Value& value);
 Brush brush(const Value& value);
 Stroke stroke(const Value& value);
 FirstGroom fur(const Value& value);
+/// 32 hex digits in lower case.
+std::string picture_name(const Value& value, const char* limit = "32 hex digits in lower case");
+/// Refuses a map of the field in an encoding that cannot hold it.
+void refuse_encoding(const Value& value, Field field);
 Knobs quality(const Value& value);  // a tier's name, or knobs that start from the interactive tier
 
 }  // namespace pelage::json_parts

@@ -77,6 +77,24 @@ constexpr auto compare_parameters = std::to_array<Parameter>({
     {"to", "/to", Kind::number},
 });
 
+constexpr auto map_parameters = std::to_array<Parameter>({
+    {"field", "/field", Kind::text},
+    {"format", "/format", Kind::text},
+    {"encoding", "/encoding", Kind::text},
+    {"size", "/size", Kind::number},
+    {"dilate", "/dilate", Kind::number},
+    {"scale", "/scale", Kind::number},
+    {"units", "/units", Kind::text},
+});
+
+constexpr auto map_upload_parameters = std::to_array<Parameter>({
+    {"field", "/field", Kind::text},
+    {"encoding", "/encoding", Kind::text},
+    {"scale", "/scale", Kind::number},
+    {"units", "/units", Kind::text},
+    {"strength", "/strength", Kind::number},
+});
+
 json names_of(const std::string& text) {
   json names = json::array();
   std::istringstream stream(text);
@@ -136,7 +154,46 @@ Result<json> document_of(const Query& query, const std::array<Parameter, N>& par
   return document;
 }
 
+/// What requests for maps and uploads of maps have in common.
+template <class Map>
+void read_map(Object& object, Map& map) {
+  object.required("field", [&](const Value& v) { map.field = v.name_of(json_names::fields); });
+  object.name("encoding", map.encoding, json_names::map_encodings);
+  object.optional("scale", [&](const Value& v) { map.scale = v.number(json_parts::map_scale); });
+  object.name("units", map.units, json_names::units);
+  if (!fits(map.field, map.encoding)) json_parts::refuse_encoding(object.value(), map.field);
+}
+
 }  // namespace
+
+Result<MapRequest> decode_map_query(const Query& query) {
+  const auto document = document_of(query, map_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  MapRequest map;
+  read_map(object, map);
+  object.name("format", map.format, json_names::map_formats);
+  object.integer("size", map.size, {1, limits::map_pixels});
+  object.integer("dilate", map.dilate, {0, limits::map_dilation});
+  const bool is_png = map.format == MapFormat::png || map.format == MapFormat::png16;
+  if (map.encoding == MapEncoding::vector && is_png)
+    object.value().refuse_below("format", "Vectors have parts below 0 and need floats.", "exr | exr_half");
+  if (!first_failure.ok()) return first_failure;
+  return map;
+}
+
+Result<MapUpload> decode_map_upload_query(const Query& query) {
+  const auto document = document_of(query, map_upload_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  Object object(Value(*document, "", first_failure));
+  MapUpload map;
+  read_map(object, map);
+  object.number("strength", map.strength, json_parts::share);
+  if (!first_failure.ok()) return first_failure;
+  return map;
+}
 
 Result<FrameRequest> decode_frame_query(const Query& query) {
   const auto document = document_of(query, frame_parameters);

@@ -43,6 +43,9 @@ class MemberReader {
   void required_text(std::string_view name, std::string& out) {
     object_.required(name, [&](const Value& v) { out = v.text(1, limits::name_bytes); });
   }
+  void picture(std::string_view name, std::string& out) {
+    object_.required(name, [&](const Value& v) { out = json_parts::picture_name(v); });
+  }
   void position(std::string_view name, glm::dvec3& out) { object_.triple(name, out, coordinate); }
   void required_position(std::string_view name, glm::dvec3& out) {
     object_.required(name, [&](const Value& v) { out = v.triple(coordinate); });
@@ -262,6 +265,10 @@ void check(const Value& value, const Paint& paint) {
 void check(const Value& value, const ChangeMask& mask) {
   if (const auto* box = std::get_if<MaskBox>(&mask.shape); box && glm::any(glm::greaterThan(box->min, box->max)))
     value.refuse_below("box/max", "The box ends before it begins.", "at least min");
+}
+
+void check(const Value& value, const ApplyMap& map) {
+  if (!fits(map.field, map.encoding)) refuse_encoding(value, map.field);
 }
 
 template <class T>

@@ -30,6 +30,8 @@ std::string encode(const FoldCount& folds);
 std::string encode(const std::vector<LogEntry>& log);
 std::string encode(const Knobs& knobs);
 std::string encode(const FrameCounters& counters);
+std::string encode(const MapAnswer& answer);
+std::string encode(const PictureAnswer& answer);
 
 /// A text as a JSON string, with its quotes.
 std::string json_text(std::string_view text);

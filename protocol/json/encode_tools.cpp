@@ -38,6 +38,7 @@ class MemberWriter {
     if (text) json_[name] = *text;
   }
   void required_text(const char* name, const std::string& text) { json_[name] = text; }
+  void picture(const char* name, const std::string& text) { json_[name] = text; }
   void position(const char* name, glm::dvec3 position) { json_[name] = list(position); }
   void required_position(const char* name, glm::dvec3 position) { json_[name] = list(position); }
   void direction(const char* name, glm::dvec3 direction) { json_[name] = list(direction); }

@@ -46,6 +46,20 @@ inline constexpr std::array<Name<MaskCombine>, 4> mask_combines{{{"replace", Mas
                                                                  {"add", MaskCombine::add},
                                                                  {"subtract", MaskCombine::subtract},
                                                                  {"intersect", MaskCombine::intersect}}};
+inline constexpr std::array<Name<PictureChannel>, 5> picture_channels{{{"luminance", PictureChannel::luminance},
+                                                                       {"red", PictureChannel::red},
+                                                                       {"green", PictureChannel::green},
+                                                                       {"blue", PictureChannel::blue},
+                                                                       {"alpha", PictureChannel::alpha}}};
+inline constexpr std::array<Name<MapEncoding>, 5> map_encodings{{{"automatic", MapEncoding::automatic},
+                                                                 {"value", MapEncoding::value},
+                                                                 {"uv_tangent", MapEncoding::uv_tangent},
+                                                                 {"fast_fur", MapEncoding::fast_fur},
+                                                                 {"vector", MapEncoding::vector}}};
+inline constexpr std::array<Name<MapFormat>, 4> map_formats{{{"png", MapFormat::png},
+                                                             {"png16", MapFormat::png16},
+                                                             {"exr", MapFormat::exr},
+                                                             {"exr_half", MapFormat::exr_half}}};
 /// The fields by their names, from the table of their shapes.
 constexpr std::array<Name<Field>, field_count> make_field_names() {
   std::array<Name<Field>, field_count> names{};

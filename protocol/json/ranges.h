@@ -25,6 +25,7 @@ namespace json_parts {
 inline constexpr Range coordinate{-1e27, 1e27};
 inline constexpr Range length_in_units{0, 1e27};
 inline constexpr Range width_in_units{1e-27, 1e27};
+inline constexpr Range map_scale{1e-27, 1e27};
 inline constexpr Range share{0, 1};
 inline constexpr Range half_circle{0, 180};
 inline constexpr Range layer_weight{-4, 4};

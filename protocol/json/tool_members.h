@@ -218,6 +218,23 @@ void members(V& v, Visited<V, MaskPart>& part) {
 }
 
 template <class V>
+void members(V& v, Visited<V, MaskPicture>& picture) {
+  v.picture("name", picture.name);
+  v.name("channel", picture.channel, json_names::picture_channels);
+}
+
+template <class V>
+void members(V& v, Visited<V, ApplyMap>& c) {
+  v.picture("picture", c.picture);
+  v.field("field", c.field);
+  v.name("encoding", c.encoding, json_names::map_encodings);
+  v.number("scale", c.scale, map_scale);
+  v.name("units", c.units, json_names::units);
+  v.number("strength", c.strength, share);
+  v.text("layer", c.layer);
+}
+
+template <class V>
 void members(V& v, Visited<V, ChangeMask>& c) {
   v.name("action", c.action, json_names::mask_actions);
   if (c.action == MaskAction::select) {
@@ -226,6 +243,7 @@ void members(V& v, Visited<V, ChangeMask>& c) {
     v.template alternative<MaskBox>("box", c.shape);
     v.template alternative<MaskSphere>("sphere", c.shape);
     v.template alternative<MaskPart>("part", c.shape);
+    v.template alternative<MaskPicture>("picture", c.shape);
     v.name("combine", c.combine, json_names::mask_combines);
     v.number("value", c.value, share);
   }
@@ -312,6 +330,6 @@ concept ListedTool =
     std::is_same_v<Tool, Erase> || std::is_same_v<Tool, Clump> || std::is_same_v<Tool, Curl> ||
     std::is_same_v<Tool, Paint> || std::is_same_v<Tool, ChangeMask> || std::is_same_v<Tool, SetBlowers> ||
     std::is_same_v<Tool, SetAttractors> || std::is_same_v<Tool, SetSymmetry> || std::is_same_v<Tool, Checkpoint> ||
-    std::is_same_v<Tool, ChangeLayer> || std::is_same_v<Tool, Retarget>;
+    std::is_same_v<Tool, ChangeLayer> || std::is_same_v<Tool, Retarget> || std::is_same_v<Tool, ApplyMap>;
 
 }  // namespace pelage::json_parts

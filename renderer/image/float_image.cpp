@@ -104,7 +104,16 @@ FloatImage linear_image(const Image& image) {
 
 void read_exr_without_threads() { OIIO::attribute("exr_threads", -1); }
 
-Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels) {
+namespace {
+
+/// A file's numbers and what it says about them.
+struct ReadFile {
+  PictureFormat format = PictureFormat::unknown;
+  OIIO::ImageSpec spec;
+  FloatImage image;
+};
+
+Result<ReadFile> read_file(std::span<const std::byte> octets, std::size_t max_pixels) {
   const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
   const PictureFormat format = format_of(text);
   if (format == PictureFormat::unknown) return unreadable("it is neither PNG, JPEG, EXR nor HDR.");
@@ -126,9 +135,27 @@ Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::si
   if (!has_colour(places)) return unreadable("it has no channels R, G and B, nor Y.");
   FloatImage image{spec.width, spec.height, std::vector<float>(spec.image_pixels() * 4, 1.0f)};
   if (Status status = read_channels(*input, places, image); !status.ok()) return status;
-  image.display_referred = format == PictureFormat::png || format == PictureFormat::jpeg;
+  return ReadFile{format, std::move(spec), std::move(image)};
+}
+
+}  // namespace
+
+Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels) {
+  Result<ReadFile> file = read_file(octets, max_pixels);
+  if (!file) return file.status();
+  FloatImage& image = file->image;
+  image.display_referred = file->format == PictureFormat::png || file->format == PictureFormat::jpeg;
   if (image.display_referred) make_linear_and_premultiplied(image);
-  return image;
+  return std::move(image);
+}
+
+Result<DataImage> decode_data_image(std::span<const std::byte> octets, std::size_t max_pixels, const std::string& key) {
+  Result<ReadFile> file = read_file(octets, max_pixels);
+  if (!file) return file.status();
+  const OIIO::ImageSpec& spec = file->spec;
+  const int bits = spec.format == OIIO::TypeDesc::UINT8 ? 8 : spec.format == OIIO::TypeDesc::UINT16 ? 16 : 32;
+  return DataImage{spec.width, spec.height, bits, std::move(file->image.rgba),
+                   std::string(spec.get_string_attribute(key))};
 }
 
 }  // namespace pelage

@@ -29,6 +29,21 @@ FloatImage linear_image(const Image& image);
 /// and infinity stay. Refused (invalid) when it is none of these, broken, without colour, or over `max_pixels`.
 Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels);
 
+/// A picture whose numbers are data: no curve is undone and nothing is multiplied by alpha. 8 and 16 bits are over
+/// their largest, 4 * width * height numbers, rows from the top.
+struct DataImage {
+  int width = 0, height = 0;
+  int bits = 8;  // 8, 16, or 32 for any float
+  std::vector<float> rgba;
+  std::string text;  // what the file keeps under the asked key; "" for nothing
+};
+
+/// The same files, refused as decode_float_image does.
+Result<DataImage> decode_data_image(std::span<const std::byte> octets, std::size_t max_pixels, const std::string& key);
+
+/// Under which a map's file says what 1 in it stands for.
+inline constexpr const char* map_scale_text = "pelage:scale";
+
 /// Makes the library of EXR do without threads from here on, for a process that may start none.
 void read_exr_without_threads();
 

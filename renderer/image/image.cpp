@@ -38,23 +38,24 @@ bool is_whole(const Picture& image) {
              std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-OIIO::ImageSpec png_spec(int width, int height, int channels, OIIO::TypeDesc type, std::span<const ImageText> texts) {
+OIIO::ImageSpec png_spec(int width, int height, int channels, OIIO::TypeDesc type, std::span<const ImageText> texts,
+                         PngNumbers numbers) {
   constexpr int sub_filter = 16;  // PNG_FILTER_SUB
   OIIO::ImageSpec spec(width, height, channels, type);
   spec.attribute("png:compressionLevel", 1);
   spec.attribute("png:filter", sub_filter);
-  spec.attribute("oiio:ColorSpace", "sRGB");
+  if (numbers == PngNumbers::srgb) spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("oiio:UnassociatedAlpha", 1);
   for (const ImageText& text : texts) spec.attribute(text.key, text.value);
   return spec;
 }
 
 template <class Picture>
-std::string encode_png_of(const Picture& image, bool keep_alpha, std::span<const ImageText> texts) {
+std::string encode_png_of(const Picture& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
   assert(is_whole(image));
   const auto type = OIIO::BaseTypeFromC<typename decltype(image.rgba)::value_type>::value;
   const bool rgb = !keep_alpha && is_opaque(image.rgba);
-  const OIIO::ImageSpec spec = png_spec(image.width, image.height, rgb ? 3 : 4, type, texts);
+  const OIIO::ImageSpec spec = png_spec(image.width, image.height, rgb ? 3 : 4, type, texts, numbers);
   if (!rgb) return write_picture(PictureFormat::png, spec, type, image.rgba.data());
   return write_picture(PictureFormat::png, spec, type, without_alpha(image.rgba).data());
 }
@@ -74,12 +75,12 @@ std::vector<std::uint8_t> to_rgba(const std::vector<std::uint8_t>& pixels, std::
 
 }  // namespace
 
-std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts) {
-  return encode_png_of(image, keep_alpha, texts);
+std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
+  return encode_png_of(image, keep_alpha, texts, numbers);
 }
 
-std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts) {
-  return encode_png_of(image, keep_alpha, texts);
+std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
+  return encode_png_of(image, keep_alpha, texts, numbers);
 }
 
 std::string encode_jpeg(const Image& image, int quality) {

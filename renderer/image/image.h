@@ -27,10 +27,15 @@ struct ImageText {
   std::string key, value;  // stored as PNG text or as an attribute of an EXR
 };
 
-/// PNG with the fast settings (zlib level 1, sub filter) and sRGB marked; RGB when every alpha is at its largest and
+/// Whether a PNG's numbers are colours, marked as sRGB, or data without a mark.
+enum class PngNumbers { srgb, data };
+
+/// PNG with the fast settings (zlib level 1, sub filter); RGB when every alpha is at its largest and
 /// `keep_alpha` is false.
-std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts = {});
-std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts = {});
+std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts = {},
+                       PngNumbers numbers = PngNumbers::srgb);
+std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts = {},
+                       PngNumbers numbers = PngNumbers::srgb);
 
 /// JPEG for drafts, quality in [1, 100]. JPEG has no alpha: the colour is written as it is, so draw over a background.
 std::string encode_jpeg(const Image& image, int quality);

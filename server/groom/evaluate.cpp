@@ -33,7 +33,11 @@ struct Tools {
   Evaluation operator()(const Clump& command) const { return clump(command, surface, fields); }
   Evaluation operator()(const Curl& command) const { return curl(command, surface, fields); }
   Evaluation operator()(const Paint& command) const { return paint(command, surface, fields); }
-  Evaluation operator()(const ChangeMask& command) const { return mask(command, surface, fields); }
+  Evaluation operator()(const ChangeMask& command) const { return mask(command, surface, fields, extras.picture); }
+  Evaluation operator()(const ApplyMap& command) const {
+    assert(extras.picture != nullptr);
+    return map(command, surface, fields, *extras.picture);
+  }
   Evaluation operator()(const Retarget& command) const {
     assert(extras.source != nullptr && extras.rest != nullptr);
     return retarget(command, surface, fields, *extras.source, *extras.rest);

@@ -4,14 +4,16 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
+#include "server/surface/map_picture.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
 
-/// What a tool did: the change, and at how many vertices a value was held at its limit.
+/// What a tool did: the change, at how many vertices a value was held at its limit, and what is hardly meant.
 struct Evaluation {
   FieldDelta delta;
   std::size_t clamped = 0;
+  std::vector<std::string> warnings = {};
 };
 
 /// Replaces pixel samples of the command's stroke by the triangles that they hit (misses are dropped; so the log
@@ -24,6 +26,7 @@ struct ToolExtras {
   Coat coat;                      // trim: how strands lean
   const FieldSet* rest = nullptr;  // erase: what it goes back to, retarget: what it takes; required
   const Surface* source = nullptr;  // retarget: where `rest` lies; required
+  const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
 };
 
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count.

@@ -5,6 +5,7 @@
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"
+#include "server/maps/draw_map.h"
 
 namespace pelage {
 
@@ -16,6 +17,7 @@ using Values = std::vector<double>;
 struct Chosen {
   const Surface& surface;
   Units units;
+  const MapPicture* picture;
 
   Values none() const { return Values(surface.mesh().positions.size(), 0.0); }
 
@@ -60,6 +62,10 @@ struct Chosen {
       }
     }
     return chosen;
+  }
+  Values operator()(const MaskPicture& named) const {
+    assert(picture != nullptr);
+    return read_channel(surface.mesh(), *picture, named.channel);
   }
 };
 
@@ -125,16 +131,16 @@ Values smoothed(const Surface& surface, Values mask, int passes) {
   return mask;
 }
 
-Values selected(const ChangeMask& command, const Surface& surface, Values mask) {
-  const Values chosen = std::visit(Chosen{surface, command.units}, command.shape);
+Values selected(const ChangeMask& command, const Surface& surface, const MapPicture* picture, Values mask) {
+  const Values chosen = std::visit(Chosen{surface, command.units, picture}, command.shape);
   for (std::size_t v = 0; v < mask.size(); ++v) mask[v] = combined(command, mask[v], chosen[v]);
   return mask;
 }
 
-Values changed(const ChangeMask& command, const Surface& surface, Values mask) {
+Values changed(const ChangeMask& command, const Surface& surface, const MapPicture* picture, Values mask) {
   const double distance = internal_length(command.distance, command.units, surface.mesh());
   switch (command.action) {
-    case MaskAction::select: return selected(command, surface, std::move(mask));
+    case MaskAction::select: return selected(command, surface, picture, std::move(mask));
     case MaskAction::grow: return grown(surface, mask, distance);
     case MaskAction::shrink: return inverted(grown(surface, inverted(std::move(mask)), distance));
     case MaskAction::smooth: return smoothed(surface, std::move(mask), command.passes);
@@ -146,10 +152,11 @@ Values changed(const ChangeMask& command, const Surface& surface, Values mask) {
 
 }  // namespace
 
-Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields) {
+Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields,
+                const MapPicture* picture) {
   Values now(fields.size());
   for (std::uint32_t v = 0; v < now.size(); ++v) now[v] = fields.number(Field::mask, v);
-  const Values after = changed(command, surface, std::move(now));
+  const Values after = changed(command, surface, picture, std::move(now));
   FieldWriter writer(fields, Field::mask);
   for (std::uint32_t v = 0; v < after.size(); ++v) writer.put(v, after[v]);
   Evaluation done;

@@ -145,6 +145,9 @@ struct CheckTool {
     return length(std::get<double>(command.shape), command.units, "/height");
   }
   Status operator()(const ChangeMask& command) const {
+    if (std::holds_alternative<MaskPicture>(command.shape)) {
+      if (Status none = has_uvs("/picture/name"); !none.ok()) return none;
+    }
     if (const auto* list = std::get_if<MaskVertices>(&command.shape)) {
       for (std::size_t k = 0; k < list->vertices.size(); ++k) {
         if (list->vertices[k] < mesh.positions.size()) continue;
@@ -220,6 +223,12 @@ struct CheckTool {
   Status operator()(const SetBasePicture& command) const {
     if (command.picture.empty() || has_own_uvs(mesh)) return {};
     return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture", "own");
+  }
+  Status operator()(const ApplyMap&) const { return has_uvs("/picture"); }
+  Status has_uvs(std::string pointer) const {
+    if (has_own_uvs(mesh)) return {};
+    return failure(Code::invalid, "the model has no texture coordinates to read a picture by", std::move(pointer),
+                   "a model with texture coordinates; docs/maps.md says which have some");
   }
   template <class Other>
   Status operator()(const Other&) const {

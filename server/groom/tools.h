@@ -22,7 +22,9 @@ Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& f
 Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& fields);
 Evaluation curl(const Curl& command, const Surface& surface, const FieldSet& fields);
 Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& fields);
-Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields);
+Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields,
+                const MapPicture* picture = nullptr);
+Evaluation map(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const MapPicture& picture);
 Evaluation retarget(const Retarget& command, const Surface& surface, const FieldSet& fields, const Surface& source,
                     const FieldSet& source_fields);
 

@@ -54,6 +54,7 @@ struct Entry {
   FieldDelta delta;                               // between the revision before and this one
   FieldsHash fields_hash;                         // after it
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
+  std::vector<std::string> pictures = {};         // that its commands name; not read back
 };
 
 /// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back

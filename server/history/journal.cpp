@@ -133,10 +133,18 @@ Status leave_pictures(Database& database, const std::string& scene) {
   return left;
 }
 
+/// The scene's log names the picture from now on.
+Status keep_picture(Database& database, const std::string& scene, const std::string& picture) {
+  Statement use = database.prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
+  return use.text(scene).text(picture).run();
+}
+
 Status write_entry(Database& database, const std::string& scene, const Entry& entry, const std::string& delta) {
   if (entry.settings && !entry.settings->base_picture.empty()) {
-    Statement use = database.prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
-    if (Status kept = use.text(scene).text(entry.settings->base_picture).run(); !kept.ok()) return kept;
+    if (Status kept = keep_picture(database, scene, entry.settings->base_picture); !kept.ok()) return kept;
+  }
+  for (const std::string& picture : entry.pictures) {
+    if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
   }
   Statement insert = database.prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
   insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);

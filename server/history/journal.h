@@ -52,14 +52,15 @@ class Journal {
   /// pictures, one of which its settings may name.
   Status refine_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
-  /// Fails when the entry's settings name a picture that the journal does not have.
+  /// Fails when the entry's settings or commands name a picture that the journal does not have.
   Status append(const std::string& scene, const Entry& entry) { return append(scene, std::span(&entry, 1)); }
   /// All of them or none.
   Status append(const std::string& scene, std::span<const Entry> entries);
   /// Adds a scene with another one's model and entries up to `last`. `scene` has to be there.
   Status branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last);
 
-  /// Keeps a picture (encode_raw_image) under its name, for as long as a scene's log names it. One that is known stays.
+  /// Keeps a picture (encode_raw_image, encode_map_picture) under its name, for as long as a scene's log names it. One
+  /// that is known stays.
   Status add_picture(const std::string& name, const std::string& octets);
   bool has_picture(const std::string& name) const;
   /// Fails (internal) when there is none of that name.

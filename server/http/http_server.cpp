@@ -74,6 +74,7 @@ struct HttpServer::Impl {
     set_up_handlers();
     add_scene_routes(server, service);
     add_upload_routes(server, service);
+    add_map_routes(server, service);
     add_command_routes(server, service);
     add_frame_routes(server, service);
     add_status_routes(server, service);

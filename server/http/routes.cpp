@@ -46,13 +46,26 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
   return {};
 }
 
+namespace {
+
+/// What comes after the scene's id, with {field} for what stands there.
+std::string shape_in_scene(const std::string& rest) {
+  static constexpr std::string_view maps = "/maps/";
+  const bool one_map = rest.starts_with(maps) && rest.size() > maps.size() && rest.find('/', maps.size()) == rest.npos;
+  return one_map ? "/maps/{field}" : rest;
+}
+
+}  // namespace
+
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 22> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 24> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
                                                 {"/v1/scenes/{id}/subdivide", "POST"},
                                                 {"/v1/scenes/{id}/environment", "PUT"},
                                                 {"/v1/scenes/{id}/base_picture", "PUT"},
+                                                {"/v1/scenes/{id}/pictures", "PUT"},
+                                                {"/v1/scenes/{id}/maps/{field}", "GET, HEAD, PUT"},
                                                 {"/v1/scenes/{id}/commands", "POST"},
                                                 {"/v1/scenes/{id}/undo", "POST"},
                                                 {"/v1/scenes/{id}/redo", "POST"},
@@ -74,7 +87,7 @@ RouteInfo route_of(const std::string& path) {
   std::string shape = path;
   if (path.starts_with(scenes) && path.size() > scenes.size()) {
     const std::size_t end = std::min(path.find('/', scenes.size()), path.size());
-    if (end > scenes.size()) shape = std::string(scenes) + "{id}" + path.substr(end);
+    if (end > scenes.size()) shape = std::string(scenes) + "{id}" + shape_in_scene(path.substr(end));
   }
   const auto found =
       std::find_if(known.begin(), known.end(), [&](const RouteInfo& info) { return info.path == shape; });

@@ -38,6 +38,7 @@ void add_scene_routes(httplib::Server& server, Service& service);
 void add_upload_routes(httplib::Server& server, Service& service);
 void add_command_routes(httplib::Server& server, Service& service);
 void add_frame_routes(httplib::Server& server, Service& service);
+void add_map_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
 
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
@@ -51,6 +52,8 @@ std::uint64_t model_id_of(const Scene& scene);
 void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler);
 
 Query query_of(const httplib::Request& request);
+/// The same with the field of the address ".../maps/{field}" as a parameter.
+Query map_query_of(const httplib::Request& request);
 /// Refuses (invalid) parameters of the address that are not among `known`, and repeated ones (malformed).
 Status check_query(const httplib::Request& request, const std::vector<std::string_view>& known);
 

@@ -47,6 +47,23 @@ void load_base_picture(Service& service, Scene& scene, const Request& request, R
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
+void load_map(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+  const auto how = decode_map_upload_query(map_query_of(request));
+  if (!how) return reply_problem(response, how.status());
+  const auto if_match = if_match_of(request);
+  if (!if_match) return reply_problem(response, if_match.status());
+  const auto answer = service.scenes.load_map(scene, *how, octets, {.if_match = *if_match});
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer), answer->revision);
+}
+
+void keep_picture(Service& service, Scene&, const Request& request, Response& response, Octets octets) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+  const auto answer = service.scenes.keep_picture(octets);
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer));
+}
+
 /// One kind of upload.
 struct Kind {
   std::size_t most_octets;
@@ -100,6 +117,8 @@ void add_upload_routes(httplib::Server& server, Service& service) {
   put(server, service, "model", {limits::model_bytes, load_model});
   put(server, service, "environment", {limits::picture_bytes, load_environment});
   put(server, service, "base_picture", {limits::picture_bytes, load_base_picture});
+  put(server, service, "maps/([^/]+)", {limits::picture_bytes, load_map});
+  put(server, service, "pictures", {limits::picture_bytes, keep_picture});
 }
 
 }  // namespace pelage

@@ -25,6 +25,12 @@ Result<std::string> read_light(std::string octets) {
   return encode_harmonics(*harmonics);
 }
 
+Result<std::string> read_data(std::string octets) {
+  const Result<MapPicture> picture = read_map_picture(octets);
+  if (!picture.ok()) return picture.status();
+  return encode_map_picture(*picture);
+}
+
 Result<std::string> read_base(std::string octets) {
   const Result<RawImage> image = read_base_picture(octets);
   if (!image.ok()) return image.status();
@@ -42,6 +48,7 @@ Job job_of(std::string_view name) {
     if (name == worker_format_names[i]) return models[i];
   }
   if (name == worker_environment) return read_light;
+  if (name == worker_map) return read_data;
   return name == worker_picture ? read_base : nullptr;
 }
 

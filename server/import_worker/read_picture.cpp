@@ -1,6 +1,8 @@
 #include "server/import_worker/read_picture.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <span>
 
 #include "protocol/base/limits.h"
@@ -21,6 +23,14 @@ Status check_sides(int width, int height) {
                 std::to_string(limits::picture_pixels) + " on a side.");
 }
 
+/// The scale that the file says it has; none where that is no number above 0.
+std::optional<double> scale_of(const std::string& text) {
+  double scale = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
+  const bool good = error == std::errc() && end == text.data() + text.size() && scale >= 1e-27 && scale <= 1e27;
+  return good ? std::optional(scale) : std::nullopt;
+}
+
 }  // namespace
 
 Result<SphericalHarmonics> read_environment(const std::string& octets) {
@@ -38,6 +48,17 @@ Result<RawImage> read_base_picture(const std::string& octets) {
   if (!image.ok()) return image.status();
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   return RawImage{image->width, image->height, std::move(image->rgba)};
+}
+
+Result<MapPicture> read_map_picture(const std::string& octets) {
+  read_exr_without_threads();
+  Result<DataImage> image = decode_data_image(std::as_bytes(std::span(octets)), most_pixels, map_scale_text);
+  if (!image.ok()) return image.status();
+  if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
+  const auto broken_numbers =
+      std::count_if(image->rgba.begin(), image->rgba.end(), [](float value) { return !std::isfinite(value); });
+  if (broken_numbers > 0) return broken(std::to_string(broken_numbers) + " of its numbers are NaN or infinite.");
+  return MapPicture{image->width, image->height, image->bits, scale_of(image->text), std::move(image->rgba)};
 }
 
 }  // namespace pelage

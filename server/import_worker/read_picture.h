@@ -5,11 +5,12 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/look.h"
+#include "server/surface/map_picture.h"
 #include "server/surface/raw_model.h"
 
 namespace pelage {
 
-// Both refuse (invalid, with the reason) octets that are broken or of another format, and pictures wider or higher than
+// All refuse (invalid, with the reason) octets that are broken or of another format, and pictures wider or higher than
 // limits::picture_pixels.
 
 /// The light of an EXR or HDR of all directions; renderer/light/equirectangular.h says which pixel is where.
@@ -17,5 +18,8 @@ Result<SphericalHarmonics> read_environment(const std::string& octets);
 
 /// The colours of a PNG or JPEG that is laid on a model.
 Result<RawImage> read_base_picture(const std::string& octets);
+
+/// The numbers of a PNG, JPEG, EXR or HDR that holds data. Also refuses NaN and infinity, with their count.
+Result<MapPicture> read_map_picture(const std::string& octets);
 
 }  // namespace pelage

@@ -70,7 +70,8 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
     }
     return then;
   };
-  const Past past{*replay.settings, replayed_fields_at, sources};
+  BatchPictures pictures(journal_);
+  const Past past{*replay.settings, replayed_fields_at, sources, pictures};
   std::vector<Step> steps;
   std::vector<Command> resolved;
   for (std::size_t k = 0; k < commands.size(); ++k) {
@@ -90,8 +91,9 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
   if (!outcome.changed()) return {};
   replay.fields.apply(outcome.delta);
   if (outcome.settings) replay.settings = outcome.settings;
-  replay.entries.push_back({next, EntryKind::replay, 0, encode(chosen(resolved, outcome.effective)),
-                            std::move(outcome.delta), outcome.fields_hash, outcome.settings});
+  const std::vector<Command> logged = chosen(resolved, outcome.effective);
+  replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta), outcome.fields_hash,
+                            outcome.settings, pictures_read_by(logged)});
   return {};
 }
 

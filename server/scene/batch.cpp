@@ -74,12 +74,13 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
     fields.apply(all.delta);
     return all;
   }
-  const ToolExtras extras{settings.coat, step.rest.get(), step.source.get()};
+  const ToolExtras extras{settings.coat, step.rest.get(), step.source.get(), step.picture.get()};
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
     const Evaluation one = evaluate_image(image, surface, fields, settings, extras);
     fields.apply(one.delta);
     all.delta = compose(all.delta, one.delta);
     all.clamped += one.clamped;
+    all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
   }
   return all;
 }
@@ -130,6 +131,8 @@ Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, 
     outcome.results.push_back(describe_change(op_of(steps[k].command), change, fields));
     outcome.results.back().clamped = evaluation.clamped;
     outcome.results.back().warnings = warnings_of(steps[k].command, surface);
+    outcome.results.back().warnings.insert(outcome.results.back().warnings.end(), evaluation.warnings.begin(),
+                                           evaluation.warnings.end());
     outcome.results.back().milliseconds = milliseconds_since(begin);
     const bool setting = set(steps[k].command, set_so_far, next);
     any_set = any_set || setting;

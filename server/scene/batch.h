@@ -9,6 +9,7 @@
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
+#include "server/surface/map_picture.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -28,6 +29,7 @@ struct Step {
   Command command;
   std::shared_ptr<const FieldSet> rest;  // of erase: what it goes back to; of retarget: what it takes
   std::shared_ptr<const Surface> source = nullptr;  // of retarget: where that lies
+  std::shared_ptr<const MapPicture> picture = nullptr;  // of map, and of a mask by a picture
 };
 
 /// In a batch the pointer of a refusal says which command it is about.

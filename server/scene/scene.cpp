@@ -11,6 +11,7 @@
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/scene/first_settings.h"
+#include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
 #include "server/surface/import.h"
@@ -96,9 +97,9 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // On disk, and only then in the fields and the log. A stroke that misses makes no step.
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
-    const std::string text = encode(chosen(planned->logged, outcome.effective));
-    Status written = commit(
-        {history_.revision() + 1, kind, 0, text, std::move(outcome.delta), outcome.fields_hash, outcome.settings});
+    const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
+    Status written = commit({history_.revision() + 1, kind, 0, encode(logged), std::move(outcome.delta),
+                             outcome.fields_hash, outcome.settings, pictures_read_by(logged)});
     if (!written.ok()) return written;
   }
 
@@ -135,7 +136,8 @@ Status Scene::admit(const ExecuteOptions& options) const {
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
                                 const std::vector<GroomSource>& sources) const {
   Plan plan;
-  const Past past{history_.settings(), [this](Revision revision) { return fields_at(revision); }, sources};
+  BatchPictures pictures(journal_);
+  const Past past{history_.settings(), [this](Revision revision) { return fields_at(revision); }, sources, pictures};
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
     Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;
@@ -161,7 +163,12 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
   const auto* retarget = std::get_if<Retarget>(&*resolved);
-  return retarget ? with_source(*retarget, past.sources) : with_rest(std::move(*resolved), past);
+  Result<Step> step = retarget ? with_source(*retarget, past.sources) : with_rest(std::move(*resolved), past);
+  if (!step) return step;
+  auto picture = past.pictures.find(step->command);
+  if (!picture) return picture.status();
+  step->picture = std::move(*picture);
+  return step;
 }
 
 Status Scene::commit_all(std::span<const Entry> entries) {
@@ -191,8 +198,8 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
   if (const auto* layer = std::get_if<ChangeLayer>(&command)) return check(*layer, settings.layers);
   if (Status bad = check_groomed(layer_of(command), settings.layers); !bad.ok()) return bad;
   const auto* base = std::get_if<SetBasePicture>(&command);
-  if (base == nullptr || base->picture.empty() || journal_.has_picture(base->picture)) return {};
-  return failure(Code::invalid, "there is no such picture here; upload it first", "/picture");
+  if (base == nullptr || base->picture.empty()) return {};
+  return check_base_picture(base->picture, journal_);
 }
 
 /// An erase finds the fields that it goes back to.
@@ -314,6 +321,17 @@ std::vector<LogEntry> Scene::log() const {
 std::vector<std::vector<Command>> Scene::effective_log() const {
   const std::lock_guard lock(mutex_);
   return history_.effective_log();
+}
+
+Result<MapFile> Scene::draw_map(const MapRequest& request) const {
+  std::unique_lock lock(mutex_);
+  const std::shared_ptr<const SceneModel> model = model_;
+  const FieldSet fields = fields_;
+  const Revision revision = history_.revision();
+  lock.unlock();
+  Result<MapFile> file = make_map_file(model->surface.mesh(), fields, request);
+  if (file) file->answer.revision = revision;
+  return file;
 }
 
 Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {

@@ -21,6 +21,7 @@
 #include "server/history/history.h"
 #include "server/history/live_stroke.h"
 #include "server/scene/batch.h"
+#include "server/scene/map_pictures.h"
 #include "server/surface/patches.h"
 #include "server/surface/subdivide.h"
 #include "server/surface/surface.h"
@@ -80,6 +81,7 @@ struct Revert {
 using HistoryMove = std::variant<Undo, Redo, Revert>;
 
 class Journal;
+struct MapFile;
 struct StoredModel;
 
 /// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned.
@@ -129,6 +131,8 @@ class Scene {
   /// (invalid, "/revision").
   Result<GroomSource> groom(std::optional<Revision> revision) const;
   Result<PickAnswer> pick(const View& view, glm::dvec2 pixel) const;
+  /// A field through the model's texture coordinates; the scene goes on while it is drawn. Refused as make_map_file.
+  Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
   /// Looks at all triangles, each at eight heights: about 30 us a triangle.
@@ -169,6 +173,7 @@ class Scene {
     const SceneSettings& settings;
     std::function<Result<FieldSet>(Revision)> fields_at;
     const std::vector<GroomSource>& sources;
+    BatchPictures& pictures;
   };
   /// Steps that have been evaluated but are not in the journal yet.
   struct Replay {

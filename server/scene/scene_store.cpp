@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <mutex>
 #include <random>
 
 #include "protocol/base/limits.h"
-#include "protocol/base/random.h"
 #include "server/history/journal.h"
+#include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 #include "server/surface/builtin.h"
 #include "server/surface/import.h"
@@ -53,18 +52,6 @@ Status too_many_imports() {
   return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
 }
 
-/// 32 hex digits that follow from the octets alone, so that a log finds its picture on another server too.
-std::string name_of_picture(std::string_view octets) {
-  FieldsHash hash{octets.size(), ~octets.size()};
-  for (std::size_t at = 0; at < octets.size(); at += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, octets.data() + at, std::min<std::size_t>(8, octets.size() - at));
-    hash.low = mix_bits(hash.low ^ word);
-    hash.high = mix_bits(hash.high + mix_bits(~word));
-  }
-  return to_hex(hash);
-}
-
 Status no_such_source() {
   return failure(Code::invalid, "the server has no such scene to take fields from", "/scene");
 }
@@ -92,6 +79,7 @@ struct SceneStore::Impl {
   }
 
   Status restore(const std::string& id);
+  Result<PictureAnswer> keep_map(std::span<const std::byte> octets);
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -273,6 +261,29 @@ Result<CommandAnswer> SceneStore::lay_base_picture(Scene& scene, const RawImage&
   const std::string name = name_of_picture(octets);
   if (Status kept = impl_->journal->add_picture(name, octets); !kept.ok()) return kept;
   return scene.execute({SetBasePicture{name}}, execute);
+}
+
+Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> octets) {
+  const Slot slot(imports, imports_at_a_time);
+  if (!slot.has()) return too_many_imports();
+  const Result<MapPicture> picture = import_map(worker, octets);
+  if (!picture) return picture.status();
+  const std::string kept = encode_map_picture(*picture);
+  PictureAnswer answer{name_of_picture(kept), picture->width, picture->height, picture->bits, picture->scale};
+  if (Status written = journal->add_picture(answer.picture, kept); !written.ok()) return written;
+  return answer;
+}
+
+Result<PictureAnswer> SceneStore::keep_picture(std::span<const std::byte> octets) { return impl_->keep_map(octets); }
+
+Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> octets,
+                                           const ExecuteOptions& execute) {
+  const Result<PictureAnswer> picture = impl_->keep_map(octets);
+  if (!picture) return picture.status();
+  ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
+  const bool says_itself = !upload.scale && upload.units == Units::relative;  // what files say is in sizes
+  command.scale = upload.scale.value_or(says_itself ? picture->scale.value_or(1) : 1);
+  return scene.execute({command}, execute);
 }
 
 }  // namespace pelage

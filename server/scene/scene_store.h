@@ -58,6 +58,11 @@ class SceneStore {
                                           const ExecuteOptions& execute = {});
   /// Keeps the picture and names it in a set_base_picture. Refused as that command is.
   Result<CommandAnswer> lay_base_picture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
+  /// Keeps a picture of data for commands to name. One that no log names is gone after a restart.
+  Result<PictureAnswer> keep_picture(std::span<const std::byte> octets);
+  /// The same, and reads a map from it with ApplyMap. Refused as that command is.
+  Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> octets,
+                                 const ExecuteOptions& execute = {});
 
  private:
   struct Impl;

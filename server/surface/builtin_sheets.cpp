@@ -30,6 +30,23 @@ SheetGrid grid_for(int triangles, double aspect, int least_columns, int least_ro
 
 using Sheet = std::function<dvec3(dvec2)>;  // from [0, 1] x [0, 1]; dP/du x dP/dv points outwards
 
+/// The sheet's own coordinates at the corners of its triangles, from 0 to 1 over each round.
+std::vector<dvec2> sheet_uvs(const SheetGrid& grid) {
+  std::vector<dvec2> uvs;
+  for (int j = 0; j < grid.rows; ++j)
+    for (int i = 0; i < grid.columns; ++i) {
+      const auto place = [&](int di, int dj) {
+        return dvec2(static_cast<double>(i + di) / grid.columns, static_cast<double>(j + dj) / grid.rows);
+      };
+      const dvec2 a = place(0, 0), b = place(1, 0), c = place(1, 1), d = place(0, 1);
+      if ((i + j) % 2 == 0)
+        uvs.insert(uvs.end(), {a, b, c, a, c, d});
+      else
+        uvs.insert(uvs.end(), {a, b, d, b, c, d});
+    }
+  return uvs;
+}
+
 RawModel tessellate(const SheetGrid& grid, const Sheet& sheet) {
   const int across = grid.columns + (grid.closed ? 0 : 1), down = grid.rows + (grid.closed ? 0 : 1);
   std::vector<dvec3> positions;
@@ -47,7 +64,9 @@ RawModel tessellate(const SheetGrid& grid, const Sheet& sheet) {
       else
         triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
     }
-  return triangle_model(std::move(positions), triangles);
+  RawModel model = triangle_model(std::move(positions), triangles);
+  model.corner_uv = sheet_uvs(grid);
+  return model;
 }
 
 /// A tube along the trefoil, which lies on a torus: the torus gives the tube a frame that closes without a twist.

@@ -7,6 +7,7 @@
 
 #include "protocol/base/limits.h"
 #include "server/surface/child_process.h"
+#include "server/surface/map_picture.h"
 #include "server/surface/worker_contract.h"
 
 namespace pelage {
@@ -102,6 +103,14 @@ Result<RawImage> import_picture(const std::string& worker, std::span<const std::
   const Result<std::string> answer = run_worker(worker, worker_picture, "picture", octets, limits);
   if (!answer.ok()) return answer.status();
   return decode_raw_image(std::as_bytes(std::span(*answer)));
+}
+
+Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> octets,
+                              const ImportLimits& limits) {
+  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_map, "picture", octets, limits);
+  if (!answer.ok()) return answer.status();
+  return decode_map_picture(std::as_bytes(std::span(*answer)));
 }
 
 }  // namespace pelage

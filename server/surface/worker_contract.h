@@ -1,5 +1,6 @@
 // What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES`, octets in. The job is a model's format
-// (encode_raw_model out), "environment" (encode_harmonics out) or "picture" (encode_raw_image out).
+// (encode_raw_model out), "environment" (encode_harmonics out), "picture" (encode_raw_image out) or "map" (encode_map_picture
+// out).
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@ inline constexpr std::array<const char*, 7> worker_format_names = {"obj", "ply",
 
 inline constexpr const char* worker_environment = "environment";
 inline constexpr const char* worker_picture = "picture";
+inline constexpr const char* worker_map = "map";
 
 /// How the worker ends. The reason for bad_input is the last line on its standard error.
 namespace worker_exit {

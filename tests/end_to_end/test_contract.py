@@ -52,7 +52,7 @@ class Document(unittest.TestCase):
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
-                    "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
+                    "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "OddHairs", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Subdivide", "Retarget", "Layer", "BranchRequest", "AmendRequest", "Knobs", "FrameRequest",
                     "PickRequest")
@@ -87,6 +87,9 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
+        of_map = {p.get("name"): p.get("schema") for p in CONTRACT["paths"]["/v1/scenes/{id}/maps/{field}"]["get"]["parameters"]}
+        self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
+        self.assertEqual(SCHEMAS["KeptPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
         self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
         self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
@@ -128,7 +131,11 @@ class Requests(ServedTest):
         view = {"camera": {"auto": "front"}, "width": 64, "height": 64}
         full_brush = {"radius": 0.05, "units": "world", "falloff_shape": "volume", "falloff": "smooth", "strength": 0.8,
                       "spacing": 0.5, "front_faces_only": True, "invert": False}
+        kept = self.server.call("PUT", f"{scene.path}/pictures", png([[[9, 9, 9]]])).json["picture"]
         bodies = [
+            {"op": "map", "picture": kept, "field": "length", "encoding": "value", "scale": 0.05, "units": "world", "strength": 0.5},
+            {"op": "map", "picture": kept, "field": "direction", "encoding": "fast_fur"},
+            {"op": "mask", "picture": {"name": kept, "channel": "red"}, "combine": "add", "value": 0.25},
             {**comb([0, 0, 0], [1, 0, 0], samples=2), "brush": full_brush, "lean": 0.5},
             flood([0, 1, 0]),
             {"op": "comb", "stroke": {"id": "", "part": 0, "last": True, "view": view,

@@ -64,6 +64,10 @@ void check_query(std::string_view text) {
   const auto import = pelage::decode_import_query(query);
   require(frame.ok() || !frame.status().message.empty());
   require(import.ok() || !import.status().message.empty());
+  const auto map = pelage::decode_map_query(query);
+  const auto upload = pelage::decode_map_upload_query(query);
+  require(map.ok() || !map.status().message.empty());
+  require(upload.ok() || !upload.status().message.empty());
 }
 
 }  // namespace

@@ -51,6 +51,9 @@ class MemberMaker {
     if (coin()) out = word(0);
   }
   void required_text(std::string_view, std::string& out) { out = word(1); }
+  void picture(std::string_view, std::string& out) {
+    out = *rc::gen::container<std::string>(32, rc::gen::elementOf(std::string("0123456789abcdef")));
+  }
   void position(std::string_view, glm::dvec3& out) { out = place(); }
   void required_position(std::string_view, glm::dvec3& out) { out = place(); }
   void direction(std::string_view, glm::dvec3& out) { out = testing::direction(); }
@@ -142,6 +145,9 @@ void agree(Paint& paint) {
 }
 void agree(ChangeMask& mask) {
   if (auto* box = std::get_if<MaskBox>(&mask.shape)) box->max = glm::max(box->min, box->max);
+}
+void agree(ApplyMap& map) {
+  if (!fits(map.field, map.encoding)) map.encoding = MapEncoding::automatic;
 }
 template <class T>
 void rename(std::vector<T>& named) {

@@ -102,6 +102,22 @@ TEST(Retarget, WithoutAlignmentLengthsStayAsLongAsTheyAre) {
   for (std::uint32_t v = 0; v < result.size(); ++v) ASSERT_NEAR(result.number(Field::length, v), 0.04f, 1e-6);
 }
 
+TEST(Retarget, FarVerticesAreCountedInAWarning) {
+  const Surface source = make_surface(Builtin::sphere, 2000);
+  const FieldSet taken(source.mesh().positions.size());
+  Retarget command;
+  command.align = Alignment::none;
+  const auto warnings = [&](const Surface& target) {
+    const FieldSet fields(target.mesh().positions.size());
+    return evaluate(command, target, fields, {{}, &taken, &source}).warnings;
+  };
+  EXPECT_TRUE(warnings(source).empty());
+  const Surface away = moved(Builtin::sphere, 2000, glm::dvec3(1), glm::dvec3(10, 0, 0));
+  const std::string all = std::to_string(away.mesh().positions.size());
+  ASSERT_EQ(warnings(away).size(), 1u);
+  EXPECT_EQ(warnings(away)[0].substr(0, 2 * all.size() + 4), all + " of " + all);
+}
+
 /// The nearest place of all triangles, each by itself: where a projection falls inside, else on a side.
 struct PlainNearest {
   double distance = 1e9;

@@ -42,6 +42,26 @@ TEST(Decode, PicturesAreNamedByHexDigits) {
   expect_refusal(R"({"op": "set_base_picture"})", Code::invalid, "/picture");
 }
 
+TEST(Decode, MapsAreOfOneFieldInAnEncodingThatHoldsIt) {
+  const std::string picture = R"({"op": "map", "picture": "0123456789abcdef0123456789abcdef")";
+  const auto plain = decode_commands(picture + "}");
+  ASSERT_TRUE(plain.ok());
+  EXPECT_EQ(std::get<ApplyMap>(plain->front()).field, Field::length);
+  EXPECT_TRUE(refusal(picture + R"(, "field": "direction", "encoding": "vector"})").ok());
+  expect_refusal(picture + R"(, "field": "direction", "encoding": "value"})", Code::invalid, "/encoding");
+  expect_refusal(picture + R"(, "field": "mask", "encoding": "fast_fur"})", Code::invalid, "/encoding");
+  expect_refusal(picture + R"(, "scale": 0})", Code::invalid, "/scale");
+  expect_refusal(R"({"op": "map"})", Code::invalid, "/picture");
+  expect_refusal(R"({"op": "mask", "picture": {"name": "own"}})", Code::invalid, "/picture/name");
+  const auto map = decode_map_query({{"field", "direction"}, {"format", "exr"}, {"encoding", "vector"}, {"size", "8192"}});
+  ASSERT_TRUE(map.ok());
+  EXPECT_EQ(map->size, 8192);
+  EXPECT_EQ(decode_map_query({{"field", "direction"}, {"encoding", "vector"}}).status().pointer, "/format");
+  EXPECT_EQ(decode_map_query({{"field", "lenght"}}).status().nearest, "length");
+  EXPECT_EQ(decode_map_upload_query({{"field", "mask"}, {"strength", "2"}}).status().pointer, "/strength");
+  EXPECT_FALSE(decode_map_upload_query({{"field", "mask"}})->scale);
+}
+
 TEST(Decode, HowFurIsLaid) {
   EXPECT_EQ(decode_new_scene("{}")->fur_patches, FurPatches::overlapping);
   EXPECT_EQ(decode_new_scene(R"({"fur_patches": "hard"})")->fur_patches, FurPatches::hard);

@@ -1,0 +1,36 @@
+#include <cassert>
+
+#include "server/fields/colour_sum.h"
+#include "server/fields/field_writer.h"
+#include "server/groom/region.h"
+#include "server/groom/tools.h"
+#include "server/maps/draw_map.h"
+
+namespace pelage {
+
+// (1 - w) V + w M: at full strength exactly what the picture says.
+Evaluation map(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const MapPicture& picture) {
+  const Mesh& mesh = surface.mesh();
+  const MapEncoding encoding = encoding_of(command.field, command.encoding);
+  const bool is_length = command.field == Field::length || encoding == MapEncoding::vector;
+  const double scale = is_length ? internal_length(command.scale, command.units, mesh) : command.scale;
+  const MapTargets targets = read_map(mesh, picture, command.field, encoding, scale);
+  Brush everywhere;
+  everywhere.strength = command.strength;
+  const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
+  const std::vector<VertexWeight> region = region_of({}, everywhere, surface, fields, masked);
+  Evaluation done;
+  for (const Field field : targets.fields) {
+    FieldWriter writer(fields, field);
+    for (const auto [v, weight] : region) {
+      if (field == Field::direction && !targets.keeps_direction.empty() && targets.keeps_direction[v]) continue;
+      const glm::dvec4 now = to_summable(field, glm::dvec4(fields.value(field, v)));
+      const glm::dvec4 there = to_summable(field, targets.values[static_cast<std::size_t>(field)][v]);
+      done.clamped += writer.put(v, from_summable(field, (1 - weight) * now + weight * there));
+    }
+    writer.finish(done.delta);
+  }
+  return done;
+}
+
+}  // namespace pelage

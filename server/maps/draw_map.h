@@ -1,0 +1,41 @@
+// From fields to a map, and from a picture to fields.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "protocol/commands/map.h"
+#include "protocol/commands/tools.h"
+#include "server/fields/field_set.h"
+#include "server/maps/encoding.h"
+#include "server/maps/map_image.h"
+#include "server/surface/map_picture.h"
+#include "server/surface/mesh.h"
+
+namespace pelage {
+
+/// A map before it is a file: values as `layout` says, colours with straight alpha.
+struct DrawnMap {
+  MapImage image;
+  MapLayout layout;
+  MapAnswer answer;  // all but the revision
+};
+
+/// Draws the asked map of a mesh with texture coordinates. Beside the picture it takes 4 bytes a pixel and channel.
+DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
+
+/// What a picture says about the fields of each vertex.
+struct MapTargets {
+  std::vector<Field> fields;  // by rising number: which ones the encoding holds
+  std::array<std::vector<glm::dvec4>, field_count> values;  // of those fields, for each vertex; beyond ranges too
+  std::vector<bool> keeps_direction;  // of `vector`, where it has no length and so no direction; else empty
+};
+
+/// Reads the picture at every vertex, mixed from four pixels; on seams the mean of what its islands say. The mesh has
+/// texture coordinates; `scale` is in the field's unit, lengths in sizes.
+MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale);
+
+/// One channel of the picture at every vertex, the file's own numbers held in [0, 1].
+std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel);
+
+}  // namespace pelage

@@ -1,0 +1,105 @@
+#include "server/maps/uv_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace pelage {
+
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+/// How a triangle lies in the texture.
+struct Slope {
+  dvec3 along_u{0};  // dP/du as long as twice the triangle's area; 0 where it has no area in the texture
+  double side = 1;
+};
+
+/// The slopes of the triangles around a corner, those of each side together.
+struct Slopes {
+  dvec3 plain{0}, mirrored{0};
+  double plain_area = 0, mirrored_area = 0;
+
+  void add(const Slope& slope) {
+    (slope.side > 0 ? plain : mirrored) += slope.along_u;
+    (slope.side > 0 ? plain_area : mirrored_area) += glm::length(slope.along_u);
+  }
+  Slope of_most() const {
+    return mirrored_area > plain_area ? Slope{mirrored, -1} : Slope{plain, 1};
+  }
+};
+
+Slope slope_of(const Mesh& mesh, std::size_t t) {
+  const glm::uvec3 v = mesh.triangles[t];
+  const auto& uv = mesh.texture_uv[t];
+  const dvec3 p(mesh.positions[v.x]), e1 = dvec3(mesh.positions[v.y]) - p, e2 = dvec3(mesh.positions[v.z]) - p;
+  const dvec2 d1 = dvec2(uv[1]) - dvec2(uv[0]), d2 = dvec2(uv[2]) - dvec2(uv[0]);
+  const double det = d1.x * d2.y - d1.y * d2.x;
+  const dvec3 along = (det < 0 ? -1.0 : 1.0) * (e1 * d2.y - e2 * d1.y);
+  const double length = glm::length(along);
+  if (det == 0 || !(length > 0)) return {};
+  return {glm::length(glm::cross(e1, e2)) / length * along, det < 0 ? -1.0 : 1.0};
+}
+
+/// A corner of a triangle: 3 * triangle + its number there.
+struct Corner {
+  std::uint32_t vertex;
+  glm::vec2 uv;
+  std::uint32_t number;
+
+  auto key() const { return std::tuple(vertex, uv.x, uv.y); }
+};
+
+std::vector<Corner> sorted_corners(const Mesh& mesh) {
+  std::vector<Corner> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      corners.push_back({mesh.triangles[t][static_cast<int>(k)], mesh.texture_uv[t][k], 3 * t + k});
+    }
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::tuple_cat(a.key(), std::tuple(a.number)) < std::tuple_cat(b.key(), std::tuple(b.number));
+  });
+  return corners;
+}
+
+/// The tangent space of a corner.
+void settle(UvCorner& corner, const Slope& slope, const Mesh& mesh) {
+  corner.side = slope.side;
+  const dvec3 tangent(mesh.tangents[corner.vertex]), normal(mesh.normals[corner.vertex]);
+  const dvec2 axis(glm::dot(slope.along_u, tangent), glm::dot(slope.along_u, glm::cross(normal, tangent)));
+  const double length = glm::length(axis);
+  corner.mapped = length > 1e-9 * glm::length(slope.along_u);
+  if (corner.mapped) corner.axis = axis / length;
+}
+
+}  // namespace
+
+UvCorners make_uv_corners(const Mesh& mesh) {
+  std::vector<Slope> slopes(mesh.triangles.size());
+  for (std::size_t t = 0; t < slopes.size(); ++t) slopes[t] = slope_of(mesh, t);
+  const std::vector<Corner> sorted = sorted_corners(mesh);
+  UvCorners all;
+  all.of_triangle.resize(mesh.triangles.size());
+  all.first.assign(mesh.positions.size() + 1, 0);
+  for (std::size_t i = 0; i < sorted.size();) {
+    const Corner& one = sorted[i];
+    Slopes around;
+    const auto index = static_cast<std::uint32_t>(all.corners.size());
+    for (; i < sorted.size() && sorted[i].key() == one.key(); ++i) {
+      const std::uint32_t t = sorted[i].number / 3;
+      all.of_triangle[t][static_cast<int>(sorted[i].number % 3)] = index;
+      around.add(slopes[t]);
+    }
+    UvCorner& corner = all.corners.emplace_back(UvCorner{one.vertex, one.uv, {1, 0}, 1, false});
+    settle(corner, around.of_most(), mesh);
+    ++all.first[one.vertex + 1];
+  }
+  for (std::size_t v = 0; v + 1 < all.first.size(); ++v) all.first[v + 1] += all.first[v];
+  return all;
+}
+
+}  // namespace pelage

@@ -1,0 +1,56 @@
+// Pictures that commands name, and maps as files.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/command.h"
+#include "server/fields/field_set.h"
+#include "server/history/journal.h"
+#include "server/surface/map_picture.h"
+#include "server/surface/mesh.h"
+
+namespace pelage {
+
+/// The names of the pictures that the commands read, each once.
+std::vector<std::string> pictures_read_by(const std::vector<Command>& commands);
+
+/// The pictures that the commands of a batch read, each once in memory.
+class BatchPictures {
+ public:
+  static constexpr std::size_t most = 8;  // different ones in a batch: each takes up to 256 MiB
+
+  explicit BatchPictures(const Journal& journal) : journal_(journal) {}
+
+  /// The picture that the command reads; null where it reads none. Refused (invalid) when the journal has none of that
+  /// name, when the batch reads too many, and when vectors are to be read from a picture that holds no floats.
+  Result<std::shared_ptr<const MapPicture>> find(const Command& command);
+
+ private:
+  Result<std::shared_ptr<const MapPicture>> read(const std::string& name, const char* pointer);
+
+  const Journal& journal_;
+  std::map<std::string, std::shared_ptr<const MapPicture>> known_;
+};
+
+/// Refuses (invalid, "/picture") a name that is not known, or is that of a picture that was uploaded as data.
+Status check_base_picture(const std::string& name, const Journal& journal);
+
+/// 32 hex digits that follow from the octets alone, so that a log finds its picture on another server too.
+std::string name_of_picture(std::string_view octets);
+
+struct MapFile {
+  std::string octets;
+  const char* content_type = "image/png";
+  MapAnswer answer;
+};
+
+/// The map as a file, which says its field, encoding and scale in its texts. EXR: value in Y, or R, G, B and A of a
+/// colour, multiplied by its cover; the other encodings in R, G, B and A. PNG: grey, or colours with straight alpha; blue
+/// of uv_tangent is 0. Refused (invalid) for a model without texture coordinates.
+Result<MapFile> make_map_file(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
+
+}  // namespace pelage
