@@ -38,8 +38,10 @@ std::string address_of(const std::string& scene_path, const Options& options) {
 }
 
 Options with_format(Options options) {
-  const bool given = std::any_of(options.map_parameters.begin(), options.map_parameters.end(), [](const auto& p) { return p.first == "format"; });
-  if (!given && ends_in_exr(options.output)) options.map_parameters.emplace_back("format", "exr");
+  const Parameters& given = options.map_parameters;
+  const auto names_format = [](const auto& parameter) { return parameter.first == "format"; };
+  const bool has_format = std::any_of(given.begin(), given.end(), names_format);
+  if (!has_format && ends_in_exr(options.output)) options.map_parameters.emplace_back("format", "exr");
   return options;
 }
 

@@ -57,7 +57,8 @@ void put(MapImage& image, std::size_t pixel, glm::dvec4 value) {
 }
 
 /// The rows [top, bottom] of one triangle in one repeat of the picture.
-void draw(const PixelTriangle& triangle, const std::array<glm::dvec4, 3>& values, int top, int bottom, MapImage& image) {
+void draw(const PixelTriangle& triangle, const std::array<glm::dvec4, 3>& values, int top, int bottom,
+          MapImage& image) {
   const auto [low, high] = std::minmax({triangle.a.y, triangle.b.y, triangle.c.y});
   const auto [left, right] = std::minmax({triangle.a.x, triangle.b.x, triangle.c.x});
   if (triangle.area == 0) return;
@@ -67,7 +68,8 @@ void draw(const PixelTriangle& triangle, const std::array<glm::dvec4, 3>& values
     for (int x = first; x <= last; ++x) {
       const glm::dvec3 weights = triangle.barycentric({x + 0.5, y + 0.5});
       if (!(weights.x >= 0 && weights.y >= 0 && weights.z >= 0)) continue;
-      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size) + static_cast<std::size_t>(x);
+      const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size);
+      const std::size_t pixel = row + static_cast<std::size_t>(x);
       put(image, pixel, weights.x * values[0] + weights.y * values[1] + weights.z * values[2]);
     }
   }

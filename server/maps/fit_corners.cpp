@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t least_passes = 48, most_passes = 2000;
 constexpr std::size_t most_corrections = 10'000'000;  // beyond the least passes: small models may take more of them
 constexpr double close_enough = 1e-6;  // of a value's own size, or of 0.01 where it is smaller
-constexpr double least_hold = 0.05;    // of covered pixels on a corner; with less a correction would grow beyond measure
+constexpr double least_hold = 0.05;    // of covered pixels on a corner; with less a correction would grow too far
 
 /// The sum of weights of one pixel that stands for several of the four.
 Taps merged(Taps taps) {

@@ -30,13 +30,13 @@ MapImage make_map_image(int size, int channels, glm::dvec4 background);
 /// side, the first 4). The same at any thread count.
 void draw_triangles(const UvCorners& uvs, std::span<const glm::vec4> values, MapImage& image);
 
-/// Gives pixels within `distance` pixels of covered ones, [0, 64], what the nearest of those holds, so that readers that
-/// mix pixels see no background at seams.
+/// Gives pixels within `distance` pixels of covered ones, [0, 64], what the nearest of those holds, so that readers
+/// that mix pixels see no background at seams.
 void dilate(MapImage& image, int distance);
 
 /// Corrects covered pixels around the corners so that a bilinear reader finds at each corner just its value
-/// (projections onto each corner's equation in turn, Kaczmarz 1937, held in [least, most]). Without it mixing rounds off
-/// what bends at a vertex. Corners that share pixels and disagree find a compromise; those in
+/// (projections onto each corner's equation in turn, Kaczmarz 1937, held in [least, most]). Without it mixing rounds
+/// off what bends at a vertex. Corners that share pixels and disagree find a compromise; those in
 /// no triangle with an area in the texture are left alone.
 void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::dvec4 least, glm::dvec4 most,
                  MapImage& image);

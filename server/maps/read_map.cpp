@@ -22,7 +22,8 @@ glm::dvec4 mixed(const MapPicture& picture, glm::vec2 uv, const Pixel& pixel) {
 /// The values of one pixel; colours come multiplied by their cover, as an EXR has them.
 glm::dvec4 decoded(const float* rgba, const MapLayout& layout, int bits) {
   glm::dvec4 value(0);
-  for (int k = 0; k < layout.channels; ++k) value[k] = value_of(layout.kinds[static_cast<std::size_t>(k)], rgba[k], bits);
+  for (int k = 0; k < layout.channels; ++k)
+    value[k] = value_of(layout.kinds[static_cast<std::size_t>(k)], rgba[k], bits);
   if (layout.premultiplied && bits != 32) value = glm::dvec4(glm::dvec3(value) * value.w, value.w);
   return value;
 }
@@ -120,7 +121,8 @@ std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, Pi
   for (std::uint32_t v = 0; v < values.size(); ++v) {
     glm::dvec4 sum(0);
     const int count = for_each_corner(uvs, v, [&](const UvCorner& corner) {
-      sum += mixed(picture, corner.uv, [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); });
+      sum += mixed(picture, corner.uv,
+                   [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); });
     });
     if (count > 0) values[v] = std::clamp(number(sum / static_cast<double>(count)), 0.0, 1.0);
   }

@@ -12,8 +12,8 @@ namespace pelage {
 
 /// A vertex as one island of the texture has it. Its tangent space is dP/du, the mean over the island's triangles
 /// around it by their areas, made orthogonal to the vertex's normal N, as x, and N x dP/du as y; on a mirrored island y
-/// is turned over, so that it points along +v there too. Where plain and mirrored triangles share a place, as in the fold
-/// of an island, the side with more area counts.
+/// is turned over, so that it points along +v there too. Where plain and mirrored triangles share a place, as in the
+/// fold of an island, the side with more area counts.
 struct UvCorner {
   std::uint32_t vertex = 0;
   glm::vec2 uv{0};           // v up

@@ -54,8 +54,10 @@ std::string encode_floats(DrawnMap& map, ExrSample sample, const std::vector<Ima
     const ChannelKind kind = map.layout.kinds[i % channels];
     map.image.values[i] = static_cast<float>(file_number(kind, map.image.values[i], 32));
   }
-  if (channels == 1)
-    return encode_exr(map.image.size, map.image.size, std::vector<ExrPlane>{{"Y", map.image.values, 0, 1, sample}}, texts);
+  if (channels == 1) {
+    const std::vector<ExrPlane> grey{{"Y", map.image.values, 0, 1, sample}};
+    return encode_exr(map.image.size, map.image.size, grey, texts);
+  }
   const std::vector<float> nothing(channels == 2 ? map.image.covered.size() : 0, 0.0f);
   std::vector<ExrPlane> planes;
   for (std::size_t k = 0; k < channels; ++k)

@@ -49,8 +49,8 @@ struct MapFile {
 };
 
 /// The map as a file, which says its field, encoding and scale in its texts. EXR: value in Y, or R, G, B and A of a
-/// colour, multiplied by its cover; the other encodings in R, G, B and A. PNG: grey, or colours with straight alpha; blue
-/// of uv_tangent is 0. Refused (invalid) for a model without texture coordinates.
+/// colour, multiplied by its cover; the other encodings in R, G, B and A. PNG: grey, or colours with straight alpha;
+/// blue of uv_tangent is 0. Refused (invalid) for a model without texture coordinates.
 Result<MapFile> make_map_file(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
 
 }  // namespace pelage

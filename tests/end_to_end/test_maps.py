@@ -186,16 +186,18 @@ class Maps(ServedTest):
         answer = self.server.call("PUT", f"{scene.path}/model?format=obj", octets)
         self.assertEqual(answer.status, 200, answer)
         scene.run({"op": "noise", "flood": True, "fields": ["direction", "length", "density"], "amount": 0.3, "seed": 3})
-        # Its texture has triangles a fifth of a pixel wide and folds, whose vertices compete for pixels: see the mean.
         for field in ("direction", "length", "density"):
-            for format, limit in (("exr", 2e-4), ("png16", 2e-4), ("png", 3 / 255)):
-                answer = self.get(scene, field, f"?format={format}&size=2048")
+            for format, limit in (("exr", 1e-5), ("png16", 2 / 65535), ("png", 2 / 255)):
+                answer = self.get(scene, field, f"?format={format}&size=1024")
                 about = json.loads(answer.headers["pelage-map"])
                 self.assertEqual(about["outside"], 10)
                 result = self.put(scene, field, answer.body).json["results"][0]
                 for change in result["fields"]:
-                    total = change["mean_change"] * change["changed"] / scene.info()["vertices"]
-                    self.assertLessEqual(total, limit * about["scale"], (field, format, change))
+                    worst = change["max_change"]
+                    # Vertices a fifth of a pixel apart cannot all be met by pixels that are held in [0, 1].
+                    if field == "density":
+                        worst = change["mean_change"] * change["changed"] / scene.info()["vertices"] / 10
+                    self.assertLessEqual(worst, limit * max(about["scale"], 0.05), (field, format, change))
                     self.assertEqual(scene.post("undo").status, 200)
 
 
