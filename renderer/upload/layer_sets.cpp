@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-constexpr float full_tangent = 2.5f;  // of the angle from which all shells are drawn: 68 degrees
+constexpr float full_tangent = 4.0f;  // of the angle from which all shells are drawn: 76 degrees
 constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
 constexpr float shells_per_pixel = 2.0f;
 constexpr int band_count = 32;   // over the height of the fur: as many as slices
