@@ -196,6 +196,7 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   set_draw_state(gl_, drawn_);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, drawn_, {});
+  fur_.mark_sets(gl_, scene.drawing(frame), drawn_.framebuffer());
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
   if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");
@@ -225,6 +226,7 @@ void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, c
   set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
   gl_.DepthMask(GL_TRUE);
   target.clear(gl_);
+  fur_.mark_sets(gl_, scene.drawing(frame), target.framebuffer());
   draw_body(frame, scene, "#define LAYERS\n");
 }
 

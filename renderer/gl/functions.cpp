@@ -77,7 +77,10 @@ std::string Gl::load(const LoadFunction& find) {
   get(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
   get(ClearNamedBufferData, "glClearNamedBufferData");
+  get(ClearNamedFramebufferfi, "glClearNamedFramebufferfi");
   get(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
+  get(StencilFunc, "glStencilFunc");
+  get(StencilOp, "glStencilOp");
   get(ClientWaitSync, "glClientWaitSync");
   get(ClipControl, "glClipControl");
   get(ColorMask, "glColorMask");

@@ -31,6 +31,7 @@ struct Gl {
   PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
   PFNGLCLEARNAMEDBUFFERDATAPROC ClearNamedBufferData = nullptr;
+  PFNGLCLEARNAMEDFRAMEBUFFERFIPROC ClearNamedFramebufferfi = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
   PFNGLCLIENTWAITSYNCPROC ClientWaitSync = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
@@ -82,6 +83,8 @@ struct Gl {
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
   PFNGLSCISSORPROC Scissor = nullptr;
   PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
+  PFNGLSTENCILFUNCPROC StencilFunc = nullptr;
+  PFNGLSTENCILOPPROC StencilOp = nullptr;
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
   PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
   PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;

@@ -18,8 +18,8 @@ RenderTarget::RenderTarget(const Gl& gl, GLenum colour, int width, int height, i
   }
   if (depth) {
     depth_buffer_ = Renderbuffer(gl);
-    gl.NamedRenderbufferStorageMultisample(depth_buffer_.id(), storage_samples, GL_DEPTH_COMPONENT32F, width, height);
-    gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_buffer_.id());
+    gl.NamedRenderbufferStorageMultisample(depth_buffer_.id(), storage_samples, GL_DEPTH32F_STENCIL8, width, height);
+    gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_buffer_.id());
   }
   complete_ = gl.GetError() == GL_NO_ERROR &&
               gl.CheckNamedFramebufferStatus(framebuffer_.id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;

@@ -11,6 +11,7 @@ class RenderTarget {
   /// `colour` is GL_RGBA16F, GL_RGBA32F or GL_RGBA8; samples 1 makes a texture that can be read.
   RenderTarget(const Gl& gl, GLenum colour, int width, int height, int samples, bool depth);
 
+  bool has_depth() const { return static_cast<bool>(depth_buffer_); }
   bool complete() const { return complete_; }
   bool matches(GLenum colour, int width, int height, int samples) const {
     return complete_ && colour == colour_ && width == width_ && height == height_ && samples == samples_;

@@ -18,3 +18,13 @@ void write_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float shel
   layer_light = vec4(light_share, 0.0, 1.0) * opacity;
   layer_count = vec4(shells, 0.0, 0.0, 0.0);
 }
+
+// Fur beside what was written or added before.
+void add_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float opacity) {
+  layer_position += vec4(place, 1.0) * opacity;
+  layer_normal += vec4(normal, 1.0) * opacity;
+  layer_tangent += vec4(tangent, 1.0) * opacity;
+  layer_albedo += vec4(albedo, 1.0) * opacity;
+  layer_direct += vec4(direct_light, 1.0) * opacity;
+  layer_light += vec4(light_share, 0.0, 1.0) * opacity;
+}

@@ -7,11 +7,25 @@ uniform int shell;
 uniform int shell_side;  // 1: seen from outside, the slab's top comes first; -1: from inside
 
 in vec2 tile;
-in vec2 tile_per_height;
+in vec3 clip_place;
+in vec2 clip_speed;
+in float most_crossing;
 in float level;
 in float slant;
 
 float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
+
+vec2 tile_per_height;  // how the place on the tile moves along the ray for a unit of height, in tiles
+
+// To be called first. As height rises, the place on the tile that a pixel sees moves against what the strands move on the
+// screen: true to first order on bent skin, in perspective and where the length changes.
+void find_tile_per_height() {
+  vec2 on_screen = clip_place.xy / clip_place.z;
+  vec2 pixels = clip_speed / vec2(dFdx(on_screen.x), dFdy(on_screen.y));
+  vec2 way = -(dFdx(tile) * pixels.x + dFdy(tile) * pixels.y);
+  float far = length(way);
+  tile_per_height = far < 1e6 ? way * min(1.0, most_crossing / max(far, 1e-9)) : vec2(0.0);
+}
 
 #ifdef TUFTS
 #include "tufts.glsl"
@@ -45,11 +59,11 @@ vec2 tile_at(float s) {
   return at;
 }
 
-// Front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
+// A part of the slab, as thick as `thickness` about the height `middle`, front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
 // `blur` levels coarser than a pixel asks for. It is
 // scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
 // by `share`.
-Slab march(int steps, float blur, float share) {
+Slab march(int steps, float blur, float share, float middle, float thickness) {
 #ifdef TUFTS
   share *= tuft_share(tuft_here(), shell_height());
 #endif
@@ -57,7 +71,6 @@ Slab march(int steps, float blur, float share) {
   if (amounts.x <= 0.0) return Slab(0.0, 0.0, 0.0, vec2(0.0));
   share *= amounts.y * gather_to_clump(shell_height());
 #endif
-  float thickness = 1.0 / float(shell_count);
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
   float slanted = clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
@@ -66,7 +79,7 @@ Slab march(int steps, float blur, float share) {
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
   for (int i = 0; i < steps; ++i) {
     float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);
-    float s = shell_height() + off;
+    float s = middle + off;
     vec2 at = tile_at(s);
     float slice = floor(s * float(slice_count));
     vec4 shape = textureLod(shapes, vec3(at, slice), sharp);

@@ -7,8 +7,11 @@ namespace pelage {
 
 namespace {
 
-constexpr float full_tangent = 5.0f;  // of the angle from which all shells are drawn: 79 degrees
+constexpr float full_tangent = 4.0f;  // of the angle from which all shells are drawn: 76 degrees
 constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
+constexpr float shells_per_pixel = 2.0f;
+constexpr int band_count = 32;   // over the height of the fur: as many as slices
+constexpr int most_bands = 4, most_steps = 16;  // in a slab
 
 float cosine_to_eye(const LayerMesh& mesh, std::size_t triangle, glm::vec3 eye) {
   const glm::vec3 to_eye = eye - mesh.centroids[triangle], normal = mesh.normals[triangle];
@@ -18,24 +21,37 @@ float cosine_to_eye(const LayerMesh& mesh, std::size_t triangle, glm::vec3 eye) 
 }  // namespace
 
 int shells_of_set(int shells, int set) {
-  const int part = 1 << (layer_sets - 1 - set);
-  return (shells + part - 1) / part;
+  const int part = 1 << set;
+  return std::max(std::min(shells, least_shells), (shells + part - 1) / part);
 }
 
-int steps_of_set(int steps, int set) { return std::min(16, (steps * (layer_sets + 1 - set) + 1) / 2); }
+int sets_of(int shells, ShellPolicy policy) {
+  int sets = 1;
+  while (policy == ShellPolicy::adaptive && sets < most_layer_sets &&
+         shells_of_set(shells, sets) < shells_of_set(shells, sets - 1))
+    ++sets;
+  return sets;
+}
+
+SlabSteps steps_of_set(int shells, int steps, int set) {
+  const int own = shells_of_set(shells, set);
+  const int whole = std::min(most_steps, (steps * shells + own - 1) / own);
+  const int bands = std::clamp(band_count / own, 1, std::min(most_bands, whole));
+  return {bands, (whole + bands - 1) / bands};
+}
 
 float layer_level(const LayerView& view, const LayerVertex& vertex) {
-  constexpr float highest = layer_sets - 1;
-  if (view.policy == ShellPolicy::uniform) return highest;
+  const float highest = static_cast<float>(sets_of(view.shells, view.policy) - 1);
+  if (highest == 0) return 0;
   const glm::vec3 to_eye = view.eye - vertex.position;
   const float distance = std::max(glm::length(to_eye), 1e-6f);
   const float cosine = std::min(1.0f, std::abs(glm::dot(to_eye, vertex.normal)) / distance);
   const float tangent = std::sqrt(1 - cosine * cosine) / std::max(cosine, 1e-3f);
   const float by_angle = tangent / full_tangent;
   const float by_bending = vertex.length * vertex.curvature / full_bending;
-  const float by_size = vertex.length / (view.pixel * distance * static_cast<float>(view.shells));
+  const float by_size = shells_per_pixel * vertex.length / (view.pixel * distance * static_cast<float>(view.shells));
   const float share = std::min({std::max(by_angle, by_bending), by_size, 1.0f});
-  return std::clamp(highest + std::log2(std::max(share, 1e-6f)), 0.0f, highest);
+  return std::clamp(-std::log2(std::max(share, 1e-6f)), 0.0f, highest);
 }
 
 std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
@@ -52,23 +68,19 @@ std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<co
   return sum;
 }
 
-float set_share(float level, int set) {
-  const float near =
-      1.0f - std::abs(level - static_cast<float>(set));  // a tent, cut off so that few triangles need both
-  return std::clamp(6.0f * near - 2.5f, 0.0f, 1.0f);
-}
-
-LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest) {
+LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, int sets, float furthest) {
+  constexpr float reach = 0.5f + dithered_levels / 2;  // of a set, in levels
   LayerLists lists;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const float cosine = cosine_to_eye(mesh, i, eye);
     if (cosine <= furthest) continue;
     const glm::uvec3 t = mesh.triangles[i];
-    for (int set = 0; set < layer_sets; ++set) {
-      const auto shown = [&](std::uint32_t v) { return set_share(mesh.levels[v], set) > 0; };
-      if (!shown(t.x) && !shown(t.y) && !shown(t.z)) continue;
-      LayerTriangles& list = lists[static_cast<std::size_t>(set)];
-      (cosine >= 0 ? list.facing : list.averted).push_back(t);
+    (cosine >= 0 ? lists.facing : lists.averted).push_back(t);
+    if (cosine < 0 || sets == 1) continue;
+    const auto [low, high] = std::minmax({mesh.levels[t.x], mesh.levels[t.y], mesh.levels[t.z]});
+    for (int set = 0; set < sets; ++set) {
+      const bool shown = low <= static_cast<float>(set) + reach && high >= static_cast<float>(set) - reach;
+      if (shown) lists.marks[static_cast<std::size_t>(set)].push_back(t);
     }
   }
   return lists;

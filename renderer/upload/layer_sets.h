@@ -1,8 +1,10 @@
-// Which triangles are drawn in how many layers for one view: non-uniform layers (fur modelling 2; science.md 1).
+// How many layers each pixel of a view gets: non-uniform layers (fur modelling 2; science.md 1).
 //
-// There are three sets of layers: a quarter, half and all of the shells. A vertex's level says how many it needs, as a
-// continuous number; between two sets both are drawn with shares of the optical depth that add up to 1. So the opacity
-// stays true, no crack opens between triangles, and nothing pops when the camera moves.
+// There are up to three sets of layers: all of the shells, half and a quarter of them. A vertex's level says how often
+// their number may be halved. Before anything else the outer hull of the fur is drawn, which leaves in each pixel the set
+// that the level there asks for; each set is then drawn in its own pixels alone. So a ray meets one set, whatever places
+// of the skin it passes: the opacity stays true and no crack opens. Where one set passes into the next, pixels are
+// dithered, and nothing pops when the camera moves.
 #pragma once
 
 #include <array>
@@ -15,13 +17,22 @@
 
 namespace pelage {
 
-inline constexpr int layer_sets = 3;
+inline constexpr int most_layer_sets = 3;
+inline constexpr int least_shells = 8;  // of a set: each slice of the coat is then seen in a step of its own
 
-/// Shells of a set when the full one has `shells`: at least 1.
+/// Shells of a set when set 0 has `shells`: half as many in each set after it, but no fewer than least_shells.
 int shells_of_set(int shells, int set);
 
-/// Texture steps inside each layer of a set when the full one takes `steps`: thicker layers take more.
-int steps_of_set(int steps, int set);
+/// Sets that differ, in [1, most_layer_sets].
+int sets_of(int shells, ShellPolicy policy);
+
+/// How a shell of a set is drawn: `bands` of its slab are lit on their own, so that a thick one looks as thin ones would,
+/// and `steps` texture steps are taken in each band when set 0 takes `steps` in each slab.
+struct SlabSteps {
+  int bands = 1, steps = 1;
+  bool operator==(const SlabSteps&) const = default;
+};
+SlabSteps steps_of_set(int shells, int steps, int set);
 
 /// Cosine between view and normal: fur on triangles turned further away lies behind the skin that faces the eye, but for
 /// long fur on thin parts.
@@ -41,23 +52,23 @@ struct LayerVertex {
   float length = 0, curvature = 0;
 };
 
-/// Level of a vertex in [0, layer_sets - 1]: layers follow the tangent of the angle between view and fur and the
-/// bending of the skin over the fur's length, as a thick layer goes straight on; they need not lie closer than a pixel.
-/// Continuous in all of its arguments.
+/// How often the number of shells may be halved at a vertex, in [0, sets_of - 1]: layers follow the tangent of the angle
+/// between view and fur and the bending of the skin over the fur's length, as a thick layer goes straight on; they need
+/// not lie closer than half a pixel. Continuous in all of its arguments but the number of shells.
 float layer_level(const LayerView& view, const LayerVertex& vertex);
 
 /// Mean over the edges at each vertex of the change of the normal over the edge's length, 1 / sizes.
 std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                               std::span<const glm::uvec3> triangles);
 
-/// Share of the optical depth that a set draws at a level; the shares of all sets add up to 1. fur.vert has the same.
-float set_share(float level, int set);
+/// Change of level over which pixels of two sets are mixed.
+inline constexpr float dithered_levels = 0.25f;
 
-/// Triangles of one set as seen from an eye, as indices of vertices.
-struct LayerTriangles {
+/// Triangles as seen from an eye, as indices of vertices.
+struct LayerLists {
   std::vector<glm::uvec3> facing, averted;  // averted only near outlines: further away they lie behind the skin
+  std::array<std::vector<glm::uvec3>, most_layer_sets> marks;  // those of `facing` that may show pixels of a set
 };
-using LayerLists = std::array<LayerTriangles, layer_sets>;
 
 struct LayerMesh {
   std::span<const glm::uvec3> triangles;
@@ -65,10 +76,10 @@ struct LayerMesh {
   std::span<const float> levels;                  // of vertices
 };
 
-/// Every triangle goes to each set that has a share at one of its corners.
-LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, float furthest = furthest_averted);
+/// Marks are made for `sets` sets; there are none when a frame has one set only.
+LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, int sets, float furthest = furthest_averted);
 
-/// The triangles that are in some set. Nothing else may write the depth of dense fur, or thin parts show holes where
+/// The triangles of both lists. Nothing else may write the depth of dense fur, or thin parts show holes where
 /// fur that is not drawn hides what is.
 std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, glm::vec3 eye);
 

@@ -227,7 +227,8 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
   const LayerMesh mesh{triangles_, centroids_, face_normals_, levels_};
-  const LayerLists lists = sort_triangles(mesh, view.eye, view.furthest);
+  const int sets = sets_of(view.shells, view.policy);
+  const LayerLists lists = sort_triangles(mesh, view.eye, sets, view.furthest);
 
   std::vector<glm::uvec3> elements(skin_.empty() ? triangles_ : skin_order_);
   const auto append = [&](const std::vector<glm::uvec3>& triangles) {
@@ -237,12 +238,11 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
   };
   const auto count = static_cast<GLsizei>(3 * triangles_.size());
   const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  DrawLists result{{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}};
+  DrawLists result{{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}, {}};
   result.shown = append(shown_triangles(mesh, view.eye));
-  for (std::size_t set = 0; set < layer_sets; ++set) {
-    result.facing[set] = append(lists[set].facing);
-    result.averted[set] = append(lists[set].averted);
-  }
+  result.facing = append(lists.facing);
+  result.averted = append(lists.averted);
+  for (std::size_t set = 0; set < most_layer_sets; ++set) result.marks[set] = append(lists.marks[set]);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);
   return result;

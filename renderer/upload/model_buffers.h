@@ -71,11 +71,11 @@ class ModelBuffers {
   struct DrawList {
     GLsizei first = 0, count = 0;
   };
-  using ListsOfSets = std::array<DrawList, layer_sets>;
   struct DrawLists {
     DrawList all, bare, furred;  // every triangle; those that bare skin may touch, and the others
     DrawList shown;              // those whose fur is drawn
-    ListsOfSets facing, averted;
+    DrawList facing, averted;
+    std::array<DrawList, most_layer_sets> marks;  // as LayerLists
   };
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);

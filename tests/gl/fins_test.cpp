@@ -188,6 +188,37 @@ TEST_P(Fins, GoWithPatternsAndEveryShadingModel) {
   }
 }
 
+/// Pixels inside the skin of a bare model, away from its outline, that fins or hairs change.
+int changed_on_skin(Renderer& renderer, BuiltinModel shape, const FurredModel& furry, bool fins, int hairs) {
+  const FurredModel bare = furred(shape, {.length = 0});
+  const Image skin = draw(renderer, bare, request_with(false, 0));
+  renderer.forget(bare.model.id);
+  const Image plain = draw(renderer, furry, request_with(false, 0)), with = draw(renderer, furry, request_with(fins, hairs));
+  renderer.forget(furry.model.id);
+  const auto inside = [&](int x, int y) { return skin.rgba[4 * static_cast<std::size_t>(y * skin.width + x) + 3] == 255; };
+  int changed = 0;
+  for (int y = 2; y + 2 < skin.height; ++y) {
+    for (int x = 2; x + 2 < skin.width; ++x) {
+      if (!inside(x - 2, y) || !inside(x + 2, y) || !inside(x, y - 2) || !inside(x, y + 2)) continue;
+      const std::size_t i = 4 * static_cast<std::size_t>(y * skin.width + x);
+      int most = 0;
+      for (std::size_t c = i; c < i + 3; ++c) most = std::max(most, std::abs(with.rgba[c] - plain.rgba[c]));
+      changed += most > 4;
+    }
+  }
+  return changed;
+}
+
+/// Where one part of a knot lies before another, its outline is seen before skin: with a depth of far away nothing of it
+/// would be left there.
+TEST_P(Fins, InFrontOfTheSkinTheyShow) {
+  const BuiltinModel knot{Builtin::knot, 3000};
+  FurredModel model = furred(knot, {.length = 0.04, .inclination = 0.3});
+  model.settings.coat.tile = 1, model.settings.coat.count = 3000;  // thin fur, which does not hide them
+  EXPECT_GT(changed_on_skin(*renderer, knot, model, true, 0), 60);
+  EXPECT_GT(changed_on_skin(*renderer, knot, model, false, 20000), 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(Gl, Fins, all_backends(), name_of);
 
 /// A square of two triangles, each of which comes as two pieces.

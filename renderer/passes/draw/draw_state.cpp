@@ -18,9 +18,8 @@ void set_draw_state(const Gl& gl, GLuint framebuffer, int width, int height) {
 }
 
 void clear_target(const Gl& gl, const RenderTarget& target, const std::array<float, 4>& colour) {
-  const float far_away = 0;
   gl.ClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, colour.data());
-  gl.ClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &far_away);
+  if (target.has_depth()) gl.ClearNamedFramebufferfi(target.framebuffer(), GL_DEPTH_STENCIL, 0, 0, 0);
 }
 
 void draw_list(const Gl& gl, const ModelBuffers::DrawList& list) {

@@ -12,6 +12,8 @@
 #include "layers.glsl"
 #endif
 
+layout(early_fragment_tests) in;  // nothing here writes depth, and most pixels belong to other sets
+
 in vec3 place;
 #ifdef PATTERN
 in vec3 root;
@@ -32,7 +34,8 @@ in vec2 vertex_share;
 #endif
 #endif
 
-uniform int step_count;  // texture steps inside the slab
+uniform int band_count;  // parts of the slab that are lit on their own
+uniform int step_count;  // texture steps inside each
 
 #ifdef PAINT_COLOUR
 const float mean_level = 7.0;  // whose texels hold the mean of many strands
@@ -43,14 +46,10 @@ float lightness_over(vec3 strand, vec3 mean) {
 }
 #endif
 
-void main() {
-  if (no_room()) discard;
-  vec3 normal = normalize(fibre_normal);
-#ifdef TUFTS
-  shift_to_strand(normal, tile_u);
-#endif
-  Slab slab = march(step_count, 0.0, density_share);
-  if (slab.opacity * float(shell_count) < 0.02) discard;  // together less than one step of 255 over most of the fur
+const float least_opacity = 0.002;  // over the whole height: half a step of 255
+
+// Light of a band, times its opacity; `kept` is what the bands before it let through.
+vec4 lit_band(Slab slab, vec3 normal, float kept) {
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;
   vec4 texel = textureLod(colours, vec3(tile_at(height), floor(height * float(slice_count))), floor(level + 0.5));
@@ -78,6 +77,9 @@ void main() {
   colour = colour_wetted(colour);
 #endif
   Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, texel.a);
+#ifdef LAYERS
+  direct_light = vec3(0.0), light_share = vec2(0.0);
+#endif
 #ifdef LENGYEL
   vec3 light = colour * vertex_light;
 #else
@@ -88,7 +90,28 @@ void main() {
   direct_light = colour * vertex_direct;
   light_share = vertex_share;
 #endif
-  write_layers(place, normal, tangent, colour, 1.0, slab.opacity);
+  add_layers(place, normal, tangent, colour, kept * slab.opacity);
 #endif
-  put_fragment(vec4(light * slab.opacity, slab.opacity));
+  return kept * vec4(light * slab.opacity, slab.opacity);
+}
+
+void main() {
+  find_tile_per_height();
+  if (no_room()) discard;
+  vec3 normal = normalize(fibre_normal);
+#ifdef TUFTS
+  shift_to_strand(normal, tile_u);
+#endif
+#ifdef LAYERS
+  write_layers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 1.0, 0.0);
+#endif
+  vec4 sum = vec4(0.0);
+  float thickness = 1.0 / float(shell_count * band_count);
+  for (int i = 0; i < band_count && sum.a < 0.985; ++i) {
+    float off = (0.5 * float(band_count - 1) - float(i)) * thickness * float(shell_side);
+    Slab band = march(step_count, 0.0, density_share, shell_height() + off, thickness);
+    if (band.opacity > least_opacity * thickness) sum += lit_band(band, normal, 1.0 - sum.a);
+  }
+  if (sum.a == 0.0) discard;
+  put_fragment(sum);
 }

@@ -25,7 +25,6 @@ layout(location = 10) in vec4 variation;  // factor on length, addition to incli
 uniform int shell_count;
 uniform int shell;
 uniform int shell_side;   // 1 on triangles that face the eye, -1 on those turned away
-uniform int layer_set;    // the set of layers that is drawn; -1 draws all of the optical depth
 uniform float push;       // how much further from the eye the depth is written, in lengths of the fur
 
 out vec3 place;
@@ -40,8 +39,10 @@ out float tuft_length;   // of the fur, sizes
 out vec3 fibre_normal;
 out vec3 fibre_tangent;
 out vec2 tile;           // place on the tile at the slab's middle, in tiles
-out vec2 tile_per_height;// how that moves along the ray for a unit of height, in tiles
 out float level;         // mip level for the size of a pixel here
+out vec3 clip_place;     // x, y and w of the place
+out vec2 clip_speed;     // of a strand on the screen as it rises, for a unit of height
+out float most_crossing; // length of tile_per_height in slab.glsl at most
 out float slant;         // path through a slab over its thickness, as the strands see it
 out vec3 tile_u;
 out vec3 base_uv;
@@ -53,10 +54,8 @@ out vec3 vertex_direct;  // the part of it that comes from lamps
 out vec2 vertex_share;
 #endif
 #endif
-out float density_share; // of the optical depth that this piece and this set draw
-
-// As set_share in renderer/upload/layer_sets.cpp.
-float set_share(float level, int set) { return clamp(6.0 * (1.0 - abs(level - float(set))) - 2.5, 0.0, 1.0); }
+out float density_share; // of the optical depth that this piece draws
+out float wanted_level;  // how often the number of shells may be halved
 
 // Fur of no length is no fur, or it would lie as a fog on bare skin.
 float grown(float fur_length) { return smoothstep(0.0, 0.002, fur_length); }
@@ -82,7 +81,8 @@ void main() {
   fibre_normal = normal;
   fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);
 
-  // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans.
+  // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans. On
+  // flat skin: enough for the slant, and slab.glsl knows better where the ray goes.
   vec3 to_eye = normalize(frame.eye.xyz - place);
   float facing = dot(to_eye, normal);
   float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // one sign for all of a triangle
@@ -91,12 +91,12 @@ void main() {
   vec3 tile_v = cross(normal, tile_axis);
   vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
   tile = tile_uv * frame.tile.x;
-  tile_per_height = sideways * frame.tile.x;
   float lateral = length(sideways) / nominal_length;
   slant = sqrt(1.0 + lateral * lateral);
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
-  density_share = weight * grown(groom.z) * (layer_set < 0 ? 1.0 : set_share(layer_level, layer_set));
+  density_share = weight * grown(groom.z);
+  wanted_level = layer_level;
   tile_u = tile_axis;
 #ifdef LENGYEL
   int above = int(s * float(slice_count));
@@ -112,5 +112,9 @@ void main() {
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
+  vec4 speed = frame.world_to_clip * vec4(fur_length * fibre_tangent, 0.0);
+  clip_place = gl_Position.xyw;
+  clip_speed = (speed.xy * gl_Position.w - gl_Position.xy * speed.w) / max(gl_Position.w * gl_Position.w, 1e-12);
+  most_crossing = 5.0 * fur_length * frame.tile.x;
   gl_Position.z *= gl_Position.w / (gl_Position.w + push * fur_length / max(abs(facing), 0.2));  // depth is near / distance
 }

@@ -10,6 +10,7 @@ namespace shaders {
 extern const char* const fur_vert;
 extern const char* const fur_frag;
 extern const char* const solid_frag;
+extern const char* const mark_frag;
 extern const char* const skin_vert;
 extern const char* const skin_frag;
 }  // namespace shaders
@@ -27,6 +28,7 @@ constexpr float solid_push = 0.25f;
 FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
     : skin(gl, shaders::skin_vert, shaders::skin_frag, defines),
       solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
+      mark(gl, shaders::fur_vert, shaders::mark_frag, defines),
       fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
 
 FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
@@ -34,12 +36,15 @@ FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
 namespace {
 
 /// Of all sets, inside out.
-std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const ModelBuffers::ListsOfSets& lists, int side) {
+std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const ModelBuffers::DrawList& list, int side) {
   std::vector<FurPass::Shell> result;
-  for (int set = 0; set < layer_sets; ++set) {
-    const int shells = shells_of_set(knobs.shells, set), steps = steps_of_set(knobs.steps, set);
-    const ModelBuffers::DrawList& list = lists[static_cast<std::size_t>(set)];
-    for (int shell = 0; shell < shells; ++shell) result.push_back({set, shell, shells, steps, list, side});
+  const int sets = sets_of(knobs.shells, knobs.shell_policy);
+  const bool uniform = knobs.shell_policy == ShellPolicy::uniform;
+  for (int set = 0; set < sets; ++set) {
+    const int shells = shells_of_set(knobs.shells, set);
+    const SlabSteps slab = uniform ? SlabSteps{1, knobs.steps} : steps_of_set(knobs.shells, knobs.steps, set);
+    for (int shell = 0; shell < shells; ++shell)
+      result.push_back({sets == 1 ? FurPass::every_pixel : set, shell, shells, slab, list, side});
   }
   const auto height = [](const FurPass::Shell& s) { return (s.shell + 0.5) / s.shells; };
   std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
@@ -67,7 +72,8 @@ const Program& FurPass::bare_skin_of(const Gl& gl, const std::string& variant) {
 
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
   const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
-  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
+  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.mark.log() +
+                place->second.fur.log();
   return place->second;
 }
 
@@ -97,13 +103,42 @@ void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
   draw_dense(gl, drawing);
 }
 
+void FurPass::mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer) {
+  const int sets = sets_of(drawing.knobs.shells, drawing.knobs.shell_policy);
+  if (sets == 1) return;
+  bind(gl, drawing);
+  const Program& mark = shading_of(gl, drawing.variant).mark;
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl.DepthMask(GL_TRUE);
+  gl.Enable(GL_STENCIL_TEST);
+  gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  mark.use();
+  mark.set("push", 0.0f);
+  mark.set("shell_count", drawing.knobs.shells);
+  mark.set("shell", drawing.knobs.shells - 1);
+  mark.set("shell_side", 1);
+  mark.set("dithered_levels", dithered_levels);
+  for (int set = 0; set < sets; ++set) {
+    const ModelBuffers::DrawList& list = drawing.lists.marks[static_cast<std::size_t>(set)];
+    if (list.count == 0) continue;
+    gl.StencilFunc(GL_ALWAYS, set, 0xff);
+    mark.set("layer_set", set);
+    draw_list(gl, list);
+  }
+  gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  gl.Disable(GL_STENCIL_TEST);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float far_away = 0;
+  gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_away);
+}
+
 void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   const Program& solid = shading_of(gl, drawing.variant).solid;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {-1, shell, solid_shells, 4, drawing.lists.shown, 1});
+    draw_shell(gl, solid, {every_pixel, shell, solid_shells, {1, 4}, drawing.lists.shown, 1});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
@@ -130,12 +165,17 @@ void FurPass::draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vecto
 
 void FurPass::draw_shell(const Gl& gl, const Program& program, const Shell& shell) {
   if (shell.list.count == 0) return;
-  program.set("layer_set", shell.set);
+  if (shell.set != every_pixel) {
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilFunc(GL_EQUAL, shell.set, 0xff);
+  }
   program.set("shell_count", shell.shells);
   program.set("shell", shell.shell);
   program.set("shell_side", shell.side);
-  program.set("step_count", shell.steps);
+  program.set("band_count", shell.slab.bands);
+  program.set("step_count", shell.slab.steps);
   draw_list(gl, shell.list);
+  gl.Disable(GL_STENCIL_TEST);
 }
 
 }  // namespace pelage

@@ -32,6 +32,9 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
+  /// Before anything else, in each target that fur is drawn into: which set of layers each pixel gets, as its stencil.
+  /// Leaves the depth cleared. Nothing is drawn where all pixels get the same set.
+  void mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer);
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
   /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
   /// sorted.
@@ -43,9 +46,12 @@ class FurPass {
   /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
   void draw_depth(const Gl& gl, const FurDrawing& drawing);
 
-  /// One shell of one set of layers: the triangles, and from which side of the slab the ray comes (1 or -1).
+  /// One shell of one set of layers: the triangles, and from which side of the slab the ray comes (1 or -1). It is drawn
+  /// where the stencil is `set`, or everywhere when that is every_pixel.
+  static constexpr int every_pixel = -1;
   struct Shell {
-    int set, shell, shells, steps;
+    int set, shell, shells;
+    SlabSteps slab;
     ModelBuffers::DrawList list;
     int side;
   };
@@ -60,7 +66,7 @@ class FurPass {
   /// The programs that shade: a scene pays only for the variant that it needs.
   struct Shading {
     Shading(const Gl& gl, const std::string& defines);
-    Program skin, solid, fur;
+    Program skin, solid, mark, fur;
   };
   void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 

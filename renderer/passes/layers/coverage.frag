@@ -10,18 +10,20 @@ in vec3 fibre_normal;
 in vec3 tile_u;
 #endif
 
-uniform int step_count;  // texture steps inside the slab
+uniform int band_count;  // as fur.frag
+uniform int step_count;
 
 layout(location = 0) out vec4 result;
 
 void main() {
+  find_tile_per_height();
 #ifdef CROSSING
   keep_crossings();
 #endif
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif
-  float own = march(step_count, 0.0, density_share).opacity;
-  if (own * float(shell_count) < 0.02) discard;  // as fur.frag does
+  float own = march(step_count * band_count, 0.0, density_share, shell_height(), 1.0 / float(shell_count)).opacity;
+  if (own * float(shell_count) < 0.002) discard;  // as fur.frag does
   result = covering(own);
 }

@@ -120,6 +120,7 @@ void LayersPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   clear_target(gl, target, {});
+  body.fur.mark_sets(gl, drawing, target.framebuffer());
   FurPass::bind(gl, drawing);
   if (distance) {
     distance_programs(gl, drawing.variant).skin.use();

@@ -16,9 +16,10 @@ layout(location = 0) out float kept;
 
 // What one layer lets through on the way from the light; blending multiplies the layers.
 void main() {
+  find_tile_per_height();
   if (dot(fibre_normal, frame.eye.xyz - place) <= 0.0) discard;
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif
-  kept = 1.0 - march(step_count, 0.0, density_share).opacity;
+  kept = 1.0 - march(step_count, 0.0, density_share, shell_height(), 1.0 / float(shell_count)).opacity;
 }

@@ -50,7 +50,6 @@ void ShellShadowPass::draw(const Gl& gl, const std::string& variant, const Model
   const Program& layer = layer_of(gl, variant);
   layer.use();
   layer.set("push", 0.0f);
-  layer.set("layer_set", -1);
   layer.set("shell_count", shadow_layers);
   layer.set("shell_side", 1);
   layer.set("step_count", steps);
