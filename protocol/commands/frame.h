@@ -50,6 +50,7 @@ struct Knobs {
   int samples = 1;                                // on outlines: 1 or 4
   int steps = 4;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
+  int bands = 1;                                  // that a thick slab is lit in, at most, [1, 4]
   int eye_steps = 8;                              // into the iris: 0 flat, 1 parallax, more march, [0, 64]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)
   bool shadow_maps = false;                       // draw the shadows that lights ask for

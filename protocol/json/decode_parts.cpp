@@ -245,6 +245,7 @@ Knobs quality(const Value& value) {
   });
   object.integer("steps", result.steps, {1, 16});
   object.number("scale", result.scale, {0.25, 2});
+  object.integer("bands", result.bands, {1, 4});
   object.integer("eye_steps", result.eye_steps, {0, 64});
   object.boolean("self_shadow", result.self_shadow);
   object.boolean("shadow_maps", result.shadow_maps);

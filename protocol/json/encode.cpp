@@ -63,6 +63,7 @@ Json json_of(const Knobs& knobs) {
           {"samples", knobs.samples},
           {"steps", knobs.steps},
           {"scale", knobs.scale},
+          {"bands", knobs.bands},
           {"eye_steps", knobs.eye_steps},
           {"self_shadow", knobs.self_shadow},
           {"shadow_maps", knobs.shadow_maps},

@@ -45,6 +45,7 @@ std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
                         light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
+         (frame.knobs.bands > 1 ? "#define BANDS\n" : "") +
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
          shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";

@@ -9,14 +9,19 @@ namespace {
 
 constexpr float full_tangent = 4.0f;  // of the angle from which all shells are drawn: 76 degrees
 constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
+constexpr float most_bending = 1e3f;    // more is the same
 constexpr float shells_per_pixel = 2.0f;
 constexpr int band_count = 32;   // over the height of the fur: as many as slices
-constexpr int most_bands = 4, most_steps = 16;  // in a slab
+constexpr int most_steps = 16;   // in a slab
 
 float cosine_to_eye(const LayerMesh& mesh, std::size_t triangle, glm::vec3 eye) {
   const glm::vec3 to_eye = eye - mesh.centroids[triangle], normal = mesh.normals[triangle];
   return glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
 }
+
+/// Of the angle at the hull from which a ray passes the skin by, so that the edges of shells would be seen against what
+/// lies behind: over skin that bends by `bending` radians over the length of its fur, as over a ball.
+float tangent_past_skin(float bending) { return 1 / std::sqrt(std::max(bending * (2 + bending), 1e-6f)); }
 
 }  // namespace
 
@@ -33,10 +38,10 @@ int sets_of(int shells, ShellPolicy policy) {
   return sets;
 }
 
-SlabSteps steps_of_set(int shells, int steps, int set) {
-  const int own = shells_of_set(shells, set);
-  const int whole = std::min(most_steps, (steps * shells + own - 1) / own);
-  const int bands = std::clamp(band_count / own, 1, std::min(most_bands, whole));
+SlabSteps steps_of_set(const Knobs& knobs, int set) {
+  const int own = shells_of_set(knobs.shells, set);
+  const int whole = std::min(most_steps, (knobs.steps * knobs.shells + own - 1) / own);
+  const int bands = std::clamp(band_count / own, 1, std::min(knobs.bands, whole));
   return {bands, (whole + bands - 1) / bands};
 }
 
@@ -47,8 +52,9 @@ float layer_level(const LayerView& view, const LayerVertex& vertex) {
   const float distance = std::max(glm::length(to_eye), 1e-6f);
   const float cosine = std::min(1.0f, std::abs(glm::dot(to_eye, vertex.normal)) / distance);
   const float tangent = std::sqrt(1 - cosine * cosine) / std::max(cosine, 1e-3f);
-  const float by_angle = tangent / full_tangent;
-  const float by_bending = vertex.length * vertex.curvature / full_bending;
+  const float bending = std::min(most_bending, vertex.length * vertex.curvature);
+  const float by_angle = tangent / std::min(full_tangent, tangent_past_skin(bending));
+  const float by_bending = bending / full_bending;
   const float by_size = shells_per_pixel * vertex.length / (view.pixel * distance * static_cast<float>(view.shells));
   const float share = std::min({std::max(by_angle, by_bending), by_size, 1.0f});
   return std::clamp(-std::log2(std::max(share, 1e-6f)), 0.0f, highest);

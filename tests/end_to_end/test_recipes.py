@@ -69,8 +69,8 @@ class Recipes(ServedTest):
             self.assertIn(word, run.stderr)
 
     def test_a_dry_run_says_what_each_tool_of_the_pages_would_touch(self):
-        names = sorted(path.stem for path in EXAMPLES.glob("*.json") if path.stem not in ("studio", "checkpoint", "retarget"))
-        self.assertGreaterEqual(len(names), 19)
+        names = sorted(path.stem for path in EXAMPLES.glob("*.json") if path.stem not in ("studio", "checkpoint", "retarget", "map"))  # these need more than a model
+        self.assertGreaterEqual(len(names), 20)
         for name in names:
             scene = self.new("--builtin", "creature", "--triangles", 5000)
             path = EXAMPLES / f"{name}.json"

@@ -39,10 +39,9 @@ namespace {
 std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const ModelBuffers::DrawList& list, int side) {
   std::vector<FurPass::Shell> result;
   const int sets = sets_of(knobs.shells, knobs.shell_policy);
-  const bool uniform = knobs.shell_policy == ShellPolicy::uniform;
   for (int set = 0; set < sets; ++set) {
     const int shells = shells_of_set(knobs.shells, set);
-    const SlabSteps slab = uniform ? SlabSteps{1, knobs.steps} : steps_of_set(knobs.shells, knobs.steps, set);
+    const SlabSteps slab = steps_of_set(knobs, set);
     for (int shell = 0; shell < shells; ++shell)
       result.push_back({sets == 1 ? FurPass::every_pixel : set, shell, shells, slab, list, side});
   }

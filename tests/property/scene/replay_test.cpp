@@ -12,7 +12,11 @@ namespace {
 /// Drives a scene with a random mix of everything that changes it, as an artist's client would.
 class Script {
  public:
-  Script(Scene& scene, std::uint64_t seed) : scene_(scene), random_(seed) {
+  /// Without layers any step can be left out: no later one names what it made.
+  enum class Layers { some, none };
+
+  Script(Scene& scene, std::uint64_t seed, Layers layers = Layers::some)
+      : scene_(scene), random_(seed), layers_(layers) {
     scene.read([&](const SceneView& view) {
       const Mesh& mesh = view.model.surface.mesh();
       for (const glm::vec3 p : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(p)));
@@ -23,7 +27,7 @@ class Script {
   /// One accepted request (or more, for a stroke in parts).
   void act() {
     const double kind = random_.uniform();
-    if (chance(0.06))
+    if (layers_ == Layers::some && chance(0.06))
       send({layer_change()});
     else if (kind < 0.40)
       send({tool()});
@@ -225,6 +229,7 @@ class Script {
 
   Scene& scene_;
   Random random_;
+  Layers layers_;
   std::vector<glm::dvec3> places_;
   std::size_t triangles_ = 0;
   int strokes_ = 0;
@@ -355,7 +360,7 @@ TEST_P(ReplayTest, StepsBeyondTheUndoMemoryComeBackFromTheJournal) {
 TEST_P(ReplayTest, AmendmentsAndBranchesAreWhatTheirListsSay) {
   open(4000);  // some steps in memory, some not
   auto scene = make(Builtin::torus, 600);
-  Script script(*scene, GetParam() + 3000);
+  Script script(*scene, GetParam() + 3000, Script::Layers::none);
   std::vector<std::string> ids;
   for (int round = 0; round < 6 && !HasFatalFailure(); ++round) {
     for (int i = 0; i < 8; ++i) script.act();

@@ -119,6 +119,41 @@ TEST_F(SceneLayersTest, RefusesAndChangesNothing) {
   EXPECT_EQ(pointer({add("b"), comb_in(*scene, 5, "b")}), "accepted") << "made by the command before it";
 }
 
+TEST_F(SceneLayersTest, AnAmendedStepStaysInItsLayer) {
+  const auto amended = make(), fresh = make();
+  execute(*amended, {add("a")});
+  execute(*amended, {comb_in(*amended, 5, "a")});
+  execute(*amended, {set("a", 0.5)});
+  ASSERT_TRUE(amended->amend({2, {comb_in(*amended, 60, "a")}}).ok());
+  execute(*fresh, {add("a")});
+  execute(*fresh, {comb_in(*fresh, 60, "a")});
+  execute(*fresh, {set("a", 0.5)});
+  EXPECT_EQ(hash(*amended), hash(*fresh));
+  const SceneSummary before = amended->summary();
+  const auto dropped = amended->amend({1, {}});
+  ASSERT_FALSE(dropped.ok()) << "a later step names the layer";
+  EXPECT_NE(dropped.status().message.find("no layer of this name"), std::string::npos);
+  EXPECT_EQ(amended->summary().revision, before.revision);
+  EXPECT_EQ(hash(*amended), before.fields_hash);
+}
+
+TEST_F(SceneLayersTest, LayersGoAlongToFinerTriangles) {
+  const auto scene = make(Builtin::torus, 500);
+  execute(*scene, {add("a"), comb_in(*scene, 5, "a"), set("a", -0.5)});
+  ASSERT_TRUE(store_->subdivide(*scene, {}).ok());
+  const FieldsHash seen = hash(*scene);
+  ASSERT_EQ(scene->summary().layers.size(), 1u);
+  execute(*scene, {set("a", {}, true)});
+  EXPECT_NE(hash(*scene), seen) << "the layer's contents came along";
+  const auto plain = make(Builtin::torus, 500);
+  ASSERT_TRUE(store_->subdivide(*plain, {}).ok());
+  EXPECT_EQ(distance(*scene, *plain, Field::direction), 0) << "and so did the groom below it";
+  const std::string id = scene->id();
+  const FieldsHash muted = hash(*scene);
+  open();
+  EXPECT_EQ(hash(**store_->find(id)), muted);
+}
+
 TEST_F(SceneLayersTest, ABrushFinerThanTheMeshIsWarnedOf) {
   const auto scene = make();
   Comb fine = comb_at(*scene, 5), coarse = fine;

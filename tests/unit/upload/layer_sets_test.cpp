@@ -70,6 +70,8 @@ TEST(LayerSets, ExtremesAreLevels) {
   }
 }
 
+Knobs knobs(int shells, int steps, int bands) { return {.shells = shells, .steps = steps, .bands = bands}; }
+
 TEST(LayerSets, ShellsAndSteps) {
   EXPECT_EQ(sets_of(32, ShellPolicy::adaptive), 3);
   EXPECT_EQ(shells_of_set(32, 0), 32);
@@ -79,11 +81,12 @@ TEST(LayerSets, ShellsAndSteps) {
   EXPECT_EQ(sets_of(12, ShellPolicy::adaptive), 2);
   EXPECT_EQ(shells_of_set(12, 1), 8);
   EXPECT_EQ(shells_of_set(1, 0), 1);
-  EXPECT_EQ(steps_of_set(32, 4, 0), (SlabSteps{1, 4}));
-  EXPECT_EQ(steps_of_set(32, 4, 1), (SlabSteps{2, 4}));
-  EXPECT_EQ(steps_of_set(32, 4, 2), (SlabSteps{4, 4}));
-  EXPECT_EQ(steps_of_set(1, 1, 0), (SlabSteps{1, 1}));
-  EXPECT_EQ(steps_of_set(1024, 16, 2), (SlabSteps{1, 16}));
+  EXPECT_EQ(steps_of_set(knobs(32, 4, 4), 0), (SlabSteps{1, 4}));
+  EXPECT_EQ(steps_of_set(knobs(32, 4, 4), 1), (SlabSteps{2, 4}));
+  EXPECT_EQ(steps_of_set(knobs(32, 4, 4), 2), (SlabSteps{4, 4}));
+  EXPECT_EQ(steps_of_set(knobs(1, 1, 4), 0), (SlabSteps{1, 1}));
+  EXPECT_EQ(steps_of_set(knobs(32, 4, 1), 2), (SlabSteps{1, 16}));
+  EXPECT_EQ(steps_of_set(knobs(1024, 16, 4), 2), (SlabSteps{1, 16}));
 }
 
 TEST(LayerSets, EverySetIsMarkedWhereItMayShow) {
