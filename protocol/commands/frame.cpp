@@ -13,7 +13,6 @@ Knobs knobs_of(Tier tier) {
       return {.shells = 48,
               .steps = 3,
               .scale = 2,
-              .bands = 4,
               .eye_steps = 16,
               .shadow_maps = true,
               .shadow_resolution = 1024,

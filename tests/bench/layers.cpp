@@ -29,8 +29,10 @@ FurFrame frame_of(const testing::FurredModel& model, int size, float distance) {
   return frame;
 }
 
+/// Thick slabs are lit in bands: fragments that cost more, and fewer of them.
 FurFrame with(FurFrame frame, ShellPolicy policy, int shells) {
   frame.knobs.shell_policy = policy, frame.knobs.shells = shells;
+  if (policy == ShellPolicy::adaptive) frame.knobs.bands = 4;
   return frame;
 }
 
