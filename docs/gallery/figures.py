@@ -234,7 +234,10 @@ FIGURES = [
     {"name": "animals", "title": "Four animals",
      "text": "Plush, agouti, sleek and white, with the settings and a light like those of reference pictures made of strands; "
              "interactive and detailed. Models by others (docs/models.md); they are skipped where the files are missing. "
-             "ANIMALS_WORDS",
+             "Plainly the same animals. What still tells them apart: the front of an ear that is turned away from the light is "
+             "all shade with a hard border; tufts are longer and softer, single strands do not stand out; dark stars where the "
+             "first direction field has nowhere to go, as in the reference; the sleek coat is dimmer on the lit side; the ground "
+             "takes only one light's shadow.",
      "pictures": [picture(f"{title}, {tier}", model, look(colour_source="coat", **shade), studio(*REFERENCE_LIGHT),
                           coat(length_spread=0.3, fine_clump_size=0.008, width_root=0.00044, width_tip=0.00015, **settings),
                           fur_of={**fur(length, lean), "form": "even"}, quality=tier)

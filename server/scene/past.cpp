@@ -1,8 +1,17 @@
-// A scene's past beside its present: branches, and the fields of an earlier revision.
+// A scene's past beside its present: branches, the fields of an earlier revision, and what has changed since.
+#include <string>
+#include <utility>
+
 #include "server/history/journal.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
+
+namespace {
+
+Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
+
+}  // namespace
 
 Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name,
                                              std::optional<Revision> at, std::uint64_t copy_id) const {
@@ -24,6 +33,35 @@ Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::s
   return restored;
 }
 
+Status Scene::check_revision(Revision revision, std::string pointer) const {
+  if (revision >= history_.first_revision() && revision <= history_.revision()) return {};
+  return failure(Code::invalid, "there is no such revision of this model", std::move(pointer),
+                 "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
+}
+
+Result<FieldSet> Scene::fields_at(Revision revision) const {
+  if (Status bad = check_revision(revision); !bad.ok()) return bad;
+  FieldSet then = fields_;
+  bool fits = true;
+  Status read = journal_.for_each_change(id_, revision, history_.revision(), [&](const FieldDelta& delta) {
+    fits = fits && then.accepts(delta);
+    if (fits) then.apply(delta);
+  });
+  if (!read.ok()) return read;
+  return fits ? Result<FieldSet>(std::move(then)) : damaged();
+}
+
+Result<Comparison> Scene::compare(Revision from, Revision to) const {
+  const std::lock_guard lock(mutex_);
+  if (Status bad = check_revision(from, "/from"); !bad.ok()) return bad;
+  if (Status bad = check_revision(to, "/to"); !bad.ok()) return bad;
+  const Result<FieldSet> before = fields_at(from), after = fields_at(to);
+  if (!before) return before.status();
+  if (!after) return after.status();
+  const FieldDelta delta = difference(*before, *after);
+  return Comparison{from, to, delta.vertices().size(), measure(delta, *before)};
+}
+
 Result<PastFields> Scene::past_fields(Revision revision) const {
   std::unique_lock lock(mutex_);
   if (Status bad = check_revision(revision, "/overlay_from"); !bad.ok()) return bad;
@@ -39,7 +77,7 @@ Result<PastFields> Scene::past_fields(Revision revision) const {
   lock.lock();
   if (Status gone = admit({}); !gone.ok()) return gone;
   if (Status bad = check_revision(revision, "/overlay_from"); !bad.ok()) return bad;
-  return read.ok() ? failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it") : read;
+  return read.ok() ? damaged() : read;
 }
 
 }  // namespace pelage

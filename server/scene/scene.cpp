@@ -273,24 +273,6 @@ Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   return entry;
 }
 
-Status Scene::check_revision(Revision revision, std::string pointer) const {
-  if (revision >= history_.first_revision() && revision <= history_.revision()) return {};
-  return failure(Code::invalid, "there is no such revision of this model", std::move(pointer),
-                 "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
-}
-
-Result<FieldSet> Scene::fields_at(Revision revision) const {
-  if (Status bad = check_revision(revision); !bad.ok()) return bad;
-  FieldSet then = fields_;
-  bool fits = true;
-  Status read = journal_.for_each_change(id_, revision, history_.revision(), [&](const FieldDelta& delta) {
-    fits = fits && then.accepts(delta);
-    if (fits) then.apply(delta);
-  });
-  if (!read.ok()) return read;
-  return fits ? Result<FieldSet>(std::move(then)) : damaged();
-}
-
 CommandAnswer Scene::answer(std::vector<CommandResult> results) const {
   return {history_.revision(), fields_.hash(), std::move(results)};
 }
@@ -337,17 +319,6 @@ Result<MapFile> Scene::draw_map(const MapRequest& request) const {
 Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
   const std::lock_guard lock(mutex_);
   return pelage::pick(model_->surface, fields_, view, pixel);
-}
-
-Result<Comparison> Scene::compare(Revision from, Revision to) const {
-  const std::lock_guard lock(mutex_);
-  if (Status bad = check_revision(from, "/from"); !bad.ok()) return bad;
-  if (Status bad = check_revision(to, "/to"); !bad.ok()) return bad;
-  const Result<FieldSet> before = fields_at(from), after = fields_at(to);
-  if (!before) return before.status();
-  if (!after) return after.status();
-  const FieldDelta delta = difference(*before, *after);
-  return Comparison{from, to, delta.vertices().size(), measure(delta, *before)};
 }
 
 FoldCount Scene::count_folds() const {

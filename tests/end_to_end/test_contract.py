@@ -91,6 +91,8 @@ class Document(unittest.TestCase):
         self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
         self.assertEqual(SCHEMAS["KeptPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
         self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
+        self.assertIn(f"At most {limits['edit_layers']}.", SCHEMAS["Layer"]["description"])
+        self.assertEqual(SCHEMAS["Scene"]["properties"]["layers"]["maxItems"], limits["edit_layers"])
         self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
         builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
@@ -187,6 +189,21 @@ class Requests(ServedTest):
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
+
+    def test_layers(self):
+        empty, scene = self.server.new_scene("plane", 50), self.server.new_scene("plane", 50)
+        scene.run({"op": "layer", "name": "text"})
+        for variation in self.variations({"op": "layer", "action": "add", "name": "a", "weight": 0.5, "muted": True}):
+            self.agree("Command", variation, lambda b: empty.post("commands?dry_run=1", b))
+        for body in ({"op": "layer", "action": "set", "name": "text", "weight": 0.5, "muted": True, "rename": "b"},
+                     {"op": "layer", "action": "move", "name": "text", "above": ""}):
+            for variation in self.variations(body):
+                if variation.get("above") == "text" or ("above" in variation and "action" not in variation):
+                    continue  # well formed: on itself, and a new layer whose name is taken
+                self.agree("Command", variation, lambda b: scene.post("commands?dry_run=1", b))
+        colour = {"op": "paint", "flood": True, "field": "tip_colour"}
+        for variation in self.variations({"strength": 0.5, "strand_from": 0.25, "strand_to": 0.75}):
+            self.agree("Command", {**colour, "brush": variation}, lambda b: scene.post("commands?dry_run=1", b))
 
     def test_subdivide(self):
         for variation in self.variations({"levels": 1, "masked": True}):
