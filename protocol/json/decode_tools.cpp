@@ -172,6 +172,22 @@ bool changes_colours_only(const Unify& unify) {
   return are_colours(unify.mean) && !unify.direction && !unify.inclination && !unify.length;
 }
 
+bool names_mask(Field field) { return field == Field::mask; }
+bool names_mask(const std::vector<Field>& fields) { return std::count(fields.begin(), fields.end(), Field::mask) > 0; }
+
+/// The mask lies outside of all layers.
+template <class Tool>
+void check_layer(const Value& value, const Tool& tool) {
+  if constexpr (requires { tool.layer; }) {
+    bool mask = false;
+    if constexpr (requires { tool.field; }) mask = mask || names_mask(tool.field);
+    if constexpr (requires { tool.fields; }) mask = mask || names_mask(tool.fields);
+    if constexpr (requires { tool.mean; }) mask = mask || names_mask(tool.mean);
+    if (mask && !tool.layer.empty())
+      value.refuse_below("layer", "The mask lies outside of all layers.", "no layer where the mask is changed");
+  }
+}
+
 template <class Tool>
 void check_brush(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.brush; }) {
@@ -257,8 +273,6 @@ void check(const Value& value, const Paint& paint) {
   const Field unpaintable[] = {Field::direction, Field::length, Field::stretch};
   if (std::count(std::begin(unpaintable), std::end(unpaintable), paint.field) > 0)
     value.refuse_below("field", "Other tools change this field.", "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
-  if (paint.field == Field::mask && !paint.layer.empty())
-    value.refuse_below("layer", "The mask lies outside of all layers.", "no layer");
   if (paint.value > shape.most) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
 }
 
@@ -300,6 +314,7 @@ Command read_tool(Object& object) {
   check_reach(object.value(), tool);
   check_view(object.value(), tool);
   check_brush(object.value(), tool);
+  check_layer(object.value(), tool);
   check(object.value(), tool);
   return tool;
 }

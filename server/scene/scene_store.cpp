@@ -281,8 +281,8 @@ Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload
   const Result<PictureAnswer> picture = impl_->keep_map(octets);
   if (!picture) return picture.status();
   ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
-  const bool says_itself = !upload.scale && upload.units == Units::relative;  // what files say is in sizes
-  command.scale = upload.scale.value_or(says_itself ? picture->scale.value_or(1) : 1);
+  command.scale = upload.scale.value_or(picture->scale.value_or(1));
+  if (!upload.scale && picture->scale) command.units = Units::relative;  // what files say is in sizes
   return scene.execute({command}, execute);
 }
 

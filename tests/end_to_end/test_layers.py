@@ -44,6 +44,7 @@ class Layers(ServedTest):
             ({"op": "layer", "action": "set", "name": "winter"}, ""),
             ({"op": "layer", "name": "heavy", "weight": 4.5}, "/weight"),
             ({"op": "paint", "flood": True, "field": "mask", "layer": "winter"}, "/layer"),
+            ({"op": "smooth", "flood": True, "fields": ["mask", "length"], "layer": "winter"}, "/layer"),
             ({"op": "smooth", "flood": True, "brush": {"invert": True}}, "/brush/invert"),
             ({"op": "length", "flood": True, "brush": {"strand_to": 0.5}}, "/brush/strand_from"),
             ({"op": "paint", "flood": True, "field": "tip_colour", "brush": {"strand_from": 0.5, "strand_to": 0.5}},

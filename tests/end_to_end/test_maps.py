@@ -64,6 +64,9 @@ class Maps(ServedTest):
         world = self.get(scene, "length", "?format=png&size=64&units=world&scale=2")
         size = scene.info()["size"]
         self.assertAlmostEqual(float(Image.open(io.BytesIO(world.body)).text["pelage:scale"]), 2 / size)
+        floats = self.get(scene, "length", f"?format=exr&size=64&units=world&scale={size}")
+        back = self.changes(self.put(scene, "length", floats.body, "?units=world"))
+        self.assertLess(back.get("length", 0), 1e-5, "the file's own scale is in sizes, whatever units are asked for")
         colour = self.get(scene, "root_colour", "?format=png&size=16")
         self.assertIn("srgb", Image.open(io.BytesIO(colour.body)).info)
 

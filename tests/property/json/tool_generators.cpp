@@ -170,10 +170,22 @@ void agree_with_brush(Tool& tool) {
                                std::is_same_v<Tool, Flow>;
   if constexpr (no_opposite) tool.brush.invert = false;
   if constexpr (std::is_same_v<Tool, Paint>) {
-    if (tool.field == Field::mask) tool.layer.clear();
     if (shape_of(tool.field).channels == 4) return;
   }
   tool.brush.strand_from = 0, tool.brush.strand_to = 1;
+}
+
+// The mask lies outside of all layers.
+template <class Tool>
+void agree_with_layer(Tool& tool) {
+  bool mask = false;
+  const auto has = [](const std::vector<Field>& fields) {
+    return std::count(fields.begin(), fields.end(), Field::mask) > 0;
+  };
+  if constexpr (requires { tool.field; }) mask = tool.field == Field::mask;
+  if constexpr (requires { tool.fields; }) mask = has(tool.fields);
+  if constexpr (requires { tool.mean; }) mask = has(tool.mean);
+  if (mask) tool.layer.clear();
 }
 
 template <class Tool>
@@ -187,6 +199,7 @@ Command random_tool() {
   }
   agree(tool);
   if constexpr (requires { tool.brush; }) agree_with_brush(tool);
+  if constexpr (requires { tool.layer; }) agree_with_layer(tool);
   return tool;
 }
 
