@@ -1,7 +1,9 @@
 // A sparse change of fields. It holds which bits turn over, so that it is its own inverse.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "protocol/base/limits.h"
@@ -44,6 +46,19 @@ struct FieldDelta {
   std::size_t bytes() const;
   bool operator==(const FieldDelta&) const = default;
 };
+
+/// Adds a vertex, larger than those before it, with the bits in which its value changes; nothing where none does.
+inline void put_change(FieldDelta::Part& part, std::uint32_t vertex, const glm::vec4& before, const glm::vec4& after) {
+  const int channels = shape_of(part.field).channels;
+  std::uint32_t flips[4] = {}, any = 0;
+  for (int c = 0; c < channels; ++c) {
+    flips[c] = std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]);
+    any |= flips[c];
+  }
+  if (any == 0) return;
+  part.vertices.push_back(vertex);
+  part.flips.insert(part.flips.end(), flips, flips + channels);
+}
 
 /// Whether the first part comes before the second in a delta.
 bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second);

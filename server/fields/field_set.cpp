@@ -176,18 +176,8 @@ std::size_t FieldSet::bytes() const {
 
 static FieldDelta::Part difference(const FieldSet& from, const FieldSet& to, Field field, Sheet sheet) {
   FieldDelta::Part part{field, {}, {}, sheet};
-  const int channels = shape_of(field).channels;
-  for (std::uint32_t v = 0; v < from.size(); ++v) {
-    const glm::vec4 before = from.on_sheet(sheet, field, v), after = to.on_sheet(sheet, field, v);
-    std::uint32_t flips[4] = {}, any = 0;
-    for (int c = 0; c < channels; ++c) {
-      flips[c] = std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]);
-      any |= flips[c];
-    }
-    if (any == 0) continue;
-    part.vertices.push_back(v);
-    part.flips.insert(part.flips.end(), flips, flips + channels);
-  }
+  for (std::uint32_t v = 0; v < from.size(); ++v)
+    put_change(part, v, from.on_sheet(sheet, field, v), to.on_sheet(sheet, field, v));
   return part;
 }
 

@@ -1,7 +1,6 @@
 #include "server/fields/layer_stack.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "server/fields/colour_sum.h"
@@ -69,17 +68,7 @@ StackWriter::StackWriter(const FieldSet& fields, Field field, std::size_t sheets
 }
 
 void StackWriter::put(std::uint32_t vertex, Sheet sheet, glm::vec4 value) {
-  FieldDelta::Part& part = parts_[sheet];
-  const int channels = shape_of(field_).channels;
-  const glm::vec4 before = fields_.on_sheet(sheet, field_, vertex);
-  std::uint32_t flips[4] = {}, any = 0;
-  for (int c = 0; c < channels; ++c) {
-    flips[c] = std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(value[c]);
-    any |= flips[c];
-  }
-  if (any == 0) return;
-  part.vertices.push_back(vertex);
-  part.flips.insert(part.flips.end(), flips, flips + channels);
+  put_change(parts_[sheet], vertex, fields_.on_sheet(sheet, field_, vertex), value);
 }
 
 void StackWriter::put(std::uint32_t vertex, const LayerStack& stack, const std::vector<EditLayer>& layers) {

@@ -41,6 +41,15 @@ double falloff_weight(Falloff curve, double distance) {
   return 0;
 }
 
+const Brush* brush_of(const Command& command) {
+  return std::visit(
+      [](const auto& tool) -> const Brush* {
+        if constexpr (requires { tool.brush; }) return &tool.brush;
+        else return nullptr;
+      },
+      command);
+}
+
 double internal_length(double value, Units units, const Mesh& mesh) {
   return units == Units::world ? value / mesh.size : value;
 }

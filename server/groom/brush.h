@@ -17,6 +17,9 @@ double falloff_weight(Falloff curve, double distance);
 /// The brush's own: its points, straight between them, or the curve that it names.
 double falloff_weight(const Brush& brush, double distance);
 
+/// The brush of a tool; null for commands that have none.
+const Brush* brush_of(const Command& command);
+
 /// A length of a command in sizes.
 double internal_length(double value, Units units, const Mesh& mesh);
 

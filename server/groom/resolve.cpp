@@ -236,15 +236,6 @@ struct CheckTool {
   }
 };
 
-const Brush* brush_of(const Command& command) {
-  return std::visit(
-      [](const auto& tool) -> const Brush* {
-        if constexpr (requires { tool.brush; }) return &tool.brush;
-        else return nullptr;
-      },
-      command);
-}
-
 }  // namespace
 
 Result<Command> resolve(const Command& command, const Surface& surface) {

@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::size_t most_looked_at = 16;  // samples of a stroke
 
-const Brush* brush_of(const Command& command) {
-  return std::visit(
-      [](const auto& tool) -> const Brush* {
-        if constexpr (requires { tool.brush; }) return &tool.brush;
-        else return nullptr;
-      },
-      command);
-}
-
 double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
   const glm::uvec3 corners = mesh.triangles[triangle];
   double sum = 0;
