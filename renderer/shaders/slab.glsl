@@ -59,8 +59,8 @@ vec2 tile_at(float s) {
   return at;
 }
 
-// A part of the slab, as thick as `thickness` about the height `middle`, front to back in `steps` texture steps. The stored optical depth is that of one slice seen along the stack; it is
-// `blur` levels coarser than a pixel asks for. It is
+// A part of the slab, as thick as `thickness` about the height `middle`, front to back in `steps` texture steps. The
+// stored optical depth is that of one slice seen along the stack, `blur` levels coarser than a pixel asks for. It is
 // scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
 // by `share`.
 Slab march(int steps, float blur, float share, float middle, float thickness) {

@@ -34,7 +34,8 @@ Command with_named(Command command, const SceneSettings& settings) {
     for (const NamedBlower& named : settings.blowers) {
       if (named.name != blow->blower) continue;
       Blow filled = named.blow;
-      filled.stroke = blow->stroke, filled.brush = blow->brush, filled.blower = blow->blower, filled.layer = blow->layer;
+      filled.stroke = blow->stroke, filled.brush = blow->brush;
+      filled.blower = blow->blower, filled.layer = blow->layer;
       *blow = std::move(filled);
       break;
     }
@@ -43,7 +44,8 @@ Command with_named(Command command, const SceneSettings& settings) {
     for (const NamedAttractor& named : settings.attractors) {
       if (named.name != attract->attractor) continue;
       Attract filled = named.attract;
-      filled.stroke = attract->stroke, filled.brush = attract->brush, filled.attractor = attract->attractor, filled.layer = attract->layer;
+      filled.stroke = attract->stroke, filled.brush = attract->brush;
+      filled.attractor = attract->attractor, filled.layer = attract->layer;
       *attract = std::move(filled);
       break;
     }

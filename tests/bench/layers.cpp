@@ -1,5 +1,5 @@
-// Non-uniform layers against uniform ones at the same error: masked LDR-FLIP against a converged picture (sorted fragments) of the creature
-// at three distances, beside fragments and CPU time; then what overlapping patches cost.
+// Non-uniform layers against uniform ones at the same error: masked LDR-FLIP against a converged picture (sorted
+// fragments) of the creature at three distances, beside fragments and CPU time; then what overlapping patches cost.
 // usage: bench_layers [--repetitions N] [--size PIXELS] [--truth SHELLS]
 #include <cmath>
 #include <cstdio>
