@@ -104,6 +104,19 @@ TEST_F(SceneLayersTest, EraseTakesAwayWhatALayerAdds) {
   EXPECT_EQ(hash(*scene), before) << "a is as it was, and b holds nothing";
 }
 
+TEST_F(SceneLayersTest, AWindThatStaysBlowsIntoTheLayerThatIsNamed) {
+  const auto scene = make();
+  Blow wind;
+  wind.source = place(*scene, 3) + glm::dvec3(0, 1, 0);
+  wind.cone_degrees = 60;
+  execute(*scene, {add("a"), SetBlowers{{{"fan", wind}}}});
+  Blow blow;
+  blow.blower = "fan", blow.layer = "a";
+  EXPECT_GT(execute(*scene, {blow}).results[0].touched, 0u);
+  execute(*scene, {set("a", {}, true)});
+  EXPECT_EQ(distance(*scene, *make(), Field::direction), 0);
+}
+
 TEST_F(SceneLayersTest, RefusesAndChangesNothing) {
   const auto scene = make();
   execute(*scene, {add("a"), set("a", 0.01)});
