@@ -18,6 +18,7 @@ Knobs knobs_of(Tier tier) {
               .shadow_resolution = 1024,
               .fins = true,
               .guard_hairs = 20000};
+    case Tier::reference: return {.eye_steps = 16, .method = Method::strands};
   }
   assert(false);
   return {};

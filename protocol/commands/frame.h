@@ -1,6 +1,7 @@
 // What a frame request says: the size, the camera and the quality.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,7 +14,13 @@
 
 namespace pelage {
 
-enum class Tier { draft, interactive, detailed };
+enum class Tier { draft, interactive, detailed, reference };
+enum class Method { shells, strands };                  // strands: every strand of the coat, ray traced
+/// How light gets through traced fur: by the colour and count of the strands that a ray to the light crosses, or along
+/// whole paths that scatter from strand to strand.
+enum class Transport { transmittance, paths };
+/// Which model traced strands scatter by: the look's, or energy_conserving whatever the look says.
+enum class StrandScattering { look, energy_conserving };
 enum class Accumulation { half, full };
 enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
 enum class FragmentOrder { layers, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
@@ -40,7 +47,22 @@ enum class FrameLayer {
   albedo,      // linear
   direct,      // light of lamps without the ambient part, linear
   shadow,      // share of that light that shadows leave, [0, 1]; 1 where none comes
-  layer_count  // fragments of shells that were shaded, mean over the pixel
+  layer_count  // fragments of shells that were shaded, mean over the pixel; of strands the samples that were taken
+};
+
+/// How strands are traced. A pass adds a sample to each pixel that still needs some.
+struct Tracing {
+  int passes = 64;                    // at most, [1, 65536]
+  Transport transport = Transport::transmittance;
+  StrandScattering scattering = StrandScattering::energy_conserving;  // paths take no other
+  int bounces = 32;                   // of a path, [1, 4096]; paths
+  int strands = 2'000'000;            // at most, [1, 8000000]; fewer are drawn wider
+  double noise = 0;                   // stops once the estimate is below, [0, 1]: mean error of a shown channel; 0 never
+  double seconds = 0;                 // stops after them, [0, 3600]; 0 never
+  bool filter = true;                 // features filter pictures of few passes
+  std::uint32_t seed = 1;
+
+  bool operator==(const Tracing&) const = default;
 };
 
 /// What a tier stands for, and what a request may set one by one.
@@ -59,12 +81,28 @@ struct Knobs {
   FragmentOrder order = FragmentOrder::layers;    // in which fur is blended; sorted takes 1 sample
   bool fins = false;                              // side views of the fur on edges at outlines
   int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near outlines
+  Method method = Method::shells;
+  Tracing trace = {};                             // of method strands
 
   bool operator==(const Knobs&) const = default;
 };
 
 /// The knobs that a tier stands for.
 Knobs knobs_of(Tier tier);
+
+/// Why a traced picture ended; none while it goes on.
+enum class TraceEnd { none, passes, noise, seconds };
+
+/// What a traced picture is made of.
+struct TraceReport {
+  int passes = 0;             // 0 for shells
+  double samples = 0;         // mean of a pixel
+  double noise = 0;           // estimated mean error of a shown channel
+  std::size_t strands = 0;
+  TraceEnd end = TraceEnd::none;
+  double grow_ms = 0;         // growing and indexing strands
+  double trace_ms = 0;
+};
 
 struct FrameRequest {
   int width = 512;   // [1, 8192]
@@ -82,6 +120,7 @@ struct FrameRequest {
   std::vector<FrameLayer> layers{FrameLayer::beauty};                        // of an EXR: at least one, each once
   Overlay overlay = Overlay::none;                                           // not in an EXR
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
+  std::optional<Tracing> refine = {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
   std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
 };
 

@@ -58,13 +58,15 @@ struct Look {
   bool operator==(const Look&) const = default;
 };
 
-enum class LightKind { directional, point, spot };
+enum class LightKind { directional, point, spot, area };
 
 /// Shadow of one part of the body on another (GPU fur 4): from a depth map alone, or softened by the shadow width.
 enum class CastShadow { none, hard, soft };
 
 /// Directional: `direction` is where the light goes, in the model's coordinates. Point: `position`, falling with the
-/// square of distance so that intensity 1 gives white at distance `size`. Spot: a point light inside a cone.
+/// square of distance so that intensity 1 gives white at distance `size`. Spot: a point light inside a cone. Area: a
+/// rectangle about `position` that shines along `direction` by the cosine, as bright from afar as a point light. Traced
+/// strands see the lights' sizes; shells see points, and a rectangle from its middle.
 /// Shadows need maps, which a frame draws when its knobs allow them (`shadow_maps`) and keeps until fields or light change.
 struct Light {
   LightKind kind = LightKind::directional;
@@ -74,6 +76,10 @@ struct Light {
   double intensity = 1;  // [0, 1e8]
   double cone_degrees = 30;      // half angle of a spot, (0, 90]
   double cone_softness = 0.25;   // share of the cone over which the edge fades, [0, 1]
+  double angle_degrees = 3;      // half angle that a directional light spans, [0, 90]
+  double radius = 0.05;          // of the ball that a point or spot light is, sizes, [0, 10]
+  double width = 0.5;            // of an area light, sizes, [1e-3, 100]; level
+  double height = 0.5;           // sizes, [1e-3, 100]
   bool self_shadow_maps = false; // layer-wise shadow maps (GPU fur 3.1) in place of the estimate
   CastShadow cast_shadow = CastShadow::none;
   double shadow_scale = 10;      // Cscale of GPU fur 4: larger is a narrower penumbra, [0, 1000]

@@ -142,8 +142,31 @@ std::vector<FrameLayer> layers(const Value& list) {
   return result;
 }
 
+void refine(const Value& value, FrameRequest& result) {
+  if (value.tree().is_object()) {
+    result.refine = tracing(value);
+  } else if (value.boolean()) {
+    result.refine = Tracing{};
+  }
+}
+
+/// What shells draw and strands do not.
+void check_strands(const Value& value, const FrameRequest& request) {
+  const bool strands = request.knobs.method == Method::strands;
+  if (strands && request.refine) {
+    value.refuse_below("refine", "Strands refine what shells have drawn.", "a quality of shells");
+  }
+  const Overlay overlay = request.overlay;
+  const bool of_shells = overlay == Overlay::layer_count || overlay == Overlay::light_depth ||
+                         overlay == Overlay::light_occlusion || overlay == Overlay::shadow_width;
+  if ((strands || request.refine) && of_shells) {
+    value.refuse_below("overlay", "Traced strands have no such map.", "a field, or method shells without refine");
+  }
+}
+
 /// Which members do not go together.
 void check_frame(const Value& value, const FrameRequest& request, bool names_layers) {
+  check_strands(value, request);
   const double width = request.width * request.knobs.scale, height = request.height * request.knobs.scale;
   if (std::max(width, height) > limits::frame_pixels) {
     value.refuse_below("quality", "The quality's scale renders the frame too large.",
@@ -194,6 +217,7 @@ FrameRequest frame_request(const Value& value) {
   object.optional("layers", [&](const Value& v) { result.layers = layers(v); });
   object.name("overlay", result.overlay, json_names::overlays);
   object.optional("overlay_from", [&](const Value& v) { result.overlay_from = v.counter(); });
+  object.optional("refine", [&](const Value& v) { refine(v, result); });
   object.finish();
   check_frame(value, result, object.has("layers"));
   return result;

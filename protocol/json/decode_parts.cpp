@@ -140,6 +140,10 @@ Light light(const Value& value) {
   object.number("intensity", result.intensity, {0, 1e8});
   object.number("cone_degrees", result.cone_degrees, {0.1, 90});
   object.number("cone_softness", result.cone_softness, share);
+  object.number("angle_degrees", result.angle_degrees, {0, 90});
+  object.number("radius", result.radius, {0, 10});
+  object.number("width", result.width, {1e-3, 100});
+  object.number("height", result.height, {1e-3, 100});
   object.boolean("self_shadow_maps", result.self_shadow_maps);
   object.name("cast_shadow", result.cast_shadow, json_names::cast_shadows);
   object.number("shadow_scale", result.shadow_scale, {0, 1000});
@@ -233,6 +237,37 @@ FirstGroom fur(const Value& value) {
   return result;
 }
 
+Tracing tracing(const Value& value) {
+  Object object(value);
+  Tracing result;
+  object.integer("passes", result.passes, {1, limits::trace_passes});
+  object.name("transport", result.transport, json_names::transports);
+  object.name("scattering", result.scattering, json_names::strand_scatterings);
+  object.integer("bounces", result.bounces, {1, 4096});
+  object.integer("strands", result.strands, {1, limits::strands});
+  object.number("noise", result.noise, share);
+  object.number("seconds", result.seconds, {0, 3600});
+  object.boolean("filter", result.filter);
+  object.integer("seed", result.seed);
+  object.finish();
+  const bool paths = result.transport == Transport::paths;
+  if (paths && result.scattering == StrandScattering::look) {
+    value.refuse_below("scattering", "Paths need a model that makes no light.", "energy_conserving");
+  }
+  if (!paths && object.has("bounces")) value.refuse_below("bounces", "Only paths bounce.", "transport paths");
+  return result;
+}
+
+/// Of shells alone, or of strands alone.
+void check_method(const Value& value, Object& object, const Knobs& knobs) {
+  const bool strands = knobs.method == Method::strands;
+  for (const char* name : {"shells", "shell_policy", "samples", "steps", "scale", "bands", "self_shadow", "shadow_maps",
+                           "shadow_resolution", "accumulation", "order", "fins", "guard_hairs"}) {
+    if (strands && object.has(name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
+  }
+  if (!strands && object.has("trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
+}
+
 Knobs quality(const Value& value) {
   if (!value.tree().is_object()) return knobs_of(value.name_of(json_names::tiers));
   Object object(value);
@@ -254,7 +289,10 @@ Knobs quality(const Value& value) {
   object.name("order", result.order, json_names::fragment_orders);
   object.boolean("fins", result.fins);
   object.integer("guard_hairs", result.guard_hairs, {0, 100'000});
+  object.name("method", result.method, json_names::methods);
+  object.optional("trace", [&](const Value& v) { result.trace = tracing(v); });
   object.finish();
+  check_method(value, object, result);
   if (result.order == FragmentOrder::sorted && result.samples != 1) {
     value.refuse_below("order", "Sorted fragments take one sample.", "samples 1; scale 2 for finer outlines");
   }

@@ -24,6 +24,7 @@ FirstGroom fur(const Value& value);
 std::string picture_name(const Value& value, const char* limit = "32 hex digits in lower case");
 /// Refuses a map of the field in an encoding that cannot hold it.
 void refuse_encoding(const Value& value, Field field);
+Tracing tracing(const Value& value);
 Knobs quality(const Value& value);  // a tier's name, or knobs that start from the interactive tier
 
 }  // namespace pelage::json_parts

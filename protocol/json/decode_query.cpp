@@ -45,6 +45,7 @@ constexpr auto frame_parameters = std::to_array<Parameter>({
     {"order", "/quality/order", Kind::text},
     {"fins", "/quality/fins", Kind::boolean},
     {"guard_hairs", "/quality/guard_hairs", Kind::number},
+    {"method", "/quality/method", Kind::text},
     {"background", "/background", Kind::text},
     {"exposure", "/exposure", Kind::number},
     {"tone_map", "/tone_map", Kind::text},

@@ -58,7 +58,26 @@ Json json_of(const Command& command) {
   return json;
 }
 
+Json json_of(const Tracing& trace) {
+  Json json = {{"passes", trace.passes},
+               {"transport", text_of(json_names::transports, trace.transport)},
+               {"scattering", text_of(json_names::strand_scatterings, trace.scattering)},
+               {"strands", trace.strands},
+               {"noise", trace.noise},
+               {"seconds", trace.seconds},
+               {"filter", trace.filter},
+               {"seed", trace.seed}};
+  if (trace.transport == Transport::paths) json["bounces"] = trace.bounces;
+  return json;
+}
+
+/// What the method uses: the others are refused beside it.
 Json json_of(const Knobs& knobs) {
+  if (knobs.method == Method::strands) {
+    return {{"method", text_of(json_names::methods, knobs.method)},
+            {"eye_steps", knobs.eye_steps},
+            {"trace", json_of(knobs.trace)}};
+  }
   return {{"shells", knobs.shells},
           {"samples", knobs.samples},
           {"steps", knobs.steps},
@@ -114,6 +133,7 @@ std::string encode(const FrameRequest& request) {
   if (request.look) json["look"] = json_of(*request.look);
   if (!request.view.empty()) json["view"] = request.view;
   if (request.overlay_from) json["overlay_from"] = *request.overlay_from;
+  if (request.refine) json["refine"] = json_of(*request.refine);
   return line(json);
 }
 
@@ -136,6 +156,16 @@ std::string encode(const PickRequest& request) {
 std::string json_text(std::string_view text) { return line(Json(text)); }
 
 std::string encode(const Knobs& knobs) { return line(json_of(knobs)); }
+
+std::string encode(const TraceReport& report) {
+  return line({{"passes", report.passes},
+               {"samples", report.samples},
+               {"noise", report.noise},
+               {"strands", report.strands},
+               {"end", text_of(json_names::trace_ends, report.end)},
+               {"grow_ms", report.grow_ms},
+               {"trace_ms", report.trace_ms}});
+}
 
 std::string encode(const FrameCounters& counters) {
   return line({{"passes", counters.passes},

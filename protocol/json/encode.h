@@ -30,6 +30,7 @@ std::string encode(const FoldCount& folds);
 std::string encode(const std::vector<LogEntry>& log);
 std::string encode(const Knobs& knobs);
 std::string encode(const FrameCounters& counters);
+std::string encode(const TraceReport& report);
 std::string encode(const MapAnswer& answer);
 std::string encode(const PictureAnswer& answer);
 

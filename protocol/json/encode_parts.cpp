@@ -266,6 +266,10 @@ Json json_of(const Light& light) {
           {"intensity", light.intensity},
           {"cone_degrees", light.cone_degrees},
           {"cone_softness", light.cone_softness},
+          {"angle_degrees", light.angle_degrees},
+          {"radius", light.radius},
+          {"width", light.width},
+          {"height", light.height},
           {"self_shadow_maps", light.self_shadow_maps},
           {"cast_shadow", text_of(json_names::cast_shadows, light.cast_shadow)},
           {"shadow_scale", light.shadow_scale}};

@@ -96,14 +96,27 @@ inline constexpr std::array<Name<ShadingModel>, 6> shading_models{{{"lengyel", S
                                                                   {"marschner", ShadingModel::marschner}}};
 inline constexpr std::array<Name<Absorption>, 2> absorptions{
     {{"colour", Absorption::colour}, {"melanin", Absorption::melanin}}};
-inline constexpr std::array<Name<LightKind>, 3> light_kinds{
-    {{"directional", LightKind::directional}, {"point", LightKind::point}, {"spot", LightKind::spot}}};
+inline constexpr std::array<Name<LightKind>, 4> light_kinds{{{"directional", LightKind::directional},
+                                                             {"point", LightKind::point},
+                                                             {"spot", LightKind::spot},
+                                                             {"area", LightKind::area}}};
 inline constexpr std::array<Name<CastShadow>, 3> cast_shadows{
     {{"none", CastShadow::none}, {"hard", CastShadow::hard}, {"soft", CastShadow::soft}}};
 inline constexpr std::array<Name<PupilShape>, 2> pupil_shapes{
     {{"round", PupilShape::round}, {"slit", PupilShape::slit}}};
-inline constexpr std::array<Name<Tier>, 3> tiers{
-    {{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}};
+inline constexpr std::array<Name<Tier>, 4> tiers{{{"draft", Tier::draft},
+                                                  {"interactive", Tier::interactive},
+                                                  {"detailed", Tier::detailed},
+                                                  {"reference", Tier::reference}}};
+inline constexpr std::array<Name<Method>, 2> methods{{{"shells", Method::shells}, {"strands", Method::strands}}};
+inline constexpr std::array<Name<Transport>, 2> transports{
+    {{"transmittance", Transport::transmittance}, {"paths", Transport::paths}}};
+inline constexpr std::array<Name<StrandScattering>, 2> strand_scatterings{
+    {{"look", StrandScattering::look}, {"energy_conserving", StrandScattering::energy_conserving}}};
+inline constexpr std::array<Name<TraceEnd>, 4> trace_ends{{{"none", TraceEnd::none},
+                                                           {"passes", TraceEnd::passes},
+                                                           {"noise", TraceEnd::noise},
+                                                           {"seconds", TraceEnd::seconds}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
 inline constexpr std::array<Name<Accumulation>, 2> accumulations{

@@ -15,11 +15,15 @@ double brightness(glm::vec3 radiance) { return glm::dot(glm::dvec3(radiance), gl
 double brought_by(const FurLight& light, const FurEye& eye) {
   glm::dvec3 to_light = -glm::dvec3(light.direction);
   double share = 1;
-  if (light.kind == LightKind::point) {
+  if (light.kind != LightKind::directional) {
     const glm::dvec3 apart = glm::dvec3(light.position) - glm::dvec3(eye.position);
     const double square = std::max(glm::dot(apart, apart), 1e-8);
     to_light = apart / std::sqrt(square);
     share = 1 / square;
+    if (light.kind != LightKind::point) {
+      const double inside = -glm::dot(to_light, glm::dvec3(light.direction));
+      share *= std::clamp((inside - light.cone) / std::max<double>(light.soft_cone - light.cone, 1e-6), 0.0, 1.0);
+    }
   }
   return share * brightness(light.radiance) * std::max(0.0, glm::dot(to_light, glm::dvec3(eye.frame[2])));
 }

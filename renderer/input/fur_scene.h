@@ -83,7 +83,10 @@ struct FurLight {
   glm::vec3 direction{0, -1, 0};  // unit, where the light goes
   glm::vec3 position{0};
   glm::vec3 radiance{1};          // colour times intensity
-  float cone = 0, soft_cone = 0;  // of a spot: cosines of the half angle and of where it begins to fade
+  float cone = 0, soft_cone = 0;  // of a spot and an area: cosines of the half angle and of where it begins to fade
+  float angle = 0;                // half angle that a directional light spans, radians
+  float radius = 0;               // of the ball that a point or a spot is, sizes
+  glm::vec2 extent{0};            // width and height of an area, sizes
   bool self_shadow_maps = false;
   CastShadow cast_shadow = CastShadow::none;
   float shadow_scale = 10;

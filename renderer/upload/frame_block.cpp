@@ -33,7 +33,7 @@ glm::mat4 view(const FurCamera& camera) {
 }
 
 LightBlock light_block(const FurLight& light) {
-  const bool spot = light.kind == LightKind::spot;
+  const bool spot = light.kind == LightKind::spot || light.kind == LightKind::area;
   return {{light.direction, light.kind == LightKind::directional ? 0.0f : 1.0f},
           {light.position, spot ? light.cone : -2.0f},
           {light.radiance, spot ? light.soft_cone : -1.0f}};

@@ -14,16 +14,21 @@ namespace pelage {
 
 namespace {
 
+/// A rectangle shines by the cosine: seen from its middle, a cone of 90 degrees that fades over all of it.
 FurLight make_light(const Light& light, const Mesh& mesh) {
   const double length = glm::length(light.direction);
   const glm::dvec3 direction = length > 0 ? light.direction / length : glm::dvec3(0, -1, 0);
+  const bool area = light.kind == LightKind::area;
   const double cone = glm::radians(light.cone_degrees);
   return {.kind = light.kind,
           .direction = glm::vec3(direction),
           .position = glm::vec3(mesh.to_internal(light.position)),
           .radiance = light.colour * static_cast<float>(light.intensity),
-          .cone = static_cast<float>(std::cos(cone)),
-          .soft_cone = static_cast<float>(std::cos(cone * (1 - light.cone_softness))),
+          .cone = area ? 0.0f : static_cast<float>(std::cos(cone)),
+          .soft_cone = area ? 1.0f : static_cast<float>(std::cos(cone * (1 - light.cone_softness))),
+          .angle = static_cast<float>(glm::radians(light.angle_degrees)),
+          .radius = static_cast<float>(light.radius),
+          .extent = glm::vec2(light.width, light.height),
           .self_shadow_maps = light.self_shadow_maps,
           .cast_shadow = light.cast_shadow,
           .shadow_scale = static_cast<float>(light.shadow_scale)};

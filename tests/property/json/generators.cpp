@@ -194,13 +194,17 @@ static Command set_lights() {
   SetLights result;
   const int count = *rc::gen::inRange(0, 9);
   for (int i = 0; i < count; ++i) {
-    result.lights.push_back({.kind = one_of(LightKind::point),
+    result.lights.push_back({.kind = one_of(LightKind::area),
                              .direction = direction(),
                              .position = place(),
                              .colour = colour(),
                              .intensity = number(0, 1e8),
                              .cone_degrees = number(0.1, 90),
                              .cone_softness = number(0, 1),
+                             .angle_degrees = number(0, 90),
+                             .radius = number(0, 10),
+                             .width = number(1e-3, 100),
+                             .height = number(1e-3, 100),
                              .self_shadow_maps = *rc::gen::arbitrary<bool>(),
                              .cast_shadow = one_of(CastShadow::soft),
                              .shadow_scale = number(0, 1000)});

@@ -1,0 +1,58 @@
+// What the passes of a traced picture add up to, and how noisy it still is.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "protocol/commands/frame.h"
+#include "renderer/image/float_image.h"
+
+namespace pelage {
+
+/// What one ray through a pixel saw. All but radiance and alpha are of the first thing it met, 0 where it met nothing.
+struct FilmSample {
+  glm::vec3 radiance{0};  // multiplied by alpha
+  float alpha = 0;        // [0, 1]; the ground darkens: black with an alpha
+  float body = 0;         // the same without the ground
+  float over_depth = 0;   // 1 / distance along the view, 1 / sizes; 0 for none
+  glm::vec3 position{0}, normal{0}, tangent{0}, albedo{0};
+  glm::vec3 direct{0};    // of lamps alone, without the ambient part
+  glm::vec2 light{0};     // luminance of that, and what it would be without shadows
+};
+
+/// Sums of samples by pixel. Layers that are not asked for take no memory. Pixels are added to from one thread at a
+/// time; a tile belongs to one thread during a pass.
+class Film {
+ public:
+  static constexpr int tile = 16;  // pixels along the side of the parts that noise is judged by
+
+  /// Bytes that a film of this size takes.
+  static std::size_t bytes(int width, int height, std::span<const FrameLayer> layers, bool filter);
+  Film(int width, int height, std::span<const FrameLayer> layers, bool filter);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int tiles_across() const { return (width_ + tile - 1) / tile; }
+  int tile_count() const { return tiles_across() * ((height_ + tile - 1) / tile); }
+
+  void add(int x, int y, const FilmSample& sample);
+  int samples(int x, int y) const;  // so far
+  double mean_samples() const;
+
+  /// Estimated mean error of a shown channel (sRGB of the tone mapped mean, [0, 1]) over a tile's pixels: from the
+  /// spread of each pixel's samples; infinity for fewer than 4 samples.
+  double noise(int tile, double exposure) const;
+  /// The same over the pixels of all tiles where anything was seen; infinity where too few samples were taken.
+  double noise(double exposure) const;
+
+  /// Means, in the conventions of Renderer::draw_layers (depth: one over the distance). `filtered` smooths beauty by
+  /// direction, depth and colour, the less the more samples there are; at 64 a pixel nothing is left of it.
+  FloatImage layer(FrameLayer layer, bool filtered) const;
+
+ private:
+  int width_, height_;
+};
+
+}  // namespace pelage

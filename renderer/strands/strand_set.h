@@ -1,0 +1,41 @@
+// Strands of a coat as they stand on the surface: what the grower makes and the tracer reads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace pelage {
+
+/// A place on a strand's axis and how thick the strand is there, sizes. The layout is what Embree reads.
+struct StrandPoint {
+  glm::vec3 place{0};
+  float radius = 0;
+};
+static_assert(sizeof(StrandPoint) == 16);
+
+/// What all of a strand shares.
+struct StrandRoot {
+  glm::vec3 normal{0, 1, 0};  // of the skin, unit
+  float number = 0;           // [0, 1)
+  float reach = 1;            // height s of the tip in the fur, (0, 1]; that of the root is 0
+  float wetness = 0;          // painted beyond the coat's own, [0, 1]
+};
+
+/// Linear colour in 4 octets, 10 bits a channel over [0, 4] by their square roots.
+std::uint32_t pack_colour(glm::vec3 colour);
+glm::vec3 unpack_colour(std::uint32_t packed);
+
+/// Strands with `segments` segments each: strand i has the points from i (segments + 1) on, root first.
+struct StrandSet {
+  int segments = 1;
+  std::vector<StrandPoint> points;
+  std::vector<std::uint32_t> colours;  // of each point; pack_colour
+  std::vector<StrandRoot> roots;       // of each strand
+
+  std::size_t count() const { return roots.size(); }
+  std::size_t bytes() const;
+};
+
+}  // namespace pelage

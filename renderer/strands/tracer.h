@@ -1,0 +1,44 @@
+// The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that the
+// shells' passes drew (BasePicture), so that they look the same in both.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "renderer/image/float_image.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/strands/base_picture.h"
+
+namespace pelage {
+
+/// Asked by each tracing thread between small pieces of work. May hold the thread up; false ends the work.
+using GoOn = std::function<bool()>;
+
+class Tracer {
+ public:
+  /// `memory` bounds strands, their index and the film, bytes. With `yielding`, threads run only where no other thread
+  /// of the machine wants to.
+  Tracer(int threads, std::size_t memory, bool yielding);
+  ~Tracer();
+
+  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Fails with
+  /// too_large where memory does not do, unavailable when it was not to go on.
+  Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
+               std::span<const FrameLayer> layers, const GoOn& go_on);
+  /// Adds a pass, and says in the report why it was the last one. Unavailable when it was not to go on: the passes
+  /// before stay whole.
+  Status add_pass(const GoOn& go_on);
+
+  TraceReport report() const;
+  /// Of at least one pass; as Renderer::draw_layers.
+  FloatImage layer(FrameLayer layer) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage
