@@ -46,9 +46,12 @@ class StrandLights {
  private:
   static constexpr int columns = 64, rows = 32;  // of the table over directions, rows even in height
 
+  void tabulate();
+  float cell_share(int row, int column) const;
+
   std::vector<FurLight> lights_;
   SphericalHarmonics harmonics_{};
-  std::vector<float> row_sums_, cell_sums_;  // cumulated, for sampling
+  std::vector<float> row_sums_, cell_sums_;  // cumulated to 1, for sampling; of cells by row; each begins with 0
   bool environment_bright_ = false;
   float mean_environment_ = 0;
 };
