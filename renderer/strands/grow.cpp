@@ -140,9 +140,9 @@ Grower::Grower(const FurModel& model, const FurFields& fields, const GrowRecipe&
 
 Grower::~Grower() = default;
 
-double Grower::expected() const {
+double expected_strands(const FurModel& model, const Coat& coat) {
   double sum = 0;
-  for (const auto& corners : impl_->model.corners) sum += expected_strands(corners, impl_->recipe.coat);
+  for (const auto& corners : model.corners) sum += expected_strands(corners, coat);
   return sum;
 }
 
