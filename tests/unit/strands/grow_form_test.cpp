@@ -284,7 +284,7 @@ TEST(GrowAndSlices, CoverTheSamePlaces) {
       sum += share, of_strands += strands[i], apart += std::abs(share - strands[i]);
     }
     EXPECT_NEAR(of_strands / sum, 1, 0.03) << slice;
-    EXPECT_LT(apart / sum, 0.12) << slice;  // texels on rims: drawn softly in slices, in fourths here
+    EXPECT_LT(apart / sum, 0.25) << slice;  // rims: soft over a texel there, sharp here
   }
 }
 
