@@ -78,9 +78,9 @@ struct Grower::Impl {
   }
 
   bool bald(std::uint32_t piece) const;
-  bool keeps(const Piece& piece, const TileCopy& copy) const;
+  bool keeps(const FurPiece& piece, const TileCopy& copy) const;
   void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const;
-  void append(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
+  void append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
 
   FurModel model;
   GrowRecipe recipe;
@@ -100,14 +100,14 @@ bool Grower::Impl::bald(std::uint32_t piece) const {
   return vertices[t.x].length <= 0 && vertices[t.y].length <= 0 && vertices[t.z].length <= 0;
 }
 
-bool Grower::Impl::keeps(const Piece& piece, const TileCopy& copy) const {
+bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
   const glm::vec3 share(copy.share);
   const float density = piece.density(share);
   return number_of(copy, 1) < piece.grown(share) && number_of(copy, 2) < static_cast<float>(recipe.share) &&
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
 
-void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
+void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
   const RootFields root = piece.fields(share);
   const auto reach = static_cast<float>(tile[copy.strand].length_share);
@@ -129,7 +129,7 @@ void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies
   if (bald(index)) return;
   cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
-  const Piece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
+  const FurPiece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
   for (const TileCopy& copy : copies) {
     if (keeps(piece, copy)) append(piece, copy, set);
   }

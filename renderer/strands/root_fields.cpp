@@ -53,7 +53,7 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
   return vertices;
 }
 
-Piece::Piece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
+FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
              const PatternBlock* pattern) {
   for (int i = 0; i < 3; ++i) {
     const std::uint32_t v = model.triangles[index][i];
@@ -67,7 +67,7 @@ Piece::Piece(const FurModel& model, std::span<const FurVertex> vertices, std::ui
 }
 
 /// The curve of a strand at a corner, as in fur.vert.
-void Piece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
+void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
   const glm::vec2 direction = corner.fur.direction;
   float inclination = std::min(glm::length(direction), 1.0f);
   const glm::vec2 heading = inclination > 1e-6f ? direction / inclination : glm::vec2(1, 0);
@@ -83,7 +83,7 @@ void Piece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, c
   }
 }
 
-RootFields Piece::fields(glm::vec3 share) const {
+RootFields FurPiece::fields(glm::vec3 share) const {
   const auto mixed = [&](auto value) {
     return share.x * value(corners_[0]) + share.y * value(corners_[1]) + share.z * value(corners_[2]);
   };
@@ -105,7 +105,7 @@ RootFields Piece::fields(glm::vec3 share) const {
   return root;
 }
 
-glm::vec3 Piece::leaned(glm::vec3 share, float s) const {
+glm::vec3 FurPiece::leaned(glm::vec3 share, float s) const {
   const float at = s * lean_cells;
   const auto k = static_cast<std::size_t>(std::clamp(at, 0.0f, lean_cells - 1.0f));
   const float x = at - static_cast<float>(k), y = 1 - x;

@@ -39,10 +39,10 @@ struct RootFields {
 };
 
 /// A piece of fur with what its strands share.
-class Piece {
+class FurPiece {
  public:
   /// `pattern` where length and lean change with the place, null where not.
-  Piece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
+  FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
         const PatternBlock* pattern);
 
   /// Shares of the strands at a place that grow: by weight and length, and by density. [0, 1]

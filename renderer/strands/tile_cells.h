@@ -22,7 +22,7 @@ class HalfOpenTriangle;
 
 class TileCells {
  public:
-  static constexpr double furthest = 1000;                // sizes; triangles that reach further have no strands
+  static constexpr double furthest = 100;               // sizes; triangles that reach further have no strands
   static constexpr std::size_t most_copies = 1u << 22;    // of one triangle; what is beyond them is left out
 
   TileCells(std::span<const Strand> strands, double tile);
