@@ -276,13 +276,13 @@ TEST(GrowExtremes, NothingToGrowOn) {
   patch.paint.density = none;
   EXPECT_EQ(patch.grow(recipe).count(), 0u);
   const Grower empty(FurModel{}, FurFields{}, recipe);
-  EXPECT_EQ(empty.expected(), 0);
+  EXPECT_EQ(expected_strands(FurModel{}, recipe.coat), 0);
   EXPECT_EQ(empty.grow({}).count(), 0u);
   FurPatch flat(0.2, 1);
   flat.triangles[0] = {0, 0, 1};
   for (auto& corners : flat.corners) corners[1].tile_uv = corners[0].tile_uv;  // one vertex repeated
   EXPECT_EQ(flat.grow(recipe).count(), 0u);
-  EXPECT_EQ(flat.grower(recipe).expected(), 0);
+  EXPECT_EQ(expected_strands(flat.model(), recipe.coat), 0);
 }
 
 TEST(GrowExtremes, NoWidthIsStillThere) {
