@@ -12,6 +12,7 @@
 namespace pelage {
 
 struct FurPatch {
+  FurPatch() = default;
   explicit FurPatch(double side, int quads = 1, float fur = 0.03f) {
     const int row = quads + 1;
     for (int y = 0; y < row; ++y) {
