@@ -1,10 +1,11 @@
 // A table of what strands cost to grow: prepared once for a state of the fields, then chunk by chunk on one core.
 // usage: bench_grow [--repetitions N] [--triangles N] [--count STRANDS_OF_THE_TILE]
+#include "renderer/strands/grow.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
-#include "renderer/strands/grow.h"
 #include "server/scene/fur_view.h"
 #include "tests/bench/cost.h"
 #include "tests/support/furred_model.h"
@@ -21,7 +22,8 @@ struct Case {
 };
 
 std::vector<Case> cases(int count) {
-  std::vector<Case> all{{"plain", {}}, {"curly", {}}, {"wet", {}}, {"tufts", {}}, {"patterned", {}}, {"painted", {}, true}};
+  std::vector<Case> all{{"plain", {}}, {"curly", {}},     {"wet", {}},
+                        {"tufts", {}}, {"patterned", {}}, {"painted", {}, true}};
   for (Case& one : all) one.coat.count = count;
   all[1].coat.curl = 0.12;
   all[2].coat.wetness = 0.7;
@@ -56,14 +58,15 @@ void measure_case(const Case& one, const testing::FurredModel& furred, int repet
   const auto fingerprints = [&] {
     for (const StrandChunk& chunk : chunks) sum ^= grower.fingerprint(chunk);
   };
-  const std::vector<Cost> costs = measure_alternating(
-      {[&] { Grower(model, fields, recipe); }, grow_all, fingerprints, [&] { make_chunks(model, one.coat, strands_each); }},
-      repetitions);
-  std::printf("%-10s %8zu strands %3d bytes each  prepare %6.1f ms  grow %7.1f ms  %6.2f million/s  "
-              "chunk %5.1f ms  fingerprints %5.1f ms  chunks %5.1f ms\n",
-              one.name.c_str(), strands, static_cast<int>(bytes / std::max<std::size_t>(strands, 1)), costs[0].cpu,
-              costs[1].cpu, static_cast<double>(strands) / costs[1].cpu / 1e3,
-              costs[1].cpu / static_cast<double>(chunks.size()), costs[2].cpu, costs[3].cpu);
+  const std::vector<Cost> costs = measure_alternating({[&] { Grower(model, fields, recipe); }, grow_all, fingerprints,
+                                                       [&] { make_chunks(model, one.coat, strands_each); }},
+                                                      repetitions);
+  std::printf(
+      "%-10s %8zu strands %3d bytes each  prepare %6.1f ms  grow %7.1f ms  %6.2f million/s  "
+      "chunk %5.1f ms  fingerprints %5.1f ms  chunks %5.1f ms\n",
+      one.name.c_str(), strands, static_cast<int>(bytes / std::max<std::size_t>(strands, 1)), costs[0].cpu,
+      costs[1].cpu, static_cast<double>(strands) / costs[1].cpu / 1e3,
+      costs[1].cpu / static_cast<double>(chunks.size()), costs[2].cpu, costs[3].cpu);
 }
 
 }  // namespace
