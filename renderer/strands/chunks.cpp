@@ -38,8 +38,8 @@ std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, st
   order.reserve(model.triangles.size());
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
     const glm::uvec3 t = model.triangles[i];
-    const glm::dvec3 sum = glm::dvec3(model.positions[t.x]) + glm::dvec3(model.positions[t.y]) +
-                           glm::dvec3(model.positions[t.z]);
+    const glm::dvec3 sum =
+        glm::dvec3(model.positions[t.x]) + glm::dvec3(model.positions[t.y]) + glm::dvec3(model.positions[t.z]);
     order.push_back({morton(sum / 3.0), i});
   }
   std::sort(order.begin(), order.end());

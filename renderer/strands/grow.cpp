@@ -26,8 +26,8 @@ bool any_above_rest(std::span<const float> field) {
 
 /// A number in [0, 1) of a strand and the copy of the tile that it is in.
 float number_of(const TileCopy& copy, std::uint64_t stream) {
-  const std::uint64_t tile = std::uint64_t{static_cast<std::uint32_t>(copy.tiles.x)} << 32 |
-                             static_cast<std::uint32_t>(copy.tiles.y);
+  const std::uint64_t tile =
+      std::uint64_t{static_cast<std::uint32_t>(copy.tiles.x)} << 32 | static_cast<std::uint32_t>(copy.tiles.y);
   return static_cast<float>(mix_bits(mix_bits(copy.strand | stream << 32) ^ tile) >> 40) * 0x1p-24f;
 }
 
@@ -38,10 +38,10 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, const
   for (const double value : {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share,
                              coat.tufts.gather, coat.tufts.size, recipe.share, recipe.widening})
     hash.add(value);
-  for (const std::uint64_t value : {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
-                                    static_cast<std::uint64_t>(coat.tufts.scales),
-                                    static_cast<std::uint64_t>(coat.lean_curve == LeanCurve::root),
-                                    static_cast<std::uint64_t>(recipe.model_colours)})
+  for (const std::uint64_t value :
+       {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
+        static_cast<std::uint64_t>(coat.tufts.scales), static_cast<std::uint64_t>(coat.lean_curve == LeanCurve::root),
+        static_cast<std::uint64_t>(recipe.model_colours)})
     hash.add(value);
   hash.add_value(make_pattern_block(coat));
   for (const RampStop& stop : coat.ramp) hash.add_value(stop.colour);  // the largest is what lightness is over
@@ -151,6 +151,7 @@ StrandSet Grower::grow(const StrandChunk& chunk) const {
   set.segments = impl_->tile.segments();
   std::vector<TileCopy> copies;
   for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, set);
+  set.points.shrink_to_fit(), set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
 }
 

@@ -40,21 +40,15 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const double skin = fields.skin.empty() ? 1 : fur_kept(fields.skin, model.positions[v], model.normals[v]);
     const float length = fields.length[v] * static_cast<float>(skin) * (1 - value_of(paint.bare, v, 0));
-    vertices[v] = {fields.direction[v],
-                   std::max(length, 0.0f),
-                   value_of(paint.density, v, 1),
-                   value_of(paint.width, v, 1),
-                   value_of(paint.wetness, v, 0),
-                   value_of(paint.curl, v, 0),
-                   value_of(paint.clump, v, 0),
-                   covered(paint.root_colour, v),
-                   covered(paint.tip_colour, v)};
+    vertices[v] = {fields.direction[v],         std::max(length, 0.0f),        value_of(paint.density, v, 1),
+                   value_of(paint.width, v, 1), value_of(paint.wetness, v, 0), value_of(paint.curl, v, 0),
+                   value_of(paint.clump, v, 0), covered(paint.root_colour, v), covered(paint.tip_colour, v)};
   }
   return vertices;
 }
 
-FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
-             const PatternBlock* pattern) {
+FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,
+                   const LeanTable& leans, const PatternBlock* pattern) {
   for (int i = 0; i < 3; ++i) {
     const std::uint32_t v = model.triangles[index][i];
     Corner& corner = corners_[static_cast<std::size_t>(i)];

@@ -43,7 +43,7 @@ class FurPiece {
  public:
   /// `pattern` where length and lean change with the place, null where not.
   FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
-        const PatternBlock* pattern);
+           const PatternBlock* pattern);
 
   /// Shares of the strands at a place that grow: by weight and length, and by density. [0, 1]
   float grown(glm::vec3 share) const { return glm::dot(share, grown_); }

@@ -16,11 +16,11 @@ class StrandForm {
   /// Both must outlive it.
   StrandForm(const Coat& coat, const TileStrands& tile);
 
-  /// Writes how far each knot of a strand lies beside the curve that it leans along, sizes. Shells look up, at a place x
-  /// and a height s, the strand at x - m p / (1 - p), m being the way from x to the middle of its clump and p the part
-  /// that has been gone; solved for x, with the tile's offset and painted curl o, middles m of root and parts p by clump
-  /// and tuft: (o + sum of m p / (1 - p)) / (1 + sum of p / (1 - p)).
-  /// A strand does not go to the side by more than it is long: offsets on the tile, made for longer fur, shrink to that.
+  /// Writes how far each knot of a strand lies beside the curve that it leans along, sizes. Shells look up, at a place
+  /// x and a height s, the strand at x - m p / (1 - p), m being the way from x to the middle of its clump and p the
+  /// part that has been gone; solved for x, with the tile's offset and painted curl o, middles m of root and parts p by
+  /// clump and tuft: (o + sum of m p / (1 - p)) / (1 + sum of p / (1 - p)). A strand does not go to the side by more
+  /// than it is long: offsets on the tile, made for longer fur, shrink to that.
   void sideways(std::uint32_t strand, const RootFields& root, std::span<glm::vec3> knots) const;
 
  private:

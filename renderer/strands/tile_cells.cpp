@@ -15,7 +15,8 @@ bool before(glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y
 
 /// An edge, always seen from the same one of its ends, so that both triangles beside it get the same number.
 struct Edge {
-  Edge(glm::dvec2 from, glm::dvec2 to) : turned(before(to, from)), low(turned ? to : from), way((turned ? from : to) - low) {}
+  Edge(glm::dvec2 from, glm::dvec2 to)
+      : turned(before(to, from)), low(turned ? to : from), way((turned ? from : to) - low) {}
 
   /// Twice the area of the triangle from the edge to p; above 0 on the edge's left side.
   double side(glm::dvec2 p) const {
@@ -78,7 +79,8 @@ class HalfOpenTriangle {
 };
 
 TileCells::TileCells(std::span<const Strand> strands, double tile)
-    : tile_(tile), side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(strands.size()) / strands_of_cell)))) {
+    : tile_(tile),
+      side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(strands.size()) / strands_of_cell)))) {
   std::vector<std::size_t> cells;
   cells.reserve(strands.size());
   for (const Strand& strand : strands) {

@@ -14,8 +14,8 @@ namespace pelage {
 /// A strand of the tile moved by whole tiles.
 struct TileCopy {
   std::uint32_t strand = 0;
-  glm::ivec2 tiles{0};   // by how many it was moved
-  glm::dvec3 share{0};   // barycentric coordinates in the triangle
+  glm::ivec2 tiles{0};  // by how many it was moved
+  glm::dvec3 share{0};  // barycentric coordinates in the triangle
 };
 
 class HalfOpenTriangle;
@@ -23,7 +23,7 @@ class HalfOpenTriangle;
 class TileCells {
  public:
   static constexpr double furthest = 100;               // sizes; triangles that reach further have no strands
-  static constexpr std::size_t most_copies = 1u << 22;    // of one triangle; what is beyond them is left out
+  static constexpr std::size_t most_copies = 1u << 22;  // of one triangle; what is beyond them is left out
 
   TileCells(std::span<const Strand> strands, double tile);
 
@@ -37,10 +37,10 @@ class TileCells {
                     std::vector<TileCopy>& found) const;
 
   double tile_;
-  std::int64_t side_;                  // cells
-  std::vector<std::uint32_t> first_;   // of each cell, in the two below; one more at the end
+  std::int64_t side_;                 // cells
+  std::vector<std::uint32_t> first_;  // of each cell, in the two below; one more at the end
   std::vector<std::uint32_t> strands_;
-  std::vector<glm::dvec2> roots_;      // sizes
+  std::vector<glm::dvec2> roots_;  // sizes
 };
 
 }  // namespace pelage

@@ -29,8 +29,9 @@ std::vector<std::vector<std::uint32_t>> sorted_strands(const StrandSet& set) {
 std::size_t count_shared(const StrandSet& part, const StrandSet& whole) {
   const auto all = sorted_strands(whole);
   const auto some = sorted_strands(part);
-  return static_cast<std::size_t>(std::count_if(
-      some.begin(), some.end(), [&](const auto& strand) { return std::binary_search(all.begin(), all.end(), strand); }));
+  return static_cast<std::size_t>(std::count_if(some.begin(), some.end(), [&](const auto& strand) {
+    return std::binary_search(all.begin(), all.end(), strand);
+  }));
 }
 
 }  // namespace pelage

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "renderer/image/float_image.h"
 #include "renderer/coat/strand_tile.h"
+#include "renderer/image/float_image.h"
 #include "renderer/pattern/pattern.h"
 #include "tests/unit/strands/fur_patch.h"
 
@@ -21,7 +21,8 @@ void expect_colour(glm::vec3 colour, glm::vec3 expected) {
 
 TEST(GrowColour, IsTheStrandsOwn) {
   Coat coat;
-  coat.count = 300, coat.undercoat.share = 0.3, coat.undercoat.tint = 0.5, coat.odd_hairs.share = 0.2, coat.wetness = 0.4;
+  coat.count = 300, coat.undercoat.share = 0.3, coat.undercoat.tint = 0.5, coat.odd_hairs.share = 0.2,
+  coat.wetness = 0.4;
   const StrandSet set = FurPatch(0.12).grow({coat});
   for (const Strand& strand : make_strands(coat)) {
     for (std::size_t i = 0; i < set.count(); ++i) {
@@ -38,7 +39,8 @@ TEST(GrowColour, ModelGivesTheHue) {
   FurPatch patch(0.12);
   patch.images = {{2, 1, pixels}};
   for (auto& corners : patch.corners) {
-    for (FurCorner& corner : corners) corner.image = 0, corner.colour = glm::vec3(0.5f), corner.image_uv = {0.25f, 0.5f};
+    for (FurCorner& corner : corners)
+      corner.image = 0, corner.colour = glm::vec3(0.5f), corner.image_uv = {0.25f, 0.5f};
   }
   GrowRecipe recipe{plain_coat(50), true};
   recipe.coat.ramp = {{0, glm::vec3(0.1f)}, {1, glm::vec3(0.4f)}};

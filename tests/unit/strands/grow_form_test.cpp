@@ -20,7 +20,8 @@ constexpr double turn = 2 * std::numbers::pi;
 
 double arc_length(const StrandSet& set, std::size_t strand) {
   double sum = 0;
-  for (int k = 0; k < set.segments; ++k) sum += glm::distance(knot(set, strand, k).place, knot(set, strand, k + 1).place);
+  for (int k = 0; k < set.segments; ++k)
+    sum += glm::distance(knot(set, strand, k).place, knot(set, strand, k + 1).place);
   return sum;
 }
 
@@ -62,13 +63,15 @@ TEST(GrowForm, PlacesAreMixedAsShellsMixThem) {
     const double inclination = glm::length(patch.direction[v]);
     const glm::dvec2 heading = inclination > 0 ? glm::dvec2(patch.direction[v]) / inclination : glm::dvec2(1, 0);
     const LeanPoint at = lean_point(LeanCurve::arc, inclination, 0, 1);
-    return glm::dvec3(patch.positions[v]) + static_cast<double>(patch.length[v]) * glm::dvec3(heading * at.across, at.up);
+    return glm::dvec3(patch.positions[v]) +
+           static_cast<double>(patch.length[v]) * glm::dvec3(heading * at.across, at.up);
   };
   for (std::size_t i = 0; i < set.count(); ++i) {
     const glm::dvec2 at = glm::dvec2(knot(set, i, 0).place) / static_cast<double>(patch.positions[3].x);
     const bool lower = at.x > at.y;  // vertices 0 1 3, or 0 3 2
     const double third = std::min(at.x, at.y), second = std::abs(at.x - at.y);
-    const glm::dvec3 expected = (1 - third - second) * corner_tip(0) + second * corner_tip(lower ? 1 : 2) + third * corner_tip(3);
+    const glm::dvec3 expected =
+        (1 - third - second) * corner_tip(0) + second * corner_tip(lower ? 1 : 2) + third * corner_tip(3);
     ASSERT_LT(glm::distance(glm::dvec3(tip(set, i).place), expected), 1e-6) << i;
   }
 }
@@ -225,7 +228,8 @@ TEST(GrowForm, VariationChangesLengthAndLean) {
   double lowest = 1, highest = 0;
   for (std::size_t i = 0; i < set.count(); ++i) {
     const glm::vec3 root = knot(set, i, 0).place;
-    const double length = 0.03 * pattern_length(block, root), lean = std::clamp(0.5f + pattern_lean(block, root), 0.0f, 1.0f);
+    const double length = 0.03 * pattern_length(block, root),
+                 lean = std::clamp(0.5f + pattern_lean(block, root), 0.0f, 1.0f);
     const LeanPoint at = lean_point(LeanCurve::arc, lean, 0, 1);
     const glm::dvec3 place = tip(set, i).place - root;
     ASSERT_LT(glm::distance(place, length * glm::dvec3(at.across, 0, at.up)), 0.02 * length + 1e-5);
@@ -240,7 +244,8 @@ TEST(GrowForm, WidthIsPaintedAndWidened) {
   const std::vector<float> width(4, 0.5f);
   patch.paint.width = width;
   const StrandSet set = patch.grow({plain_coat(100), false, 1, 3});
-  for (std::size_t i = 0; i < own.points.size(); ++i) EXPECT_FLOAT_EQ(set.points[i].radius, 1.5f * own.points[i].radius);
+  for (std::size_t i = 0; i < own.points.size(); ++i)
+    EXPECT_FLOAT_EQ(set.points[i].radius, 1.5f * own.points[i].radius);
 }
 
 /// Which share of each texel of a slice strands cover at a height, on a finer grid.

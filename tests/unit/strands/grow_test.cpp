@@ -68,8 +68,7 @@ TEST(Grow, AnySplitOfAPatchGrowsTheSameRoots) {
     EXPECT_EQ(set.count(), whole) << seed;
     std::vector<glm::vec3> roots;
     for (std::size_t i = 0; i < set.count(); ++i) roots.push_back(knot(set, i, 0).place);
-    std::sort(roots.begin(), roots.end(),
-              [](glm::vec3 a, glm::vec3 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::sort(roots.begin(), roots.end(), [](glm::vec3 a, glm::vec3 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     for (std::size_t i = 1; i < roots.size(); ++i)
       ASSERT_GT(glm::distance(roots[i - 1], roots[i]), 1e-6f) << seed;  // none twice
   }
@@ -213,8 +212,8 @@ TEST(GrowFingerprint, FollowsEachFieldAtItsOwnVertices) {
   const FurFields rest = patch.fields();
   for (int field = 0; field < 10; ++field) {
     FurFields fields = rest;
-    std::span<const float>* spans[] = {&fields.length,       &fields.paint.density, &fields.paint.width,
-                                       &fields.paint.curl,   &fields.paint.clump,   &fields.paint.wetness,
+    std::span<const float>* spans[] = {&fields.length,     &fields.paint.density, &fields.paint.width,
+                                       &fields.paint.curl, &fields.paint.clump,   &fields.paint.wetness,
                                        &fields.paint.bare};
     std::vector<glm::vec2> direction = patch.direction;
     if (field < 7) *spans[field] = numbers_at;
