@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/coat/slices.h"
 #include "renderer/coat/wetness.h"
@@ -11,18 +12,28 @@ namespace pelage {
 
 namespace {
 
-constexpr int least_segments = 6, most_segments = 48, segments_of_turn = 8;
+constexpr int least_segments = 6, most_segments = 48;
+constexpr double least_of_turn = 4, most_of_turn = 8;  // segments
 constexpr std::size_t looked_at = 2048;  // strands for a mean: the first ones of a tile lie evenly
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
 
+/// As many for a turn of that radius (sizes) that a chord stays within the strand's own radius of its arc.
+double segments_of_turn(const Coat& coat, double radius) {
+  const double sag = std::clamp(0.5 * thickness(coat, 0) / std::max(radius, 1e-12), 1e-3, 1.0);
+  return std::clamp(std::numbers::pi / std::acos(1 - sag), least_of_turn, most_of_turn);
+}
+
 }  // namespace
 
 int strand_segments(const Coat& coat, bool curled) {
-  const double turns = std::max(coat.curl > 0 || curled ? coat.curl_turns : 0, coat.wave > 0 ? coat.wave_turns : 0);
-  return std::clamp(static_cast<int>(std::ceil(segments_of_turn * turns)), least_segments, most_segments);
+  double segments = least_segments;
+  if (curled) segments = std::max(segments, most_of_turn * coat.curl_turns);
+  if (coat.curl > 0) segments = std::max(segments, coat.curl_turns * segments_of_turn(coat, coat.curl * nominal_length));
+  if (coat.wave > 0) segments = std::max(segments, coat.wave_turns * segments_of_turn(coat, coat.wave * nominal_length));
+  return std::min(static_cast<int>(std::ceil(segments)), most_segments);
 }
 
 TileStrands::TileStrands(const Coat& coat, int segments) : segments_(segments), strands_(make_strands(coat)) {
