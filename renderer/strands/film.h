@@ -24,9 +24,9 @@ struct FilmSample {
   glm::vec2 light{0};     // luminance of that, and what it would be without shadows
 };
 
-/// Means of samples by pixel. Layers that are not asked for take no memory: 4 bytes a pixel, 20 for beauty and alpha, 48
-/// for what the filter looks at, 12 each for position and direct, 8 for shadow. Pixels are added to from one thread at a
-/// time; a tile belongs to one thread during a pass.
+/// Means of samples by pixel. Layers that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
+/// beauty, 48 for what the filter looks at and the layers of it, 12 each for position and direct, 8 for shadow. Pixels
+/// are added to from one thread at a time; a tile belongs to one thread during a pass.
 class Film {
  public:
   static constexpr int tile = 16;  // pixels along the side of the parts that noise is judged by

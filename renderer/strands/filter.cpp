@@ -204,13 +204,14 @@ void Band::gather(int x, int y) {
   for (int i = x; i < x + block; ++i) {
     if (row(body, y)[i] > 0) least = std::min(least, row(over_reach, y)[i]);
   }
+  if (least == 1) return;
   Sums sums;
   for (int dy = -farthest; dy <= farthest; ++dy) {
     for (int dx = -farthest; dx <= farthest; ++dx) {
       if (static_cast<float>(dx * dx + dy * dy) * least < 1) add_tap(x, y, dx, dy, sums);
     }
   }
-  if (least < 1) finish(x, y, sums);
+  finish(x, y, sums);
 }
 
 /// A ratio of sums, so that where light and albedo vary together their mean is kept.

@@ -17,16 +17,16 @@ inline constexpr std::uint32_t filtered_samples = 64;
 /// that met something.
 struct FilterSource {
   int width = 0, height = 0;
-  std::span<const std::uint32_t> samples;         // of each pixel
-  std::span<const float> beauty;                  // 4 a pixel: radiance times alpha, alpha
-  std::span<const float> body;                    // 1: alpha without the ground
-  std::span<const float> depth;                   // 2
+  std::span<const std::uint32_t> samples;          // of each pixel
+  std::span<const float> beauty;                   // 4 a pixel: radiance times alpha, alpha
+  std::span<const float> body;                     // 1: alpha without the ground
+  std::span<const float> depth;                    // 2
   std::span<const float> normal, tangent, albedo;  // 3
 };
 
-/// Beauty and alpha, 6 pixels wide at 1 sample a pixel, less by its logarithm up to none at 64. Pixels without body give
-/// and take nothing but the smoothing of outlines by their neighbours, and of the ground's shadow. The same bits for any
-/// count of threads; 0 for one each core.
+/// Beauty and alpha, from up to 6 pixels away at 1 sample a pixel, less by its logarithm, and from none at 64. Pixels
+/// without body give and take no light, but for outlines, which are smoothed by their neighbours; the ground's shadow
+/// is smoothed by itself. The same bits for any count of threads; 0 for one each core.
 FloatImage filter_beauty(const FilterSource& source, int threads = 0);
 
 }  // namespace pelage
