@@ -23,13 +23,12 @@ class Scatterer {
  public:
   Scatterer(const TraceScene& scene, const Hit& hit, glm::vec3 place, glm::vec3 to_eye)
       : scene_(scene), hit_(hit), place_(place), to_eye_(to_eye) {
-    const glm::vec3 colour = glm::clamp(hit.colour, 0.0f, 1.0f);
     if (hit.met == Met::strand) {
       frame_.emplace(hit.tangent, to_eye);
-      const glm::vec3 sigma(scene.shading(0).absorption(glm::dvec3(colour)));
-      fibre_.emplace(scene.lobes(), frame_->local(to_eye), hit.offset, sigma);
+      const StrandShading& shading = scene.shading();
+      fibre_.emplace(shading.lobes(), frame_->local(to_eye), hit.offset, shading.absorption(hit.colour));
     } else {
-      hit_.colour = colour;
+      hit_.colour = glm::clamp(hit.colour, 0.0f, 1.0f);
       place_ += hit.normal * leave_skin;
     }
   }
@@ -47,7 +46,7 @@ class Scatterer {
   /// The same for a lamp. Paths meet a strand at any offset alike, so that its mean over the offsets, which the table
   /// has, is as true as the value at this one, and far less noisy.
   glm::vec3 mean_value(glm::vec3 to_light) const {
-    return fibre_ ? scene_.scatter(hit_, to_light, to_eye_) / pi : value(to_light);
+    return fibre_ ? scene_.shading().scatter(hit_, to_light, to_eye_) / pi : value(to_light);
   }
   float density(glm::vec3 to_light) const {
     if (fibre_) return fibre_->density(frame_->local(to_light));

@@ -20,9 +20,10 @@ float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
 
-/// As many for a turn of that radius (sizes) that a chord stays within the strand's own radius of its arc.
+/// As many for a turn of that radius (sizes) that a chord stays within half of the strand's own radius of its arc, but
+/// near the tip.
 double segments_of_turn(const Coat& coat, double radius) {
-  const double sag = std::clamp(0.5 * thickness(coat, 0) / std::max(radius, 1e-12), 1e-3, 1.0);
+  const double sag = std::clamp(0.25 * thickness(coat, 0.75) / std::max(radius, 1e-12), 1e-3, 1.0);
   return std::clamp(std::numbers::pi / std::acos(1 - sag), least_of_turn, most_of_turn);
 }
 

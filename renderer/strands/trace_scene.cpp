@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/coat/wetness.h"
+#include "renderer/strands/choice.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr int wetness_steps = 8;
 constexpr float eye_margin = 1.25f;  // radii around an eye's middle within which lids and cornea lie
 
 /// Optical depth of crossing one black strand: 1/3.5 of the light is left. Pale strands stop less (World::passed). Found
@@ -18,43 +17,19 @@ constexpr float strand_depth = 1.25f;
 
 constexpr float brightest_over_light = 16;
 
-float luminance(glm::vec3 c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
-
 glm::vec4 texel(const FloatImage& image, int x, int y) {
   const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
   return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
-bool uses_shine(ShadingModel model) {
-  return model != ShadingModel::energy_conserving && model != ShadingModel::marschner;
-}
-
-/// The coat with the water that is painted on it, as paint_light.glsl has it.
-Coat wetted(Coat coat, double painted) {
-  coat.wetness = std::min(coat.wetness + painted, 1.0);
-  return coat;
-}
-
 }  // namespace
 
-Look traced_look(const FurFrame& frame) {
-  Look look = frame.look;
-  if (frame.knobs.trace.scattering == StrandScattering::energy_conserving) look.shading = ShadingModel::energy_conserving;
-  return look;
-}
-
-TraceScene::TraceScene(const FurFrame& frame, BasePicture base)
+TraceScene::TraceScene(const FurFrame& frame, BasePicture base, const StrandShading& shading)
     : frame_(frame),
       base_(std::move(base)),
       lights_(frame.lights, frame.environment, frame.look.ambient),
-      lobes_(energy_conserving_lobes(frame.look.fibre)),
-      table_(make_scattering_table(traced_look(frame))),
+      shading_(shading),
       self_shadow_(strand_depth * static_cast<float>(frame.look.self_shadow)) {
-  const Look look = traced_look(frame);
-  const int steps = uses_shine(look.shading) ? wetness_steps : 0;
-  for (int i = 0; i <= steps; ++i) {
-    shadings_.emplace_back(wet_look(wetted(frame.coat, static_cast<double>(i) / wetness_steps), look));
-  }
   float light = lights_.mean_environment();
   for (const FurLight& lamp : frame.lights) light += luminance(lamp.radiance);
   brightest_ = brightest_over_light * std::max(light, 1e-6f);
@@ -98,17 +73,6 @@ bool TraceScene::near_eye(const Ray& ray) const {
     const float reach = eye_margin * eye.radius;
     return square < reach * reach && along > -reach;
   });
-}
-
-const FibreShading& TraceScene::shading(float wetness) const {
-  const auto last = static_cast<float>(shadings_.size() - 1);
-  return shadings_[static_cast<std::size_t>(std::clamp(wetness, 0.0f, 1.0f) * last + 0.5f)];
-}
-
-glm::vec3 TraceScene::scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) const {
-  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_eye};
-  const glm::dvec3 colour(glm::min(hit.colour, 1.0f));
-  return glm::vec3(shading(hit.wetness).scatter(geometry, colour, hit.number, table_));
 }
 
 }  // namespace pelage

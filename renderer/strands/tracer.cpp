@@ -55,6 +55,7 @@ struct Tracer::Impl {
   Workers workers;
   std::size_t memory;
   World world;
+  std::optional<StrandShading> shading;
   std::optional<TraceScene> scene;
   std::optional<Film> film;
   std::vector<char> active;  // by tile
@@ -80,7 +81,8 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   recipe.widening = 1 / recipe.share;
   const Result<World::Change> change = tracer.world.update(model, fields, frame, recipe, tracer.workers, go_on);
   if (!change) return change.status();
-  tracer.scene.emplace(frame, std::move(base));
+  if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading.emplace(frame);
+  tracer.scene.emplace(frame, std::move(base), *tracer.shading);
   tracer.film.emplace(frame.width, frame.height, layers, frame.knobs.trace.filter);
   tracer.active.assign(static_cast<std::size_t>(tracer.film->tile_count()), 1);
   tracer.report.strands = change->strands;

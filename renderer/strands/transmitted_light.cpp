@@ -26,17 +26,17 @@ glm::vec3 with_more(const TraceScene& scene, const Hit& hit, glm::vec3 to_light,
 }
 
 glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) {
-  const ShadingModel model = traced_look(scene.frame()).shading;
+  const ShadingModel model = scene.shading().model();
   if (model == ShadingModel::energy_conserving) {
     if (2 * hit.radius < near_pixels * scene.pixel_at(hit.distance)) {
-      return with_more(scene, hit, to_light, scene.scatter(hit, to_light, to_eye));
+      return with_more(scene, hit, to_light, scene.shading().scatter(hit, to_light, to_eye));
     }
     const FibreFrame frame(hit.tangent, to_eye);
-    const glm::vec3 sigma(scene.shading(0).absorption(glm::dvec3(glm::min(hit.colour, 1.0f))));
-    const FibrePaths fibre(scene.lobes(), frame.local(to_eye), hit.offset, sigma);
+    const StrandShading& shading = scene.shading();
+    const FibrePaths fibre(shading.lobes(), frame.local(to_eye), hit.offset, shading.absorption(hit.colour));
     return with_more(scene, hit, to_light, pi * fibre.value(frame.local(to_light)));
   }
-  const glm::vec3 once = scene.scatter(hit, to_light, to_eye);
+  const glm::vec3 once = scene.shading().scatter(hit, to_light, to_eye);
   return model == ShadingModel::marschner ? with_more(scene, hit, to_light, once) : once;
 }
 
@@ -64,7 +64,7 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
     return;
   }
   const LightSample light = lights.sample(choice.index, place, u);
-  const ShadingModel model = traced_look(scene.frame()).shading;
+  const ShadingModel model = scene.shading().model();
   const float behind = static_cast<float>(light_behind(model, glm::dot(hit.normal, light.to_light),
                                                        scene.frame().look.back_attenuation));
   if (behind <= 0) return;

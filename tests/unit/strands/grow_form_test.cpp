@@ -276,7 +276,7 @@ std::vector<float> rasterised(const StrandSet& set, double s, double tile) {
 TEST(GrowAndSlices, CoverTheSamePlaces) {
   Coat coat;
   coat.tile = 0.0625;  // exact in float
-  coat.count = 2000, coat.width_root = 0.0012, coat.width_tip = 0.0008, coat.curl = 0.05, coat.fine_clump = 0.3;
+  coat.count = 2000, coat.width_root = 0.0012, coat.width_tip = 0.0008, coat.fine_clump = 0.3;
   const Slices slices = bake_slices(coat);
   const StrandSet set = FurPatch(0.0625, 1, 0.2f).grow({coat});
   ASSERT_EQ(set.count(), 2000u);
