@@ -53,7 +53,8 @@ class Base : public WithRenderer {
 FrameRequest askew(int width, int height) {
   FrameRequest request = small_frame();
   request.width = width, request.height = height;
-  request.camera = {.automatic = AutoView::none, .eye = {2.2, 1.8, 4.0}, .target = {0.1, -0.05, 0.06}, .up = {0.2, 1, 0}};
+  request.camera = {
+      .automatic = AutoView::none, .eye = {2.2, 1.8, 4.0}, .target = {0.1, -0.05, 0.06}, .up = {0.2, 1, 0}};
   return request;
 }
 
@@ -268,8 +269,8 @@ TEST_P(Finish, IsWhatIsDrawnOfTheSameLight) {
 }
 
 TEST_P(Finish, LaysFieldsOverThePictureAsOverADrawnOne) {
-  for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::density, Overlay::wetness,
-                                Overlay::mask, Overlay::difference}) {
+  for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::density,
+                                Overlay::wetness, Overlay::mask, Overlay::difference}) {
     FrameRequest request = askew(100, 70);
     request.overlay = overlay;
     const auto [steps, deep] = steps_apart(request);
@@ -290,7 +291,8 @@ TEST_P(Finish, ShowsTheLightThatItIsGiven) {
 }
 
 TEST_P(Finish, HasNoMapsOfShells) {
-  for (const Overlay overlay : {Overlay::layer_count, Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
+  for (const Overlay overlay :
+       {Overlay::layer_count, Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
     FurFrame frame = frame_of(*renderer, model, askew(8, 8));
     const FloatImage light{8, 8, std::vector<float>(4 * 8 * 8)};
     frame.overlay = overlay;
