@@ -10,12 +10,22 @@
 
 namespace pelage {
 
+/// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands.
+struct FrameTimings {
+  double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
+};
+
 /// What the renderer gave for a format: 8 bit, 16 bit, or the layers that were asked for.
 using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 
 /// On the render thread.
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                      DrawTimes& times);
+
+/// The same of light that was traced, for all formats but EXR. Conflict where an overlay needs a model that the
+/// renderer no longer has.
+Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
+                                       const FloatImage& beauty);
 
 /// From the renderer's coordinates to the model's own: internal * size + centre.
 struct ModelPlacement {
