@@ -9,7 +9,7 @@
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/tracer.h"
-#include "server/scene/frame_file.h"
+#include "server/scene/frame_parts.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
