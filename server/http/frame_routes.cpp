@@ -162,9 +162,7 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
 
 Query frame_query_of(const Request& request) {
   Query query = query_of(request);
-  std::erase_if(query, [](const auto& parameter) {
-    return parameter.first == "after" || parameter.first == "after_pass" || parameter.first == "wait";
-  });
+  std::erase_if(query, [](const auto& parameter) { return parameter.first == "after" || parameter.first == "wait"; });
   return query;
 }
 

@@ -17,11 +17,11 @@ namespace pelage {
 /// A traced picture as far as it is, with all that its file needs. Never changes.
 struct TracedPicture {
   Revision revision = 0;
-  TraceReport report;
-  std::vector<FloatImage> layers;  // those of traced_layers(request)
-  std::shared_ptr<const FurFrame> frame;
-  ModelPlacement placement;
-  FrameTimings timings;
+  TraceReport report = {};
+  std::vector<FloatImage> layers = {};  // those of traced_layers(request)
+  std::shared_ptr<const FurFrame> frame = {};
+  ModelPlacement placement = {};
+  FrameTimings timings = {};
 };
 
 /// The request that draws a refinement's pictures: by strands, and without `refine`.
