@@ -264,7 +264,8 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     impl_->count(start, base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
-    return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings};
+    return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings,
+                      times.counters};
   });
 }
 
@@ -288,7 +289,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
                      .revision = picture.revision,
                      .knobs = knobs_of(picture),
                      .timings = timings,
-                     .counters = {},
+                     .counters = picture.counters,
                      .trace = picture.report};
   answer.timings.encode = milliseconds_since(start);
   return answer;

@@ -33,6 +33,7 @@ struct TraceStart {
   ModelPlacement placement;
   BasePicture base;
   FrameTimings timings;
+  FrameCounters counters;
 };
 
 /// Thread-safe. Encoding runs on the caller's thread.

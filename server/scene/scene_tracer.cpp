@@ -30,7 +30,8 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
             .layers = {},
             .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
             .placement = start->placement,
-            .timings = start->timings};
+            .timings = start->timings,
+            .counters = start->counters};
   Status status = tracer_.begin(make_model(view, arrays_of(view)), make_fields(view, skin, std::span(&all, 1)),
                                 *begun_.frame, std::move(start->base), layers_, go_on);
   if (!status.ok()) return status;

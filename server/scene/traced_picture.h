@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
 #include "protocol/commands/frame.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
@@ -22,6 +23,7 @@ struct TracedPicture {
   std::shared_ptr<const FurFrame> frame = {};
   ModelPlacement placement = {};
   FrameTimings timings = {};
+  FrameCounters counters = {};  // of what lies under the strands
 };
 
 /// The request that draws a refinement's pictures: by strands, and without `refine`.
