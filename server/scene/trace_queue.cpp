@@ -101,6 +101,7 @@ std::optional<Result<std::shared_ptr<const TracedPicture>>> TraceQueue::better(c
   const std::lock_guard lock(mutex_);
   const JobPtr job = find(scene, key);
   if (!job || job->revision != seen.revision) return {};
+  job->asked = Clock::now();
   if (job->picture && job->picture->report.passes > seen.passes) return Result(job->picture);
   if (!job->status.ok()) return Result<std::shared_ptr<const TracedPicture>>(job->status);
   job->wanted = true;
@@ -123,8 +124,7 @@ Status TraceQueue::admit(const JobPtr& job) {
   if (stopping_) return stopped();
   drop_view(*job->scene, job->request.view, job);
   forget_old(job->start);
-  const auto waits = [](const JobPtr& other) { return other->stage == Stage::waiting; };
-  if (static_cast<std::size_t>(std::count_if(jobs_.begin(), jobs_.end(), waits)) >= limits_.waiting) {
+  if (count_waiting() >= limits_.waiting) {
     return failure(Code::unavailable, "Too many pictures wait to be traced.", "",
                    "at most " + std::to_string(limits_.waiting));
   }
@@ -132,6 +132,11 @@ Status TraceQueue::admit(const JobPtr& job) {
   jobs_.push_back(job);
   changed_.notify_all();
   return {};
+}
+
+std::size_t TraceQueue::count_waiting() const {
+  const auto waits = [](const JobPtr& job) { return job->stage == Stage::waiting; };
+  return static_cast<std::size_t>(std::count_if(jobs_.begin(), jobs_.end(), waits));
 }
 
 /// The refinement of that scene and request.
@@ -171,8 +176,10 @@ void TraceQueue::make_room() {
 
 void TraceQueue::forget_old(Clock::time_point now) {
   const std::vector<JobPtr> jobs = jobs_;
+  const bool others_wait = count_waiting() > 0;
   for (const JobPtr& job : jobs) {
-    const bool old = job->revision && now - job->asked > limits_.patience;
+    const auto patience = others_wait && job->stage == Stage::running ? limits_.manners : limits_.patience;
+    const bool old = job->revision && now - job->asked > patience;
     if (old || !still_wanted(*job)) drop(job, nobody_waits(*job->scene));
   }
 }

@@ -44,7 +44,8 @@ class TraceQueue {
     std::size_t waiting = 16;                  // jobs before the tracer
     std::size_t kept = 32;                     // refinements, ended ones too
     std::chrono::milliseconds rest{100};       // from a refinement's start to its tracing: the hand may go on
-    std::chrono::milliseconds patience{30'000};  // that a refinement lives without being asked for
+    std::chrono::milliseconds patience{30'000};  // that a refinement lives without being asked for,
+    std::chrono::milliseconds manners{2'000};    // and that it is traced so while other jobs wait
     std::chrono::milliseconds between{500};    // pictures for somebody who waits
   };
 
@@ -89,6 +90,7 @@ class TraceQueue {
 
   // All of these need the lock.
   Status admit(const JobPtr& job);
+  std::size_t count_waiting() const;
   JobPtr find(const Scene& scene, const std::string& key) const;
   void drop(const JobPtr& job, Status why);
   void drop_view(const Scene& scene, const std::string& view, const JobPtr& but);

@@ -1,7 +1,7 @@
 """Grooming beside a refinement, and a refinement as a client sees it.
 
-Stroke to PNG through HTTP (512 x 512, creature of 5,000 triangles, interactive), with and without a refinement of the same
-scene that another view follows: blocks of strokes of each kind in turn, in one run. Then time against error: for each
+Stroke to PNG through HTTP (512 x 512, creature of 5,000 triangles, interactive): alone, while another view of the scene is
+followed by shells, and while it is followed by a refinement; blocks of strokes of each kind in turn, in one run. Then time against error: for each
 picture of a refinement the seconds since the request, and FLIP where there is fur against its last picture.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/refine_latency.py [BLOCKS] [STROKES] [LAST_PASS]
@@ -33,23 +33,25 @@ class Client:
 
     def picture(self, request, seen=None, wait=1):
         """Octets and report of the next picture; none where nothing better came."""
-        query = f"?after={seen[0]}&after_pass={seen[1]}&wait={wait}" if seen else ""
+        passes = f"&after_pass={seen[1]}" if seen and request["refine"] else ""
+        query = f"?after={seen[0]}{passes}&wait={wait}" if seen else ""
         answer, octets = self.post(f"frames{query}", request)
         if answer.status == 304:
             return None, None
         if answer.status != 200:
             raise RuntimeError(f"{answer.status} {octets[:300]}")
-        report = json.loads(answer.headers["Pelage-Trace"])
+        report = json.loads(answer.headers.get("Pelage-Trace", '{"passes": 0}'))
         return octets, {**report, "revision": int(answer.headers["Pelage-Revision"])}
 
 
 class Follower(threading.Thread):
-    """Another artist's view, which looks at all that gets better."""
+    """Another artist's view, which looks at all that is new."""
 
-    def __init__(self, server, scene):
+    def __init__(self, server, scene, refine):
         super().__init__(daemon=True)
         self.client, self.stopping, self.pictures = Client(server, scene), threading.Event(), 0
-        self.request = {"width": 512, "height": 512, "view": "follower", "camera": {"auto": "left"}, "refine": {"passes": 4096}}
+        self.request = {"width": 512, "height": 512, "view": "follower", "camera": {"auto": "left"},
+                        "refine": {"passes": 4096} if refine else False}
 
     def run(self):
         seen = None
@@ -92,24 +94,24 @@ def latency(server, blocks, count):
     scene = server.new_scene("creature", 5000)
     client = Client(server, scene)
     strokes(client, 0, 3)  # the first frames make textures and programs
-    times, pictures = {"alone": [], "beside": []}, 0
+    times, pictures = {"alone": [], "shells": [], "refinement": []}, 0
     for block in range(blocks):
-        for kind in times:
-            follower = Follower(server, scene)
-            if kind == "beside":
+        for kind, taken in times.items():
+            follower = Follower(server, scene, refine=kind == "refinement")
+            if kind != "alone":
                 follower.start()
                 time.sleep(1)
-            times[kind] += strokes(client, 3 + block * count, count)
-            if kind == "beside":
+            taken += strokes(client, 3 + block * count, count)
+            if kind != "alone":
                 follower.stop()
                 pictures += follower.pictures
-    alone, beside = times["alone"], times["beside"]
-    print(f"creature 5000 interactive, {len(alone)} strokes of each kind in turn, 512 x 512; "
-          f"{pictures} better pictures went to the other view meanwhile")
+    print(f"creature 5000 interactive, {blocks * count} strokes of each kind in turn, 512 x 512; "
+          f"{pictures} traced pictures went to the other view meanwhile")
     for name, values in times.items():
         print(f"  {name}: median {share(values, .5):.1f} ms, 95th percentile {share(values, .95):.1f} ms")
-    print(f"  beside / alone: median {share(beside, .5) / share(alone, .5):.3f}, "
-          f"95th percentile {share(beside, .95) / share(alone, .95):.3f}")
+    for one, other in (("refinement", "alone"), ("shells", "alone"), ("refinement", "shells")):
+        ratios = [share(times[one], part) / share(times[other], part) for part in (0.5, 0.95)]
+        print(f"  {one} / {other}: median {ratios[0]:.3f}, 95th percentile {ratios[1]:.3f}")
 
 
 def flip(folder, truth, picture, mask):

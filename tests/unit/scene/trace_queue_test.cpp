@@ -237,10 +237,30 @@ TEST_F(TraceQueueTest, ARefinementThatNobodyAsksForIsDropped) {
     ASSERT_TRUE(queue_->refine(scene, request, 0).ok());
   }
   EXPECT_EQ(stage_.begun, 1);
-  ASSERT_TRUE(soon([&] { return !queue_->better(*scene, request, {}); }));
+  std::this_thread::sleep_for(600ms);
   const int passes = stage_.passes;
   std::this_thread::sleep_for(50ms);
-  EXPECT_LE(stage_.passes, passes + 1);
+  EXPECT_EQ(stage_.passes, passes);
+  EXPECT_FALSE(queue_->better(*scene, request, {}));
+}
+
+TEST_F(TraceQueueTest, ARefinementThatNobodyAsksForGivesWay) {
+  const auto scene = make();
+  TraceQueue::Limits limits = quick();
+  limits.manners = 200ms;
+  const FrameRequest left = refined(1'000'000, "left"), next = refined(2, "next");
+  ASSERT_TRUE(queue(limits).refine(scene, left, 0).ok());
+  ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
+  std::this_thread::sleep_for(400ms);
+  EXPECT_TRUE(queue_->better(*scene, left, {})) << "nobody else waits";
+  ASSERT_TRUE(queue_->refine(scene, next, 0).ok());
+  for (int i = 0; i < 20; ++i) {
+    std::this_thread::sleep_for(20ms);
+    ASSERT_TRUE(queue_->better(*scene, left, {})) << "somebody still looks";
+  }
+  EXPECT_EQ(stage_.begun, 1);
+  EXPECT_TRUE(wait_better(*scene, next, {0, 1}));
+  EXPECT_FALSE(queue_->better(*scene, left, {}));
 }
 
 TEST_F(TraceQueueTest, WaitsUntilTheHandRests) {
