@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
@@ -27,6 +28,9 @@ using StrandChunk = std::vector<std::uint32_t>;
 /// Pieces sorted along a space-filling curve and cut where about `strands_each` strands are reached.
 std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, std::size_t strands_each);
 
+/// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
+double expected_strands(const FurModel& model, const Coat& coat);
+
 /// Prepared once for a state of the fields; then asked for chunks, from any thread. The views must outlive it.
 /// Deterministic: the same strands whatever the chunks are and whoever asks.
 class Grower {
@@ -34,8 +38,6 @@ class Grower {
   Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe);
   ~Grower();
 
-  /// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
-  double expected() const;
   /// The strands of a chunk. Fur of no length grows none, density keeps those whose number is below it.
   StrandSet grow(const StrandChunk& chunk) const;
   /// Of all that `grow(chunk)` depends on: the same while it would give the same strands. 64 bits.
