@@ -17,19 +17,21 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end"))
 from support.server import BIN, Server  # noqa: E402
 
-PAUSE = 0.25  # seconds between strokes: a refinement begins when the hand has rested for a tenth
+PAUSE = 0.6  # seconds between strokes: a refinement begins when the hand has rested for a tenth
 
 
 class Client:
-    """One connection, kept open."""
-
     def __init__(self, server, scene):
-        self.connection, self.path = http.client.HTTPConnection("127.0.0.1", server.port, timeout=120), scene.path
+        self.port, self.path = server.port, scene.path
 
     def post(self, name, body):
-        self.connection.request("POST", f"{self.path}/{name}", json.dumps(body))
-        answer = self.connection.getresponse()
-        return answer, answer.read()
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=120)
+        try:
+            connection.request("POST", f"{self.path}/{name}", json.dumps(body))
+            answer = connection.getresponse()
+            return answer, answer.read()
+        finally:
+            connection.close()
 
     def picture(self, request, seen=None, wait=1):
         """Octets and report of the next picture; none where nothing better came."""
