@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 constexpr int farthest = 6;            // pixels that light comes from at 1 sample
-constexpr int margin = farthest + 1;   // and one more for the outlines
+constexpr int margin = farthest + 3;   // and more for outlines, and for windows that touch a pixel
 constexpr int band_rows = 32;
 constexpr int block = 32;              // pixels of a row that are worked on together
 constexpr float least_albedo = 0.02f;  // is added to all: black things keep their highlights
@@ -29,12 +29,15 @@ constexpr int features = 10;
 /// and a little, are multiplied by body.
 enum Plane : int {
   feature = 0,
-  noise = features,                      // of each group: variance in the 3 x 3 pixels around
-  falloff = noise + feature_groups,      // of each group: over the square of its width
+  mean = features,                       // of each feature, over the 3 x 3 pixels around
+  noise = mean + features,               // of each group: variance there
+  guide = noise + feature_groups,        // each feature with less noise
+  falloff = guide + features,            // of each group: over the square of its width
   body = falloff + feature_groups,
   light, light_end = light + 3,
   white = light_end, white_end = white + 3,
   over_reach = white_end,                // over the square of the filter's radius
+  own_share,                             // of a pixel's own features in its guide
   ground,                                // alpha that is not of the body
   result, result_end = result + 3,       // light, filtered
   plane_count = result_end
@@ -74,7 +77,7 @@ class Band {
   void load(int y);
   void load_features(int x, int y);
   void judge_windows(int x, int y);
-  void judge_noise(int y);
+  void make_guides(int y);
   void gather(int x, int y);
   void add_tap(int x, int y, int dx, int dy, Sums& sums) const;
   void finish(int x, int y, const Sums& sums);
@@ -104,6 +107,7 @@ void Band::load(int y) {
     const float covered = source_.body[i], reach = reach_of(source_.samples[i]);
     row(body, y)[x] = covered;
     row(over_reach, y)[x] = 1 / (reach * reach);
+    row(own_share, y)[x] = 1 - 1 / static_cast<float>(std::max(source_.samples[i], 1u));
     row(ground, y)[x] = std::max(source_.beauty[4 * i + 3] - covered, 0.0f);
     has_ground_ = has_ground_ || row(ground, y)[x] > 0;
     for (int c = 0; c < 3; ++c) {
@@ -128,7 +132,7 @@ void Band::load_features(int x, int y) {
   row(feature + 9, y)[x] = nearness > 0 && share > 0 ? std::log(nearness / share) : 0;
 }
 
-/// Variance of each group of features in the windows around a block.
+/// Mean and variance of features in the windows around a block.
 void Band::judge_windows(int x, int y) {
   Lanes count{};
   const auto over_window = [&](int plane, auto&& add) {
@@ -141,28 +145,40 @@ void Band::judge_windows(int x, int y) {
   };
   over_window(body, [&](std::size_t i, float value) { count[i] += value > 0 ? 1.0f : 0.0f; });
   for (int group = 0; group < feature_groups; ++group) {
-    Lanes squares{}, of_means{};
+    Lanes spread{};
     for (int k = group_begins[std::size_t(group)]; k < group_begins[std::size_t(group) + 1]; ++k) {
-      Lanes sum{};
+      Lanes sum{}, squares{};
       over_window(feature + k, [&](std::size_t i, float value) { sum[i] += value, squares[i] += value * value; });
-      for (std::size_t i = 0; i < block; ++i) of_means[i] += sum[i] * sum[i];
+      float* means = row(mean + k, y) + x;
+      for (std::size_t i = 0; i < block; ++i) {
+        means[i] = sum[i] / std::max(count[i], 1.0f);
+        spread[i] += std::max(squares[i] - sum[i] * means[i], 0.0f);
+      }
     }
     float* variance = row(noise + group, y) + x;
-    for (std::size_t i = 0; i < block; ++i) {
-      variance[i] = count[i] > 3 ? std::max(squares[i] - of_means[i] / count[i], 0.0f) / (count[i] - 1) : unknown;
-    }
+    for (std::size_t i = 0; i < block; ++i) variance[i] = count[i] > 3 ? spread[i] / (count[i] - 1) : unknown;
   }
 }
 
-/// The noise of a feature is its variance in the quietest of four windows with the pixel in a corner: edges are in
-/// others (Kuwahara 1976).
-void Band::judge_noise(int y) {
+/// Features of few samples would choose light by chance, and chance favours what is common. So they are drawn to the
+/// mean of the quietest of the four windows with the pixel in a corner: edges are in others (Kuwahara 1976). What noise
+/// is left makes them count less.
+void Band::make_guides(int y) {
   for (int group = 0; group < feature_groups; ++group) {
-    const float *above = row(noise + group, y - 1), *below = row(noise + group, y + 1);
+    const int begin = group_begins[std::size_t(group)], end = group_begins[std::size_t(group) + 1];
     const float sharp = sharpness[std::size_t(group)];
     for (int x = 0; x < source_.width; ++x) {
-      const float least = std::min(std::min(above[x - 1], above[x + 1]), std::min(below[x - 1], below[x + 1]));
-      row(falloff + group, y)[x] = 1 / (2 * sharp * sharp + 8 * (least < unknown ? least : 0));
+      glm::ivec2 best(x - 1, y - 1);
+      for (const glm::ivec2 other : {glm::ivec2(x + 1, y - 1), {x - 1, y + 1}, {x + 1, y + 1}}) {
+        if (row(noise + group, other.y)[other.x] < row(noise + group, best.y)[best.x]) best = other;
+      }
+      const float least = row(noise + group, best.y)[best.x];
+      const bool known = least < unknown && row(body, y)[x] > 0;
+      const float own = known ? row(own_share, y)[x] : 1, drawn = 1 - own;
+      for (int k = begin; k < end; ++k)
+        row(guide + k, y)[x] = own * row(feature + k, y)[x] + drawn * row(mean + k, best.y)[best.x];
+      const float left = known ? least * (own * own + drawn * drawn / 9) : 0;
+      row(falloff + group, y)[x] = 1 / (2 * sharp * sharp + 32 * left);
     }
   }
 }
@@ -174,7 +190,7 @@ void Band::add_tap(int x, int y, int dx, int dy, Sums& sums) const {
   for (int group = 0; group < feature_groups; ++group) {
     Lanes square{};
     for (int k = group_begins[std::size_t(group)]; k < group_begins[std::size_t(group) + 1]; ++k) {
-      const float *own = row(feature + k, y) + x, *other = row(feature + k, y + dy) + x + dx;
+      const float *own = row(guide + k, y) + x, *other = row(guide + k, y + dy) + x + dx;
       for (std::size_t i = 0; i < block; ++i) square[i] += (own[i] - other[i]) * (own[i] - other[i]);
     }
     const float* over = row(falloff + group, y) + x;
@@ -208,7 +224,9 @@ void Band::gather(int x, int y) {
   Sums sums;
   for (int dy = -farthest; dy <= farthest; ++dy) {
     for (int dx = -farthest; dx <= farthest; ++dx) {
-      if (static_cast<float>(dx * dx + dy * dy) * least < 1) add_tap(x, y, dx, dy, sums);
+      const int square = dx * dx + dy * dy;
+      if (square > 9 && (dx + dy) % 2 != 0) continue;  // of far pixels every other one does
+      if (static_cast<float>(square) * least < 1) add_tap(x, y, dx, dy, sums);
     }
   }
   finish(x, y, sums);
@@ -228,12 +246,11 @@ void Band::finish(int x, int y, const Sums& sums) {
 }
 
 void Band::filter() {
-  const int first = std::max(top_ - 1, 0), last = std::min(bottom_ + 1, source_.height);
-  for (int y = first - 1; y <= last; ++y) {
+  for (int y = top_ - margin + 1; y < bottom_ + margin - 1; ++y) {
     for (int x = -1; x <= source_.width; x += block) judge_windows(x, y);
   }
-  for (int y = first; y < last; ++y) {
-    judge_noise(y);
+  for (int y = top_ - margin + 2; y < bottom_ + margin - 2; ++y) make_guides(y);
+  for (int y = std::max(top_ - 1, 0); y < std::min(bottom_ + 1, source_.height); ++y) {
     for (int x = 0; x < source_.width; x += block) gather(x, y);
   }
 }

@@ -39,6 +39,7 @@ glm::vec3 painted(glm::vec3 colour, glm::vec4 paint, float strand, float mean) {
 }  // namespace
 
 glm::vec3 sample_picture(const ImageView& image, glm::vec2 uv, const std::array<float, 256>& linear) {
+  if (image.width <= 0 || image.height <= 0) return glm::vec3(1);
   const glm::vec2 place = glm::fract(glm::vec2(uv.x, 1 - uv.y)) * glm::vec2(image.width, image.height) - 0.5f;
   if (!(place.x >= -1 && place.y >= -1)) return glm::vec3(1);  // not finite
   const glm::vec2 low = glm::floor(place), part = place - low;

@@ -224,8 +224,13 @@ class Finish : public WithRenderer {
     FurFrame frame = frame_of(*renderer, model, request);
     if (frame.overlay == Overlay::difference) frame.difference.assign(model.fields.size(), 0.6f);
     const FloatImage light = light_of(frame);
-    const Image drawn = renderer->draw(frame).value(), finished = renderer->finish(frame, light).value();
-    const Image16 deep = renderer->draw_deep(frame).value(), finished_deep = renderer->finish_deep(frame, light).value();
+    const Image drawn = renderer->draw(frame).value();
+    const Image16 deep = renderer->draw_deep(frame).value();
+    FurFrame other = frame;  // what was drawn last is not what is finished
+    other.camera.tan_half_fov *= 2;
+    EXPECT_TRUE(renderer->draw_base(other).ok());
+    const Image finished = renderer->finish(frame, light).value();
+    const Image16 finished_deep = renderer->finish_deep(frame, light).value();
     int largest = 0;
     for (std::size_t i = 0; i < deep.rgba.size(); ++i)
       largest = std::max(largest, std::abs(int(deep.rgba[i]) - int(finished_deep.rgba[i])));

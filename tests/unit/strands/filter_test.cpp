@@ -101,6 +101,34 @@ TEST(Filter, HalvesTheErrorOfFewSamplesAndKeepsEdges) {
   }
 }
 
+/// Of strands at any height the deep ones are dark in colour and in light, and rare.
+FilmSample deep(int, int, Sampler& sampler) {
+  const glm::vec2 u = sampler.next2(), v = sampler.next2();
+  const float height = 1 - u.x * u.x;
+  FilmSample s;
+  s.alpha = s.body = 1;
+  s.albedo = glm::vec3(0.8f, 0.6f, 0.4f) * (0.3f + 0.7f * height);
+  s.tangent = glm::normalize(glm::vec3(v.x - 0.5f, 1, v.y - 0.5f));
+  s.normal = {0, 0, 1};
+  s.over_depth = 0.5f + 0.01f * height;
+  s.radiance = s.albedo * height * (u.y < 0.6f ? 1.0f : 0.1f);
+  return s;
+}
+
+double mean_of(const FloatImage& image) {
+  double sum = 0;
+  for (std::size_t i = 1; i < image.rgba.size(); i += 4) sum += double(image.rgba[i]);
+  return sum;
+}
+
+TEST(Filter, FavoursNoLightForBeingCommon) {
+  for (const int samples : {1, 2}) {
+    const Film film = film_of(deep, samples);
+    const double before = mean_of(film.layer(FrameLayer::beauty, false));
+    EXPECT_NEAR(mean_of(film.layer(FrameLayer::beauty, true)) / before, 1, 0.015) << samples;
+  }
+}
+
 FilmSample even(int, int, Sampler&) {
   FilmSample s;
   s.radiance = {0.3f, 0.2f, 0.1f};

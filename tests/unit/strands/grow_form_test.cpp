@@ -112,6 +112,25 @@ TEST(GrowForm, TileAxesTurnOffsets) {
   }
 }
 
+TEST(GrowForm, TurnsWithTheModel) {
+  const GrowRecipe recipe{Coat{.count = 200, .curl = 0.1}};
+  FurPatch patch(0.12, 2);
+  patch.direction.assign(patch.positions.size(), {0.3f, -0.5f});
+  const StrandSet level = patch.grow(recipe);
+  const glm::mat3 turned(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0), glm::vec3(0.48f, 0.64f, 0.6f));
+  for (auto* vectors : {&patch.positions, &patch.normals, &patch.tangents}) {
+    for (glm::vec3& v : *vectors) v = turned * v;
+  }
+  for (auto& corners : patch.corners) {
+    for (FurCorner& corner : corners) corner.tile_axis = turned * corner.tile_axis;
+  }
+  const StrandSet set = patch.grow(recipe);
+  ASSERT_EQ(set.count(), level.count());
+  for (std::size_t i = 0; i < set.points.size(); ++i)
+    ASSERT_LT(glm::distance(set.points[i].place, turned * level.points[i].place), 1e-6f);
+  EXPECT_LT(glm::distance(set.roots[0].normal, turned * level.roots[0].normal), 1e-6f);
+}
+
 TEST(GrowForm, ShortFurIsNotWiderThanLong) {
   Coat coat;
   coat.count = 500, coat.bend = 2, coat.curl = 0.5, coat.mess = 1, coat.clump = 1, coat.clump_size = 0.05;
