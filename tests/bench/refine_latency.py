@@ -142,7 +142,11 @@ def time_against_error(server, last_pass):
     print(f"a refinement of the creature, 512 x 512, {report['strands']} strands, "
           f"against its picture of {report['passes']} passes")
     print("| passes | s | FLIP | RMSE | noise |\n|---|---|---|---|---|")
+    shown = 0
     for seconds, octets, report in pictures:
+        if report["passes"] < 1.4 * shown and report["end"] == "none":
+            continue
+        shown = report["passes"]
         error = flip(server.folder, pictures[-1][1], octets, mask)
         passes = report["passes"] or "shells"
         print(f"| {passes} | {seconds:.2f} | {error['flip']['mean']:.4f} | {error['rmse']:.4f} | {report['noise']:.4f} |")
