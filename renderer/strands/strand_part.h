@@ -15,12 +15,13 @@ class MemoryBudget {
  public:
   explicit MemoryBudget(std::size_t limit) : limit_(limit) {}
 
+  void set_limit(std::size_t limit) { limit_ = limit; }
   /// False, and nothing taken, where the limit would be passed. Negative bytes are given back.
   bool take(std::ptrdiff_t bytes);
   std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
 
  private:
-  std::size_t limit_;
+  std::atomic<std::size_t> limit_;
   std::atomic<std::ptrdiff_t> used_{0};
 };
 

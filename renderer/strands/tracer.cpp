@@ -22,7 +22,7 @@ double milliseconds_since(Clock::time_point start) {
 
 constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr int judged_passes = 8;     // before them no part of the picture is left for its little noise
-constexpr double dense_share = 0.6;  // of the memory that strands and index may take; the film has the rest
+constexpr std::size_t film_part = 2;  // a film takes at most one over this of the memory; strands and index have the rest
 
 /// The share of strands for a view, a power of 1/2 so that a step of the camera seldom changes it.
 double share_for(const FurFrame& frame, double expected) {
@@ -46,7 +46,7 @@ Status not_wanted() { return failure(Code::unavailable, "nobody waits for this p
 
 struct Tracer::Impl {
   Impl(int threads, std::size_t bytes, bool yielding)
-      : workers{threads, yielding}, memory(bytes), world(static_cast<std::size_t>(dense_share * static_cast<double>(bytes))) {}
+      : workers{threads, yielding}, memory(bytes), world(bytes) {}
 
   bool trace_tile(int tile, const GoOn& go_on);
   bool still_noisy(int tile) const;
@@ -70,11 +70,12 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
                      std::span<const FrameLayer> layers, const GoOn& go_on) {
   Impl& tracer = *impl_;
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  const auto film_memory = static_cast<std::size_t>((1 - dense_share) * static_cast<double>(tracer.memory));
-  if (Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter) > film_memory) {
+  const std::size_t film_bytes = Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter);
+  if (film_bytes > tracer.memory / film_part) {
     return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
                    "fewer pixels, or fewer layers");
   }
+  tracer.world.set_memory(tracer.memory - film_bytes);
   const Clock::time_point start = Clock::now();
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
   recipe.share = share_for(frame, expected_strands(model, frame.coat));

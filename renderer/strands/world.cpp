@@ -197,6 +197,8 @@ bool World::Impl::join(const FurFrame& frame) {
 World::World(std::size_t memory) : impl_(std::make_unique<Impl>(memory)) {}
 World::~World() = default;
 
+void World::set_memory(std::size_t memory) { impl_->budget.set_limit(memory); }
+
 Result<World::Change> World::update(const FurModel& model, const FurFields& fields, const FurFrame& frame,
                                     const GrowRecipe& recipe, const Workers& workers,
                                     const std::function<bool()>& go_on) {

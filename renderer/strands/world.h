@@ -53,6 +53,8 @@ class World {
   explicit World(std::size_t memory);  // bytes that strands and their index may take
   ~World();
 
+  void set_memory(std::size_t memory);  // from the next update on
+
   struct Change {
     std::size_t grown = 0;   // strands that were grown anew
     std::size_t strands = 0;
