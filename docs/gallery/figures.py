@@ -259,4 +259,45 @@ FIGURES = [
                         "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]},
                        {"specular": 0.1}))
                   for tier in ("interactive", "detailed")]},
+    {"name": "recipes", "title": "Four reference animals, groomed by scripts",
+     "text": "`clients/recipes/{koala_plush,cat_fox,spot_sleek,koala_white}.json` on models by others (docs/models.md), as traced "
+             "strands: fur laid to the ends of limbs and ears, eyes, bare skin, markings, lamps with a size.",
+     "pictures": [picture(name.replace("_", " "), shared(model, **options), {"recipe": name}, quality="reference", background="studio")
+                  for name, model, options in (("koala_plush", "koala_low.obj", {}), ("cat_fox", "cat.obj", {"front": "-x"}),
+                                               ("spot_sleek", "spot.obj", {"front": "-z"}), ("koala_white", "koala_low.obj", {}))]},
+    {"name": "methods", "title": "Shells beside strands",
+     "text": "Six grooms as interactive and detailed shells and as traced strands. docs/strands.md says what differs and why.",
+     "pictures": [picture(f"{title}, {tier}", model, *steps, studio(), fur_of=fur(length, lean), quality=tier)
+                  for title, model, length, lean, steps in (
+                      ("creature", CREATURE, 0.03, 0.45, []),
+                      ("wet", CREATURE, 0.035, 0.5, [look_file("wet_dog")]),
+                      ("curly", builtin("creature", 12000), 0.03, 0.3, [look_file("sheep")]),
+                      ("long", builtin("torus", 4000), 0.08, 0.65, [coat(clump=0.6, clump_size=0.02, root_share=0.4)]),
+                      ("zebra", glmark("horse"), 0.012, 0.85, [look_file("zebra")]),
+                      ("white", builtin("sphere", 4000), 0.04, 0.5,
+                       [coat(ramp=[{"at": 0, "colour": [0.8, 0.78, 0.75]}, {"at": 1, "colour": [0.95, 0.94, 0.93]}])]))
+                  for tier in ("interactive", "detailed", "reference")]},
+    {"name": "close_strands", "title": "Close up",
+     "text": "A twentieth of the body: shells, and strands.",
+     "pictures": [picture(f"{title}, {tier}", CREATURE, studio(), camera=camera, quality=tier)
+                  for title, camera in (("face", FACE), ("flank", eye([-1.6, 0.9, 0.6], [-0.2, 0.65, -0.1], 14)))
+                  for tier in ("detailed", "reference")]},
+    {"name": "transport", "title": "Light through fur, by count and colour, and along paths",
+     "text": "Left by the strands that a ray to the light crosses (`transmittance`), right along paths of up to 64 bounces (`paths`).",
+     "pictures": [picture(f"{title}, {transport}", builtin("sphere", 4000), coat(ramp=[{"at": 0, "colour": colour}], colour_spread=0.05), studio(),
+                          fur_of=fur(0.05, 0.5), quality={"method": "strands", "trace": {"transport": transport, "passes": 256,
+                                                                                        **({"bounces": 64} if transport == "paths" else {})}})
+                  for title, colour in (("white", [0.92, 0.9, 0.88]), ("red", [0.5, 0.16, 0.05]), ("black", [0.02, 0.02, 0.022]))
+                  for transport in ("transmittance", "paths")]},
+    {"name": "lamps", "title": "Lamps with a size",
+     "text": "A directional light of half angle 0 and 15 degrees, and a rectangle near the body.",
+     "pictures": [picture(title, TORUS, lights(lamp), studio(), fur_of=fur(0.05, 0.5), quality="reference")
+                  for title, lamp in (("0 degrees", {**ONE_LIGHT, "angle_degrees": 0}), ("15 degrees", {**ONE_LIGHT, "angle_degrees": 15}),
+                                      ("rectangle", {"kind": "area", "position": [0.4, 0.9, 0.9], "direction": [-0.3, -0.7, -0.7],
+                                                     "width": 0.6, "height": 0.6, "intensity": 0.5}))]},
+    {"name": "passes", "title": "A refinement, pass by pass",
+     "text": "The first traced picture and later ones; up to 64 passes a filter is guided by direction, depth and colour. Last: 16 passes without it.",
+     "pictures": [picture(title, CREATURE, studio(), quality={"method": "strands", "trace": trace})
+                  for title, trace in (*((f"{n} passes", {"passes": n}) for n in (1, 4, 16, 64, 256)),
+                                       ("16 passes, not filtered", {"passes": 16, "filter": False}))]},
 ]

@@ -61,8 +61,17 @@ def make_scene(server, picture):
         query = "&".join(f"{k}={v}" for k, v in {**model["options"], **picture.get("fur", {})}.items())
         server.call("PUT", f"{path}/model?{query}", pathlib.Path(model["file"]).read_bytes())
     for commands in picture["steps"]:
-        server.call("POST", f"{path}/commands", commands)
+        if "recipe" in commands:
+            run_recipe(server, scene["id"], commands["recipe"])
+        else:
+            server.call("POST", f"{path}/commands", commands)
     return path
+
+
+def run_recipe(server, scene, name):
+    recipe = ROOT / "clients" / "recipes" / f"{name}.json"
+    subprocess.run([BIN / "pelage", "--server", f"http://127.0.0.1:{server.port}", "run", scene, recipe], check=True,
+                   stdout=subprocess.DEVNULL)
 
 
 def make_picture(server, picture, name):
