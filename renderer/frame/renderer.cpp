@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include "renderer/coat/strand_tile.h"
+#include "renderer/frame/parts.h"
 #include "renderer/gl/wait.h"
 #include "renderer/passes/draw/draw_state.h"
 #include "renderer/pattern/pattern_block.h"
@@ -21,51 +21,33 @@ constexpr std::size_t kept_coats = 3;              // 90 MB each
 constexpr std::int64_t kept_pixels = 2048 * 2048;  // targets of a larger frame are given back after it
 constexpr GLuint skin_binding = 5;                 // as in bare_skin.glsl
 
-class Stopwatch {
- public:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
-
-/// The #define lines of what shapes the fur beside its fields.
-std::string shape_of(const Coat& coat, const ModelBuffers& model) {
-  return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "") +
-         model.paint().defines();
-}
 
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
-  const Environment& light = frame.environment;
-  const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
-                        light.ground == light.sky && light.intensity == 1;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (frame.knobs.bands > 1 ? "#define BANDS\n" : "") +
-         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + (constant ? "" : "#define ENVIRONMENT\n") +
+         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + surroundings_of(frame.environment) +
          shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
 
-Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
-
 }  // namespace
 
-struct Renderer::Prepared {
-  const CoatTextures& coat;
-  ModelBuffers& model;
-  ModelBuffers::DrawLists lists;
-  std::string variant;
-  FrameBlock block;
+Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
 
-  FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
-};
+std::string surroundings_of(const Environment& light) {
+  const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
+                        light.ground == light.sky && light.intensity == 1;
+  return constant ? "" : "#define ENVIRONMENT\n";
+}
+
+std::string shape_of(const Coat& coat, const ModelBuffers& model) {
+  return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "") +
+         model.paint().defines();
+}
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, std::size_t sorted_bytes) {
   std::unique_ptr<Renderer> renderer(new Renderer(gl, sorted_bytes));
@@ -133,21 +115,26 @@ Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
   const GLenum colour = frame.knobs.accumulation == Accumulation::half ? GL_RGBA16F : GL_RGBA32F;
   const int samples = frame.knobs.samples;
-  const auto need = [&](RenderTarget& target, GLenum format, int w, int h, int s, bool depth) {
-    if (target.matches(format, w, h, s)) return true;
-    target = RenderTarget();
-    target = RenderTarget(gl_, format, w, h, s, depth);
-    return target.complete();
-  };
-  bool complete = need(drawn_, colour, width, height, samples, true);
-  if (samples > 1) complete = complete && need(single_, colour, width, height, 1, false);
-  complete = complete && need(picture_, picture, frame.width, frame.height, 1, false);
+  bool complete = fit(drawn_, colour, width, height, samples, true);
+  if (samples > 1) complete = complete && fit(single_, colour, width, height, 1, false);
+  complete = complete && fit(picture_, picture, frame.width, frame.height, 1, false);
   if (complete) return {};
   give_back_targets();
   return no_memory();
 }
 
+bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, int samples, bool depth) {
+  if (target.matches(format, width, height, samples)) return true;
+  target = RenderTarget();
+  target = RenderTarget(gl_, format, width, height, samples, depth);
+  return target.complete();
+}
+
 void Renderer::give_back_targets() { drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget(); }
+
+void Renderer::give_back_large_targets() {
+  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
+}
 
 Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& times) {
   const auto found = models_.find(frame.model);
@@ -160,8 +147,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   const auto lists = model.sort_for(
       gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest});
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
-  if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
-  if (model.paint().changes_fur()) paint_.prepare(gl_, frame.coat);
+  prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);
   const FurDrawing shaped{frame.knobs, shape, model, lists, coat};
   if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
@@ -169,6 +155,16 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
     times.shadow = making.milliseconds();
   }
   if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
+  bind_blocks(frame, block);
+  return {coat, model, lists, variant_of(frame, model), block};
+}
+
+void Renderer::prepare_colours(const FurFrame& frame, ModelBuffers& model) {
+  if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
+  if (model.paint().changes_fur()) paint_.prepare(gl_, frame.coat);
+}
+
+void Renderer::bind_blocks(const FurFrame& frame, const FrameBlock& block) {
   gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
   if (!frame.skin.empty()) {
@@ -177,7 +173,6 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, skin_binding, skin_block_.id());
   }
   scattering_.prepare(gl_, frame);
-  return {coat, model, lists, variant_of(frame, model), block};
 }
 
 void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs) {
@@ -223,14 +218,6 @@ Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   });
 }
 
-void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target) {
-  set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
-  gl_.DepthMask(GL_TRUE);
-  target.clear(gl_);
-  fur_.mark_sets(gl_, scene.drawing(frame), target.framebuffer());
-  draw_body(frame, scene, "#define LAYERS\n");
-}
-
 Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
   const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
   if (!maps)
@@ -258,11 +245,18 @@ Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepare
     Result<RenderTarget> map = draw_light_map(frame, scene);
     if (!map) return map.status();
     overlay = std::move(map).value();
-  } else if (frame.overlay == Overlay::difference) {
-    overlay = overlay_.draw_difference(gl_, frame, scene.model, scene.lists.all);
   } else {
-    overlay = overlay_.draw_field(gl_, frame, scene.model, scene.lists.all);
+    return draw_skin_overlay(frame, scene.model, scene.lists.all);
   }
+  if (!overlay.complete()) return no_memory();
+  return overlay;
+}
+
+Result<RenderTarget> Renderer::draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
+                                                 const ModelBuffers::DrawList& triangles) {
+  RenderTarget overlay = frame.overlay == Overlay::difference
+                             ? overlay_.draw_difference(gl_, frame, model, triangles)
+                             : overlay_.draw_field(gl_, frame, model, triangles);
   if (!overlay.complete()) return no_memory();
   return overlay;
 }
@@ -297,7 +291,7 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   taken.read = reading.milliseconds();
   taken.counters = take_counters();
   if (times) *times = taken;
-  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
+  give_back_large_targets();
   return image;
 }
 
@@ -308,66 +302,6 @@ FrameCounters Renderer::take_counters() const {
           .textures = counts.textures,
           .bytes = counts.bytes,
           .fragments = fragments_.result()};
-}
-
-Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
-                                                      DrawTimes* times) {
-  if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
-  const Stopwatch drawing;
-  DrawTimes taken;
-  fragments_.begin();
-  const Prepared scene = prepare_scene(frame, taken);
-  const Status drawn = draw_light(frame, scene);
-  fragments_.end();
-  if (!drawn.ok()) return drawn;
-  std::optional<LayerTarget> target;
-  if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
-    target.emplace(gl_, layers, drawn_.width(), drawn_.height());
-    if (!target->complete()) return no_memory();
-    draw_beside_light(frame, scene, *target);
-  }
-  std::vector<FloatImage> images;
-  for (const FrameLayer layer : layers) {
-    Result<FloatImage> image = draw_layer(frame, scene, layer, target ? &*target : nullptr);
-    if (!image) return image.status();
-    images.push_back(std::move(image).value());
-  }
-  if (const Status built = programs(); !built.ok()) return built;
-  taken.draw = drawing.milliseconds() - taken.shadow;
-  taken.counters = take_counters();
-  if (times) *times = taken;
-  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
-  return images;
-}
-
-Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
-                                        const LayerTarget* target) {
-  RenderTarget distance;
-  GLuint source = light(frame).texture();
-  if (layer == FrameLayer::depth) {
-    distance = RenderTarget(gl_, GL_R32F, drawn_.width(), drawn_.height(), 1, true);
-    const RenderTarget covered(gl_, GL_RG32F, drawn_.width(), drawn_.height(), 1, true);
-    if (!distance.complete() || !covered.complete()) return no_memory();
-    layers_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
-    source = distance.texture();
-  } else if (LayerTarget::holds(layer)) {
-    source = target->texture(layer);
-  }
-  layers_.gather(gl_, layer, source, static_cast<float>(drawn_.height()) / static_cast<float>(frame.height), picture_);
-  if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
-  return read_back<FloatImage>(frame, GL_FLOAT);
-}
-
-template <class Picture>
-Result<Picture> Renderer::read_back(const FurFrame& frame, GLenum type) {
-  Picture image;
-  image.width = frame.width, image.height = frame.height;
-  image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
-  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, frame.width, frame.height, GL_RGBA, type, image.rgba.data());
-  if (gl_.GetError() != GL_NO_ERROR) return failure(Code::internal, "a GL error while drawing");
-  return image;
 }
 
 }  // namespace pelage

@@ -25,6 +25,7 @@
 #include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/passes/sorted/sorted_pass.h"
+#include "renderer/strands/base_picture.h"
 #include "renderer/upload/coat_textures.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/paint_textures.h"
@@ -65,6 +66,15 @@ class Renderer {
   Result<std::vector<FloatImage>> draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
                                               DrawTimes* times = nullptr);
 
+  /// What traced strands stand on: skin, bare skin and eyes in the light of all lamps, without fur, shadows, ground and
+  /// curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
+  /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
+  Result<BasePicture> draw_base(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// A traced picture of the frame's size as `draw` shows what it has drawn: exposure, tone map, background and overlay.
+  /// An overlay is of a model that the renderer has, and a field or the difference; others are refused (invalid).
+  Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
+  Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
+
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
 
@@ -72,12 +82,17 @@ class Renderer {
   Renderer(const Gl& gl, std::size_t sorted_bytes);
   Status programs() const;  // whether all programs so far were built
   Status prepare_targets(const FurFrame& frame, GLenum picture);
+  /// Makes a target anew where it is of another kind; whether it could be made.
+  bool fit(RenderTarget& target, GLenum format, int width, int height, int samples, bool depth);
   void give_back_targets();
+  void give_back_large_targets();
   const CoatTextures& textures_of(const Coat& coat);
   FrameCounters take_counters() const;
   /// What a frame draws, with its blocks and maps bound.
   struct Prepared;
   Prepared prepare_scene(const FurFrame& frame, DrawTimes& times);
+  void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
+  void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
   /// are the #define lines of what is written beside light.
   void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
@@ -86,11 +101,20 @@ class Renderer {
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
   const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? single_ : drawn_; }
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
+  Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
+                                         const ModelBuffers::DrawList& triangles);
   Result<RenderTarget> draw_light_map(const FurFrame& frame, const Prepared& scene);
   template <class Picture>
   Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times);
   Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
                                 const LayerTarget* target);
+  void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
+                      const std::string& outputs);
+  Result<BasePicture> read_base(const FurFrame& frame, const LayerTarget& layers, const RenderTarget& distance);
+  Result<RenderTarget> overlay_on_traced(const FurFrame& frame);
+  template <class Picture>
+  Result<Picture> finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
+                                 int largest, DrawTimes* times);
   template <class Picture>
   Result<Picture> read_back(const FurFrame& frame, GLenum type);
 

@@ -72,6 +72,11 @@ double trimmed_logistic(double x, double s) {
   return fall / (s * square(1 + fall) * std::tanh(pi / (2 * s)));
 }
 
+double sample_trimmed_logistic(double u, double s) {
+  const double beyond = 1 / (1 + std::exp(pi / s)), below = beyond + u * std::tanh(pi / (2 * s));
+  return std::clamp(s * std::log(below / (1 - below)), -pi, pi);
+}
+
 double colour_polynomial(double beta_n) {
   return 5.969 + beta_n * (-0.215 + beta_n * (2.532 + beta_n * (-10.73 + beta_n * (5.574 + beta_n * 0.245))));
 }

@@ -38,6 +38,9 @@ float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, flo
 /// The logistic distribution of scale s > 0, cut to [-pi, pi] and normalised there; x in [-pi, pi].
 double trimmed_logistic(double x, double s);
 
+/// The x in [-pi, pi] below which a share u in (0, 1) of it lies.
+double sample_trimmed_logistic(double u, double s);
+
 /// sigma_a per fibre radius for each channel, >= 0. Colour: Chiang 2016, a colour in [0, 1]; values under 1e-6 count
 /// as that. Melanin: concentrations >= 0, the weighted pigments of Chiang 2016.
 glm::dvec3 absorption_from_colour(const glm::dvec3& colour, double beta_n);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace pelage {
 
@@ -89,9 +90,10 @@ glm::dvec3 FibreShading::scatter(const ScatterGeometry& geometry, const glm::dve
 
 glm::dvec3 FibreShading::scatter_at_offset(const ScatterGeometry& geometry, const glm::dvec3& colour, double h) const {
   assert(look_.shading == ShadingModel::energy_conserving);
+  std::optional<LobeValues> shared;  // Np, the same for all channels
   return fibre_sum(geometry, colour, [&](double cos_theta, double azimuth, double sigma_a) {
-    const LobeValues a = attenuation(cos_theta, h, sigma_a, lobes_.eta);
-    const LobeValues n = azimuthal_lobes(lobes_, cos_theta, h, azimuth);
+    if (!shared) shared = azimuthal_lobes(lobes_, cos_theta, h, azimuth);
+    const LobeValues a = attenuation(cos_theta, h, sigma_a, lobes_.eta), &n = *shared;
     return LobeValues{a[0] * n[0], a[1] * n[1], a[2] * n[2], a[3] * n[3]};
   });
 }

@@ -1,6 +1,8 @@
 // What the passes of a traced picture add up to, and how noisy it still is.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -22,8 +24,9 @@ struct FilmSample {
   glm::vec2 light{0};     // luminance of that, and what it would be without shadows
 };
 
-/// Sums of samples by pixel. Layers that are not asked for take no memory. Pixels are added to from one thread at a
-/// time; a tile belongs to one thread during a pass.
+/// Means of samples by pixel. Layers that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
+/// beauty, 48 for what the filter looks at and the layers of it, 12 each for position and direct, 8 for shadow. Pixels
+/// are added to from one thread at a time; a tile belongs to one thread during a pass.
 class Film {
  public:
   static constexpr int tile = 16;  // pixels along the side of the parts that noise is judged by
@@ -41,18 +44,44 @@ class Film {
   int samples(int x, int y) const;  // so far
   double mean_samples() const;
 
-  /// Estimated mean error of a shown channel (sRGB of the tone mapped mean, [0, 1]) over a tile's pixels: from the
-  /// spread of each pixel's samples; infinity for fewer than 4 samples.
+  /// Estimated mean absolute error of a shown channel (sRGB of the filmic tone mapped mean, [0, 1]) over a tile's
+  /// pixels: from the spread of each pixel's samples; infinity where a pixel has fewer than 4, or for a film without
+  /// beauty. `exposure` in stops.
   double noise(int tile, double exposure) const;
-  /// The same over the pixels of all tiles where anything was seen; infinity where too few samples were taken.
+  /// The same over the pixels of all tiles where anything was seen, 0 where there are none.
   double noise(double exposure) const;
 
   /// Means, in the conventions of Renderer::draw_layers (depth: one over the distance). `filtered` smooths beauty by
-  /// direction, depth and colour, the less the more samples there are; at 64 a pixel nothing is left of it.
+  /// direction, depth and colour, the less the more samples there are; at 64 a pixel nothing is left of it. For layers
+  /// that were asked for, `filtered` where the filter was.
   FloatImage layer(FrameLayer layer, bool filtered) const;
 
  private:
+  /// Running means in float do not drift: what a sample adds shrinks as its weight does.
+  enum Part { beauty, spread, body, depth, position, normal, tangent, albedo, direct, light, part_count };
+  static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3, 3, 3, 3, 3, 2};  // numbers a pixel
+
+  static std::array<bool, part_count> parts_of(std::span<const FrameLayer> layers, bool filter);
+  const float* at(Part part, std::size_t pixel) const { return &means_[part][pixel * widths[part]]; }
+  struct Noise {
+    double sum = 0;  // of the pixels' errors
+    int pixels = 0;
+    bool seen = false;
+  };
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  glm::vec3 colour(Part part, std::size_t pixel) const;
+  double shown_error(std::size_t pixel, double exposure) const;
+  Noise judge(int tile, double exposure) const;
+  bool can_filter() const;
+  FloatImage filtered_beauty() const;
+  glm::vec4 layer_at(FrameLayer layer, std::size_t pixel) const;
+
   int width_, height_;
+  std::vector<std::uint32_t> samples_;
+  std::array<std::vector<float>, part_count> means_;  // spread: of the squared luminance about its mean
 };
 
 }  // namespace pelage

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
@@ -27,16 +28,28 @@ using StrandChunk = std::vector<std::uint32_t>;
 /// Pieces sorted along a space-filling curve and cut where about `strands_each` strands are reached.
 std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, std::size_t strands_each);
 
-/// Prepared once for a state of the fields; then asked for chunks, from any thread. The views must outlive it.
-/// Deterministic: the same strands whatever the chunks are and whoever asks.
+/// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
+double expected_strands(const FurModel& model, const Coat& coat);
+
+/// Prepared once for a state of the fields; then asked for chunks, from any thread. The model's views must outlive it.
+/// Deterministic: the same strands whatever the chunks are and whoever asks. A strand of n segments takes 20 (n + 1) +
+/// 24 octets; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
+///
+/// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
+/// than they are long. Limits: a piece grows at most 4,194,304 strands, and none where its place on the tile is further
+/// than 100 sizes from the origin or has no area (TileCells); who must bound memory asks expected_strands first.
 class Grower {
  public:
   Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe);
   ~Grower();
 
+/// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
+double expected_strands(const FurModel& model, const Coat& coat);
+
   /// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
   double expected() const;
-  /// The strands of a chunk. Fur of no length grows none, density keeps those whose number is below it.
+  /// The strands of a chunk. Fur of no length grows none, density keeps those whose number is below it. A radius is
+  /// never below 1e-7, so that nothing is divided by 0 where strands have no width.
   StrandSet grow(const StrandChunk& chunk) const;
   /// Of all that `grow(chunk)` depends on: the same while it would give the same strands. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;

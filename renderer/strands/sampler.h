@@ -17,7 +17,7 @@ class Sampler {
   glm::vec2 next2();  // [0, 1)^2, stratified together
 
  private:
-  std::uint32_t pixel_, sample_;
+  std::uint32_t key_, sample_;  // key_: of pixel and seed
   std::uint32_t dimension_ = 0;
 };
 

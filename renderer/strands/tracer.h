@@ -28,8 +28,8 @@ class Tracer {
   /// too_large where memory does not do, unavailable when it was not to go on.
   Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
                std::span<const FrameLayer> layers, const GoOn& go_on);
-  /// Adds a pass, and says in the report why it was the last one. Unavailable when it was not to go on: the passes
-  /// before stay whole.
+  /// Adds a pass, and says in the report why it was the last one. Unavailable when it was not to go on: the picture is
+  /// then to be begun again.
   Status add_pass(const GoOn& go_on);
 
   TraceReport report() const;

@@ -221,6 +221,19 @@ void ModelBuffers::bind_storage(const Gl& gl) const {
   paint_.bind_storage(gl);
 }
 
+ModelBuffers::DrawLists ModelBuffers::lists_of_skin() const {
+  const auto count = static_cast<GLsizei>(3 * triangles_.size());
+  const auto bare = static_cast<GLsizei>(3 * bare_count_);
+  return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}, {}};
+}
+
+ModelBuffers::DrawLists ModelBuffers::skin_lists(const Gl& gl) {
+  const std::vector<glm::uvec3>& elements = skin_elements();
+  gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
+                     GL_STREAM_DRAW);
+  return lists_of_skin();
+}
+
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {
   for (std::size_t i = 0; i < levels_.size(); ++i)
     levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
@@ -230,15 +243,13 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
   const int sets = sets_of(view.shells, view.policy);
   const LayerLists lists = sort_triangles(mesh, view.eye, sets, view.furthest);
 
-  std::vector<glm::uvec3> elements(skin_.empty() ? triangles_ : skin_order_);
+  std::vector<glm::uvec3> elements(skin_elements());
   const auto append = [&](const std::vector<glm::uvec3>& triangles) {
     const DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
     elements.insert(elements.end(), triangles.begin(), triangles.end());
     return list;
   };
-  const auto count = static_cast<GLsizei>(3 * triangles_.size());
-  const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  DrawLists result{{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}, {}};
+  DrawLists result = lists_of_skin();
   result.shown = append(shown_triangles(mesh, view.eye));
   result.facing = append(lists.facing);
   result.averted = append(lists.averted);

@@ -77,11 +77,15 @@ class ModelBuffers {
     DrawList facing, averted;
     std::array<DrawList, most_layer_sets> marks;  // as LayerLists
   };
+  /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
+  DrawLists skin_lists(const Gl& gl);
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);
 
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
+  const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
+  DrawLists lists_of_skin() const;
   bool touched_by_skin(const glm::uvec3& triangle) const;
   bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;

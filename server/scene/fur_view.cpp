@@ -78,27 +78,39 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_pictur
   return pieces;
 }
 
+ModelArrays make_arrays(const SceneView& scene) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  const RawImage* picture = scene.base_picture;
+  ModelArrays arrays{make_pieces(mesh, scene.model.patches, picture != nullptr), {}};
+  if (picture) {
+    arrays.images.push_back({picture->width, picture->height, picture->rgba});
+  } else {
+    for (const RawImage& image : mesh.images) arrays.images.push_back({image.width, image.height, image.rgba});
+  }
+  return arrays;
+}
+
+FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  return {copy_id(scene),         mesh.positions,        mesh.normals,  mesh.tangents,
+          arrays.pieces.triangles, arrays.pieces.corners, arrays.images, scene.base_picture || !mesh.corners.empty(),
+          scene.copy_id};
+}
+
+FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty) {
+  return {scene.fields.direction(), scene.fields.length(), dirty, skin, make_paint(scene.fields)};
+}
+
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty) {
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
-  const Mesh& mesh = scene.model.surface.mesh();
-  const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
-  const FurFields fields{scene.fields.direction(), scene.fields.length(), ranges, skin,
-                         make_paint(scene.fields)};
+  const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
+  const FurFields fields = make_fields(scene, skin, ranges);
   const std::uint64_t copy = copy_id(scene);
   if (renderer.has(copy)) return renderer.update(copy, fields);
   renderer.forget(scene.copy_id);  // in other colours
-  const RawImage* picture = scene.base_picture;
-  const FurPieces pieces = make_pieces(mesh, scene.model.patches, picture != nullptr);
-  std::vector<ImageView> images;
-  if (picture) {
-    images.push_back({picture->width, picture->height, picture->rgba});
-  } else {
-    for (const RawImage& image : mesh.images) images.push_back({image.width, image.height, image.rgba});
-  }
-  return renderer.add({copy, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, images,
-                       picture || !mesh.corners.empty(), scene.copy_id},
-                      fields);
+  const ModelArrays arrays = make_arrays(scene);
+  return renderer.add(make_model(scene, arrays), fields);
 }
 
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {

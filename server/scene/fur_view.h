@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "protocol/commands/frame.h"
@@ -23,6 +24,18 @@ struct FurPieces {
 };
 /// With `has_picture`, corners carry the model's texture coordinates and name image 0 in place of the model's own look.
 FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture = false);
+
+/// What a FurModel points into beside the scene's mesh and picture.
+struct ModelArrays {
+  FurPieces pieces;
+  std::vector<ImageView> images;
+};
+ModelArrays make_arrays(const SceneView& scene);
+
+/// Views of the scene and of the arrays.
+FurModel make_model(const SceneView& scene, const ModelArrays& arrays);
+/// Views of the scene and of the other two.
+FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty);
 
 /// A frame in internal coordinates, with the scene's coat, look and lights.
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request);

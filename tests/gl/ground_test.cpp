@@ -78,6 +78,20 @@ TEST_P(Grounds, ShadowsFallAwayFromTheLight) {
   EXPECT_NEAR(darkening(true).left, 0.5 * to_the_left.left, 0.1 * to_the_left.left);
 }
 
+/// A lamp that shines past the ground casts no shadow on it, however near it is.
+TEST_P(Grounds, LampsThatShineElsewhereCastNoShadow) {
+  model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 0};
+  model.settings.look.ambient = 0.1;
+  const glm::dvec3 above = model.model.surface.mesh().to_model({0, 1.2, 0});
+  for (const LightKind kind : {LightKind::spot, LightKind::area}) {
+    model.settings.lights = {{.kind = kind, .direction = {0, -1, 0}, .position = above, .cone_degrees = 60,
+                              .cast_shadow = CastShadow::hard}};
+    EXPECT_GT(darkening(true).sum, 2000) << int(kind);
+    model.settings.lights[0].direction = {0, 1, 0};
+    EXPECT_EQ(darkening(true).sum, 0) << int(kind);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Gl, Grounds, all_backends(), name_of);
 
 }  // namespace

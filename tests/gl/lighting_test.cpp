@@ -93,6 +93,8 @@ Arriving arriving_from(const FurLight& light, const glm::dvec3& place) {
     const double edge = double(light.cone), full = double(light.soft_cone);
     found.radiance *= std::clamp((inside - edge) / (full - edge), 0.0, 1.0);
   }
+  if (light.kind == LightKind::area)
+    found.radiance *= std::max(-glm::dot(found.to_light, glm::dvec3(light.direction)), 0.0);
   return found;
 }
 
@@ -141,7 +143,14 @@ FurFrame lit_frame() {
                    .position = {0, 1.5f, 0},
                    .radiance = {0.8f, 0.9f, 0.3f},
                    .cone = 0.95f,
-                   .soft_cone = 0.99f}};
+                   .soft_cone = 0.99f},
+                  {.kind = LightKind::area,
+                   .direction = glm::normalize(glm::vec3(-1, 0.2f, -0.3f)),
+                   .position = {0.1f, 0.2f, -0.1f},
+                   .radiance = {0.02f, 0.05f, 0.03f},
+                   .cone = 0,
+                   .soft_cone = 1,
+                   .extent = {0.3f, 0.2f}}};
   return frame;
 }
 
@@ -230,7 +239,7 @@ TEST_P(Lighting, SurroundingsAreTheHarmonicsOfTheFrame) {
   EXPECT_EQ(glm::vec3(constant[0]), glm::vec3(1));
 }
 
-TEST_P(Lighting, LampsFallWithTheSquareAndSpotsToTheirEdge) {
+TEST_P(Lighting, LampsFallWithTheSquareSpotsToTheirEdgeAndAreasByTheCosine) {
   const FurFrame all = lit_frame();
   const std::vector<Case> of = random_cases();
   for (const FurLight& light : all.lights) {
@@ -249,7 +258,7 @@ TEST_P(Lighting, LampsFallWithTheSquareAndSpotsToTheirEdge) {
               .radiance.g;
       part += full > 0.01 && full < 0.99;
     }
-    EXPECT_GE(part, light.kind == LightKind::spot ? 50 : 0);
+    EXPECT_GE(part, light.kind == LightKind::spot || light.kind == LightKind::area ? 50 : 0);
   }
 }
 

@@ -62,9 +62,8 @@ std::vector<FurPass::Shell> FurPass::facing_shells(const Knobs& knobs, const Mod
   return shells_of(knobs, lists.facing, 1);
 }
 
-const Program& FurPass::bare_skin_of(const Gl& gl, const std::string& variant) {
-  const auto [place, made] =
-      bare_skins_.try_emplace(variant, gl, shaders::skin_vert, shaders::skin_frag, variant + "#define BARE_SKIN\n");
+const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
+  const auto [place, made] = skins_.try_emplace(defines, gl, shaders::skin_vert, shaders::skin_frag, defines);
   if (made) failure_ += place->second.log();
   return place->second;
 }
@@ -91,9 +90,23 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
   shading.skin.use();
   draw_list(gl, drawing.lists.furred);
   if (drawing.lists.bare.count > 0) {
-    bare_skin_of(gl, drawing.variant).use();
+    skin_of(gl, drawing.variant + "#define BARE_SKIN\n").use();
     draw_list(gl, drawing.lists.bare);
   }
+}
+
+void FurPass::draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
+                             const std::string& variant) {
+  gl.BindVertexArray(model.vertex_array());
+  gl.BindTextureUnit(2, model.base_images());
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  const std::string defines = variant + "#define NO_FUR\n";
+  skin_of(gl, defines).use();
+  draw_list(gl, lists.furred);
+  if (lists.bare.count == 0) return;
+  skin_of(gl, defines + "#define BARE_SKIN\n").use();
+  draw_list(gl, lists.bare);
 }
 
 void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {

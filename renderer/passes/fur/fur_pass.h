@@ -36,6 +36,9 @@ class FurPass {
   /// Leaves the depth cleared. Nothing is drawn where all pixels get the same set.
   void mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer);
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
+  /// The skin in open light, as if nothing grew on it: no fur and no map darkens it. The frame's block is bound.
+  void draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
+                      const std::string& variant);
   /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
   /// sorted.
   void draw_dense(const Gl& gl, const FurDrawing& drawing);
@@ -70,11 +73,11 @@ class FurPass {
   };
   void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 
-  const Program& bare_skin_of(const Gl& gl, const std::string& variant);
+  const Program& skin_of(const Gl& gl, const std::string& defines);
   const Shading& shading_of(const Gl& gl, const std::string& variant);
 
   std::map<std::string, Shading> shadings_;  // by variant, made when first used
-  std::map<std::string, Program> bare_skins_;
+  std::map<std::string, Program> skins_;         // beside those of the shadings, by all of their defines
   std::string failure_;
 };
 

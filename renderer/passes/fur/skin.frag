@@ -39,6 +39,11 @@ void main() {
   above *= painted_depth();
 #endif
   float furred = gl_FrontFacing ? grown : 0.0;
+#ifdef NO_FUR
+  const float covered = 0.0;  // the share of the skin that fur keeps light from
+#else
+  float covered = furred;
+#endif
   bool own = frame.skin.w > 0.5;
   vec3 bare = own ? model_colour(base_colour, base_uv) : frame.skin.rgb;
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
@@ -53,14 +58,14 @@ void main() {
 #endif
   vec3 coat = colour_crossed(undercoat, 0.0);
   vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
-  float depth = furred * above * frame.exponents.w;
-  vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), furred);
+  float depth = covered * above * frame.exponents.w;
+  vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), covered);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
   for (int i = 0; i < int(frame.counts.z); ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
     float facing = dot(normal, to_light);
-    float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, furred);
+    float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
     float to_skin = depth / max(facing, 0.3);
 #ifdef LAYERS
     vec3 unshadowed = radiance;

@@ -39,6 +39,10 @@ class LayersPass {
   void draw_distance(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
                      const RenderTarget& distance, const RenderTarget& covered);
 
+  /// The same of skin and eyes without fur.
+  void draw_open_distance(const Gl& gl, EyePass& eyes, const FurFrame& frame, const ModelBuffers& model,
+                          const ModelBuffers::DrawList& triangles, const RenderTarget& distance);
+
   /// Brings a layer to the picture's size (RGBA32F): colours, alpha and count as means; position, normal, tangent and
   /// shadow as FrameLayer says, with the coverage in the fourth channel; depth as it is in the middle of the pixel.
   void gather(const Gl& gl, FrameLayer layer, GLuint drawn, float scale, const RenderTarget& picture);
@@ -58,7 +62,7 @@ class LayersPass {
                                     const FurDrawing& drawing);
 
   // Made when first used.
-  std::optional<Program> gather_;
+  std::optional<Program> gather_, open_distance_;
   std::map<std::string, DistancePrograms> distance_;  // by variant
   std::string failure_;
   VertexArray nothing_;

@@ -190,6 +190,22 @@ Look look() {
           .skin = colour()};
 }
 
+Tracing tracing() {
+  Tracing result{.passes = *rc::gen::inRange(1, 65'537),
+                 .transport = one_of(Transport::paths),
+                 .strands = *rc::gen::inRange(1, 8'000'001),
+                 .noise = number(0, 1),
+                 .seconds = number(0, 3600),
+                 .filter = *rc::gen::arbitrary<bool>(),
+                 .seed = *rc::gen::arbitrary<std::uint32_t>()};
+  if (result.transport == Transport::paths) {
+    result.bounces = *rc::gen::inRange(1, 4097);
+  } else {
+    result.scattering = one_of(StrandScattering::energy_conserving);
+  }
+  return result;
+}
+
 static Command set_lights() {
   SetLights result;
   const int count = *rc::gen::inRange(0, 9);

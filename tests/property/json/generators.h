@@ -20,6 +20,7 @@ glm::dvec3 direction();  // not 0
 glm::vec3 colour();
 Camera camera();
 Look look();
+Tracing tracing();
 Stroke random_stroke();
 Brush random_brush();
 Command set_coat();

@@ -86,6 +86,16 @@ RC_GTEST_PROP(Json, NewScenesComeBack, ()) {
   RC_ASSERT(after->fur.length == before.fur.length && after->model.triangles == before.model.triangles);
 }
 
+/// By shells, by shells that strands refine, or by strands.
+static void choose_method(FrameRequest& frame) {
+  if (frame.overlay >= Overlay::layer_count && frame.overlay <= Overlay::shadow_width) return;
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0: return;
+    case 1: frame.refine = tracing(); return;
+    default: frame.knobs = {.eye_steps = *rc::gen::inRange(0, 65), .method = Method::strands, .trace = tracing()};
+  }
+}
+
 RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   FrameRequest before;
   before.width = *rc::gen::inRange(1, 8193);
@@ -119,12 +129,13 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   before.exposure = number(-20, 20);
   before.tone_map = one_of(ToneMap::filmic);
   if (*rc::gen::arbitrary<bool>()) before.look = look();
+  choose_method(before);
   const auto after = decode_frame_request(encode(before));
   if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
   RC_ASSERT(after->knobs == before.knobs);
   RC_ASSERT(encode(*after) == encode(before));
   RC_ASSERT(after->format == before.format && after->layers == before.layers && after->overlay == before.overlay);
-  RC_ASSERT(after->overlay_from == before.overlay_from);
+  RC_ASSERT(after->overlay_from == before.overlay_from && after->refine == before.refine);
   RC_ASSERT(after->background == before.background && after->exr_type == before.exr_type);
 }
 

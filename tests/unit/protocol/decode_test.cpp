@@ -306,7 +306,7 @@ TEST(DecodeFrame, QualityIsATierOrKnobs) {
   Knobs expected = knobs_of(Tier::interactive);
   expected.shells = 7;
   EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 7}})")->knobs, expected);
-  EXPECT_EQ(decode_frame_request(R"({"quality": "reference"})").status().pointer, "/quality");
+  EXPECT_EQ(decode_frame_request(R"({"quality": "finest"})").status().pointer, "/quality");
   EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 1025}})").status().pointer, "/quality/shells");
   EXPECT_EQ(decode_frame_request(R"({"quality": {"samples": 2}})").status().limit, "1 | 4");
 }

@@ -1,0 +1,68 @@
+// What a frame keeps beside colour.
+#include <algorithm>
+#include <optional>
+
+#include "renderer/frame/parts.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/gl/wait.h"
+#include "renderer/passes/draw/draw_state.h"
+
+namespace pelage {
+
+void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target) {
+  set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
+  gl_.DepthMask(GL_TRUE);
+  target.clear(gl_);
+  fur_.mark_sets(gl_, scene.drawing(frame), target.framebuffer());
+  draw_body(frame, scene, "#define LAYERS\n");
+}
+
+Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
+                                                      DrawTimes* times) {
+  if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
+  const Stopwatch drawing;
+  DrawTimes taken;
+  fragments_.begin();
+  const Prepared scene = prepare_scene(frame, taken);
+  const Status drawn = draw_light(frame, scene);
+  fragments_.end();
+  if (!drawn.ok()) return drawn;
+  std::optional<LayerTarget> target;
+  if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
+    target.emplace(gl_, layers, drawn_.width(), drawn_.height());
+    if (!target->complete()) return no_memory();
+    draw_beside_light(frame, scene, *target);
+  }
+  std::vector<FloatImage> images;
+  for (const FrameLayer layer : layers) {
+    Result<FloatImage> image = draw_layer(frame, scene, layer, target ? &*target : nullptr);
+    if (!image) return image.status();
+    images.push_back(std::move(image).value());
+  }
+  if (const Status built = programs(); !built.ok()) return built;
+  taken.draw = drawing.milliseconds() - taken.shadow;
+  taken.counters = take_counters();
+  if (times) *times = taken;
+  give_back_large_targets();
+  return images;
+}
+
+Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
+                                        const LayerTarget* target) {
+  RenderTarget distance;
+  GLuint source = light(frame).texture();
+  if (layer == FrameLayer::depth) {
+    distance = RenderTarget(gl_, GL_R32F, drawn_.width(), drawn_.height(), 1, true);
+    const RenderTarget covered(gl_, GL_RG32F, drawn_.width(), drawn_.height(), 1, true);
+    if (!distance.complete() || !covered.complete()) return no_memory();
+    layers_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
+    source = distance.texture();
+  } else if (LayerTarget::holds(layer)) {
+    source = target->texture(layer);
+  }
+  layers_.gather(gl_, layer, source, static_cast<float>(drawn_.height()) / static_cast<float>(frame.height), picture_);
+  if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
+  return read_back<FloatImage>(frame, GL_FLOAT);
+}
+
+}  // namespace pelage

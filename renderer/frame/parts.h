@@ -1,0 +1,51 @@
+// What the parts of the renderer share.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "renderer/frame/renderer.h"
+
+namespace pelage {
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Renderer::Prepared {
+  const CoatTextures& coat;
+  ModelBuffers& model;
+  ModelBuffers::DrawLists lists;
+  std::string variant;
+  FrameBlock block;
+
+  FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
+};
+
+Status no_memory();
+
+/// The #define lines of light from all around, "" where it is white from everywhere.
+std::string surroundings_of(const Environment& light);
+
+/// The #define lines of what shapes and colours the fur beside its fields.
+std::string shape_of(const Coat& coat, const ModelBuffers& model);
+
+template <class Picture>
+Result<Picture> Renderer::read_back(const FurFrame& frame, GLenum type) {
+  Picture image;
+  image.width = frame.width, image.height = frame.height;
+  image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(0, 0, frame.width, frame.height, GL_RGBA, type, image.rgba.data());
+  if (gl_.GetError() != GL_NO_ERROR) return failure(Code::internal, "a GL error while drawing");
+  return image;
+}
+
+}  // namespace pelage

@@ -1,0 +1,206 @@
+#include "renderer/strands/film.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+
+#include "renderer/strands/filter.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t judged_samples = 4;  // fewer say too little about their spread
+
+float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
+
+/// As passes/resolve/resolve.frag shows linear light.
+double shown(double linear) {
+  const double x = 0.72 * std::clamp(linear, 0.0, 1e4);
+  return srgb_from_linear(std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0));
+}
+
+}  // namespace
+
+std::array<bool, Film::part_count> Film::parts_of(std::span<const FrameLayer> layers, bool filter) {
+  std::array<bool, part_count> parts{};
+  const auto need = [&](std::initializer_list<Part> needed) {
+    for (const Part part : needed) parts[part] = true;
+  };
+  for (const FrameLayer layer : layers) {
+    switch (layer) {
+      case FrameLayer::beauty: need({beauty, spread}); break;
+      case FrameLayer::alpha: need({beauty}); break;
+      case FrameLayer::depth: need({body, depth}); break;
+      case FrameLayer::position: need({body, position}); break;
+      case FrameLayer::normal: need({body, normal}); break;
+      case FrameLayer::tangent: need({body, tangent}); break;
+      case FrameLayer::albedo: need({body, albedo}); break;
+      case FrameLayer::direct: need({body, direct}); break;
+      case FrameLayer::shadow: need({body, light}); break;
+      case FrameLayer::layer_count: need({body}); break;
+    }
+  }
+  if (filter && parts[beauty]) need({body, depth, normal, tangent, albedo});
+  return parts;
+}
+
+std::size_t Film::bytes(int width, int height, std::span<const FrameLayer> layers, bool filter) {
+  const std::array<bool, part_count> parts = parts_of(layers, filter);
+  std::size_t each = sizeof(std::uint32_t);
+  for (std::size_t part = 0; part < part_count; ++part) each += parts[part] ? widths[part] * sizeof(float) : 0;
+  return each * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+Film::Film(int width, int height, std::span<const FrameLayer> layers, bool filter) : width_(width), height_(height) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::array<bool, part_count> parts = parts_of(layers, filter);
+  samples_.resize(pixels);
+  for (std::size_t part = 0; part < part_count; ++part) means_[part].resize(parts[part] ? pixels * widths[part] : 0);
+}
+
+void Film::add(int x, int y, const FilmSample& s) {
+  const std::size_t pixel = index(x, y);
+  const float share = 1 / static_cast<float>(++samples_[pixel]);
+  const auto keep = [&](Part part, std::initializer_list<float> values) {
+    if (means_[part].empty()) return;
+    float* mean = &means_[part][pixel * widths[part]];
+    for (const float value : values) *mean += (value - *mean) * share, ++mean;
+  };
+  const auto keep_colour = [&](Part part, glm::vec3 c) { keep(part, {c.x, c.y, c.z}); };
+  // Welford 1962: off the mean before times off the mean after.
+  const auto off_mean = [&] { return means_[spread].empty() ? 0 : luminance(s.radiance - colour(beauty, pixel)); };
+  const float before = off_mean();
+  keep(beauty, {s.radiance.r, s.radiance.g, s.radiance.b, s.alpha});
+  keep(spread, {before * off_mean()});
+  keep(body, {s.body});
+  keep(depth, {s.over_depth, s.over_depth > 0 ? 1.0f : 0.0f});
+  keep_colour(position, s.position * s.body);
+  keep_colour(normal, s.normal * s.body);
+  keep_colour(tangent, s.tangent * s.body);
+  keep_colour(albedo, s.albedo * s.body);
+  keep_colour(direct, s.direct);
+  keep(light, {s.light.x, s.light.y});
+}
+
+int Film::samples(int x, int y) const {
+  return static_cast<int>(samples_[index(x, y)]);
+}
+
+double Film::mean_samples() const {
+  double sum = 0;
+  for (const std::uint32_t count : samples_) sum += count;
+  return samples_.empty() ? 0 : sum / static_cast<double>(samples_.size());
+}
+
+glm::vec3 Film::colour(Part part, std::size_t pixel) const {
+  const float* mean = at(part, pixel);
+  return {mean[0], mean[1], mean[2]};
+}
+
+/// Half of what is shown a standard error above and below the mean, times the mean of |x| of a normal distribution.
+/// Alpha divides both mean and error before the tone map and multiplies what is shown after it.
+double Film::shown_error(std::size_t pixel, double exposure) const {
+  const double count = samples_[pixel], alpha = double(at(beauty, pixel)[3]);
+  if (!(alpha > 0)) return 0;
+  const double factor = std::exp2(exposure) / alpha;
+  const double mean = factor * double(luminance(colour(beauty, pixel)));
+  const double error = factor * std::sqrt(std::max(double(*at(spread, pixel)), 0.0) / (count - 1));
+  return std::min(alpha, 1.0) * (shown(mean + error) - shown(mean - error)) / 2 * std::sqrt(2 / std::numbers::pi);
+}
+
+Film::Noise Film::judge(int number, double exposure) const {
+  const int left = number % tiles_across() * tile, top = number / tiles_across() * tile;
+  const int right = std::min(left + tile, width_), bottom = std::min(top + tile, height_);
+  Noise noise{0, (right - left) * (bottom - top), false};
+  if (means_[spread].empty()) noise.sum = infinity;
+  for (int y = top; y < bottom && noise.sum < infinity; ++y) {
+    for (int x = left; x < right; ++x) {
+      const std::size_t pixel = index(x, y);
+      noise.sum += samples_[pixel] < judged_samples ? infinity : shown_error(pixel, exposure);
+      noise.seen = noise.seen || at(beauty, pixel)[3] > 0;
+    }
+  }
+  return noise;
+}
+
+double Film::noise(int number, double exposure) const {
+  const Noise noise = judge(number, exposure);
+  return noise.sum / noise.pixels;
+}
+
+double Film::noise(double exposure) const {
+  Noise all;
+  for (int number = 0; number < tile_count(); ++number) {
+    const Noise noise = judge(number, exposure);
+    if (!noise.seen && noise.sum < infinity) continue;
+    all.sum += noise.sum;
+    all.pixels += noise.pixels;
+  }
+  return all.pixels > 0 ? all.sum / all.pixels : 0;
+}
+
+/// The rules of passes/layers/gather.frag.
+glm::vec4 Film::layer_at(FrameLayer layer, std::size_t pixel) const {
+  const float covered = means_[body].empty() ? 0 : std::clamp(*at(body, pixel), 0.0f, 1.0f);
+  const auto whole = [&](Part part) { return glm::vec4(colour(part, pixel), covered); };
+  const auto unit = [&](Part part) {
+    const glm::vec3 sum = colour(part, pixel);
+    return glm::vec4(glm::dot(sum, sum) > 1e-12f ? glm::normalize(sum) : glm::vec3(0), covered);
+  };
+  switch (layer) {
+    case FrameLayer::beauty:
+    case FrameLayer::alpha: return {colour(beauty, pixel), at(beauty, pixel)[3]};
+    case FrameLayer::depth: {
+      const float *mean = at(depth, pixel), nearness = mean[1] >= 0.5f ? mean[0] / mean[1] : 0;
+      return {nearness, 0, 0, covered};
+    }
+    case FrameLayer::position: return {covered > 0 ? colour(position, pixel) / covered : glm::vec3(0), covered};
+    case FrameLayer::normal: return unit(normal);
+    case FrameLayer::tangent: return unit(tangent);
+    case FrameLayer::albedo: return whole(albedo);
+    case FrameLayer::direct: return whole(direct);
+    case FrameLayer::shadow: {
+      const float* mean = at(light, pixel);
+      return {glm::vec3(mean[1] > 0 ? std::clamp(mean[0] / mean[1], 0.0f, 1.0f) : 1.0f), covered};
+    }
+    case FrameLayer::layer_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
+  }
+  assert(false);
+  return {};
+}
+
+bool Film::can_filter() const {
+  return !means_[beauty].empty() && !means_[depth].empty() && !means_[normal].empty() && !means_[tangent].empty() &&
+         !means_[albedo].empty();
+}
+
+FloatImage Film::filtered_beauty() const {
+  return filter_beauty({.width = width_,
+                        .height = height_,
+                        .samples = samples_,
+                        .beauty = means_[beauty],
+                        .body = means_[body],
+                        .depth = means_[depth],
+                        .normal = means_[normal],
+                        .tangent = means_[tangent],
+                        .albedo = means_[albedo]});
+}
+
+FloatImage Film::layer(FrameLayer layer, bool filtered) const {
+  const bool shows_light = layer == FrameLayer::beauty || layer == FrameLayer::alpha;
+  if (filtered && shows_light && can_filter()) return filtered_beauty();
+  FloatImage image{width_, height_, {}};
+  image.rgba.reserve(samples_.size() * 4);
+  for (std::size_t pixel = 0; pixel < samples_.size(); ++pixel) {
+    const glm::vec4 value = layer_at(layer, pixel);
+    image.rgba.insert(image.rgba.end(), {value.r, value.g, value.b, value.a});
+  }
+  return image;
+}
+
+}  // namespace pelage

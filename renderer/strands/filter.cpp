@@ -1,0 +1,327 @@
+#include "renderer/strands/filter.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <thread>
+#include <vector>
+
+namespace pelage {
+
+namespace {
+
+constexpr int farthest = 6;            // pixels that light comes from at 1 sample
+constexpr int margin = farthest + 3;   // and more for outlines, and for windows that touch a pixel
+constexpr int band_rows = 32;
+constexpr int block = 32;              // pixels of a row that are worked on together
+constexpr float least_albedo = 0.02f;  // is added to all: black things keep their highlights
+constexpr float unknown = 1e9f;        // noise of a feature that too few pixels show
+
+/// Of features that have no noise: tangent, normal, root of albedo, logarithm of depth.
+constexpr int feature_groups = 4;
+constexpr std::array<float, feature_groups> sharpness{0.2f, 0.25f, 0.08f, 0.012f};
+constexpr std::array<int, feature_groups + 1> group_begins{0, 3, 6, 9, 10};
+constexpr int features = 10;
+
+/// Numbers of each pixel of a band, by plane. Features are 0 where nothing is seen; light and white, which is albedo
+/// and a little, are multiplied by body.
+enum Plane : int {
+  feature = 0,
+  mean = features,                       // of each feature, over the 3 x 3 pixels around
+  noise = mean + features,               // of each group: variance there
+  guide = noise + feature_groups,        // each feature with less noise
+  falloff = guide + features,            // of each group: over the square of its width
+  body = falloff + feature_groups,
+  light, light_end = light + 3,
+  white = light_end, white_end = white + 3,
+  over_reach = white_end,                // over the square of the filter's radius
+  own_share,                             // of a pixel's own features in its guide
+  ground,                                // alpha that is not of the body
+  result, result_end = result + 3,       // light, filtered
+  plane_count = result_end
+};
+
+/// Radius, pixels: from 7 at 1 sample, where the last that weighs anything is 6 away, to 1, where none is.
+float reach_of(std::uint32_t samples) {
+  if (samples >= filtered_samples) return 1;
+  return 1 + farthest * (1 - std::log2(static_cast<float>(std::max(samples, 1u))) / 6);
+}
+
+using Lanes = std::array<float, block>;
+
+/// What a block of pixels gathers.
+struct Sums {
+  std::array<Lanes, 3> light{}, white{}, near_white{};
+  Lanes near_body{};
+};
+
+/// Rows of a picture with all around them that they look at.
+class Band {
+ public:
+  Band(const FilterSource& source, int top, int bottom);
+  void filter();
+  void write(FloatImage& image) const;
+
+ private:
+  float* row(int plane, int y) { return &planes_[offset(plane, y)]; }
+  const float* row(int plane, int y) const { return &planes_[offset(plane, y)]; }
+  /// Of column 0 of a row of the picture.
+  std::size_t offset(int plane, int y) const {
+    return (static_cast<std::size_t>(plane * rows_ + (y - top_ + margin)) * stride_) + margin;
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(source_.width) + static_cast<std::size_t>(x);
+  }
+  void load(int y);
+  void load_features(int x, int y);
+  void judge_windows(int x, int y);
+  void make_guides(int y);
+  void gather(int x, int y);
+  void add_tap(int x, int y, int dx, int dy, Sums& sums) const;
+  void finish(int x, int y, const Sums& sums);
+  glm::vec4 outlined(int x, int y) const;
+  float smooth_ground(int x, int y) const;
+
+  const FilterSource& source_;
+  int top_, bottom_, rows_;
+  std::size_t stride_;
+  bool has_ground_ = false;
+  std::vector<float> planes_;
+};
+
+Band::Band(const FilterSource& source, int top, int bottom)
+    : source_(source),
+      top_(top),
+      bottom_(bottom),
+      rows_(bottom - top + 2 * margin),
+      stride_(static_cast<std::size_t>(source.width + 2 * margin + block)),
+      planes_(static_cast<std::size_t>(plane_count * rows_) * stride_) {
+  for (int y = std::max(top - margin, 0); y < std::min(bottom + margin, source.height); ++y) load(y);
+}
+
+void Band::load(int y) {
+  for (int x = 0; x < source_.width; ++x) {
+    const std::size_t i = index(x, y);
+    const float covered = source_.body[i], reach = reach_of(source_.samples[i]);
+    row(body, y)[x] = covered;
+    row(over_reach, y)[x] = 1 / (reach * reach);
+    row(own_share, y)[x] = 1 - 1 / static_cast<float>(std::max(source_.samples[i], 1u));
+    row(ground, y)[x] = std::max(source_.beauty[4 * i + 3] - covered, 0.0f);
+    has_ground_ = has_ground_ || row(ground, y)[x] > 0;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t k = static_cast<std::size_t>(c);
+      row(light + c, y)[x] = row(result + c, y)[x] = source_.beauty[4 * i + k];
+      row(white + c, y)[x] = source_.albedo[3 * i + k] + least_albedo * covered;
+    }
+    if (covered > 0) load_features(x, y);
+  }
+}
+
+void Band::load_features(int x, int y) {
+  const std::size_t i = index(x, y);
+  const float over = 1 / source_.body[i];
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t k = 3 * i + static_cast<std::size_t>(c);
+    row(feature + c, y)[x] = source_.tangent[k] * over;
+    row(feature + 3 + c, y)[x] = source_.normal[k] * over;
+    row(feature + 6 + c, y)[x] = std::sqrt(std::max(source_.albedo[k] * over, 0.0f));
+  }
+  const float nearness = source_.depth[2 * i], share = source_.depth[2 * i + 1];
+  row(feature + 9, y)[x] = nearness > 0 && share > 0 ? std::log(nearness / share) : 0;
+}
+
+/// Mean and variance of features in the windows around a block.
+void Band::judge_windows(int x, int y) {
+  Lanes count{};
+  const auto over_window = [&](int plane, auto&& add) {
+    for (int v = y - 1; v <= y + 1; ++v) {
+      for (int u = x - 1; u <= x + 1; ++u) {
+        const float* values = row(plane, v) + u;
+        for (std::size_t i = 0; i < block; ++i) add(i, values[i]);
+      }
+    }
+  };
+  over_window(body, [&](std::size_t i, float value) { count[i] += value > 0 ? 1.0f : 0.0f; });
+  for (int group = 0; group < feature_groups; ++group) {
+    Lanes spread{};
+    for (int k = group_begins[std::size_t(group)]; k < group_begins[std::size_t(group) + 1]; ++k) {
+      Lanes sum{}, squares{};
+      over_window(feature + k, [&](std::size_t i, float value) { sum[i] += value, squares[i] += value * value; });
+      float* means = row(mean + k, y) + x;
+      for (std::size_t i = 0; i < block; ++i) {
+        means[i] = sum[i] / std::max(count[i], 1.0f);
+        spread[i] += std::max(squares[i] - sum[i] * means[i], 0.0f);
+      }
+    }
+    float* variance = row(noise + group, y) + x;
+    for (std::size_t i = 0; i < block; ++i) variance[i] = count[i] > 3 ? spread[i] / (count[i] - 1) : unknown;
+  }
+}
+
+/// Features of few samples would choose light by chance, and chance favours what is common. So they are drawn to the
+/// mean of the quietest of the four windows with the pixel in a corner: edges are in others (Kuwahara 1976). What noise
+/// is left makes them count less.
+void Band::make_guides(int y) {
+  for (int group = 0; group < feature_groups; ++group) {
+    const int begin = group_begins[std::size_t(group)], end = group_begins[std::size_t(group) + 1];
+    const float sharp = sharpness[std::size_t(group)];
+    for (int x = 0; x < source_.width; ++x) {
+      glm::ivec2 best(x - 1, y - 1);
+      for (const glm::ivec2 other : {glm::ivec2(x + 1, y - 1), {x - 1, y + 1}, {x + 1, y + 1}}) {
+        if (row(noise + group, other.y)[other.x] < row(noise + group, best.y)[best.x]) best = other;
+      }
+      const float least = row(noise + group, best.y)[best.x];
+      const bool known = least < unknown && row(body, y)[x] > 0;
+      const float own = known ? row(own_share, y)[x] : 1, drawn = 1 - own;
+      for (int k = begin; k < end; ++k)
+        row(guide + k, y)[x] = own * row(feature + k, y)[x] + drawn * row(mean + k, best.y)[best.x];
+      const float left = known ? least * (own * own + drawn * drawn / 9) : 0;
+      row(falloff + group, y)[x] = 1 / (2 * sharp * sharp + 32 * left);
+    }
+  }
+}
+
+/// Light from pixels at an offset, weighed by how alike they are: about exp(-difference), and nothing beyond the reach.
+/// Albedo itself is averaged from nearer.
+void Band::add_tap(int x, int y, int dx, int dy, Sums& sums) const {
+  Lanes difference{}, weight;
+  for (int group = 0; group < feature_groups; ++group) {
+    Lanes square{};
+    for (int k = group_begins[std::size_t(group)]; k < group_begins[std::size_t(group) + 1]; ++k) {
+      const float *own = row(guide + k, y) + x, *other = row(guide + k, y + dy) + x + dx;
+      for (std::size_t i = 0; i < block; ++i) square[i] += (own[i] - other[i]) * (own[i] - other[i]);
+    }
+    const float* over = row(falloff + group, y) + x;
+    for (std::size_t i = 0; i < block; ++i) difference[i] += square[i] * over[i];
+  }
+  const float* over = row(over_reach, y) + x;
+  const float apart = static_cast<float>(dx * dx + dy * dy);
+  for (std::size_t i = 0; i < block; ++i) {
+    const float alike = std::max(1 - difference[i] / 8, 0.0f), near = std::max(1 - apart * over[i], 0.0f);
+    const float fourth = alike * alike * alike * alike;
+    weight[i] = fourth * fourth * near;
+  }
+  const auto add = [&](int plane, const Lanes& weights, Lanes& sum) {
+    const float* other = row(plane, y + dy) + x + dx;
+    for (std::size_t i = 0; i < block; ++i) sum[i] += weights[i] * other[i];
+  };
+  for (int c = 0; c < 3; ++c) add(light + c, weight, sums.light[std::size_t(c)]);
+  for (int c = 0; c < 3; ++c) add(white + c, weight, sums.white[std::size_t(c)]);
+  if (4 * (dx * dx + dy * dy) > farthest * farthest) return;
+  for (std::size_t i = 0; i < block; ++i) weight[i] *= std::max(1 - 4 * apart * over[i], 0.0f);
+  for (int c = 0; c < 3; ++c) add(white + c, weight, sums.near_white[std::size_t(c)]);
+  add(body, weight, sums.near_body);
+}
+
+void Band::gather(int x, int y) {
+  float least = 1;
+  for (int i = x; i < x + block; ++i) {
+    if (row(body, y)[i] > 0) least = std::min(least, row(over_reach, y)[i]);
+  }
+  if (least == 1) return;
+  Sums sums;
+  for (int dy = -farthest; dy <= farthest; ++dy) {
+    for (int dx = -farthest; dx <= farthest; ++dx) {
+      const int square = dx * dx + dy * dy;
+      if (square > 9 && (dx + dy) % 2 != 0) continue;  // of far pixels every other one does
+      if (static_cast<float>(square) * least < 1) add_tap(x, y, dx, dy, sums);
+    }
+  }
+  finish(x, y, sums);
+}
+
+/// A ratio of sums, so that where light and albedo vary together their mean is kept.
+void Band::finish(int x, int y, const Sums& sums) {
+  for (std::size_t i = 0; i < block; ++i) {
+    const int u = x + static_cast<int>(i);
+    const float covered = row(body, y)[u];
+    if (!(covered > 0) || row(over_reach, y)[u] == 1 || u >= source_.width) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float own = covered * sums.near_white[c][i] / sums.near_body[i];
+      row(result + int(c), y)[u] = own * sums.light[c][i] / sums.white[c][i];
+    }
+  }
+}
+
+void Band::filter() {
+  for (int y = top_ - margin + 1; y < bottom_ + margin - 1; ++y) {
+    for (int x = -1; x <= source_.width; x += block) judge_windows(x, y);
+  }
+  for (int y = top_ - margin + 2; y < bottom_ + margin - 2; ++y) make_guides(y);
+  for (int y = std::max(top_ - 1, 0); y < std::min(bottom_ + 1, source_.height); ++y) {
+    for (int x = 0; x < source_.width; x += block) gather(x, y);
+  }
+}
+
+/// Light and body's alpha. Outlines are smoothed by 3 x 3 pixels, the less the more samples there are.
+glm::vec4 Band::outlined(int x, int y) const {
+  const float share = 0.75f * (1 / std::sqrt(row(over_reach, y)[x]) - 1) / farthest;
+  glm::vec4 own(0), mean(0);
+  float least = 1, most = 0, sum = 0;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, source_.height - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, source_.width - 1); ++u) {
+      const glm::vec4 value(row(result, v)[u], row(result + 1, v)[u], row(result + 2, v)[u], row(body, v)[u]);
+      const float weight = (u == x ? 2.0f : 1.0f) * (v == y ? 2.0f : 1.0f);
+      if (u == x && v == y) own = value;
+      mean += weight * value, sum += weight;
+      least = std::min(least, value.a), most = std::max(most, value.a);
+    }
+  }
+  return least < most ? own + share * (mean / sum - own) : own;
+}
+
+/// Share of what is open that the ground darkens, over the filter's reach.
+float Band::smooth_ground(int x, int y) const {
+  const float over = row(over_reach, y)[x];
+  float dark = 0, open = 0;
+  for (int dy = -farthest; dy <= farthest; ++dy) {
+    for (int dx = -farthest; dx <= farthest; ++dx) {
+      const float weight = std::max(1 - static_cast<float>(dx * dx + dy * dy) * over, 0.0f);
+      if (x + dx < 0 || x + dx >= source_.width || y + dy < 0 || y + dy >= source_.height) continue;
+      dark += weight * row(ground, y + dy)[x + dx];
+      open += weight * (1 - row(body, y + dy)[x + dx]);
+    }
+  }
+  return open > 0 ? dark / open : 0;
+}
+
+void Band::write(FloatImage& image) const {
+  for (int y = top_; y < bottom_; ++y) {
+    for (int x = 0; x < source_.width; ++x) {
+      const std::size_t i = 4 * index(x, y);
+      const bool kept = row(over_reach, y)[x] == 1;
+      glm::vec4 pixel(0);
+      if (!kept) pixel = outlined(x, y);
+      if (!kept && has_ground_ && pixel.a < 1) pixel.a += (1 - pixel.a) * smooth_ground(x, y);
+      for (int c = 0; c < 4; ++c) {
+        const std::size_t k = i + static_cast<std::size_t>(c);
+        image.rgba[k] = kept ? source_.beauty[k] : pixel[c];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FloatImage filter_beauty(const FilterSource& source, int threads) {
+  FloatImage image{source.width, source.height, std::vector<float>(source.beauty.size())};
+  const int bands = (source.height + band_rows - 1) / band_rows;
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    for (int band = next++; band < bands; band = next++) {
+      Band part(source, band * band_rows, std::min((band + 1) * band_rows, source.height));
+      part.filter();
+      part.write(image);
+    }
+  };
+  const int wanted = threads > 0 ? threads : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  std::vector<std::thread> others;
+  for (int i = 1; i < std::min(wanted, bands); ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  return image;
+}
+
+}  // namespace pelage

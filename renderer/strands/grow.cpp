@@ -1,0 +1,169 @@
+#include "renderer/strands/grow.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "renderer/pattern/pattern_block.h"
+#include "renderer/strands/hash.h"
+#include "renderer/strands/lean_table.h"
+#include "renderer/strands/piece_area.h"
+#include "renderer/strands/root_fields.h"
+#include "renderer/strands/strand_colours.h"
+#include "renderer/strands/strand_form.h"
+#include "renderer/strands/tile_cells.h"
+#include "renderer/strands/tile_strands.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float least_radius = 1e-7f;  // sizes
+
+bool any_above_rest(std::span<const float> field) {
+  return std::any_of(field.begin(), field.end(), [](float value) { return value > 0; });
+}
+
+/// A number in [0, 1) of a strand and the copy of the tile that it is in.
+float number_of(const TileCopy& copy, std::uint64_t stream) {
+  const std::uint64_t tile =
+      std::uint64_t{static_cast<std::uint32_t>(copy.tiles.x)} << 32 | static_cast<std::uint32_t>(copy.tiles.y);
+  return static_cast<float>(mix_bits(mix_bits(copy.strand | stream << 32) ^ tile) >> 40) * 0x1p-24f;
+}
+
+std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, const TileStrands& tile) {
+  const Coat& coat = recipe.coat;
+  Hash hash;
+  hash.add(tile.hash());
+  for (const double value : {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share,
+                             coat.tufts.gather, coat.tufts.size, recipe.share, recipe.widening})
+    hash.add(value);
+  for (const std::uint64_t value :
+       {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
+        static_cast<std::uint64_t>(coat.tufts.scales), static_cast<std::uint64_t>(coat.lean_curve == LeanCurve::root),
+        static_cast<std::uint64_t>(recipe.model_colours)})
+    hash.add(value);
+  hash.add_value(make_pattern_block(coat));
+  for (const RampStop& stop : coat.ramp) hash.add_value(stop.colour);  // the largest is what lightness is over
+  return hash.value();
+}
+
+std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const FurVertex> vertices) {
+  std::vector<std::uint64_t> hashes;
+  hashes.reserve(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    Hash hash;
+    hash.add_value(std::array{model.positions[v], model.normals[v], model.tangents[v]});
+    hash.add_value(vertices[v]);
+    hashes.push_back(hash.value());
+  }
+  return hashes;
+}
+
+}  // namespace
+
+struct Grower::Impl {
+  Impl(const FurModel& surface, const FurFields& fields, const GrowRecipe& how)
+      : model(surface),
+        recipe(how),
+        vertices(fur_vertices(surface, fields)),
+        leans(how.coat.lean_curve, how.coat.root_share),
+        tile(recipe.coat, strand_segments(how.coat, any_above_rest(fields.paint.curl))),
+        cells(tile.strands(), how.coat.tile),
+        form(recipe.coat, tile),
+        colours(model, recipe, tile),
+        whole_hash(recipe_hash(how, surface, tile)),
+        hashes(vertex_hashes(surface, vertices)) {
+    if (has_pattern(recipe.coat)) pattern = make_pattern_block(recipe.coat);
+  }
+
+  bool bald(std::uint32_t piece) const;
+  bool keeps(const FurPiece& piece, const TileCopy& copy) const;
+  void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const;
+  void append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
+
+  FurModel model;
+  GrowRecipe recipe;
+  std::vector<FurVertex> vertices;
+  LeanTable leans;
+  TileStrands tile;
+  TileCells cells;
+  StrandForm form;
+  StrandColours colours;
+  std::optional<PatternBlock> pattern;
+  std::uint64_t whole_hash;           // of all that is the same for all chunks
+  std::vector<std::uint64_t> hashes;  // of each vertex
+};
+
+bool Grower::Impl::bald(std::uint32_t piece) const {
+  const glm::uvec3 t = model.triangles[piece];
+  return vertices[t.x].length <= 0 && vertices[t.y].length <= 0 && vertices[t.z].length <= 0;
+}
+
+bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
+  const glm::vec3 share(copy.share);
+  const float density = piece.density(share);
+  return number_of(copy, 1) < piece.grown(share) && number_of(copy, 2) < static_cast<float>(recipe.share) &&
+         (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
+}
+
+void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const {
+  const glm::vec3 share(copy.share);
+  const RootFields root = piece.fields(share);
+  const auto reach = static_cast<float>(tile[copy.strand].length_share);
+  const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
+  set.points.resize(first + knots), set.colours.resize(first + knots);
+  std::array<glm::vec3, 64> sideways;
+  form.sideways(copy.strand, root, std::span(sideways).first(knots));
+  const float wider = std::max(root.width, 0.0f) * static_cast<float>(recipe.widening);
+  for (std::size_t i = 0; i < knots; ++i) {
+    const int k = static_cast<int>(i);
+    set.points[first + i] = {root.place + piece.leaned(share, tile.along(k) * reach) + sideways[i],
+                             std::max(wider * tile.radius(copy.strand, k), least_radius)};
+  }
+  colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
+  set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), reach, root.wetness});
+}
+
+void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const {
+  if (bald(index)) return;
+  cells.find(tile_triangle(model.corners[index]), copies);
+  if (copies.empty()) return;
+  const FurPiece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
+  for (const TileCopy& copy : copies) {
+    if (keeps(piece, copy)) append(piece, copy, set);
+  }
+}
+
+Grower::Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe)
+    : impl_(std::make_unique<const Impl>(model, fields, recipe)) {}
+
+Grower::~Grower() = default;
+
+double expected_strands(const FurModel& model, const Coat& coat) {
+  double sum = 0;
+  for (const auto& corners : model.corners) sum += expected_strands(corners, coat);
+  return sum;
+}
+
+StrandSet Grower::grow(const StrandChunk& chunk) const {
+  StrandSet set;
+  set.segments = impl_->tile.segments();
+  std::vector<TileCopy> copies;
+  for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, set);
+  set.points.shrink_to_fit(), set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
+  return set;
+}
+
+std::uint64_t Grower::fingerprint(const StrandChunk& chunk) const {
+  Hash hash;
+  hash.add(impl_->whole_hash);
+  for (const std::uint32_t piece : chunk) {
+    const glm::uvec3 t = impl_->model.triangles[piece];
+    for (const std::uint32_t v : {t.x, t.y, t.z}) hash.add(impl_->hashes[v]);
+    hash.add_value(impl_->model.corners[piece]);
+  }
+  return hash.value();
+}
+
+}  // namespace pelage

@@ -1,0 +1,116 @@
+#include "renderer/strands/root_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/pattern/pattern.h"
+#include "renderer/skin/bare.h"
+
+namespace pelage {
+
+namespace {
+
+float value_of(std::span<const float> field, std::size_t vertex, float rest) {
+  return field.empty() ? rest : field[vertex];
+}
+
+glm::vec4 covered(std::span<const glm::vec4> field, std::size_t vertex) {
+  return field.empty() ? glm::vec4(0) : glm::vec4(glm::vec3(field[vertex]) * field[vertex].a, field[vertex].a);
+}
+
+/// Of the length 1, or any unit vector across `normal` for one that has no length.
+glm::vec3 unit_across(glm::vec3 v, glm::vec3 normal) {
+  const glm::vec3 across = v - normal * glm::dot(v, normal);
+  const float length = glm::length(across);
+  if (length > 1e-6f) return across / length;
+  const glm::vec3 other = std::abs(normal.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(other - normal * glm::dot(other, normal));
+}
+
+glm::vec3 unit_or_up(glm::vec3 v) {
+  const float length = glm::length(v);
+  return length > 1e-6f ? v / length : glm::vec3(0, 1, 0);
+}
+
+}  // namespace
+
+std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields) {
+  const FurPaint& paint = fields.paint;
+  std::vector<FurVertex> vertices(model.positions.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const double skin = fields.skin.empty() ? 1 : fur_kept(fields.skin, model.positions[v], model.normals[v]);
+    const float length = fields.length[v] * static_cast<float>(skin) * (1 - value_of(paint.bare, v, 0));
+    vertices[v] = {fields.direction[v],         std::max(length, 0.0f),        value_of(paint.density, v, 1),
+                   value_of(paint.width, v, 1), value_of(paint.wetness, v, 0), value_of(paint.curl, v, 0),
+                   value_of(paint.clump, v, 0), covered(paint.root_colour, v), covered(paint.tip_colour, v)};
+  }
+  return vertices;
+}
+
+FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,
+                   const LeanTable& leans, const PatternBlock* pattern) {
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t v = model.triangles[index][i];
+    Corner& corner = corners_[static_cast<std::size_t>(i)];
+    corner.place = model.positions[v], corner.normal = model.normals[v];
+    corner.fur = vertices[v], corner.corner = model.corners[index][static_cast<std::size_t>(i)];
+    grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
+    density_[i] = corner.fur.density;
+    prepare(corner, model.tangents[v], leans, pattern);
+  }
+}
+
+/// The curve of a strand at a corner, as in fur.vert.
+void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
+  const glm::vec2 direction = corner.fur.direction;
+  float inclination = std::min(glm::length(direction), 1.0f);
+  const glm::vec2 heading = inclination > 1e-6f ? direction / inclination : glm::vec2(1, 0);
+  if (pattern) {
+    corner.fur.length *= pattern_length(*pattern, corner.place);
+    inclination = glm::clamp(inclination + pattern_lean(*pattern, corner.place), 0.0f, 1.0f);
+  }
+  const glm::vec3 lean = tangent * heading.x + glm::cross(corner.normal, tangent) * heading.y;
+  const LeanRow row = leans.row(inclination);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    corner.curve[k] = corner.fur.length * (row[k].place.x * lean + row[k].place.y * corner.normal);
+    corner.slope[k] = (corner.fur.length / lean_cells) * (row[k].slope.x * lean + row[k].slope.y * corner.normal);
+  }
+}
+
+RootFields FurPiece::fields(glm::vec3 share) const {
+  const auto mixed = [&](auto value) {
+    return share.x * value(corners_[0]) + share.y * value(corners_[1]) + share.z * value(corners_[2]);
+  };
+  RootFields root;
+  root.place = mixed([](const Corner& c) { return c.place; });
+  root.normal = unit_or_up(mixed([](const Corner& c) { return c.normal; }));
+  root.tile_u = unit_across(mixed([](const Corner& c) { return c.corner.tile_axis; }), root.normal);
+  root.tile_v = glm::cross(root.normal, root.tile_u);
+  root.length = mixed([](const Corner& c) { return c.fur.length; });
+  root.width = mixed([](const Corner& c) { return c.fur.width; });
+  root.wetness = mixed([](const Corner& c) { return c.fur.wetness; });
+  root.curl = mixed([](const Corner& c) { return c.fur.curl; });
+  root.clump = mixed([](const Corner& c) { return c.fur.clump; });
+  root.root_paint = mixed([](const Corner& c) { return c.fur.root_paint; });
+  root.tip_paint = mixed([](const Corner& c) { return c.fur.tip_paint; });
+  root.image_uv = mixed([](const Corner& c) { return c.corner.image_uv; });
+  root.colour = mixed([](const Corner& c) { return c.corner.colour; });
+  root.image = corners_[0].corner.image;
+  return root;
+}
+
+glm::vec3 FurPiece::leaned(glm::vec3 share, float s) const {
+  const float at = s * lean_cells;
+  const auto k = static_cast<std::size_t>(std::clamp(at, 0.0f, lean_cells - 1.0f));
+  const float x = at - static_cast<float>(k), y = 1 - x;
+  const glm::vec4 weights(y * y * (1 + 2 * x), x * y * y, x * x * (1 + 2 * y), -x * x * y);  // cubic Hermite
+  glm::vec3 sum(0);
+  for (int i = 0; i < 3; ++i) {
+    const Corner& c = corners_[static_cast<std::size_t>(i)];
+    sum += share[i] * (weights[0] * c.curve[k] + weights[1] * c.slope[k] + weights[2] * c.curve[k + 1] +
+                       weights[3] * c.slope[k + 1]);
+  }
+  return sum;
+}
+
+}  // namespace pelage

@@ -1,0 +1,69 @@
+// The fields of the surface where a strand is rooted, as renderer/passes/fur/fur.vert hands them to fragments: worked
+// out at the corners of a piece and mixed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/input/fur_scene.h"
+#include "renderer/pattern/pattern_block.h"
+#include "renderer/strands/lean_table.h"
+
+namespace pelage {
+
+/// What fields say at a vertex. No padding.
+struct FurVertex {
+  glm::vec2 direction{0};  // in (tangent, bitangent)
+  float length = 0;        // as bare skin and paint leave it, sizes
+  float density = 1, width = 1, wetness = 0, curl = 0, clump = 0;
+  glm::vec4 root_paint{0}, tip_paint{0};  // times its cover, cover
+};
+static_assert(sizeof(FurVertex) == 16 * sizeof(float));
+
+/// Of all vertices. What is not painted is at rest.
+std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields);
+
+/// At a root.
+struct RootFields {
+  glm::vec3 place{0};
+  glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // unit and orthogonal
+  float length = 0;                                             // of the fur, sizes, >= 0
+  float width = 1, wetness = 0, curl = 0, clump = 0;
+  glm::vec4 root_paint{0}, tip_paint{0};
+  glm::vec2 image_uv{0};
+  glm::vec3 colour{1};
+  int image = -1;
+};
+
+/// A piece of fur with what its strands share.
+class FurPiece {
+ public:
+  /// `pattern` where length and lean change with the place, null where not.
+  FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
+           const PatternBlock* pattern);
+
+  /// Shares of the strands at a place that grow: by weight and length, and by density. [0, 1]
+  float grown(glm::vec3 share) const { return glm::dot(share, grown_); }
+  float density(glm::vec3 share) const { return glm::dot(share, density_); }
+
+  RootFields fields(glm::vec3 share) const;
+  /// From the root to the height s in [0, 1] of the fur there, sizes.
+  glm::vec3 leaned(glm::vec3 share, float s) const;
+
+ private:
+  struct Corner {
+    glm::vec3 place, normal;
+    FurVertex fur;
+    FurCorner corner;
+    std::array<glm::vec3, lean_cells + 1> curve, slope;
+  };
+  void prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const;
+
+  std::array<Corner, 3> corners_;
+  glm::vec3 grown_, density_;  // of each corner
+};
+
+}  // namespace pelage

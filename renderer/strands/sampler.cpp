@@ -1,0 +1,64 @@
+#include "renderer/strands/sampler.h"
+
+namespace pelage {
+
+namespace {
+
+/// Spreads every bit over all (the finisher of Murmur3).
+std::uint32_t hash(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x85ebca6bu;
+  x ^= x >> 13;
+  x *= 0xc2b2ae35u;
+  return x ^ x >> 16;
+}
+
+std::uint32_t hash(std::uint32_t a, std::uint32_t b) { return hash(hash(a) + 0x9e3779b9u + b); }
+
+std::uint32_t reverse_bits(std::uint32_t x) {
+  x = x >> 16 | x << 16;
+  x = (x & 0xff00ff00u) >> 8 | (x & 0x00ff00ffu) << 8;
+  x = (x & 0xf0f0f0f0u) >> 4 | (x & 0x0f0f0f0fu) << 4;
+  x = (x & 0xccccccccu) >> 2 | (x & 0x33333333u) << 2;
+  return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
+}
+
+/// Flips each bit by a hash of those below it (Laine and Karras 2011, constants of Vegdahl): on reversed bits this is
+/// Owen's scrambling.
+std::uint32_t flip_by_lower(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= seed >> 16 | 1;
+  x ^= x * 0x05526c56u;
+  return x ^ x * 0x53a22864u;
+}
+
+/// The second Sobol dimension with its bits reversed: Pascal's triangle modulo 2, a factor for each bit of the index
+/// of a bit.
+std::uint32_t second_sobol_reversed(std::uint32_t x) {
+  x ^= (x & 0xaaaaaaaau) >> 1;
+  x ^= (x & 0xccccccccu) >> 2;
+  x ^= (x & 0xf0f0f0f0u) >> 4;
+  x ^= (x & 0xff00ff00u) >> 8;
+  return x ^ x >> 16;
+}
+
+float unit_float(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
+
+}  // namespace
+
+Sampler::Sampler(std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed)
+    : key_(hash(seed, pixel)), sample_(sample) {}
+
+float Sampler::next() { return next2().x; }
+
+glm::vec2 Sampler::next2() {
+  const std::uint32_t pair = hash(key_, dimension_++);
+  // A shuffle that is a scrambling itself keeps the first 2^k indices together, so they stay a net.
+  const std::uint32_t index = reverse_bits(flip_by_lower(reverse_bits(sample_), pair));
+  // The first dimension is the index with its bits reversed.
+  return {unit_float(reverse_bits(flip_by_lower(index, hash(pair, 1)))),
+          unit_float(reverse_bits(flip_by_lower(second_sobol_reversed(index), hash(pair, 2))))};
+}
+
+}  // namespace pelage

@@ -1,0 +1,62 @@
+// Strands that are grown and indexed together.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "renderer/strands/embree.h"
+#include "renderer/strands/grow.h"
+#include "renderer/strands/world.h"
+
+namespace pelage {
+
+/// Bytes in use, and how many may be.
+class MemoryBudget {
+ public:
+  explicit MemoryBudget(std::size_t limit) : limit_(limit) {}
+
+  /// False, and nothing taken, where the limit would be passed. Negative bytes are given back.
+  bool take(std::ptrdiff_t bytes);
+  std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
+
+ private:
+  std::size_t limit_;
+  std::atomic<std::ptrdiff_t> used_{0};
+};
+
+/// Does not move: Embree keeps its address, and that of its strands.
+class StrandPart {
+ public:
+  StrandPart(std::uint32_t number, MemoryBudget& budget) : number_(number), budget_(budget) {}
+  ~StrandPart() { drop(); }
+  StrandPart(const StrandPart&) = delete;
+  StrandPart& operator=(const StrandPart&) = delete;
+
+  /// Takes other strands and indexes them. False where memory does not do; it is then empty.
+  bool set(RTCDevice device, StrandSet strands);
+  void drop();
+
+  std::uint32_t number() const { return number_; }
+  const StrandSet& strands() const { return strands_; }
+  RTCScene index() const { return index_.get(); }  // null without strands
+  glm::vec3 root_colour() const { return root_colour_; }  // mean, linear
+
+  /// Fills in what a ray met: `u` along the segment. Distance and `met` are the caller's.
+  Hit hit(const Ray& ray, float distance, std::uint32_t segment, float u) const;
+  /// How much light of each channel the strand stops there, over that of a black one: [1 - kept_by_pale, 1].
+  glm::vec3 stopped(std::uint32_t segment, float u) const;
+  StrandId strand_of(std::uint32_t segment) const {
+    return {number_, segment / static_cast<std::uint32_t>(strands_.segments)};
+  }
+
+ private:
+  std::size_t first_point(std::uint32_t segment) const;
+
+  std::uint32_t number_;
+  MemoryBudget& budget_;
+  StrandSet strands_;
+  EmbreeScene index_;
+  glm::vec3 root_colour_{0};
+};
+
+}  // namespace pelage

@@ -1,0 +1,52 @@
+// The strands of a coat's tile with what does not depend on where they stand: worked out once for each knot.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/coat/strand_tile.h"
+
+namespace pelage {
+
+/// Segments that the forms of a coat's strands need, [6, 48]: 8 to a turn of its curl, or to a wave. `curled` where
+/// curl is painted as well.
+int strand_segments(const Coat& coat, bool curled);
+
+class TileStrands {
+ public:
+  TileStrands(const Coat& coat, int segments);
+
+  int segments() const { return segments_; }
+  std::span<const Strand> strands() const { return strands_; }
+  const Strand& operator[](std::uint32_t strand) const { return strands_[strand]; }
+  /// Of knot k: share of the way along the strand, [0, 1].
+  float along(int k) const { return static_cast<float>(k) / static_cast<float>(segments_); }
+  /// strand_offset() at each knot.
+  std::span<const glm::vec2> offsets(std::uint32_t strand) const {
+    const auto knots = static_cast<std::size_t>(segments_) + 1;
+    return std::span(offsets_).subspan(strand * knots, knots);
+  }
+  /// strand_colour() at a knot.
+  glm::vec3 colour(std::uint32_t strand, int k) const;
+  /// Thickness at a knot, half of it, sizes.
+  float radius(std::uint32_t strand, int k) const;
+  /// Luminance that strands have in the mean at a height of the fur in [0, 1], by what they cover.
+  float mean_luminance(float s) const;
+
+  std::uint64_t hash() const;
+
+ private:
+  void find_means(const Coat& coat);
+
+  int segments_;
+  std::vector<Strand> strands_;
+  std::vector<glm::vec3> own_colours_;  // as water leaves them
+  std::vector<glm::vec2> offsets_;      // of each strand, by knot
+  std::vector<glm::vec3> ramp_;         // by knot
+  std::vector<float> radii_;            // by knot, of strands of width 1
+  std::vector<float> means_;            // by height
+};
+
+}  // namespace pelage

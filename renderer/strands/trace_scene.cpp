@@ -1,0 +1,78 @@
+#include "renderer/strands/trace_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/strands/choice.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float eye_margin = 1.25f;  // radii around an eye's middle within which lids and cornea lie
+
+/// Optical depth of crossing one black strand: 1/3.5 of the light is left. Pale strands stop less (World::passed). Found
+/// by matching mean luminance with shells (docs/strands.md).
+constexpr float strand_depth = 1.25f;
+
+constexpr float brightest_over_light = 16;
+
+glm::vec4 texel(const FloatImage& image, int x, int y) {
+  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
+}
+
+}  // namespace
+
+TraceScene::TraceScene(const FurFrame& frame, BasePicture base, const StrandShading& shading)
+    : frame_(frame),
+      base_(std::move(base)),
+      lights_(frame.lights, frame.environment, frame.look.ambient),
+      shading_(shading),
+      self_shadow_(strand_depth * static_cast<float>(frame.look.self_shadow)) {
+  float light = lights_.mean_environment();
+  for (const FurLight& lamp : frame.lights) light += luminance(lamp.radiance);
+  brightest_ = brightest_over_light * std::max(light, 1e-6f);
+}
+
+Ray TraceScene::ray_at(glm::vec2 place) const {
+  const FurCamera& camera = frame_.camera;
+  const glm::vec2 size(frame_.width, frame_.height);
+  const glm::vec2 off = (place * 2.0f - size) / size.y * camera.tan_half_fov;
+  return {.origin = camera.eye,
+          .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
+}
+
+float TraceScene::pixel_at(float distance) const {
+  return 2 * frame_.camera.tan_half_fov / static_cast<float>(frame_.height) * distance;
+}
+
+BasePoint TraceScene::base_at(glm::vec2 place) const {
+  const FloatImage& beauty = base_.beauty;
+  const auto scale = static_cast<float>(beauty.width) / static_cast<float>(frame_.width);
+  const int x = std::clamp(static_cast<int>(place.x * scale), 0, beauty.width - 1);
+  const int y = std::clamp(static_cast<int>(place.y * scale), 0, beauty.height - 1);
+  const glm::vec4 light = texel(beauty, x, y);
+  const float over = texel(base_.depth, x, y).x;
+  if (!(light.a > 0.5f) || !(over > 0)) return {};
+  const glm::vec3 direct(texel(base_.direct, x, y));
+  const glm::vec3 normal(texel(base_.normal, x, y));
+  const float length = glm::length(normal);
+  return {.there = true,
+          .distance = 1 / over,
+          .ambient = glm::max(glm::vec3(light) - direct, 0.0f),
+          .direct = direct,
+          .albedo = glm::vec3(texel(base_.albedo, x, y)),
+          .normal = length > 1e-6f ? normal / length : -frame_.camera.forward};
+}
+
+bool TraceScene::near_eye(const Ray& ray) const {
+  return std::any_of(frame_.eyes.begin(), frame_.eyes.end(), [&](const FurEye& eye) {
+    const glm::vec3 to_eye = eye.position - ray.origin;
+    const float along = glm::dot(to_eye, ray.direction), square = glm::dot(to_eye, to_eye) - along * along;
+    const float reach = eye_margin * eye.radius;
+    return square < reach * reach && along > -reach;
+  });
+}
+
+}  // namespace pelage

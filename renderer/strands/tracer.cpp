@@ -1,0 +1,152 @@
+#include "renderer/strands/tracer.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "renderer/strands/film.h"
+#include "renderer/strands/paths.h"
+#include "renderer/strands/trace_scene.h"
+
+namespace pelage {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
+constexpr int judged_passes = 8;     // before them no part of the picture is left for its little noise
+constexpr double dense_share = 0.6;  // of the memory that strands and index may take; the film has the rest
+
+/// The share of strands for a view, a power of 1/2 so that a step of the camera seldom changes it.
+double share_for(const FurFrame& frame, double expected) {
+  const double nearest = std::max(glm::length(glm::dvec3(frame.camera.eye)) - 0.5, 0.0);
+  const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
+  const double width = std::max(frame.coat.width_root, frame.coat.width_tip);
+  const double seen = pixel > 0 ? width / (least_width * pixel) : 1;
+  const double allowed = expected > 0 ? frame.knobs.trace.strands / expected : 1;
+  const double share = std::clamp(std::min(seen, allowed), 1.0 / 4096, 1.0);
+  return std::exp2(std::floor(std::log2(share)));
+}
+
+bool takes_model_colours(const FurFrame& frame, const FurModel& model) {
+  const ColourSource source = frame.look.colour_source;
+  return source == ColourSource::model || (source == ColourSource::automatic && model.has_colours);
+}
+
+Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
+
+}  // namespace
+
+struct Tracer::Impl {
+  Impl(int threads, std::size_t bytes, bool yielding)
+      : workers{threads, yielding}, memory(bytes), world(static_cast<std::size_t>(dense_share * static_cast<double>(bytes))) {}
+
+  bool trace_tile(int tile, const GoOn& go_on);
+  bool still_noisy(int tile) const;
+  void judge();
+
+  Workers workers;
+  std::size_t memory;
+  World world;
+  std::optional<StrandShading> shading;
+  std::optional<TraceScene> scene;
+  std::optional<Film> film;
+  std::vector<char> active;  // by tile
+  TraceReport report;
+};
+
+Tracer::Tracer(int threads, std::size_t memory, bool yielding)
+    : impl_(std::make_unique<Impl>(threads, memory, yielding)) {}
+Tracer::~Tracer() = default;
+
+Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
+                     std::span<const FrameLayer> layers, const GoOn& go_on) {
+  Impl& tracer = *impl_;
+  tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
+  const auto film_memory = static_cast<std::size_t>((1 - dense_share) * static_cast<double>(tracer.memory));
+  if (Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter) > film_memory) {
+    return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
+                   "fewer pixels, or fewer layers");
+  }
+  const Clock::time_point start = Clock::now();
+  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
+  recipe.share = share_for(frame, expected_strands(model, frame.coat));
+  recipe.widening = 1 / recipe.share;
+  const Result<World::Change> change = tracer.world.update(model, fields, frame, recipe, tracer.workers, go_on);
+  if (!change) return change.status();
+  if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading.emplace(frame);
+  tracer.scene.emplace(frame, std::move(base), *tracer.shading);
+  tracer.film.emplace(frame.width, frame.height, layers, frame.knobs.trace.filter);
+  tracer.active.assign(static_cast<std::size_t>(tracer.film->tile_count()), 1);
+  tracer.report.strands = change->strands;
+  tracer.report.grow_ms = milliseconds_since(start);
+  return {};
+}
+
+bool Tracer::Impl::trace_tile(int tile, const GoOn& go_on) {
+  if (!go_on()) return false;
+  const Tracing& trace = scene->frame().knobs.trace;
+  const int left = tile % film->tiles_across() * Film::tile, top = tile / film->tiles_across() * Film::tile;
+  for (int y = top; y < std::min(top + Film::tile, film->height()); ++y) {
+    for (int x = left; x < std::min(left + Film::tile, film->width()); ++x) {
+      const auto pixel = static_cast<std::uint32_t>(y * film->width() + x);
+      Sampler sampler(pixel, static_cast<std::uint32_t>(film->samples(x, y)), trace.seed);
+      const glm::vec2 place = glm::vec2(x, y) + sampler.next2();
+      const bool paths = trace.transport == Transport::paths;
+      film->add(x, y, paths ? path_sample(*scene, world, place, sampler) : transmitted_sample(*scene, world, place, sampler));
+    }
+  }
+  return true;
+}
+
+/// Parts with little noise are left alone, but for those that no ray met anything in: those are cheap.
+bool Tracer::Impl::still_noisy(int tile) const {
+  const double limit = scene->frame().knobs.trace.noise;
+  return limit == 0 || report.passes < judged_passes || film->noise(tile, scene->frame().exposure) >= limit;
+}
+
+void Tracer::Impl::judge() {
+  const Tracing& trace = scene->frame().knobs.trace;
+  report.samples = film->mean_samples();
+  report.noise = film->noise(scene->frame().exposure);
+  bool any = false;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    active[i] = still_noisy(static_cast<int>(i));
+    any = any || active[i];
+  }
+  if (!any) report.end = TraceEnd::noise;
+  else if (report.passes >= trace.passes) report.end = TraceEnd::passes;
+  else if (trace.seconds > 0 && report.grow_ms + report.trace_ms >= 1e3 * trace.seconds) report.end = TraceEnd::seconds;
+}
+
+Status Tracer::add_pass(const GoOn& go_on) {
+  Impl& tracer = *impl_;
+  if (tracer.report.end != TraceEnd::none) return {};
+  const Clock::time_point start = Clock::now();
+  std::vector<int> tiles;
+  for (std::size_t i = 0; i < tracer.active.size(); ++i) {
+    if (tracer.active[i]) tiles.push_back(static_cast<int>(i));
+  }
+  const bool whole = for_each_piece(tracer.workers, tiles.size(),
+                                    [&](std::size_t i) { return tracer.trace_tile(tiles[i], go_on); });
+  tracer.report.trace_ms += milliseconds_since(start);
+  if (!whole) return not_wanted();
+  ++tracer.report.passes;
+  tracer.judge();
+  return {};
+}
+
+TraceReport Tracer::report() const { return impl_->report; }
+
+FloatImage Tracer::layer(FrameLayer layer) const {
+  return impl_->film->layer(layer, impl_->scene->frame().knobs.trace.filter);
+}
+
+}  // namespace pelage

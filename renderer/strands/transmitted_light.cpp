@@ -1,0 +1,200 @@
+#include "renderer/strands/transmitted_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/shading/empirical.h"
+#include "renderer/shading/fibre_paths.h"
+#include "renderer/skin/bare.h"
+#include "renderer/strands/choice.h"
+#include "renderer/strands/fibre_frame.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+constexpr float leave_skin = 1e-5f;  // sizes from which rays to lights start
+constexpr float near_pixels = 1.5f;  // width from which a strand shows how it scatters across
+
+/// What a bundle sends back after many fibres, beside the single one (lighting.glsl, scatter_again).
+glm::vec3 with_more(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 once) {
+  const float along = glm::dot(hit.tangent, to_light);
+  const float again = 0.55f * static_cast<float>(scene.frame().look.diffuse) * std::sqrt(std::max(0.0f, 1 - along * along));
+  return 0.6f * once + again * glm::min(hit.colour, 1.0f);
+}
+
+glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) {
+  const ShadingModel model = scene.shading().model();
+  if (model == ShadingModel::energy_conserving) {
+    if (2 * hit.radius < near_pixels * scene.pixel_at(hit.distance)) {
+      return with_more(scene, hit, to_light, scene.shading().scatter(hit, to_light, to_eye));
+    }
+    const FibreFrame frame(hit.tangent, to_eye);
+    const StrandShading& shading = scene.shading();
+    const FibrePaths fibre(shading.lobes(), frame.local(to_eye), hit.offset, shading.absorption(hit.colour));
+    return with_more(scene, hit, to_light, pi * fibre.value(frame.local(to_light)));
+  }
+  const glm::vec3 once = scene.shading().scatter(hit, to_light, to_eye);
+  return model == ShadingModel::marschner ? with_more(scene, hit, to_light, once) : once;
+}
+
+/// As ambient_share in lighting.glsl, with what gets through in place of the estimate.
+glm::vec3 ambient_share(const Look& look, glm::vec3 passed) {
+  const float floor = static_cast<float>(look.ambient_floor);
+  return floor + (1 - floor) * glm::pow(passed, glm::vec3(0.6f));
+}
+
+/// A strand's light, from one lamp or from all around.
+void light_strand(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
+  const StrandLights& lights = scene.lights();
+  const Hit& hit = seen.hit;
+  const glm::vec3 place = sample.position, to_eye = -seen.ray.direction;
+  Chances chances;
+  for (int i = 0; i < lights.count(); ++i) chances.add(lights.importance(i, place));
+  chances.add(lights.mean_environment());
+  const Choice choice = chances.choose(sampler.next());
+  const glm::vec2 u = sampler.next2();
+  if (choice.index < 0) return;
+  if (choice.index == lights.count()) {
+    const glm::vec3 way = cosine_direction(hit.normal, u);
+    const glm::vec3 passed = world.passed({.origin = place, .direction = way, .without = hit.strand}, scene.self_shadow());
+    sample.radiance += hit.colour * lights.environment(way) * ambient_share(scene.frame().look, passed) / choice.probability;
+    return;
+  }
+  const LightSample light = lights.sample(choice.index, place, u);
+  const ShadingModel model = scene.shading().model();
+  const float behind = static_cast<float>(light_behind(model, glm::dot(hit.normal, light.to_light),
+                                                       scene.frame().look.back_attenuation));
+  if (behind <= 0) return;
+  const glm::vec3 whole = light.radiance * behind / choice.probability * scattered(scene, hit, light.to_light, to_eye);
+  const glm::vec3 passed = world.passed(
+      {.origin = place, .direction = light.to_light, .reach = light.distance, .without = hit.strand}, scene.self_shadow());
+  sample.radiance += whole * passed, sample.direct += whole * passed;
+  sample.light += glm::vec2(luminance(whole * passed), luminance(whole));
+}
+
+void bound(const TraceScene& scene, FilmSample& sample) {
+  const float bright = luminance(sample.radiance);
+  if (!(bright > scene.brightest())) return;
+  const float share = std::isfinite(bright) ? scene.brightest() / bright : 0.0f;
+  sample.radiance *= share, sample.direct *= share;
+  if (share == 0) sample.radiance = sample.direct = glm::vec3(0);
+}
+
+}  // namespace
+
+Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place) {
+  Seen seen{.ray = scene.ray_at(place), .hit = {}, .base = {}};
+  seen.hit = world.meet(seen.ray);
+  const bool strand = seen.hit.met == Met::strand;
+  const bool eye = scene.near_eye(seen.ray);
+  if (strand && !eye) return seen;
+  seen.base = scene.base_at(place);
+  if (seen.hit.met == Met::skin) {
+    const glm::dvec3 place_on_skin(seen.ray.origin + seen.ray.direction * seen.hit.distance);
+    seen.bare = fur_kept(scene.frame().skin, place_on_skin, glm::dvec3(seen.base.normal)) < 0.5;
+  }
+  if (!eye) return seen;
+  // Lids and cornea stand before the ball that rays meet.
+  const float along = glm::dot(seen.ray.direction, scene.frame().camera.forward);
+  const float distance = seen.base.distance / std::max(along, 1e-6f);
+  const bool before = seen.base.there && (seen.hit.met == Met::nothing || distance < seen.hit.distance);
+  if (strand && !before) return seen;
+  seen.eye = before || seen.hit.met == Met::skin;
+  if (before) seen.hit = {.met = Met::skin, .distance = distance, .normal = seen.base.normal};
+  return seen;
+}
+
+FilmSample features_of(const TraceScene& scene, const Seen& seen) {
+  FilmSample sample;
+  if (seen.hit.met == Met::nothing) return sample;
+  const bool strand = seen.hit.met == Met::strand;
+  sample.alpha = sample.body = 1;
+  const float along = glm::dot(seen.ray.direction, scene.frame().camera.forward);
+  sample.over_depth = 1 / std::max(seen.hit.distance * along, 1e-9f);
+  sample.position = seen.ray.origin + seen.ray.direction * seen.hit.distance;
+  sample.normal = strand || !seen.base.there ? seen.hit.normal : seen.base.normal;
+  sample.tangent = strand ? seen.hit.tangent : glm::vec3(0);
+  sample.albedo = strand || !seen.base.there ? seen.hit.colour : seen.base.albedo;
+  return sample;
+}
+
+void light_base(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
+  const StrandLights& lights = scene.lights();
+  // On edges rays and base picture do not always agree.
+  const BasePoint lone{.ambient = seen.hit.colour * lights.mean_environment(), .normal = seen.hit.normal};
+  const BasePoint base = seen.base.there ? seen.base : lone;
+  const glm::vec3 place = sample.position + base.normal * leave_skin;
+  const float ambient = luminance(base.ambient), direct = luminance(base.direct);
+  const float pick = sampler.next(), total = ambient + direct;
+  const float which = sampler.next();
+  const glm::vec2 u = sampler.next2();
+  if (!(total > 0) || !std::isfinite(total)) return;
+  if (pick * total < ambient) {
+    const glm::vec3 way = cosine_direction(base.normal, u);
+    const glm::vec3 passed = world.passed({.origin = place, .direction = way}, scene.self_shadow());
+    sample.radiance += base.ambient * ambient_share(scene.frame().look, passed) * (total / ambient);
+    return;
+  }
+  Chances chances;
+  for (int i = 0; i < lights.count(); ++i) {
+    const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
+    const float facing = glm::dot(middle.to_light, base.normal);
+    chances.add(lights.importance(i, place) * std::max(facing + (seen.eye ? 0.3f : 0.0f), 0.0f));
+  }
+  const Choice choice = chances.choose(which);
+  const glm::vec3 whole = base.direct * (total / direct);
+  glm::vec3 passed(1);  // lit by what no lamp is seen to bring: nothing holds it off
+  if (choice.index >= 0) {
+    const LightSample light = lights.sample(choice.index, place, u);
+    passed = world.passed({.origin = place, .direction = light.to_light, .reach = light.distance}, scene.self_shadow());
+  }
+  sample.radiance += whole * passed, sample.direct += whole * passed;
+  sample.light += glm::vec2(luminance(whole * passed), luminance(whole));
+}
+
+void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample) {
+  const std::optional<FurGround>& ground = scene.frame().ground;
+  if (!ground || !(ray.direction.y < 0) || !(ray.origin.y > ground->height)) return;
+  const float distance = (ray.origin.y - ground->height) / -ray.direction.y;
+  const glm::vec3 place = ray.origin + ray.direction * distance + glm::vec3(0, leave_skin, 0);
+  const float from_middle = glm::length(glm::vec2(place.x, place.z));
+  if (!(from_middle < 3.5f)) return;
+  const StrandLights& lights = scene.lights();
+  const Look& look = scene.frame().look;
+  Chances chances;
+  for (int i = 0; i < lights.count(); ++i) {
+    const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
+    chances.add(static_cast<float>(look.diffuse) * lights.importance(i, place) * std::max(middle.to_light.y, 0.0f));
+  }
+  chances.add(static_cast<float>(look.ambient));
+  const Choice choice = chances.choose(sampler.next());
+  const glm::vec2 u = sampler.next2();
+  if (choice.index < 0) return;
+  Ray towards{.origin = place, .direction = cosine_direction({0, 1, 0}, u)};
+  float strength = ground->contact;
+  if (choice.index < lights.count()) {
+    const LightSample light = lights.sample(choice.index, place, u);
+    towards.direction = light.to_light, towards.reach = light.distance;
+    strength = ground->shadow;
+  }
+  const float kept = towards.direction.y > 0 ? luminance(world.passed(towards, scene.self_shadow())) : 1.0f;
+  const float edge = 1 - glm::smoothstep(1.0f, 3.5f, from_middle);
+  sample.alpha = strength * (1 - kept) * edge;
+}
+
+FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler) {
+  const Seen seen = look_at(scene, world, place);
+  FilmSample sample = features_of(scene, seen);
+  switch (seen.hit.met) {
+    case Met::nothing: shade_ground(scene, world, seen.ray, sampler, sample); break;
+    case Met::strand: light_strand(scene, world, seen, sampler, sample); break;
+    case Met::skin: light_base(scene, world, seen, sampler, sample); break;
+  }
+  bound(scene, sample);
+  return sample;
+}
+
+}  // namespace pelage

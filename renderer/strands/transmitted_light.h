@@ -1,0 +1,34 @@
+// The fast way to light traced strands: each sample follows one ray to one light, and fur on its way lets through what
+// its colour and count leave (science.md 4, coloured transmittance). What a strand then scatters is as shells have it
+// (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
+#pragma once
+
+#include "renderer/strands/film.h"
+#include "renderer/strands/sampler.h"
+#include "renderer/strands/trace_scene.h"
+
+namespace pelage {
+
+/// What a ray through a place of the picture sees.
+FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler);
+
+/// What of the picture a ray through a place meets: shared with paths.
+struct Seen {
+  Ray ray;
+  Hit hit;         // nothing, a strand, or skin
+  BasePoint base;  // of skin and eyes
+  bool eye = false;
+  bool bare = false;  // skin without fur
+};
+Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place);
+
+/// Position, normal, tangent and what else is not light.
+FilmSample features_of(const TraceScene& scene, const Seen& seen);
+
+/// Skin and eyes in the light that fur and body let through to them: the base picture's, one light at a time.
+void light_base(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample);
+
+/// Darkness on the ground where the ray meets it: black with an alpha.
+void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample);
+
+}  // namespace pelage

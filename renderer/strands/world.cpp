@@ -1,0 +1,263 @@
+#include "renderer/strands/world.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "renderer/strands/strand_part.h"
+
+namespace pelage {
+
+namespace {
+
+/// At most AVX2, so that the same CPUs give the same bits whatever they have beyond. Threads are ours.
+constexpr const char* device_settings = "max_isa=avx2,threads=1,set_affinity=0,hugepages=0";
+constexpr std::size_t strands_of_part = 6000;
+constexpr float black_depth = 5.5f;  // optical depth beyond which light counts as nothing
+
+bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
+
+/// A query with what its filter needs. First its base, as Embree casts it.
+struct Query {
+  RTCIntersectContext context{};
+  const Ray* ray = nullptr;
+  float depth = 0;         // of one black strand
+  glm::vec3 gathered{0};   // strands crossed, weighted by what they stop
+  bool through = true;     // nothing opaque so far
+};
+
+Query& query_of(const RTCFilterFunctionNArguments* arguments) {
+  return *reinterpret_cast<Query*>(arguments->context);
+}
+
+/// Leaves out the strand that the ray starts on.
+void leave_own(const RTCFilterFunctionNArguments* arguments) {
+  const auto* part = static_cast<const StrandPart*>(arguments->geometryUserPtr);
+  if (!part) return;
+  const std::uint32_t segment = RTCHitN_primID(arguments->hit, 1, 0);
+  if (part->strand_of(segment) == query_of(arguments).ray->without) arguments->valid[0] = 0;
+}
+
+/// Adds up what each strand stops, and ends the ray at what is opaque or when too little is left.
+void gather_depth(const RTCFilterFunctionNArguments* arguments) {
+  Query& query = query_of(arguments);
+  const auto* part = static_cast<const StrandPart*>(arguments->geometryUserPtr);
+  if (!part) {
+    query.through = false;
+    return;
+  }
+  const std::uint32_t segment = RTCHitN_primID(arguments->hit, 1, 0);
+  if (part->strand_of(segment) != query.ray->without) {
+    query.gathered += part->stopped(segment, RTCHitN_u(arguments->hit, 1, 0));
+    const float least = std::min({query.gathered.r, query.gathered.g, query.gathered.b});
+    if (least * query.depth > black_depth) {
+      query.through = false;
+      return;
+    }
+  }
+  arguments->valid[0] = 0;
+}
+
+RTCRay ray_of(const Ray& ray) {
+  return {ray.origin.x, ray.origin.y, ray.origin.z, 0, ray.direction.x, ray.direction.y, ray.direction.z, 0, ray.reach,
+          ~0u,          0,            0};
+}
+
+EmbreeGeometry make_skin(RTCDevice device, const FurModel& model, std::span<const glm::uvec3> triangles) {
+  EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* places = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+      geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), model.positions.size()));
+  auto* corners = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
+      geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.size()));
+  if (!places || !corners) return nullptr;
+  std::copy(model.positions.begin(), model.positions.end(), places);
+  std::copy(triangles.begin(), triangles.end(), corners);
+  rtcCommitGeometry(geometry.get());
+  return geometry;
+}
+
+EmbreeGeometry make_eyeballs(RTCDevice device, std::span<const FurEye> eyes) {
+  EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT));
+  auto* balls = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                RTC_FORMAT_FLOAT4, sizeof(glm::vec4), eyes.size()));
+  if (!balls) return nullptr;
+  for (const FurEye& eye : eyes) *balls++ = glm::vec4(eye.position, eye.radius);
+  rtcCommitGeometry(geometry.get());
+  return geometry;
+}
+
+EmbreeGeometry make_instance(RTCDevice device, RTCScene of) {
+  EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+  const float unmoved[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  rtcSetGeometryInstancedScene(geometry.get(), of);
+  rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, unmoved);
+  rtcCommitGeometry(geometry.get());
+  return geometry;
+}
+
+Status no_memory() {
+  return failure(Code::too_large, "The strands need more memory than tracing may take.", "/quality/trace/strands",
+                 "fewer strands");
+}
+
+Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
+
+}  // namespace
+
+struct World::Impl {
+  explicit Impl(std::size_t memory) : budget(memory), device(rtcNewDevice(device_settings)) {
+    rtcSetDeviceMemoryMonitorFunction(device.get(), count_memory, &budget);
+  }
+
+  /// Pieces that belong together, and what was grown of them.
+  struct Chunk {
+    StrandChunk pieces;
+    std::optional<std::uint64_t> grown = {};  // fingerprint
+  };
+
+  bool set_model(const FurModel& next, const Coat& coat);
+  bool set_curves(const FurFrame& frame);
+  bool grow(const Grower& grower, std::size_t chunk, std::atomic<std::size_t>& grown);
+  bool join(const FurFrame& frame);
+
+  MemoryBudget budget;
+  EmbreeDevice device;
+  std::uint64_t model = 0;
+  double count = 0, tile = 0;  // of the coat that the chunks were made for
+  std::vector<Chunk> chunks;
+  std::vector<std::unique_ptr<StrandPart>> parts;  // of each chunk; the last has the curves
+  std::vector<FurCurves> curves;
+  std::vector<std::uint32_t> part_of_triangle;  // of the skin
+  EmbreeGeometry skin;
+  EmbreeScene all;
+};
+
+/// The surface's triangles, each once, and the chunk that one of its pieces is in.
+bool World::Impl::set_model(const FurModel& next, const Coat& coat) {
+  if (next.id == model && coat.count == count && coat.tile == tile) return true;
+  all.reset(), parts.clear(), chunks.clear(), curves.clear();
+  for (StrandChunk& pieces : make_chunks(next, coat, strands_of_part)) chunks.push_back({std::move(pieces)});
+  for (std::uint32_t i = 0; i <= chunks.size(); ++i) parts.push_back(std::make_unique<StrandPart>(i, budget));
+  std::vector<std::pair<glm::uvec3, std::uint32_t>> faces;
+  for (std::uint32_t c = 0; c < chunks.size(); ++c) {
+    for (const std::uint32_t piece : chunks[c].pieces) faces.emplace_back(next.triangles[piece], c);
+  }
+  const auto key = [](const auto& face) { return std::array{face.first.x, face.first.y, face.first.z}; };
+  std::sort(faces.begin(), faces.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::vector<glm::uvec3> triangles;
+  part_of_triangle.clear();
+  for (const auto& face : faces) {
+    if (!triangles.empty() && triangles.back() == face.first) continue;
+    triangles.push_back(face.first), part_of_triangle.push_back(face.second);
+  }
+  skin = triangles.empty() ? nullptr : make_skin(device.get(), next, triangles);
+  model = next.id, count = coat.count, tile = coat.tile;
+  return triangles.empty() || skin;
+}
+
+bool World::Impl::set_curves(const FurFrame& frame) {
+  if (curves == frame.curves) return true;
+  curves = frame.curves;
+  return parts.back()->set(device.get(), grow_curves(curves));
+}
+
+bool World::Impl::grow(const Grower& grower, std::size_t chunk, std::atomic<std::size_t>& grown) {
+  Chunk& of = chunks[chunk];
+  const std::uint64_t fingerprint = grower.fingerprint(of.pieces);
+  if (of.grown == fingerprint) return true;
+  of.grown.reset();
+  if (!parts[chunk]->set(device.get(), grower.grow(of.pieces))) return false;
+  of.grown = fingerprint;
+  grown += parts[chunk]->strands().count();
+  return true;
+}
+
+/// All parts, the skin and the eyeballs under one index.
+bool World::Impl::join(const FurFrame& frame) {
+  all.reset(rtcNewScene(device.get()));
+  rtcSetSceneFlags(all.get(), RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  if (skin) rtcAttachGeometryByID(all.get(), skin.get(), static_cast<unsigned>(parts.size()));
+  if (!frame.eyes.empty()) {
+    const EmbreeGeometry balls = make_eyeballs(device.get(), frame.eyes);
+    if (!balls) return false;
+    rtcAttachGeometryByID(all.get(), balls.get(), static_cast<unsigned>(parts.size() + 1));
+  }
+  for (const auto& part : parts) {
+    if (part->index()) {
+      const EmbreeGeometry instance = make_instance(device.get(), part->index());
+      rtcAttachGeometryByID(all.get(), instance.get(), part->number());
+    }
+  }
+  rtcCommitScene(all.get());
+  return rtcGetDeviceError(device.get()) == RTC_ERROR_NONE;
+}
+
+World::World(std::size_t memory) : impl_(std::make_unique<Impl>(memory)) {}
+World::~World() = default;
+
+Result<World::Change> World::update(const FurModel& model, const FurFields& fields, const FurFrame& frame,
+                                    const GrowRecipe& recipe, const Workers& workers,
+                                    const std::function<bool()>& go_on) {
+  Impl& world = *impl_;
+  if (!world.set_model(model, recipe.coat) || !world.set_curves(frame)) return no_memory();
+  const Grower grower(model, fields, recipe);
+  std::atomic<std::size_t> grown{0};
+  std::atomic<bool> wanted{true};
+  const bool whole = for_each_piece(workers, world.chunks.size(), [&](std::size_t chunk) {
+    if (!go_on()) wanted = false;
+    return wanted && world.grow(grower, chunk, grown);
+  });
+  if (!wanted) return not_wanted();
+  if (!whole || !world.join(frame)) return no_memory();
+  Change change{.grown = grown, .strands = 0};
+  for (const auto& part : world.parts) change.strands += part->strands().count();
+  return change;
+}
+
+std::size_t World::bytes() const { return impl_->budget.used(); }
+
+Hit World::meet(const Ray& ray) const {
+  const Impl& world = *impl_;
+  Query query;
+  rtcInitIntersectContext(&query.context);
+  query.ray = &ray;
+  if (ray.without != StrandId{}) query.context.filter = leave_own;
+  RTCRayHit found{ray_of(ray), {}};
+  found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(world.all.get(), &query.context, &found);
+  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  if (found.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+    return world.parts[found.hit.instID[0]]->hit(ray, found.ray.tfar, found.hit.primID, found.hit.u);
+  }
+  Hit hit{.met = Met::skin, .distance = found.ray.tfar};
+  const glm::vec3 across(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z);
+  hit.normal = across * (1 / std::max(glm::length(across), 1e-30f));
+  if (glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
+  const bool eye = found.hit.geomID == world.parts.size() + 1;
+  if (!eye) hit.colour = world.parts[world.part_of_triangle[found.hit.primID]]->root_colour();
+  return hit;
+}
+
+bool World::blocked(const Ray& ray) const {
+  Query query;
+  rtcInitIntersectContext(&query.context);
+  query.ray = &ray;
+  if (ray.without != StrandId{}) query.context.filter = leave_own;
+  RTCRay towards = ray_of(ray);
+  rtcOccluded1(impl_->all.get(), &query.context, &towards);
+  return towards.tfar < 0;
+}
+
+glm::vec3 World::passed(const Ray& ray, float depth) const {
+  Query query;
+  rtcInitIntersectContext(&query.context);
+  query.ray = &ray, query.depth = depth;
+  query.context.filter = gather_depth;
+  RTCRay towards = ray_of(ray);
+  rtcOccluded1(impl_->all.get(), &query.context, &towards);
+  return query.through ? glm::exp(-depth * query.gathered) : glm::vec3(0);
+}
+
+}  // namespace pelage

@@ -1,0 +1,78 @@
+// What rays meet: the strands, the skin and the eyeballs, in Embree. Strands are ribbons that face the ray, in parts
+// with an index each, so that a stroke rebuilds only what it changed.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+
+#include "protocol/base/status.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/strands/grow.h"
+#include "renderer/strands/parallel.h"
+
+namespace pelage {
+
+/// A strand, to be left out by rays that start on it.
+struct StrandId {
+  std::uint32_t part = ~0u, strand = ~0u;
+
+  bool operator==(const StrandId&) const = default;
+};
+
+struct Ray {
+  glm::vec3 origin{0}, direction{0, 0, 1};  // unit
+  float reach = 1e30f;
+  StrandId without = {};
+};
+
+enum class Met { nothing, strand, skin };
+
+/// Where a ray met something. Only `met`, `distance` and `normal` mean something on skin, and `colour`, which is the
+/// mean of the roots around.
+struct Hit {
+  Met met = Met::nothing;
+  float distance = 0;         // sizes
+  glm::vec3 normal{0, 1, 0};  // of the skin, or of that below the strand; unit
+  glm::vec3 tangent{0};       // of the strand, root to tip, unit
+  float offset = 0;           // h of the ray across the strand, [-1, 1]
+  float radius = 0;           // of the strand there, sizes
+  float height = 0;           // s, [0, 1]
+  glm::vec3 colour{0};        // linear
+  float number = 0, wetness = 0;
+  StrandId strand = {};
+};
+
+/// How light passes a strand of a colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), t for black.
+inline constexpr float kept_by_pale = 0.82f;
+
+class World {
+ public:
+  explicit World(std::size_t memory);  // bytes that strands and their index may take
+  ~World();
+
+  struct Change {
+    std::size_t grown = 0;   // strands that were grown anew
+    std::size_t strands = 0;
+  };
+  /// Brings strands, skin and eyes up to date. Fails with too_large when memory does not do, with unavailable when
+  /// `go_on` answered false; what a ray meets is then undefined until an update succeeds.
+  Result<Change> update(const FurModel& model, const FurFields& fields, const FurFrame& frame, const GrowRecipe& recipe,
+                        const Workers& workers, const std::function<bool()>& go_on);
+
+  std::size_t bytes() const;  // of strands and index
+
+  Hit meet(const Ray& ray) const;
+  bool blocked(const Ray& ray) const;
+  /// Light that gets through along a ray, by channel: nothing through skin, and past each strand what its colour
+  /// leaves of `depth` = -ln t; below 1/250 it counts as nothing.
+  glm::vec3 passed(const Ray& ray, float depth) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,225 @@
+// Traced strands, refinement and lights with a size, as JSON.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "protocol/base/limits.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+#include "tests/unit/protocol/refusals.h"
+
+namespace pelage {
+namespace {
+
+FrameRequest decoded(const std::string& text) {
+  const auto request = decode_frame_request(text);
+  EXPECT_TRUE(request.ok()) << text << "\n" << request.status().message << " " << request.status().pointer;
+  return request.ok() ? *request : FrameRequest{};
+}
+
+Status frame_refusal(const std::string& text) {
+  const auto request = decode_frame_request(text);
+  return request.ok() ? Status{} : request.status();
+}
+
+void expect_frame_refusal(const std::string& text, const std::string& pointer) {
+  const Status status = frame_refusal(text);
+  EXPECT_EQ(status.code, Code::invalid) << text << "\n" << status.message;
+  EXPECT_EQ(status.pointer, pointer) << text << "\n" << status.message;
+  EXPECT_NE(status.limit, "") << text << "\nsays no limit";
+}
+
+/// A frame whose strands are traced so, or which is refined so.
+std::string traced(const std::string& trace) { return R"({"quality": {"method": "strands", "trace": {)" + trace + "}}}"; }
+std::string refined(const std::string& trace) { return R"({"refine": {)" + trace + "}}"; }
+
+Status lights_refusal(const std::string& members) {
+  return refusal(R"({"op": "set_lights", "lights": [{)" + members + "}]}");
+}
+
+TEST(Trace, DefaultsAreThoseOfTheStruct) {
+  EXPECT_EQ(decoded("{}").knobs.method, Method::shells);
+  EXPECT_FALSE(decoded("{}").refine);
+  const FrameRequest strands = decoded(R"({"quality": {"method": "strands"}})");
+  EXPECT_EQ(strands.knobs.method, Method::strands);
+  EXPECT_EQ(strands.knobs.trace, Tracing{});
+  EXPECT_EQ(decoded(traced("")).knobs.trace, Tracing{});
+  EXPECT_EQ(Tracing{}.passes, 64);
+  EXPECT_EQ(Tracing{}.strands, 2'000'000);
+  EXPECT_EQ(Tracing{}.transport, Transport::transmittance);
+  EXPECT_TRUE(Tracing{}.filter);
+}
+
+TEST(Trace, TheTierReferenceTraces) {
+  EXPECT_EQ(decoded(R"({"quality": "reference"})").knobs, knobs_of(Tier::reference));
+  EXPECT_EQ(knobs_of(Tier::reference).method, Method::strands);
+  for (const Tier tier : {Tier::draft, Tier::interactive, Tier::detailed})
+    EXPECT_EQ(knobs_of(tier).method, Method::shells);
+}
+
+TEST(Trace, ReadsEachMember) {
+  const std::string members = R"("passes": 7, "transport": "paths", "scattering": "energy_conserving", "bounces": 9,
+      "strands": 1234, "noise": 0.25, "seconds": 1.5, "filter": false, "seed": 4294967295)";
+  const Tracing expected{.passes = 7,
+                         .transport = Transport::paths,
+                         .bounces = 9,
+                         .strands = 1234,
+                         .noise = 0.25,
+                         .seconds = 1.5,
+                         .filter = false,
+                         .seed = 4294967295u};
+  EXPECT_EQ(decoded(traced(members)).knobs.trace, expected);
+  EXPECT_EQ(decoded(refined(members)).refine, expected);
+  EXPECT_EQ(decoded(traced(R"("scattering": "look")")).knobs.trace.scattering, StrandScattering::look);
+}
+
+TEST(Trace, TakesTheEndsOfRangesAndRefusesWhatLiesBeyond) {
+  struct Member {
+    std::string name;
+    std::vector<std::string> taken, refused;
+  };
+  const std::string passes = std::to_string(limits::trace_passes), strands = std::to_string(limits::strands);
+  const std::vector<Member> members = {
+      {"passes", {"1", passes}, {"0", "-1", std::to_string(limits::trace_passes + 1), "1.5", "\"many\"", "1e300"}},
+      {"strands", {"1", strands}, {"0", std::to_string(limits::strands + 1), "2.5", "null"}},
+      {"noise", {"0", "1"}, {"-0.001", "1.001", "true"}},
+      {"seconds", {"0", "3600"}, {"-1", "3600.5", "\"long\""}},
+      {"seed", {"0", "4294967295"}, {"-1", "4294967296", "0.5"}},
+      {"filter", {"true", "false"}, {"1", "\"yes\""}},
+      {"transport", {R"("transmittance")", R"("paths")"}, {R"("path")", "1"}},
+      {"scattering", {R"("look")", R"("energy_conserving")"}, {R"("marschner")", "{}"}},
+      {"colour", {}, {"1"}}};
+  for (const Member& member : members) {
+    for (const std::string& value : member.taken) {
+      const std::string text = "\"" + member.name + "\": " + value;
+      EXPECT_TRUE(frame_refusal(traced(text)).ok()) << text;
+      EXPECT_TRUE(frame_refusal(refined(text)).ok()) << text;
+    }
+    for (const std::string& value : member.refused) {
+      const std::string text = "\"" + member.name + "\": " + value;
+      EXPECT_EQ(frame_refusal(traced(text)).pointer, "/quality/trace/" + member.name) << text;
+      EXPECT_EQ(frame_refusal(refined(text)).pointer, "/refine/" + member.name) << text;
+    }
+  }
+}
+
+TEST(Trace, OnlyPathsBounceAndTheyMakeNoLight) {
+  for (const std::string bounces : {"1", "4096"})
+    EXPECT_TRUE(frame_refusal(traced(R"("transport": "paths", "bounces": )" + bounces)).ok());
+  for (const std::string bounces : {"0", "4097", "1.5"})
+    expect_frame_refusal(traced(R"("transport": "paths", "bounces": )" + bounces), "/quality/trace/bounces");
+  expect_frame_refusal(traced(R"("bounces": 32)"), "/quality/trace/bounces");
+  expect_frame_refusal(refined(R"("transport": "transmittance", "bounces": 32)"), "/refine/bounces");
+  expect_frame_refusal(traced(R"("transport": "paths", "scattering": "look")"), "/quality/trace/scattering");
+  expect_frame_refusal(refined(R"("transport": "paths", "scattering": "look")"), "/refine/scattering");
+}
+
+TEST(Trace, StrandsTakeNoKnobOfShells) {
+  for (const std::string knob :
+       {R"("shells": 8)", R"("shell_policy": "uniform")", R"("samples": 4)", R"("steps": 2)", R"("scale": 1)",
+        R"("bands": 2)", R"("self_shadow": true)", R"("shadow_maps": false)", R"("shadow_resolution": 512)",
+        R"("accumulation": "half")", R"("order": "layers")", R"("fins": false)", R"("guard_hairs": 0)"}) {
+    const std::string name = knob.substr(1, knob.find('"', 1) - 1);
+    expect_frame_refusal(R"({"quality": {"method": "strands", )" + knob + "}}", "/quality/" + name);
+    EXPECT_TRUE(frame_refusal(R"({"quality": {"method": "shells", )" + knob + "}}").ok()) << knob;
+  }
+  EXPECT_EQ(decoded(R"({"quality": {"method": "strands", "eye_steps": 3}})").knobs.eye_steps, 3);
+  expect_frame_refusal(R"({"quality": {"method": "shells", "trace": {}}})", "/quality/trace");
+  expect_frame_refusal(R"({"quality": {"trace": {}}})", "/quality/trace");
+  EXPECT_EQ(frame_refusal(R"({"quality": {"method": "hairs"}})").pointer, "/quality/method");
+}
+
+TEST(Trace, RefineIsASwitchOrHowToTrace) {
+  EXPECT_EQ(decoded(R"({"refine": true})").refine, Tracing{});
+  EXPECT_FALSE(decoded(R"({"refine": false})").refine);
+  EXPECT_EQ(decoded(refined("")).refine, Tracing{});
+  EXPECT_EQ(frame_refusal(R"({"refine": 1})").pointer, "/refine");
+  EXPECT_EQ(frame_refusal(R"({"refine": "yes"})").pointer, "/refine");
+  expect_frame_refusal(R"({"quality": "reference", "refine": true})", "/refine");
+  expect_frame_refusal(R"({"quality": {"method": "strands"}, "refine": {}})", "/refine");
+  EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "refine": false})").ok());
+}
+
+TEST(Trace, MapsOfShellsAreNotOfStrands) {
+  for (const std::string map : {"layer_count", "light_depth", "light_occlusion", "shadow_width"}) {
+    const std::string overlay = R"("overlay": ")" + map + "\"";
+    expect_frame_refusal(R"({"quality": "reference", )" + overlay + "}", "/overlay");
+    expect_frame_refusal(R"({"refine": true, )" + overlay + "}", "/overlay");
+    EXPECT_TRUE(frame_refusal("{" + overlay + "}").ok()) << map;
+  }
+  for (const std::string field : {"direction", "strokes", "length", "density", "wetness", "mask"})
+    EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "overlay": ")" + field + "\"}").ok()) << field;
+  EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "overlay": "difference", "overlay_from": 1})").ok());
+}
+
+TEST(Trace, ComesBackThroughEncode) {
+  FrameRequest strands;
+  strands.knobs = knobs_of(Tier::reference);
+  strands.knobs.trace = {.passes = 3, .scattering = StrandScattering::look, .strands = 77, .noise = 0.01, .seed = 9};
+  EXPECT_EQ(decoded(encode(strands)).knobs, strands.knobs);
+  FrameRequest refine;
+  refine.refine = Tracing{.passes = 5, .transport = Transport::paths, .bounces = 100, .seconds = 2, .filter = false};
+  EXPECT_EQ(decoded(encode(refine)).refine, refine.refine);
+  EXPECT_EQ(decoded(encode(refine)).knobs, refine.knobs);
+}
+
+TEST(Trace, ReportsNameTheirNumbers) {
+  const TraceReport report{.passes = 16, .samples = 15.5, .noise = 0.125, .strands = 1000, .end = TraceEnd::noise,
+                           .grow_ms = 20, .trace_ms = 300};
+  const std::string text = encode(report);
+  for (const std::string part : {R"("passes":16)", R"("samples":15.5)", R"("noise":0.125)", R"("strands":1000)",
+                                 R"("end":"noise")", R"("grow_ms":20)", R"("trace_ms":300)"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+}
+
+TEST(Trace, QueriesChooseTheMethod) {
+  const auto strands = decode_frame_query({{"method", "strands"}, {"eye_steps", "4"}});
+  ASSERT_TRUE(strands.ok()) << strands.status().message;
+  EXPECT_EQ(strands->knobs.method, Method::strands);
+  EXPECT_EQ(strands->knobs.eye_steps, 4);
+  const auto reference = decode_frame_query({{"quality", "reference"}});
+  ASSERT_TRUE(reference.ok()) << reference.status().message;
+  EXPECT_EQ(reference->knobs, knobs_of(Tier::reference));
+  EXPECT_EQ(decode_frame_query({{"method", "strands"}, {"shells", "8"}}).status().pointer, "/quality/shells");
+  EXPECT_EQ(decode_frame_query({{"quality", "reference"}, {"method", "strands"}}).status().pointer, "/quality");
+  EXPECT_EQ(decode_frame_query({{"quality", "referense"}}).status().nearest, "reference");
+}
+
+TEST(Lights, HaveASize) {
+  const auto commands = decode_commands(R"({"op": "set_lights", "lights": [{}, {"kind": "area", "angle_degrees": 90,
+      "radius": 10, "width": 100, "height": 0.001}]})");
+  ASSERT_TRUE(commands.ok()) << commands.status().message;
+  const std::vector<Light>& lights = std::get<SetLights>(commands->front()).lights;
+  EXPECT_EQ(lights[0].angle_degrees, 3);
+  EXPECT_EQ(lights[0].radius, 0.05);
+  EXPECT_EQ(lights[0].width, 0.5);
+  EXPECT_EQ(lights[0].height, 0.5);
+  EXPECT_EQ(lights[1].kind, LightKind::area);
+  EXPECT_EQ(lights[1].angle_degrees, 90);
+  EXPECT_EQ(lights[1].radius, 10);
+  EXPECT_EQ(lights[1].width, 100);
+  EXPECT_EQ(lights[1].height, 0.001);
+  const auto again = decode_commands(encode(commands->front()));
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(encode(again->front()), encode(commands->front()));
+  EXPECT_EQ(std::get<SetLights>(again->front()).lights[1].height, 0.001);
+}
+
+TEST(Lights, RefuseSizesBeyondTheirRange) {
+  struct Member {
+    std::string name, value;
+  };
+  const std::vector<Member> members = {
+      {"angle_degrees", "-0.1"}, {"angle_degrees", "90.1"}, {"radius", "-1e-9"}, {"radius", "10.01"},
+      {"width", "0"},            {"width", "0.0009"},       {"width", "100.1"},  {"height", "0"},
+      {"height", "100.1"},       {"height", "\"1\""},       {"kind", "\"rectangle\""}};
+  for (const auto& [name, value] : members) {
+    const Status status = lights_refusal("\"" + name + "\": " + value);
+    EXPECT_EQ(status.pointer, "/lights/0/" + name) << value;
+  }
+  EXPECT_TRUE(lights_refusal(R"("angle_degrees": 0, "radius": 0)").ok());
+}
+
+}  // namespace
+}  // namespace pelage

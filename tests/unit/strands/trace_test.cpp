@@ -1,0 +1,303 @@
+// Whole traced pictures of small scenes: energy, bias, lights and extremes.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/strands/tracer.h"
+#include "tests/unit/strands/fur_patch.h"
+
+namespace pelage {
+namespace {
+
+constexpr std::size_t plenty = std::size_t{1} << 30;
+
+bool always() { return true; }
+
+/// A ball of radius .25 with its fur, for a base picture that shows nothing: skin is then matt and as its roots.
+FurPatch fur_ball(float fur) {
+  constexpr int rows = 24, columns = 48;
+  constexpr float pi = std::numbers::pi_v<float>;
+  FurPatch ball;
+  for (int y = 0; y <= rows; ++y) {
+    for (int x = 0; x <= columns; ++x) {
+      const float theta = pi * static_cast<float>(y) / rows, phi = 2 * pi * static_cast<float>(x) / columns;
+      const glm::vec3 normal(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
+      ball.positions.push_back(0.25f * normal);
+      ball.normals.push_back(normal);
+      ball.tangents.emplace_back(-std::sin(phi), 0, -std::cos(phi));
+      ball.direction.emplace_back(0.3f, 0.2f);
+      ball.length.push_back(fur);
+    }
+  }
+  const auto at = [](int x, int y) { return static_cast<unsigned>(y * (columns + 1) + x); };
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      for (const glm::uvec3 t : {glm::uvec3(at(x, y), at(x, y + 1), at(x + 1, y + 1)), glm::uvec3(at(x, y), at(x + 1, y + 1), at(x + 1, y))}) {
+        ball.add(t);
+        for (int k = 0; k < 3; ++k) {
+          FurCorner& corner = ball.corners.back()[static_cast<std::size_t>(k)];
+          const unsigned column = t[k] % (columns + 1), row = t[k] / (columns + 1);
+          corner.tile_uv = glm::vec2(column, row) * (0.25f * pi / rows);
+          corner.tile_axis = ball.tangents[t[k]];
+        }
+      }
+    }
+  }
+  return ball;
+}
+
+Coat coat_of(glm::vec3 colour, int count = 1500) {
+  Coat coat;
+  coat.count = count;
+  coat.colour_spread = 0;
+  coat.width_root = 0.002, coat.width_tip = 0.001;
+  coat.ramp = {{0, colour}};
+  return coat;
+}
+
+FurFrame frame_at(int size, Coat coat, Transport transport, int passes) {
+  FurFrame frame;
+  frame.coat = std::move(coat);
+  frame.camera = {.eye = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .tan_half_fov = 0.2f};
+  frame.width = frame.height = size;
+  frame.knobs = knobs_of(Tier::reference);
+  frame.knobs.trace.transport = transport;
+  frame.knobs.trace.passes = passes;
+  frame.knobs.trace.filter = false;
+  frame.look.ambient = 1;
+  return frame;
+}
+
+BasePicture nothing() {
+  FloatImage none{.width = 1, .height = 1, .rgba = std::vector<float>(4, 0.0f)};
+  return {none, none, none, none, none};
+}
+
+struct Traced {
+  FloatImage beauty;
+  TraceReport report;
+};
+
+Traced traced(const FurPatch& fur, const FurFrame& frame, int threads = 2) {
+  Tracer tracer(threads, plenty, false);
+  const Status begun = tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  EXPECT_TRUE(begun.ok()) << begun.message;
+  while (begun.ok() && tracer.report().end == TraceEnd::none) EXPECT_TRUE(tracer.add_pass(always).ok());
+  return {tracer.layer(FrameLayer::beauty), tracer.report()};
+}
+
+struct Mean {
+  double red = 0, alpha = 0;
+};
+
+Mean mean_of(const FloatImage& image) {
+  Mean mean;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) mean.red += image.rgba[i], mean.alpha += image.rgba[i + 3];
+  return mean;
+}
+
+void expect_finite(const FloatImage& image) {
+  for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0) << value;
+}
+
+FurLight lamp_from(glm::vec3 direction, float radiance) {
+  FurLight lamp;
+  lamp.direction = glm::normalize(direction), lamp.radiance = glm::vec3(radiance), lamp.angle = 0.05f;
+  return lamp;
+}
+
+// science.md 4: nothing is lost or made. The ball cannot be told from the room.
+TEST(TraceFurnace, AWhiteFurBallInAWhiteRoomVanishes) {
+  FurFrame frame = frame_at(40, coat_of(glm::vec3(1)), Transport::paths, 64);
+  frame.knobs.trace.bounces = 4096;
+  frame.look.fibre.cuticle_tilt = 0;
+  const Mean mean = mean_of(traced(fur_ball(0.04f), frame).beauty);
+  EXPECT_GT(mean.alpha, 400);
+  EXPECT_NEAR(mean.red / mean.alpha, 1, 0.01);
+}
+
+TEST(TraceFurnace, FewBouncesLoseLight) {
+  FurFrame frame = frame_at(24, coat_of(glm::vec3(1)), Transport::paths, 16);
+  frame.knobs.trace.bounces = 2;
+  const Mean mean = mean_of(traced(fur_ball(0.04f), frame).beauty);
+  EXPECT_LT(mean.red / mean.alpha, 0.97);
+}
+
+TEST(Trace, TheSameSeedGivesTheSameBitsAtAnyThreadCount) {
+  const FurPatch ball = fur_ball(0.03f);
+  for (const Transport transport : {Transport::transmittance, Transport::paths}) {
+    FurFrame frame = frame_at(40, coat_of({0.5f, 0.3f, 0.2f}), transport, 2);
+    frame.lights = {lamp_from({1, -1, -1}, 1)};
+    const Traced one = traced(ball, frame, 1), four = traced(ball, frame, 4);
+    EXPECT_EQ(one.beauty.rgba, four.beauty.rgba);
+    frame.knobs.trace.seed = 2;
+    EXPECT_NE(traced(ball, frame, 4).beauty.rgba, one.beauty.rgba);
+  }
+}
+
+/// Pictures of few passes with other seeds, of one scene that is grown once.
+std::vector<FloatImage> pictures(const FurPatch& fur, FurFrame frame, int passes, std::uint32_t count) {
+  std::vector<FloatImage> result;
+  Tracer tracer(2, plenty, false);
+  frame.knobs.trace.passes = passes;
+  for (frame.knobs.trace.seed = 11; frame.knobs.trace.seed < 11 + count; ++frame.knobs.trace.seed) {
+    EXPECT_TRUE(tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always).ok());
+    while (tracer.report().end == TraceEnd::none) EXPECT_TRUE(tracer.add_pass(always).ok());
+    result.push_back(tracer.layer(FrameLayer::beauty));
+  }
+  return result;
+}
+
+TEST(Trace, PassesBringNoBiasAndLessNoise) {
+  const FurPatch ball = fur_ball(0.03f);
+  FurFrame frame = frame_at(32, coat_of({0.5f, 0.3f, 0.2f}, 300), Transport::transmittance, 1);
+  frame.lights = {lamp_from({1, -1, -1}, 1)};
+  const FloatImage truth = pictures(ball, frame, 512, 1).front();
+  std::vector<double> errors;
+  for (const int passes : {1, 4, 16}) {
+    double square = 0, sum = 0, sum_square = 0;
+    const auto few = pictures(ball, frame, passes, 32);
+    for (const FloatImage& picture : few) {
+      for (std::size_t i = 0; i < picture.rgba.size(); i += 4) square += std::pow(picture.rgba[i] - truth.rgba[i], 2);
+      const double red = mean_of(picture).red;
+      sum += red / 32, sum_square += red * red / 32;
+    }
+    errors.push_back(std::sqrt(square / 32));
+    const double deviation = std::sqrt(std::max(sum_square - sum * sum, 0.0) / 32);
+    EXPECT_NEAR(sum, mean_of(truth).red, 4 * deviation) << passes;
+    EXPECT_LT(deviation, 0.02 * sum);
+  }
+  EXPECT_LT(errors[1], 0.55 * errors[0]);  // samples^-0.5 is .5
+  EXPECT_LT(errors[2], 0.55 * errors[1]);
+}
+
+TEST(Trace, LampsAddUp) {
+  const FurPatch ball = fur_ball(0.03f);
+  for (const Transport transport : {Transport::transmittance, Transport::paths}) {
+    FurFrame frame = frame_at(24, coat_of({0.5f, 0.3f, 0.2f}), transport, 96);
+    const FurLight key = lamp_from({1, -1, -1}, 1), rim = lamp_from({-0.5f, -0.2f, 1}, 2);
+    const auto red = [&](std::vector<FurLight> lamps, double ambient) {
+      frame.lights = std::move(lamps), frame.look.ambient = ambient;
+      return mean_of(traced(ball, frame).beauty).red;
+    };
+    const double parts = red({key}, 0) + red({rim}, 0) + red({}, 1);
+    EXPECT_NEAR(red({key, rim}, 1), parts, 0.02 * parts);
+  }
+}
+
+TEST(Trace, PaleFurLetsLightThroughAndDarkFurDoesNot) {
+  const FurPatch ball = fur_ball(0.05f);
+  const auto from_behind = [&](float colour) {
+    FurFrame frame = frame_at(32, coat_of(glm::vec3(colour), 4000), Transport::transmittance, 16);
+    frame.lights = {lamp_from({0, 0, 1}, 1)};
+    frame.look.ambient = frame.look.specular = 0;
+    frame.look.shading = ShadingModel::scheuermann, frame.look.fibre.secondary_specular = 0;
+    frame.knobs.trace.scattering = StrandScattering::look;
+    return mean_of(traced(ball, frame).beauty).red / colour;
+  };
+  EXPECT_GT(from_behind(0.9f), 1.5 * from_behind(0.05f));
+}
+
+TEST(Trace, GroundDarkensWhereTheBodyStands) {
+  FurFrame frame = frame_at(48, coat_of(glm::vec3(0.5f)), Transport::transmittance, 16);
+  frame.ground = FurGround{.height = -0.28f, .shadow = 0.7f, .contact = 0.7f};
+  frame.camera.eye = {0, 0.4f, 2}, frame.camera.forward = glm::normalize(glm::vec3(0, -0.2f, -1));
+  frame.camera.up = glm::normalize(glm::vec3(0, 1, -0.2f));
+  frame.lights = {lamp_from({0.5f, -1, 0}, 1)};
+  const FloatImage picture = traced(fur_ball(0.03f), frame).beauty;
+  double shade = 0;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    if (picture.rgba[i] == 0) shade += picture.rgba[i + 3];
+    EXPECT_LE(picture.rgba[i + 3], 1.0f);
+  }
+  EXPECT_GT(shade, 20);
+  frame.ground->shadow = frame.ground->contact = 0;
+  double lit = 0;
+  const FloatImage open = traced(fur_ball(0.03f), frame).beauty;
+  for (std::size_t i = 0; i < open.rgba.size(); i += 4) {
+    if (open.rgba[i] == 0) lit += open.rgba[i + 3];
+  }
+  EXPECT_LT(lit, 0.05 * shade);  // what is left are strands that no light reached
+}
+
+TEST(Trace, EndsAtALevelOfNoise) {
+  FurFrame frame = frame_at(48, coat_of(glm::vec3(0.5f)), Transport::transmittance, 4096);
+  frame.lights = {lamp_from({1, -1, -1}, 1)};
+  frame.knobs.trace.noise = 0.02;
+  const Traced picture = traced(fur_ball(0.03f), frame);
+  EXPECT_EQ(picture.report.end, TraceEnd::noise);
+  EXPECT_LE(picture.report.noise, 0.02);
+  EXPECT_GE(picture.report.passes, 8);
+  EXPECT_LT(picture.report.samples, picture.report.passes);  // empty parts took fewer
+}
+
+// science.md 7.
+TEST(TraceExtremes, FiniteForAnyScene) {
+  const FurPatch ball = fur_ball(0.05f);
+  for (const Transport transport : {Transport::transmittance, Transport::paths}) {
+    const FurFrame usual = frame_at(12, coat_of(glm::vec3(0.5f), 400), transport, 2);
+    const auto looks_finite = [&](const FurPatch& fur, const FurFrame& frame) { expect_finite(traced(fur, frame).beauty); };
+    looks_finite(fur_ball(0), usual);
+    looks_finite(fur_ball(10), usual);
+    for (const double width : {0.0, 0.05}) {
+      FurFrame frame = usual;
+      frame.coat.width_root = frame.coat.width_tip = width;
+      looks_finite(ball, frame);
+    }
+    FurFrame one = usual;
+    one.coat.count = 1;
+    looks_finite(ball, one);
+    for (const float distance : {0.251f, 0.27f, 0.0f, 1e6f}) {  // lights inside the fur, inside the body, far away
+      FurFrame frame = usual;
+      FurLight lamp;
+      lamp.kind = LightKind::point, lamp.position = {0, 0, distance}, lamp.radiance = glm::vec3(1e8f), lamp.radius = 0.01f;
+      frame.lights = {lamp};
+      looks_finite(ball, frame);
+      frame.camera.eye = {0, 0, distance};
+      looks_finite(ball, frame);
+    }
+    for (const double roughness : {0.0, 1.0}) {
+      FurFrame frame = usual;
+      frame.look.fibre.longitudinal_roughness = frame.look.fibre.azimuthal_roughness = roughness;
+      frame.look.fibre.refractive_index = roughness == 0 ? 1.0 : 3.0;
+      frame.coat.ramp = {{0, glm::vec3(static_cast<float>(roughness))}};
+      frame.lights = {lamp_from({0, 0, -1}, 1e8f), lamp_from({0, 0, 1}, 0)};
+      looks_finite(ball, frame);
+    }
+    FurFrame tiny = usual;
+    tiny.width = tiny.height = 1;
+    looks_finite(ball, tiny);
+  }
+}
+
+TEST(TraceExtremes, APictureBeyondTheMemoryIsRefused) {
+  FurFrame frame = frame_at(8192, coat_of(glm::vec3(0.5f), 10), Transport::transmittance, 1);
+  Tracer tracer(1, std::size_t{256} << 20, false);
+  const FurPatch ball = fur_ball(0.03f);
+  const Status status = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  EXPECT_EQ(status.code, Code::too_large);
+  EXPECT_EQ(status.pointer, "/width");
+}
+
+TEST(TraceExtremes, CancelledAtAnyMomentItBeginsAgain) {
+  const FurPatch ball = fur_ball(0.03f);
+  const FurFrame frame = frame_at(40, coat_of(glm::vec3(0.5f)), Transport::transmittance, 2);
+  const Traced whole = traced(ball, frame);
+  Tracer tracer(2, plenty, false);
+  for (const int calls : {0, 1, 3, 6, 9, 12}) {
+    std::atomic<int> left{calls};
+    const auto some = [&left] { return left-- > 0; };
+    Status status = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, some);
+    while (status.ok() && tracer.report().end == TraceEnd::none) status = tracer.add_pass(some);
+    EXPECT_EQ(status.code, Code::unavailable) << calls;
+  }
+  ASSERT_TRUE(tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always).ok());
+  while (tracer.report().end == TraceEnd::none) ASSERT_TRUE(tracer.add_pass(always).ok());
+  EXPECT_EQ(tracer.layer(FrameLayer::beauty).rgba, whole.beauty.rgba);
+}
+
+}  // namespace
+}  // namespace pelage
