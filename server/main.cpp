@@ -13,6 +13,7 @@
 #include "server/http/http_server.h"
 #include "server/scene/frame_service.h"
 #include "server/scene/scene_store.h"
+#include "server/scene/scene_tracer.h"
 #include "server/surface/import.h"
 
 namespace {
@@ -28,6 +29,7 @@ struct Options {
   std::string data = "pelage-data";
   GlChoice gl = GlChoice::automatic;
   int threads = 0;
+  double trace_memory = 4;  // GiB
   std::string token;
   std::vector<std::string> hosts;
 };
@@ -39,7 +41,11 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--port-file", options.port_file, "File that the port is written to, by rename");
   app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();
   app.add_option("--gl", options.gl, "auto, egl or osmesa")->transform(CLI::CheckedTransformer(gl_names));
-  app.add_option("--threads", options.threads, "Threads of a software GL; 0 for all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
+     ->check(CLI::Range(0, 1024));
+  app.add_option("--trace-memory", options.trace_memory, "GiB for traced strands and their picture")
+      ->check(CLI::Range(0.0625, 1024.0))
+      ->capture_default_str();
   app.add_option("--token", options.token, "Bearer token that requests need; required beyond loopback addresses")
       ->envname("PELAGE_TOKEN");
   app.add_option("--host", options.hosts, "Name that requests may address beside the loopback ones; may be repeated");
@@ -82,11 +88,14 @@ int fail(int code, const Status& status) {
 
 int serve(const Options& options, const HttpOptions& http) {
   const sigset_t signals = block_stop_signals();
-  const auto frames = FrameService::start(options.gl, options.threads);
+  YieldGate gate;
+  const auto frames = FrameService::start(options.gl, options.threads, gate);
   if (!frames) return fail(no_gl, frames.status());
   const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import");
   if (!scenes) return fail(failed, scenes.status());
-  const auto server = HttpServer::listen(http, **scenes, **frames);
+  const auto memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
+  TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, memory), gate);
+  const auto server = HttpServer::listen(http, {**scenes, **frames, traces, gate});
   if (!server) return fail(usage, server.status());
 
   const int port = (*server)->port();

@@ -205,13 +205,40 @@ void declare_groom_actions(CLI::App& app, Options& options) {
       ->needs(lines);
 }
 
+/// Options that are handed on as members of Tracing.
+void add_tracing(CLI::App* command, Options& options) {
+  const auto add = [&](const char* flag, const char* member, const char* help) {
+    command->add_option_function<std::string>(
+        flag, [&options, member](const std::string& value) { options.trace.emplace_back(member, value); }, help);
+  };
+  add("--passes", "passes", "Of traced strands, at most: samples of a pixel, 1 to 65536 [64]");
+  add("--noise", "noise", "Ends when the mean error of a shown channel is below, 0 to 1; 0 never [0]");
+  add("--seconds", "seconds", "Ends after so much tracing, 0 to 3600; 0 never [0]");
+  add("--transport", "transport", "transmittance, or paths that scatter from strand to strand [transmittance]");
+  add("--scattering", "scattering", "look or energy_conserving [energy_conserving]");
+  add("--bounces", "bounces", "With --transport paths: at most, 1 to 4096 [32]");
+  add("--strands", "strands", "At most, 1 to 8000000; fewer are drawn wider [2000000]");
+  add("--filter", "filter", "true or false: smooths pictures of few passes [true]");
+  add("--seed", "seed", "The same seed and passes give the same picture [1]");
+  CLI::Option* refine =
+      command->add_flag("--refine", options.refine,
+                        "Writes shells at once, then each better picture of traced strands over the same file");
+  command->add_option("--until-pass", options.until_pass, "With --refine: ends with a picture of so many passes")
+      ->needs(refine)
+      ->check(CLI::PositiveNumber);
+  command->add_option("--for", options.for_seconds, "With --refine: ends after so many seconds")
+      ->needs(refine)
+      ->check(CLI::NonNegativeNumber);
+}
+
 void declare_picture_actions(CLI::App& app, Options& options) {
   CLI::App* frame = add_action(app, options, Action::frame, "frame", "Draw a scene");
   add_scene(frame, options);
   frame->add_option("-o,--output", options.output, "The picture; - for standard output")->capture_default_str();
   add_view(frame, options);
-  add_frame_parameter(frame, options, "--quality", "quality", "draft, interactive or detailed [interactive]");
+  add_frame_parameter(frame, options, "--quality", "quality", "draft, interactive, detailed or reference [interactive]");
   add_knob(frame, options);
+  add_tracing(frame, options);
   add_frame_parameter(frame, options, "--background", "background", "transparent, studio or #rrggbb");
   add_frame_parameter(frame, options, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   add_frame_parameter(frame, options, "--tone-map", "tone_map", "none or filmic [filmic]");

@@ -67,6 +67,10 @@ struct Options {
   // frame and pick
   std::string output = "frame.png";
   Parameters frame;     // as in the address of frame.png
+  Parameters trace;     // members of Tracing
+  bool refine = false;  // shells, and then strands over the same file
+  std::optional<int> until_pass;
+  std::optional<double> for_seconds;
   double x = 0, y = 0;  // pixels
   // undo, redo, revert, amend
   std::uint64_t count = 1;  // steps, or the revision

@@ -6,6 +6,7 @@
 #include "clients/cli/actions.h"
 #include "clients/cli/files.h"
 #include "clients/cli/print.h"
+#include "clients/cli/refinement.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
@@ -13,11 +14,6 @@
 namespace pelage {
 
 namespace {
-
-std::string header(const HttpAnswer& answer, const char* name) {
-  const auto found = answer.headers.find(name);
-  return found == answer.headers.end() ? "" : found->second;
-}
 
 /// The format that an output's ending stands for; PNG where it says nothing.
 const char* format_of(const std::string& path) {
@@ -35,25 +31,47 @@ Parameters with_format(Parameters parameters, const std::string& output) {
   return parameters;
 }
 
+/// Checked here too, so that a wrong line says so without a server.
+Result<FrameRequest> request_of(const Options& options) {
+  Result<FrameRequest> request = decode_frame_query(with_format(options.frame, options.output));
+  const Result<Tracing> tracing = decode_tracing_query(options.trace);
+  if (!request || !tracing) return request ? tracing.status() : request;
+  const bool strands = request->knobs.method == Method::strands;
+  if (options.refine) {
+    request->refine = *tracing;
+  } else if (strands) {
+    request->knobs.trace = *tracing;
+  } else if (!options.trace.empty()) {
+    return failure(Code::invalid, "Only strands are traced.", "/" + options.trace.front().first,
+                   "--quality reference, or --refine");
+  }
+  return decode_frame_request(encode(*request));
+}
+
+void print_frame(const Options& options, const HttpAnswer& answer) {
+  const std::string revision = header(answer, "pelage-revision"), quality = header(answer, "pelage-quality");
+  const std::string timing = header(answer, "server-timing"), trace = header(answer, "pelage-trace");
+  if (options.json) {
+    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}{}}}\n", json_text(options.output),
+               revision, quality, json_text(timing), trace.empty() ? "" : ",\"trace\":" + trace);
+  } else {
+    fmt::print("{}: revision {}, {}\n", options.output, revision, timing);
+  }
+}
+
 }  // namespace
 
 ExitCode draw_frame(Session& session) {
   const Options& options = session.options();
-  const auto request = decode_frame_query(with_format(options.frame, options.output));
+  const auto request = request_of(options);
   if (!request) return report(request.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
+  if (request->refine) return follow_refinement(session, *path, encode(*request));
   const auto answer = Session::accepted(session.connection().post_json(*path + "/frames", encode(*request)));
   if (!answer) return report(answer.status());
   if (const Status status = write_file(options.output, answer->body); !status.ok()) return report(status);
-  if (options.output == "-") return done;
-  const std::string revision = header(*answer, "pelage-revision"), quality = header(*answer, "pelage-quality");
-  if (options.json) {
-    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}}}\n", json_text(options.output),
-               revision, quality, json_text(header(*answer, "server-timing")));
-  } else {
-    fmt::print("{}: revision {}, {}\n", options.output, revision, header(*answer, "server-timing"));
-  }
+  if (options.output != "-") print_frame(options, *answer);
   return done;
 }
 

@@ -54,6 +54,11 @@ ExitCode report(const Status& status, const std::string& context) {
   return exit_code_of(status.code);
 }
 
+std::string header(const HttpAnswer& answer, const char* name) {
+  const auto found = answer.headers.find(name);
+  return found == answer.headers.end() ? "" : found->second;
+}
+
 Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
   if (!answer || answer->status < 400) return answer;
   Status status = decode_problem(answer->body);

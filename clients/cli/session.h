@@ -35,6 +35,9 @@ class Session {
   const Options& options_;
 };
 
+/// Of an answer; "" when it has none. `name` in lower case.
+std::string header(const HttpAnswer& answer, const char* name);
+
 /// Prints what a command changed, or what refused it; `context` as for report.
 ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context = {});
 

@@ -28,6 +28,8 @@ using Query = std::vector<std::pair<std::string, std::string>>;
 /// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view,
 /// format, jpeg_quality, exr_type, layers (names with commas), overlay, overlay_from. Pointers name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
+/// How strands are traced: the members of Tracing by their names.
+Result<Tracing> decode_tracing_query(const Query& query);
 /// How to read a model's octets: format (required), up, front, length, inclination, fur_patches.
 Result<ImportOptions> decode_import_query(const Query& query);
 

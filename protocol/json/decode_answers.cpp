@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "protocol/json/names.h"
 #include "protocol/json/parse.h"
 
 namespace pelage {
@@ -164,6 +165,22 @@ Result<std::vector<LogEntry>> decode_log(std::string_view text) {
                      .in_effect = entry.at("in_effect")});
     }
     return log;
+  });
+}
+
+Result<TraceReport> decode_trace_report(std::string_view text) {
+  return decode_document<TraceReport>(text, [](const json& value) {
+    TraceReport report{.passes = value.at("passes"),
+                       .samples = value.at("samples"),
+                       .noise = value.at("noise"),
+                       .strands = value.at("strands"),
+                       .grow_ms = value.at("grow_ms"),
+                       .trace_ms = value.at("trace_ms")};
+    const std::string end = value.at("end");
+    for (const auto& known : json_names::trace_ends) {
+      if (known.text == end) report.end = known.value;
+    }
+    return report;
   });
 }
 

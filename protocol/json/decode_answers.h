@@ -6,6 +6,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
+#include "protocol/commands/frame.h"
 #include "protocol/commands/map.h"
 
 namespace pelage {
@@ -16,6 +17,7 @@ Result<SceneSummary> decode_scene_summary(std::string_view text);
 Result<std::vector<SceneSummary>> decode_scene_list(std::string_view text);
 Result<PickAnswer> decode_pick_answer(std::string_view text);
 Result<PictureAnswer> decode_picture_answer(std::string_view text);
+Result<TraceReport> decode_trace_report(std::string_view text);
 Result<std::vector<LogEntry>> decode_log(std::string_view text);
 
 /// The refusal in a problem document; its code follows the `type`. Malformed when it is no problem document.

@@ -59,6 +59,18 @@ constexpr auto frame_parameters = std::to_array<Parameter>({
     {"colour_source", "/look/colour_source", Kind::text},
 });
 
+constexpr auto tracing_parameters = std::to_array<Parameter>({
+    {"passes", "/passes", Kind::number},
+    {"transport", "/transport", Kind::text},
+    {"scattering", "/scattering", Kind::text},
+    {"bounces", "/bounces", Kind::number},
+    {"strands", "/strands", Kind::number},
+    {"noise", "/noise", Kind::number},
+    {"seconds", "/seconds", Kind::number},
+    {"filter", "/filter", Kind::boolean},
+    {"seed", "/seed", Kind::number},
+});
+
 constexpr auto import_parameters = std::to_array<Parameter>({
     {"format", "/format", Kind::text},
     {"up", "/up", Kind::text},
@@ -201,6 +213,15 @@ Result<FrameRequest> decode_frame_query(const Query& query) {
   const auto document = document_of(query, frame_parameters);
   if (!document) return document.status();
   return decode_frame_request(document->dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+Result<Tracing> decode_tracing_query(const Query& query) {
+  const auto document = document_of(query, tracing_parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  const Tracing tracing = json_parts::tracing(Value(*document, "", first_failure));
+  if (!first_failure.ok()) return first_failure;
+  return tracing;
 }
 
 Result<Environment> decode_environment_query(const Query& query) {

@@ -157,10 +157,11 @@ std::string json_text(std::string_view text) { return line(Json(text)); }
 
 std::string encode(const Knobs& knobs) { return line(json_of(knobs)); }
 
+/// Before it can be estimated noise is infinite, which JSON cannot say; no shown channel is further off than 1.
 std::string encode(const TraceReport& report) {
   return line({{"passes", report.passes},
                {"samples", report.samples},
-               {"noise", report.noise},
+               {"noise", report.noise < 1 ? report.noise : 1},
                {"strands", report.strands},
                {"end", text_of(json_names::trace_ends, report.end)},
                {"grow_ms", report.grow_ms},

@@ -70,8 +70,9 @@ class Renderer {
   /// curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
   /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
   Result<BasePicture> draw_base(const FurFrame& frame, DrawTimes* times = nullptr);
-  /// A traced picture of the frame's size as `draw` shows what it has drawn: exposure, tone map, background and overlay.
-  /// An overlay is of a model that the renderer has, and a field or the difference; others are refused (invalid).
+  /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
+  /// overlay. `light` is premultiplied linear light. An overlay is of a model that the renderer has, and a field or the
+  /// difference; others are refused (invalid).
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 

@@ -43,11 +43,6 @@ class Grower {
   Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe);
   ~Grower();
 
-/// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
-double expected_strands(const FurModel& model, const Coat& coat);
-
-  /// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
-  double expected() const;
   /// The strands of a chunk. Fur of no length grows none, density keeps those whose number is below it. A radius is
   /// never below 1e-7, so that nothing is divided by 0 where strands have no width.
   StrandSet grow(const StrandChunk& chunk) const;

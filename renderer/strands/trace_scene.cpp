@@ -11,9 +11,9 @@ namespace {
 
 constexpr float eye_margin = 1.25f;  // radii around an eye's middle within which lids and cornea lie
 
-/// Optical depth of crossing one black strand: 1/3.5 of the light is left. Pale strands stop less (World::passed). Found
-/// by matching mean luminance with shells (docs/strands.md).
-constexpr float strand_depth = 1.25f;
+/// Optical depth of crossing one black strand: 1/7 of the light is left. Pale strands stop less (World::passed). Chosen
+/// between the mean luminance of shells and that of paths (docs/strands.md).
+constexpr float strand_depth = 2.0f;
 
 constexpr float brightest_over_light = 16;
 

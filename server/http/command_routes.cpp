@@ -109,6 +109,7 @@ using SceneHandler = std::function<void(Scene&, const Request&, Response&)>;
 void post(httplib::Server& server, Service& service, const char* name, const SceneHandler& handle) {
   const std::string pattern = std::string("/v1/scenes/([^/]+)/") + name;
   add_post(server, pattern, [&service, handle](const Request& request, Response& response) {
+    const YieldGate::Turn turn = service.gate.go_first();
     service.idempotency.answer(request, response, [&] {
       with_scene(service, request, response, [&](const auto& scene) { handle(*scene, request, response); });
     });

@@ -23,9 +23,10 @@ constexpr std::int64_t large_pixels = 4096 * 4096;  // beyond it frames are draw
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// `after` and `wait` of the address.
+/// `after`, `after_pass` and `wait` of the address.
 struct News {
   std::optional<Revision> after;
+  std::optional<SeenPicture> seen;  // with after_pass
   double wait_seconds = 0;
 };
 
@@ -37,9 +38,9 @@ std::optional<T> parsed(const std::string& text) {
   return value;
 }
 
-Result<News> news_of(const Request& request) {
+Result<News> news_of(const Request& request, const FrameRequest& wanted) {
   News news;
-  for (const char* name : {"after", "wait"}) {
+  for (const char* name : {"after", "after_pass", "wait"}) {
     if (request.get_param_value_count(name) > 1) {
       return failure(Code::malformed, "The parameter is given twice.", std::string("/") + name, "each name once");
     }
@@ -47,6 +48,13 @@ Result<News> news_of(const Request& request) {
   if (request.has_param("after")) {
     news.after = parsed<Revision>(request.get_param_value("after"));
     if (!news.after) return failure(Code::invalid, "This is no revision.", "/after", "[0, 18446744073709551615]");
+  }
+  if (request.has_param("after_pass")) {
+    const auto passes = parsed<int>(request.get_param_value("after_pass"));
+    if (!passes || *passes < 0) return failure(Code::invalid, "This is no count of passes.", "/after_pass", "0 or more");
+    if (!news.after) return failure(Code::invalid, "Passes are of a revision.", "/after_pass", "with after");
+    if (!wanted.refine) return failure(Code::invalid, "Only refine has passes to wait for.", "/after_pass", "with refine");
+    news.seen = SeenPicture{*news.after, *passes};
   }
   if (request.has_param("wait")) {
     const auto wait = parsed<double>(request.get_param_value("wait"));
@@ -59,10 +67,16 @@ Result<News> news_of(const Request& request) {
   return news;
 }
 
-/// Ok when the scene is newer than asked for; unavailable when too many wait; not_found when the scene went away;
-/// precondition when there is nothing newer.
-Status wait_for_news(Service& service, const Scene& scene, const News& news, const ClientSocket& client) {
-  if (!news.after || scene.revision() > *news.after) return {};
+/// Ok when the scene is newer than asked for, or a better picture is there; unavailable when too many wait; not_found
+/// when the scene went away; precondition when there is nothing newer.
+Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
+                     const News& news, const ClientSocket& client) {
+  if (!news.after || scene->revision() > *news.after) return {};
+  const auto refined = [&] { return news.seen && service.pictures.is_refined(*scene, wanted, *news.seen); };
+  if (news.seen) {
+    if (Status full = service.pictures.look(scene, wanted, *news.seen); !full.ok()) return full;
+    if (refined()) return {};
+  }
   const Status nothing_new = failure(Code::precondition, "Nothing is newer.");
   if (news.wait_seconds == 0) return nothing_new;
   const auto pass = service.waiting.enter();
@@ -72,54 +86,78 @@ Status wait_for_news(Service& service, const Scene& scene, const News& news, con
   while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - seconds_since(start);
     if (left <= 0) break;
-    if (scene.wait_newer(*news.after, std::min(left, slice_seconds)) > *news.after) return {};
-    if (const auto still_there = service.scenes.find(scene.id()); !still_there) return still_there.status();
+    if (scene->wait_newer(*news.after, std::min(left, slice_seconds), refined) > *news.after || refined()) return {};
+    if (const auto still_there = service.scenes.find(scene->id()); !still_there) return still_there.status();
   }
   return nothing_new;
 }
 
-std::string server_timing(const FrameTimings& t) {
+std::string server_timing(const FrameAnswer& frame) {
+  const FrameTimings& t = frame.timings;
+  if (frame.trace && frame.trace->passes > 0) {
+    return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, grow;dur={:.3f}, trace;dur={:.3f}, "
+                       "read;dur={:.3f}, encode;dur={:.3f}",
+                       t.queue, t.upload, t.draw, frame.trace->grow_ms, frame.trace->trace_ms, t.read, t.encode);
+  }
   return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}",
                      t.queue, t.upload, t.shadow, t.draw, t.read, t.encode);
 }
 
-void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
+/// A better picture of the revision that the client has, or what it asks for anew.
+Result<FrameAnswer> picture_of(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
+                               const News& news, const ClientSocket& client) {
+  if (news.seen) {
+    if (auto refined = service.pictures.refined(*scene, wanted, *news.seen)) return std::move(*refined);
+  }
+  return service.pictures.frame(scene, wanted, [&client] { return client.gone(); });
+}
+
+void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted, const News& news,
                  const ClientSocket& client, Response& response) {
   const bool large = std::int64_t{wanted.width} * wanted.height > large_pixels;
-  const auto pass = large ? service.large_frames.enter() : Gate::Pass(nullptr);
-  if (large && !pass) {
+  const bool at_once = wanted.knobs.method == Method::shells;  // tracing has a queue of its own
+  const auto pass = large && at_once ? service.large_frames.enter() : Gate::Pass(nullptr);
+  if (large && at_once && !pass) {
     return reply_problem(response,
                          failure(Code::unavailable, "Another large frame is being drawn.", "", "one at a time"));
   }
   const auto start = Clock::now();
-  auto frame = service.frames.frame(scene, wanted, [&client] { return client.gone(); });
+  auto frame = picture_of(service, scene, wanted, news, client);
   if (!frame) return reply_problem(response, frame.status());
   service.metrics.count_frame(seconds_since(start));
   response.status = 200;
-  set_etag(response, frame->revision);
+  set_etag(response, frame->revision, frame->trace ? frame->trace->passes : 0);
   response.set_header("Pelage-Revision", std::to_string(frame->revision));
   response.set_header("Pelage-Quality", encode(frame->knobs));
   response.set_header("Pelage-Counters", encode(frame->counters));
-  response.set_header("Server-Timing", server_timing(frame->timings));
+  if (frame->trace) response.set_header("Pelage-Trace", encode(*frame->trace));
+  response.set_header("Server-Timing", server_timing(*frame));
   response.set_header("Cache-Control", "no-cache");
   response.set_content(std::move(frame->octets), frame->content_type);
+}
+
+/// Passes of the picture that the client has, as far as its request says so.
+int known_passes(const FrameRequest& wanted, const News& news) {
+  if (news.seen) return news.seen->passes;
+  return wanted.knobs.method == Method::strands ? wanted.knobs.trace.passes : 0;
 }
 
 void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
                   const Request& request, Response& response) {
   if (!wanted) return reply_problem(response, wanted.status());
-  const auto news = news_of(request);
+  const auto news = news_of(request, *wanted);
   if (!news) return reply_problem(response, news.status());
   const ClientSocket client(request);
-  const Status status = wait_for_news(service, *scene, *news, client);
+  const Status status = wait_for_news(service, scene, *wanted, *news, client);
   const Revision revision = scene->revision();
-  const bool known = request.method != "POST" && none_match_names(request, revision);
+  const int passes = known_passes(*wanted, *news);
+  const bool known = request.method != "POST" && none_match_names(request, revision, passes);
   if (known || status.code == Code::precondition) {
     response.status = 304;
-    return set_etag(response, revision);
+    return set_etag(response, revision, passes);
   }
   if (!status.ok()) return reply_problem(response, status);
-  reply_frame(service, scene, *wanted, client, response);
+  reply_frame(service, scene, *wanted, *news, client, response);
 }
 
 Query frame_query_of(const Request& request) {
@@ -148,7 +186,7 @@ void pick(const Scene& scene, const Request& request, Response& response) {
 void add_frame_routes(httplib::Server& server, Service& service) {
   add_post(server, "/v1/scenes/([^/]+)/frames", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) {
-      const Status status = check_query(request, {"after", "wait"});
+      const Status status = check_query(request, {"after", "after_pass", "wait"});
       const auto wanted = status.ok() ? decode_frame_request(request.body) : Result<FrameRequest>(status);
       answer_frame(service, scene, wanted, request, response);
     });

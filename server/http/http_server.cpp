@@ -68,8 +68,8 @@ bool is_public(const std::string& path) { return path == "/livez" || path == "/r
 }  // namespace
 
 struct HttpServer::Impl {
-  Impl(const HttpOptions& options, SceneStore& scenes, FrameService& frames)
-      : service(scenes, frames), guard(options.token, options.hosts, !is_loopback_name(options.host)) {
+  Impl(const HttpOptions& options, const ServedParts& parts)
+      : service(parts), guard(options.token, options.hosts, !is_loopback_name(options.host)) {
     set_up_transport();
     set_up_handlers();
     add_scene_routes(server, service);
@@ -144,13 +144,12 @@ struct HttpServer::Impl {
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 HttpServer::~HttpServer() = default;
 
-Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& options, SceneStore& scenes,
-                                                       FrameService& frames) {
+Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& options, const ServedParts& parts) {
   if (!is_loopback_name(options.host) && options.token.empty()) {
     return failure(Code::invalid, "An address that others can reach needs a token: --token.", "",
                    "loopback, or a token");
   }
-  auto impl = std::make_unique<Impl>(options, scenes, frames);
+  auto impl = std::make_unique<Impl>(options, parts);
   const bool any_port = options.port == 0;
   if (any_port)
     impl->port = impl->server.bind_to_any_port(options.host);
@@ -174,6 +173,7 @@ Status HttpServer::run() {
 
 void HttpServer::stop() {
   impl_->service.draining = true;
+  impl_->service.traces.stop();
   // cpp-httplib forgets a stop that comes before it listens.
   while (!impl_->server.is_running() && !impl_->finished) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   impl_->server.stop();

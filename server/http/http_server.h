@@ -8,6 +8,8 @@
 #include "protocol/base/status.h"
 #include "server/scene/frame_service.h"
 #include "server/scene/scene_store.h"
+#include "server/scene/trace_queue.h"
+#include "server/scene/yield_gate.h"
 
 namespace pelage {
 
@@ -18,19 +20,25 @@ struct HttpOptions {
   std::vector<std::string> hosts;  // names that a request may address beside the loopback ones, without ports
 };
 
+/// What is served; all of it outlives the server.
+struct ServedParts {
+  SceneStore& scenes;
+  FrameService& frames;
+  TraceQueue& traces;
+  YieldGate& gate;  // commands go first
+};
+
 class HttpServer {
  public:
   /// Binds. Refused (invalid) when the address is not a loopback one and there is no token, or cannot be bound.
-  /// The store and the frame service outlive the server.
-  static Result<std::unique_ptr<HttpServer>> listen(const HttpOptions& options, SceneStore& scenes,
-                                                    FrameService& frames);
+  static Result<std::unique_ptr<HttpServer>> listen(const HttpOptions& options, const ServedParts& parts);
   ~HttpServer();
 
   int port() const;
   /// Serves on this thread until stop() is called and what runs is finished. Fails (internal) when the listening
   /// socket gives up before that.
   Status run();
-  /// Thread-safe: no longer ready, ends waits, takes no new connections.
+  /// Thread-safe: no longer ready, ends waits and traces, takes no new connections.
   void stop();
 
  private:

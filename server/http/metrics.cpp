@@ -54,6 +54,9 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_frames_total", "counter", "Frames that the render thread drew.", gauges.frames_drawn);
   text +=
       single("pelage_drawing_seconds_total", "counter", "Time that the render thread drew.", gauges.seconds_drawing);
+  text += single("pelage_traces_total", "counter", "Pictures of strands that were begun.", gauges.traces.traces);
+  text += single("pelage_trace_passes_total", "counter", "Passes that were traced.", gauges.traces.passes);
+  text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.", gauges.traces.seconds);
   text += single("pelage_scenes", "gauge", "Scenes on the server.", gauges.scenes);
   text += single("pelage_ready", "gauge", "1 when the server takes work.", gauges.ready ? 1 : 0);
   text += single("process_resident_memory_bytes", "gauge", "Resident memory.", resident_bytes());

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "server/scene/trace_queue.h"
+
 namespace pelage {
 
 /// What the service knows at the moment of asking.
@@ -16,6 +18,7 @@ struct Gauges {
   bool ready = false;
   std::size_t frames_drawn = 0;
   double seconds_drawing = 0;
+  TraceCounts traces;
 };
 
 /// Thread-safe.

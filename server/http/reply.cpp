@@ -58,9 +58,13 @@ void close_after(httplib::Response& response) {
   });
 }
 
-std::string etag_of(Revision revision) { return fmt::format("\"{}\"", revision); }
+std::string etag_of(Revision revision, int passes) {
+  return passes > 0 ? fmt::format("\"{}.{}\"", revision, passes) : fmt::format("\"{}\"", revision);
+}
 
-void set_etag(httplib::Response& response, Revision revision) { response.set_header("ETag", etag_of(revision)); }
+void set_etag(httplib::Response& response, Revision revision, int passes) {
+  response.set_header("ETag", etag_of(revision, passes));
+}
 
 Result<std::optional<Revision>> if_match_of(const httplib::Request& request) {
   const std::string text = request.get_header_value("If-Match");
@@ -74,9 +78,9 @@ Result<std::optional<Revision>> if_match_of(const httplib::Request& request) {
   return failure(Code::malformed, "If-Match is no entity tag of a scene.", "", "one ETag such as \"12\", or *");
 }
 
-bool none_match_names(const httplib::Request& request, Revision revision) {
+bool none_match_names(const httplib::Request& request, Revision revision, int passes) {
   const std::string text = request.get_header_value("If-None-Match");
-  return text == "*" || (", " + text + ",").find(" " + etag_of(revision) + ",") != std::string::npos;
+  return text == "*" || (", " + text + ",").find(" " + etag_of(revision, passes) + ",") != std::string::npos;
 }
 
 }  // namespace pelage

@@ -26,14 +26,14 @@ void reply_problem(httplib::Response& response, const Status& status);
 /// or what is left of it would run as the next request.
 void close_after(httplib::Response& response);
 
-/// "12", with the quotes.
-std::string etag_of(Revision revision);
-void set_etag(httplib::Response& response, Revision revision);
+/// "12", with the quotes; "12.8" of a traced picture of 8 passes.
+std::string etag_of(Revision revision, int passes = 0);
+void set_etag(httplib::Response& response, Revision revision, int passes = 0);
 
 /// The revision of If-Match; none without the header and for *. Malformed when it is no single strong entity tag of
 /// ours.
 Result<std::optional<Revision>> if_match_of(const httplib::Request& request);
-/// Whether If-None-Match names the revision.
-bool none_match_names(const httplib::Request& request, Revision revision);
+/// Whether If-None-Match names the revision, and the passes of a traced picture.
+bool none_match_names(const httplib::Request& request, Revision revision, int passes = 0);
 
 }  // namespace pelage

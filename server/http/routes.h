@@ -10,9 +10,11 @@
 
 #include "protocol/json/decode.h"
 #include "server/http/gate.h"
+#include "server/http/http_server.h"
 #include "server/http/idempotency.h"
 #include "server/http/metrics.h"
 #include "server/scene/frame_service.h"
+#include "server/scene/picture_service.h"
 #include "server/scene/scene_store.h"
 
 namespace pelage {
@@ -23,6 +25,9 @@ inline constexpr int worker_threads = 64;
 struct Service {
   SceneStore& scenes;
   FrameService& frames;
+  TraceQueue& traces;
+  YieldGate& gate;
+  PictureService pictures{frames, traces};
   Metrics metrics;
   IdempotencyCache idempotency;
   Gate waiting{worker_threads / 4};  // each holds a thread for seconds
@@ -30,7 +35,8 @@ struct Service {
   Gate large_frames{1};
   std::atomic<bool> draining{false};
 
-  Service(SceneStore& store, FrameService& service) : scenes(store), frames(service) {}
+  explicit Service(const ServedParts& parts)
+      : scenes(parts.scenes), frames(parts.frames), traces(parts.traces), gate(parts.gate) {}
   bool ready() const { return !draining && frames.healthy(); }
 };
 

@@ -67,7 +67,8 @@ void add_status_routes(httplib::Server& server, Service& service) {
     const Gauges gauges{.scenes = service.scenes.list().size(),
                         .ready = service.ready(),
                         .frames_drawn = service.frames.frames_drawn(),
-                        .seconds_drawing = service.frames.seconds_drawing()};
+                        .seconds_drawing = service.frames.seconds_drawing(),
+                        .traces = service.traces.counts()};
     response.set_content(service.metrics.text(gauges), "text/plain; version=0.0.4");
   });
   server.Get("/openapi.json",

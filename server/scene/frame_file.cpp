@@ -97,6 +97,16 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
   return failure(Code::internal, "no such format");
 }
 
+Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
+                                       const FloatImage& beauty) {
+  assert(request.format != FrameFormat::exr);
+  if (frame.overlay != Overlay::none && !renderer.has(frame.model)) {
+    return failure(Code::conflict, "the scene has another model since the frame was asked for");
+  }
+  if (request.format == FrameFormat::png16) return drawn(renderer.finish_deep(frame, beauty));
+  return drawn(renderer.finish(frame, beauty));
+}
+
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* layers = std::get_if<std::vector<FloatImage>>(&picture)) return encode_layers(std::move(*layers), request, placement);

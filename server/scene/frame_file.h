@@ -7,6 +7,7 @@
 
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
+#include "server/scene/frame_parts.h"
 
 namespace pelage {
 
@@ -17,11 +18,10 @@ using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                      DrawTimes& times);
 
-/// From the renderer's coordinates to the model's own: internal * size + centre.
-struct ModelPlacement {
-  glm::dvec3 centre{0};
-  double size = 1;
-};
+/// The same of light that was traced, for all formats but EXR. Conflict where an overlay needs a model that the
+/// renderer no longer has.
+Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
+                                       const FloatImage& beauty);
 
 /// The picture as a file of the asked format; the same picture gives the same octets. EXR: the channels are R, G, B and A
 /// of beauty, A of alpha, Z of depth, and LAYER.X, .Y, .Z (position, normal, tangent), LAYER.R, .G, .B (albedo, direct)

@@ -22,6 +22,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+Status stopped() { return failure(Code::unavailable, "the server is stopping"); }
+
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -33,6 +35,17 @@ struct DrawnFrame {
   FrameTimings timings;
   FrameCounters counters;
 };
+
+/// What is drawn of a scene, and which of it.
+struct Shown {
+  FurFrame fur;
+  ModelPlacement placement;
+  Revision revision = 0;
+  std::optional<SceneCopy> copy = {};
+};
+
+/// What tracing needs of the render thread; null when that is stopping.
+using Errand = std::function<void(Renderer*)>;
 
 /// A frame that waits for the render thread.
 struct Job {
@@ -51,9 +64,13 @@ struct Job {
 }  // namespace
 
 struct FrameService::Impl {
+  explicit Impl(YieldGate& yield_gate) : gate(yield_gate) {}
+
+  YieldGate& gate;
   std::mutex mutex;
   std::condition_variable wake;
   std::deque<std::unique_ptr<Job>> jobs;
+  std::deque<Errand> errands;  // after all jobs
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
   std::string description;
@@ -65,7 +82,11 @@ struct FrameService::Impl {
   void run(GlChoice choice, int threads, std::promise<Status>& started);
   void serve(Renderer& renderer);
   Result<DrawnFrame> draw(Renderer& renderer, Job& job);
+  void count(Clock::time_point start, const Status& outcome);
   void add(std::unique_ptr<Job> job);
+  /// Runs `work` on the render thread and waits for it.
+  template <class T>
+  Result<T> run_errand(const std::function<Result<T>(Renderer&)>& work);
 };
 
 void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>& started) {
@@ -82,19 +103,58 @@ void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>&
 void FrameService::Impl::serve(Renderer& renderer) {
   for (;;) {
     std::unique_ptr<Job> job;
+    Errand errand;
     {
       std::unique_lock lock(mutex);
-      wake.wait(lock, [&] { return stopping || !jobs.empty() || !forgotten.empty(); });
+      wake.wait(lock, [&] { return stopping || !jobs.empty() || !errands.empty() || !forgotten.empty(); });
       for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model);
       if (stopping) break;
-      if (jobs.empty()) continue;
-      job = std::move(jobs.front());
-      jobs.pop_front();
+      if (!jobs.empty()) {
+        job = std::move(jobs.front());
+        jobs.pop_front();
+      } else if (!errands.empty()) {
+        errand = std::move(errands.front());
+        errands.pop_front();
+      }
     }
-    job->answer.set_value(draw(renderer, *job));
+    if (job) job->answer.set_value(draw(renderer, *job));
+    if (errand) errand(&renderer);
   }
-  for (const std::unique_ptr<Job>& job : jobs) job->answer.set_value(failure(Code::unavailable, "the server is stopping"));
-  jobs.clear();
+  for (const std::unique_ptr<Job>& job : jobs) job->answer.set_value(stopped());
+  for (const Errand& errand : errands) errand(nullptr);
+  jobs.clear(), errands.clear();
+}
+
+/// Brings the renderer's copy of the scene up to date; all of the answer is of one revision.
+Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, const std::optional<PastFields>& past,
+                   bool with_copy) {
+  Shown shown;
+  bool comparable = true;
+  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
+    shown.revision = view.revision;
+    shown.fur = make_frame(view, request);
+    const Mesh& mesh = view.model.surface.mesh();
+    shown.placement = {mesh.centre, mesh.size};
+    sync_scene(renderer, view, dirty);
+    comparable = !past || past->model.get() == &view.model;
+    if (past && comparable) shown.fur.difference = change_shares(past->fields, view.fields);
+    if (with_copy) shown.copy.emplace(view);
+  });
+  if (comparable) return shown;
+  return failure(Code::conflict, "the scene has another model since the frame was asked for");
+}
+
+/// Read by whoever asks, where it holds up no other frame.
+Result<std::optional<PastFields>> past_of(const Scene& scene, const FrameRequest& request) {
+  if (request.overlay != Overlay::difference) return std::optional<PastFields>();
+  Result<PastFields> past = scene.past_fields(request.overlay_from.value_or(0));
+  if (!past) return past.status();
+  return std::optional(std::move(past).value());
+}
+
+void FrameService::Impl::count(Clock::time_point start, const Status& outcome) {
+  seconds = seconds + milliseconds_since(start) / 1e3;
+  if (outcome.code == Code::unavailable) healthy = false;
 }
 
 Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
@@ -102,31 +162,32 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   DrawnFrame frame;
   frame.timings.queue = milliseconds_since(job.asked);
   const Clock::time_point start = Clock::now();
-  FurFrame fur;
-  bool comparable = true;
-  job.scene->read_for_drawing([&](const SceneView& scene, const std::vector<VertexRange>& dirty) {
-    frame.revision = scene.revision;
-    fur = make_frame(scene, job.request);
-    const Mesh& mesh = scene.model.surface.mesh();
-    frame.placement = {mesh.centre, mesh.size};
-    sync_scene(renderer, scene, dirty);
-    comparable = !job.past || job.past->model.get() == &scene.model;
-    if (job.past && comparable) fur.difference = change_shares(job.past->fields, scene.fields);
-  });
-  if (!comparable) return failure(Code::conflict, "the scene has another model since the frame was asked for");
+  const Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false);
+  if (!shown) return shown.status();
+  frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = milliseconds_since(start);
   DrawTimes times;
-  Result<DrawnPicture> picture = draw_for_format(renderer, fur, job.request, times);
-  seconds = seconds + milliseconds_since(start) / 1e3;
+  Result<DrawnPicture> picture = draw_for_format(renderer, shown->fur, job.request, times);
+  count(start, picture ? Status{} : picture.status());
   ++drawn;
-  if (!picture) {
-    if (picture.status().code == Code::unavailable) healthy = false;
-    return picture.status();
-  }
+  if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   return frame;
+}
+
+template <class T>
+Result<T> FrameService::Impl::run_errand(const std::function<Result<T>(Renderer&)>& work) {
+  std::promise<Result<T>> promise;
+  std::future<Result<T>> answer = promise.get_future();
+  {
+    const std::lock_guard lock(mutex);
+    if (stopping) return stopped();
+    errands.push_back([&](Renderer* renderer) { promise.set_value(renderer ? work(*renderer) : Result<T>(stopped())); });
+    wake.notify_one();
+  }
+  return answer.get();
 }
 
 void FrameService::Impl::add(std::unique_ptr<Job> job) {
@@ -143,8 +204,9 @@ void FrameService::Impl::add(std::unique_ptr<Job> job) {
 
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads) {
-  auto impl = std::make_unique<Impl>();
+Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads,
+                                                          YieldGate& gate) {
+  auto impl = std::make_unique<Impl>(gate);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();
   impl->thread = std::thread([&started, choice, threads, raw = impl.get()] { raw->run(choice, threads, started); });
@@ -167,12 +229,11 @@ FrameService::~FrameService() {
 
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                         const std::function<bool()>& abandoned) {
+  const YieldGate::Turn turn = impl_->gate.go_first();
   auto job = std::make_unique<Job>(Job{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
-  if (request.overlay == Overlay::difference) {  // read here, where it holds up no other frame
-    Result<PastFields> past = scene->past_fields(request.overlay_from.value_or(0));
-    if (!past) return past.status();
-    job->past = std::move(*past);
-  }
+  Result<std::optional<PastFields>> past = past_of(*scene, request);
+  if (!past) return past.status();
+  job->past = std::move(*past);
   std::future<Result<DrawnFrame>> answer = job->answer.get_future();
   impl_->add(std::move(job));
   Result<DrawnFrame> drawn = answer.get();
@@ -186,6 +247,52 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
                      .counters = drawn->counters};
   result.timings.encode = milliseconds_since(start);
   return result;
+}
+
+Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
+  const Result<std::optional<PastFields>> past = past_of(*scene, request);
+  if (!past) return past.status();
+  const Clock::time_point asked = Clock::now();
+  return impl_->run_errand<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
+    FrameTimings timings{.queue = milliseconds_since(asked)};
+    const Clock::time_point start = Clock::now();
+    Result<Shown> shown = show(renderer, *scene, request, *past, true);
+    if (!shown) return shown.status();
+    timings.upload = milliseconds_since(start);
+    DrawTimes times;
+    Result<BasePicture> base = renderer.draw_base(shown->fur, &times);
+    impl_->count(start, base ? Status{} : base.status());
+    if (!base) return base.status();
+    timings.draw = times.draw, timings.read = times.read;
+    return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings,
+                      times.counters};
+  });
+}
+
+Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request) {
+  FrameTimings timings = picture.timings;
+  const Clock::time_point asked = Clock::now();
+  Result<DrawnPicture> finished = DrawnPicture(picture.layers);
+  if (request.format != FrameFormat::exr) {  // an EXR is light as it was traced
+    finished = impl_->run_errand<DrawnPicture>([&](Renderer& renderer) {
+      const Clock::time_point start = Clock::now();
+      Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.layers.front());
+      impl_->count(start, shown ? Status{} : shown.status());
+      return shown;
+    });
+  }
+  if (!finished) return finished.status();
+  timings.read += milliseconds_since(asked);
+  const Clock::time_point start = Clock::now();
+  FrameAnswer answer{.octets = encode_frame(std::move(*finished), request, picture.placement),
+                     .content_type = content_type_of(request.format),
+                     .revision = picture.revision,
+                     .knobs = knobs_of(picture),
+                     .timings = timings,
+                     .counters = picture.counters,
+                     .trace = picture.report};
+  answer.timings.encode = milliseconds_since(start);
+  return answer;
 }
 
 void FrameService::forget(std::uint64_t model_id) {

@@ -3,25 +3,35 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
 #include "renderer/gl/context/context.h"
 #include "server/scene/scene.h"
+#include "server/scene/scene_copy.h"
+#include "server/scene/traced_picture.h"
+#include "server/scene/yield_gate.h"
 
 namespace pelage {
-
-/// Milliseconds of each stage, for Server-Timing.
-struct FrameTimings {
-  double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
-};
 
 struct FrameAnswer {
   std::string octets;
   const char* content_type = "";
   Revision revision = 0;
   Knobs knobs;  // as used
+  FrameTimings timings;
+  FrameCounters counters;
+  std::optional<TraceReport> trace = {};  // of a traced picture, and of a request with refine
+};
+
+/// What a picture is traced from, all of one revision.
+struct TraceStart {
+  SceneCopy scene;
+  FurFrame frame;
+  ModelPlacement placement;
+  BasePicture base;
   FrameTimings timings;
   FrameCounters counters;
 };
@@ -31,14 +41,21 @@ class FrameService {
  public:
   /// Starts the render thread and its context. Fails (unavailable) with what was tried when there is no GL, or when an
   /// explicit choice does not work. `threads` bounds the threads of a software GL, 0 for all cores.
-  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads);
+  /// What yields at the gate waits while frames are drawn and encoded.
+  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate);
   ~FrameService();
 
-  /// Draws and encodes. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
+  /// Draws shells and encodes. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
   /// before drawing starts; a frame that nobody waits for is dropped (unavailable). Refused (invalid, "/overlay_from")
   /// when the scene's model has no such revision.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
+
+  /// Of the scene as it is now; draws what lies under the strands. Waits until no frame does. Refused as frame is.
+  Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
+  /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
+  /// model that the scene no longer has. Waits until no frame does.
+  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request);
 
   /// Forgets GPU copies of a model that is gone.
   void forget(std::uint64_t model_id);

@@ -74,6 +74,7 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first, std::shared
     history_.record(entry);
     return Status{};
   });
+  announce();
   return taken.ok() ? take_up_picture() : taken;
 }
 
@@ -180,7 +181,7 @@ Status Scene::commit_all(std::span<const Entry> entries) {
     dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
   }
   if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_), dirty_gap);
-  changed_.notify_all();
+  announce();
   return take_up_picture();
 }
 
@@ -244,8 +245,14 @@ Status Scene::take_up_picture() {
   return {};
 }
 
+/// To those who wait, and to those who look without the lock.
+void Scene::announce() {
+  newest_ = history_.revision();
+  changed_.notify_all();
+}
+
 SceneView Scene::view() const {
-  return {*model_, fields_, history_.settings(), history_.revision(), picture_.get(), copy_id_};
+  return {*model_, fields_, history_.settings(), history_.revision(), picture_.get(), copy_id_, model_, picture_};
 }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
@@ -358,7 +365,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   picture_.reset(), picture_name_.clear();
   live_.end();
   dirty_ = whole_range(fields_.size());
-  changed_.notify_all();
+  announce();
   return describe();
 }
 
@@ -367,15 +374,20 @@ Status Scene::remove() {
   if (removed_) return failure(Code::not_found, "the scene has been removed");
   if (Status gone = journal_.remove_scene(id_); !gone.ok()) return gone;
   removed_ = true;
-  changed_.notify_all();
+  announce();
   return {};
 }
 
-Revision Scene::wait_newer(Revision after, double seconds) const {
+Revision Scene::wait_newer(Revision after, double seconds, const std::function<bool()>& or_else) const {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                    [&] { return removed_ || history_.revision() > after; });
+                    [&] { return removed_ || history_.revision() > after || (or_else && or_else()); });
   return history_.revision();
+}
+
+void Scene::wake() const {
+  const std::lock_guard lock(mutex_);
+  changed_.notify_all();
 }
 
 Revision Scene::revision() const {

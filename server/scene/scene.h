@@ -1,6 +1,7 @@
 // One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -55,6 +56,8 @@ struct SceneView {
   Revision revision;
   const RawImage* base_picture = nullptr;  // that the settings name; null for the model's own colours
   std::uint64_t copy_id = model.id;        // what the renderer keeps the model with these fields by
+  std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on without the lock
+  std::shared_ptr<const RawImage> picture_owner = {};
 };
 
 /// What a scene's fields were at a revision.
@@ -155,9 +158,14 @@ class Scene {
   /// Takes the scene out of the journal. Whoever still holds it gets not_found for every change.
   Status remove();
 
-  /// Waits until the revision is above `after`, the scene is removed or `seconds` have gone by; the revision then.
-  Revision wait_newer(Revision after, double seconds) const;
+  /// Waits until the revision is above `after`, the scene is removed, `or_else` holds or `seconds` have gone by; the
+  /// revision then. Whoever makes `or_else` true calls wake(); it is asked under the scene's lock.
+  Revision wait_newer(Revision after, double seconds, const std::function<bool()>& or_else = {}) const;
+  void wake() const;
   Revision revision() const;
+  /// These never wait for commands. A scene that has been removed is at no revision.
+  bool is_at(Revision revision) const { return !removed() && newest_ == revision; }
+  bool removed() const { return removed_; }
   const std::string& id() const;
 
  private:
@@ -199,6 +207,7 @@ class Scene {
   Result<Step> with_rest(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   Status take_up_picture();
+  void announce();
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
   SceneSummary describe() const;
@@ -216,7 +225,8 @@ class Scene {
   std::shared_ptr<const RawImage> picture_;  // that the settings name
   std::string picture_name_;
   std::vector<VertexRange> dirty_;  // since the last frame
-  bool removed_ = false;
+  std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
+  std::atomic<bool> removed_{false};
 };
 
 }  // namespace pelage

@@ -70,7 +70,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   history_ = new_history(revision, *settings);
   live_.end();
   dirty_ = {{0, static_cast<std::uint32_t>(fields_.size())}};
-  changed_.notify_all();
+  announce();
   return describe();
 }
 

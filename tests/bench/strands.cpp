@@ -1,15 +1,12 @@
 // Traced strands of one coat: how long growing, the first picture and all passes take, and how the noise falls.
 // usage: bench_strands [--ply FILE] [--count STRANDS] [--size PIXELS] [--passes N] [--threads N] [--paths] [--out PNG]
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
 
 #include "renderer/image/image.h"
-#include "renderer/strands/tracer.h"
-#include "server/scene/fur_view.h"
-#include "tests/bench/measure.h"
+#include "tests/bench/traced.h"
 
 namespace pelage::bench {
 namespace {
@@ -50,10 +47,6 @@ testing::FurredModel plush(const Options& options) {
   return model;
 }
 
-void check(const Status& status) {
-  if (!status.ok()) std::fprintf(stderr, "%s\n", status.message.c_str()), std::exit(4);
-}
-
 void run(Renderer& renderer, const Options& options) {
   const testing::FurredModel model = plush(options);
   FrameRequest request = testing::small_frame(AutoView::three_quarter, options.size);
@@ -61,27 +54,17 @@ void run(Renderer& renderer, const Options& options) {
   request.knobs.trace.passes = options.passes;
   request.tone_map = ToneMap::filmic, request.background = Background::studio;
   if (options.paths) request.knobs.trace.transport = Transport::paths;
-  const SceneView view = model.view();
-  sync_scene(renderer, view, {});
-  const FurFrame frame = make_frame(view, request);
-  Result<BasePicture> base = renderer.draw_base(frame, nullptr);
-  if (!base) check(base.status());
-  const ModelArrays arrays = make_arrays(view);
   Tracer tracer(options.threads, std::size_t{6} << 30, false);
-  check(tracer.begin(make_model(view, arrays), make_fields(view, frame.skin, {}), frame, std::move(*base),
-                     std::array{FrameLayer::beauty}, [] { return true; }));
-  while (tracer.report().end == TraceEnd::none) {
-    check(tracer.add_pass([] { return true; }));
-    const TraceReport report = tracer.report();
-    if ((report.passes & (report.passes - 1)) == 0 || report.end != TraceEnd::none) {
-      std::printf("%8zu strands, grown in %.0f ms; %4d passes, %.0f ms, noise %.4f\n", report.strands, report.grow_ms,
-                  report.passes, report.trace_ms, report.noise);
-      std::fflush(stdout);
-    }
-  }
+  const FurFrame frame = begin_trace(renderer, tracer, model, request);
+  trace_to_end(tracer, [](const TraceReport& report) {
+    if ((report.passes & (report.passes - 1)) != 0 && report.end == TraceEnd::none) return;
+    std::printf("%8zu strands, grown in %.0f ms; %4d passes, %.0f ms, noise %.4f\n", report.strands, report.grow_ms,
+                report.passes, report.trace_ms, report.noise);
+    std::fflush(stdout);
+  });
   if (options.out.empty()) return;
   const Result<Image> picture = renderer.finish(frame, tracer.layer(FrameLayer::beauty), nullptr);
-  if (!picture) check(picture.status());
+  if (!picture) std::exit(4);
   std::ofstream(options.out, std::ios::binary) << encode_png(*picture, false);
 }
 

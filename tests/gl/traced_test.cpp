@@ -53,7 +53,8 @@ class Base : public WithRenderer {
 FrameRequest askew(int width, int height) {
   FrameRequest request = small_frame();
   request.width = width, request.height = height;
-  request.camera = {.automatic = AutoView::none, .eye = {2.2, 1.8, 4.0}, .target = {0.1, -0.05, 0.06}, .up = {0.2, 1, 0}};
+  request.camera = {
+      .automatic = AutoView::none, .eye = {2.2, 1.8, 4.0}, .target = {0.1, -0.05, 0.06}, .up = {0.2, 1, 0}};
   return request;
 }
 
@@ -204,6 +205,20 @@ TEST_P(Base, DirectIsWhatLampsBring) {
   for (std::size_t i = 0; i < dark.rgba.size() / 4; ++i) ASSERT_EQ(pixel(dark, i), glm::dvec3(0));
 }
 
+TEST_P(Base, IsFiniteUnderBlindingLamps) {
+  FurredModel model = smooth_ball();
+  model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .roughness = 0.02, .wetness = 1}};
+  model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1}};
+  const glm::dvec3 on_skin = glm::normalize(glm::dvec3(0.8, 0.2, 0.6));
+  model.settings.lights.clear();
+  for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot, LightKind::area})
+    model.settings.lights.push_back({.kind = kind, .direction = -on_skin, .position = on_skin, .intensity = 1e8});
+  const BasePicture base = base_of(model, askew(60, 40));
+  for (const FloatImage* image : {&base.beauty, &base.direct, &base.albedo, &base.normal, &base.depth})
+    EXPECT_TRUE(std::all_of(image->rgba.begin(), image->rgba.end(), [](float v) { return std::isfinite(v); }));
+  EXPECT_GT(*std::max_element(base.beauty.rgba.begin(), base.beauty.rgba.end()), 1e7f);
+}
+
 TEST_P(Base, ALargeFrameIsNotDoubled) {
   const FurredModel model = furred({Builtin::sphere, 500});
   EXPECT_EQ(base_of(model, askew(1024, 8)).beauty.width, 2048);
@@ -254,8 +269,8 @@ TEST_P(Finish, IsWhatIsDrawnOfTheSameLight) {
 }
 
 TEST_P(Finish, LaysFieldsOverThePictureAsOverADrawnOne) {
-  for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::density, Overlay::wetness,
-                                Overlay::mask, Overlay::difference}) {
+  for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::density,
+                                Overlay::wetness, Overlay::mask, Overlay::difference}) {
     FrameRequest request = askew(100, 70);
     request.overlay = overlay;
     const auto [steps, deep] = steps_apart(request);
@@ -276,9 +291,10 @@ TEST_P(Finish, ShowsTheLightThatItIsGiven) {
 }
 
 TEST_P(Finish, HasNoMapsOfShells) {
-  for (const Overlay overlay : {Overlay::layer_count, Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
+  for (const Overlay overlay :
+       {Overlay::layer_count, Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
     FurFrame frame = frame_of(*renderer, model, askew(8, 8));
-    const FloatImage light = light_of(frame);
+    const FloatImage light{8, 8, std::vector<float>(4 * 8 * 8)};
     frame.overlay = overlay;
     EXPECT_EQ(renderer->finish(frame, light).status().pointer, "/overlay");
   }

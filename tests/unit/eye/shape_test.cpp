@@ -59,7 +59,16 @@ TEST(PupilShape, SeesTheLightsInFrontOfIt) {
   EXPECT_EQ(luminance_at(eye, frame), 0);
   frame.lights = {{.kind = LightKind::point, .position = {0, 0, 2}, .radiance = glm::vec3(1)}};
   EXPECT_NEAR(luminance_at(eye, frame), 250, 1e-3);
-  frame.lights[0].position = eye.position;
+  for (const LightKind kind : {LightKind::spot, LightKind::area}) {  // by the cosine, and not backwards
+    frame.lights[0] = {.kind = kind, .direction = {0, 0.6f, -0.8f}, .position = {0, 0, 2}, .radiance = glm::vec3(1),
+                       .cone = 0, .soft_cone = 1};
+    EXPECT_NEAR(luminance_at(eye, frame), 0.8 * 250, 1e-3);
+    frame.lights[0].direction = {0, 0.6f, 0.8f};
+    EXPECT_EQ(luminance_at(eye, frame), 0);
+    frame.lights[0].position = eye.position;
+    EXPECT_TRUE(std::isfinite(luminance_at(eye, frame)));
+  }
+  frame.lights[0].kind = LightKind::point;
   EXPECT_TRUE(std::isfinite(luminance_at(eye, frame)));
 }
 

@@ -393,6 +393,18 @@ TEST(DecodeFrame, ScaleCountsForTheSize) {
   EXPECT_EQ(decode_frame_request(R"({"height": 8192, "quality": {"scale": 1.5}})").status().pointer, "/quality");
 }
 
+TEST(Query, HowStrandsAreTraced) {
+  const auto tracing = decode_tracing_query({{"passes", "9"}, {"transport", "paths"}, {"bounces", "3"}, {"noise", "0.01"},
+                                             {"seconds", "2.5"}, {"strands", "1000"}, {"filter", "false"}, {"seed", "7"}});
+  ASSERT_TRUE(tracing.ok()) << tracing.status().message;
+  EXPECT_EQ(*tracing, (Tracing{.passes = 9, .transport = Transport::paths, .bounces = 3, .strands = 1000, .noise = 0.01,
+                               .seconds = 2.5, .filter = false, .seed = 7}));
+  EXPECT_EQ(*decode_tracing_query({}), Tracing{});
+  EXPECT_EQ(decode_tracing_query({{"passes", "0"}}).status().pointer, "/passes");
+  EXPECT_EQ(decode_tracing_query({{"bounces", "3"}}).status().pointer, "/bounces");
+  EXPECT_EQ(decode_tracing_query({{"pases", "3"}}).status().nearest, "passes");
+}
+
 TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   const auto request = decode_frame_query({{"width", "64"},
                                            {"height", "32"},

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "protocol/json/colour.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/openapi/openapi.h"
@@ -79,6 +81,22 @@ TEST(Encode, LogHoldsCommandsAsJson) {
   EXPECT_EQ(text, R"({"entries":[{"revision":1,"kind":"do","touched":5,"in_effect":true,"commands":{"op":"comb"}},)"
                   R"({"revision":2,"kind":"undo","touched":5,"in_effect":false}]})");
   EXPECT_EQ(encode(*decode_log(text)), text);
+}
+
+TEST(Encode, TraceReportsComeBack) {
+  const TraceReport report{.passes = 12, .samples = 11.5, .noise = 0.02, .strands = 400'000, .end = TraceEnd::noise,
+                           .grow_ms = 700, .trace_ms = 1500.5};
+  const auto read = decode_trace_report(encode(report));
+  ASSERT_TRUE(read.ok()) << read.status().message;
+  EXPECT_EQ(encode(*read), encode(report));
+  EXPECT_EQ(read->end, TraceEnd::noise);
+  EXPECT_EQ(decode_trace_report("{}").status().code, Code::malformed);
+}
+
+TEST(Encode, NoiseThatIsNotKnownYetIsTheLargest) {
+  TraceReport report;
+  report.noise = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(decode_trace_report(encode(report))->noise, 1);
 }
 
 TEST(Encode, ProblemsNameFieldAndLimit) {

@@ -31,7 +31,9 @@ void expect_frame_refusal(const std::string& text, const std::string& pointer) {
 }
 
 /// A frame whose strands are traced so, or which is refined so.
-std::string traced(const std::string& trace) { return R"({"quality": {"method": "strands", "trace": {)" + trace + "}}}"; }
+std::string traced(const std::string& trace) {
+  return R"({"quality": {"method": "strands", "trace": {)" + trace + "}}}";
+}
 std::string refined(const std::string& trace) { return R"({"refine": {)" + trace + "}}"; }
 
 Status lights_refusal(const std::string& members) {

@@ -1,0 +1,19 @@
+// What frames of both methods, shells and strands, have beside their picture.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace pelage {
+
+/// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands.
+struct FrameTimings {
+  double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
+};
+
+/// From the renderer's coordinates to the model's own: internal * size + centre.
+struct ModelPlacement {
+  glm::dvec3 centre{0};
+  double size = 1;
+};
+
+}  // namespace pelage

@@ -1,0 +1,47 @@
+#include "tests/bench/traced.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace pelage::bench {
+
+namespace {
+
+constexpr std::size_t memory = std::size_t{6} << 30;
+
+void check(const Status& status) {
+  if (!status.ok()) std::fprintf(stderr, "%s\n", status.message.c_str()), std::exit(4);
+}
+
+bool always() { return true; }
+
+}  // namespace
+
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request) {
+  const SceneView view = model.view();
+  sync_scene(renderer, view, {});
+  const FurFrame frame = make_frame(view, request);
+  Result<BasePicture> base = renderer.draw_base(frame);
+  if (!base) check(base.status());
+  const ModelArrays arrays = make_arrays(view);
+  check(tracer.begin(make_model(view, arrays), make_fields(view, frame.skin, {}), frame, std::move(*base),
+                     std::array{FrameLayer::beauty}, always));
+  return frame;
+}
+
+void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>& after_pass) {
+  while (tracer.report().end == TraceEnd::none) {
+    check(tracer.add_pass(always));
+    if (after_pass) after_pass(tracer.report());
+  }
+}
+
+FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request) {
+  Tracer tracer(2, memory, false);
+  begin_trace(renderer, tracer, model, request);
+  trace_to_end(tracer);
+  return tracer.layer(FrameLayer::beauty);
+}
+
+}  // namespace pelage::bench

@@ -1,0 +1,21 @@
+// Traced pictures for programs that measure.
+#pragma once
+
+#include <functional>
+
+#include "renderer/strands/tracer.h"
+#include "server/scene/fur_view.h"
+#include "tests/bench/measure.h"
+
+namespace pelage::bench {
+
+/// Begins a picture of the model; ends the program when it cannot. The frame is answered.
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request);
+
+/// Adds passes until the request's end, and says after each what there is. Ends the program on failure.
+void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>& after_pass = {});
+
+/// Light of a whole traced picture.
+FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request);
+
+}  // namespace pelage::bench
