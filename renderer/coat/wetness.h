@@ -18,10 +18,14 @@ inline double wet_shine(const Coat& coat) { return 1 + coat.wetness; }
 /// Factor on the exponent of the highlight (one over the square of its width), 1 to 3.
 inline double wet_sharpness(const Coat& coat) { return 1 + 2 * coat.wetness; }
 
+/// Factor on a fibre's roughness along it, .5 to 1: water fills the steps between its scales.
+inline double wet_roughness(const Coat& coat) { return 1 - 0.5 * coat.wetness; }
+
 /// A look as the coat's wetness leaves it: shinier, with sharper highlights.
 inline Look wet_look(const Coat& coat, Look look) {
   look.specular *= wet_shine(coat);
   look.specular_exponent *= wet_sharpness(coat);
+  look.fibre.longitudinal_roughness *= wet_roughness(coat);
   return look;
 }
 

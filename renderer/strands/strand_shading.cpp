@@ -10,8 +10,10 @@ namespace {
 
 constexpr int wetness_steps = 8;
 
+/// Beside the highlights of models without fibres, which painted water changes too.
 Look traced_look(const FurFrame& frame) {
   Look look = frame.look;
+  look.fibre = wet_look(frame.coat, look).fibre;
   if (frame.knobs.trace.scattering == StrandScattering::energy_conserving) look.shading = ShadingModel::energy_conserving;
   return look;
 }
@@ -31,7 +33,9 @@ StrandShading::StrandShading(const FurFrame& frame)
   for (int i = 0; i <= steps; ++i) {
     Coat coat;  // as paint_light.glsl has it
     coat.wetness = std::min(wetness_ + static_cast<double>(i) / wetness_steps, 1.0);
-    shadings_.emplace_back(wet_look(coat, look_));
+    Look wet = wet_look(coat, look_);
+    wet.fibre = look_.fibre;
+    shadings_.emplace_back(wet);
   }
 }
 
