@@ -285,7 +285,7 @@ FIGURES = [
     {"name": "transport", "title": "Light through fur, by count and colour, and along paths",
      "text": "Left by the strands that a ray to the light crosses (`transmittance`), right along paths of up to 64 bounces (`paths`).",
      "pictures": [picture(f"{title}, {transport}", builtin("sphere", 4000), coat(ramp=[{"at": 0, "colour": colour}], colour_spread=0.05), studio(),
-                          fur_of=fur(0.05, 0.5), quality={"method": "strands", "trace": {"transport": transport, "passes": 256,
+                          fur_of=fur(0.05, 0.5), quality={"method": "strands", "trace": {"transport": transport, "passes": 96,
                                                                                         **({"bounces": 64} if transport == "paths" else {})}})
                   for title, colour in (("white", [0.92, 0.9, 0.88]), ("red", [0.5, 0.16, 0.05]), ("black", [0.02, 0.02, 0.022]))
                   for transport in ("transmittance", "paths")]},
@@ -298,6 +298,6 @@ FIGURES = [
     {"name": "passes", "title": "A refinement, pass by pass",
      "text": "The first traced picture and later ones; up to 64 passes a filter is guided by direction, depth and colour. Last: 16 passes without it.",
      "pictures": [picture(title, CREATURE, studio(), quality={"method": "strands", "trace": trace})
-                  for title, trace in (*((f"{n} passes", {"passes": n}) for n in (1, 4, 16, 64, 256)),
+                  for title, trace in (*((f"{n} passes", {"passes": n}) for n in (1, 4, 16, 64, 128)),
                                        ("16 passes, not filtered", {"passes": 16, "filter": False}))]},
 ]

@@ -262,7 +262,7 @@ Tracing tracing(const Value& value) {
 void check_method(const Value& value, Object& object, const Knobs& knobs) {
   const bool strands = knobs.method == Method::strands;
   for (const char* name : {"shells", "shell_policy", "samples", "steps", "scale", "bands", "self_shadow", "shadow_maps",
-                           "shadow_resolution", "accumulation", "order", "fins", "guard_hairs"}) {
+                           "shadow_resolution", "accumulation", "order", "fins"}) {
     if (strands && object.has(name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
   }
   if (!strands && object.has("trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");

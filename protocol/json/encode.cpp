@@ -76,6 +76,7 @@ Json json_of(const Knobs& knobs) {
   if (knobs.method == Method::strands) {
     return {{"method", text_of(json_names::methods, knobs.method)},
             {"eye_steps", knobs.eye_steps},
+            {"guard_hairs", knobs.guard_hairs},
             {"trace", json_of(knobs.trace)}};
   }
   return {{"shells", knobs.shells},

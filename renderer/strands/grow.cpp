@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "renderer/pattern/pattern_block.h"
@@ -36,7 +38,8 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, const
   Hash hash;
   hash.add(tile.hash());
   for (const double value : {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share,
-                             coat.tufts.gather, coat.tufts.size, recipe.share, recipe.widening})
+                             coat.tufts.gather, coat.tufts.size, recipe.share, recipe.widening,
+                             recipe.guard_share, coat.bend, coat.mess})
     hash.add(value);
   for (const std::uint64_t value :
        {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
@@ -81,6 +84,7 @@ struct Grower::Impl {
   bool keeps(const FurPiece& piece, const TileCopy& copy) const;
   void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const;
   void append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
+  void append_guard_hair(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
 
   FurModel model;
   GrowRecipe recipe;
@@ -125,13 +129,37 @@ void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), reach, root.wetness});
 }
 
+/// As hair.vert has it: no clumps and locks, a bow of its own, and some reach beyond the fur.
+void Grower::Impl::append_guard_hair(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const {
+  const glm::vec3 share(copy.share);
+  const RootFields root = piece.fields(share);
+  const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
+  set.points.resize(first + knots), set.colours.resize(first + knots);
+  const float longer = number_of(copy, 4), stretch = glm::mix(0.8f, 1.25f, longer * longer);
+  const float angle = 2 * std::numbers::pi_v<float> * number_of(copy, 5);
+  const glm::vec3 aside = std::cos(angle) * root.tile_u + std::sin(angle) * root.tile_v;
+  const auto longest = static_cast<float>((recipe.coat.bend + recipe.coat.mess) * nominal_length);
+  const float bow = longest * std::min(root.length / static_cast<float>(nominal_length), 1.0f);
+  const float wider = std::max(root.width, 0.0f) * static_cast<float>(recipe.widening);
+  for (std::size_t i = 0; i < knots; ++i) {
+    const int k = static_cast<int>(i);
+    const float s = tile.along(k);
+    set.points[first + i] = {root.place + stretch * piece.leaned(share, s) + aside * (bow * s * s),
+                             std::max(wider * tile.radius(copy.strand, k), least_radius)};
+  }
+  colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
+  set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});
+}
+
 void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const {
   if (bald(index)) return;
   cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
   const FurPiece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
   for (const TileCopy& copy : copies) {
-    if (keeps(piece, copy)) append(piece, copy, set);
+    if (!keeps(piece, copy)) continue;
+    const bool guard_hair = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
+    guard_hair ? append_guard_hair(piece, copy, set) : append(piece, copy, set);
   }
 }
 

@@ -78,7 +78,9 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   tracer.world.set_memory(tracer.memory - film_bytes);
   const Clock::time_point start = Clock::now();
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
-  recipe.share = share_for(frame, expected_strands(model, frame.coat));
+  const double expected = expected_strands(model, frame.coat);
+  recipe.share = share_for(frame, expected);
+  recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
   recipe.widening = 1 / recipe.share;
   const Result<World::Change> change = tracer.world.update(model, fields, frame, recipe, tracer.workers, go_on);
   if (!change) return change.status();

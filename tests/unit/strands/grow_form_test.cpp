@@ -257,12 +257,34 @@ TEST(GrowForm, VariationChangesLengthAndLean) {
   EXPECT_GT(highest, 1.3 * lowest);
 }
 
+// As renderer/passes/fins/hair.vert: upright here, .8 to 1.25 of the fur's length, with a bow of up to bend + mess.
+TEST(GrowForm, GuardHairsReachBeyondTheFur) {
+  Coat coat = plain_coat(2000);
+  coat.bend = 0.2, coat.clump = 0.5, coat.length_spread = 0.5;
+  FurPatch patch(0.12, 1, 0.04f);
+  const StrandSet none = patch.grow({coat}), some = patch.grow({.coat = coat, .guard_share = 0.1});
+  ASSERT_EQ(some.count(), none.count());
+  EXPECT_NEAR(static_cast<double>(none.count() - count_shared(some, none)), 200, 60);
+  double tallest = 0;
+  for (std::size_t i = 0; i < some.count(); ++i) {
+    const glm::dvec3 way = tip(some, i).place - knot(some, i, 0).place;
+    tallest = std::max(tallest, way.z / 0.04);
+    if (way.z > 0.0401) {
+      EXPECT_NEAR(glm::length(glm::dvec2(way)), 0.2 * nominal_length, 1e-6);
+    }
+  }
+  EXPECT_GT(tallest, 1.2);
+  EXPECT_LE(tallest, 1.25001);
+  const StrandSet all = patch.grow({.coat = coat, .guard_share = 1});
+  for (std::size_t i = 0; i < all.count(); ++i) EXPECT_GE(tip(all, i).place.z, 0.8f * 0.04f - 1e-6f);
+}
+
 TEST(GrowForm, WidthIsPaintedAndWidened) {
   FurPatch patch(0.12);
   const StrandSet own = patch.grow({plain_coat(100)});
   const std::vector<float> width(4, 0.5f);
   patch.paint.width = width;
-  const StrandSet set = patch.grow({plain_coat(100), false, 1, 3});
+  const StrandSet set = patch.grow({.coat = plain_coat(100), .widening = 3});
   for (std::size_t i = 0; i < own.points.size(); ++i)
     EXPECT_FLOAT_EQ(set.points[i].radius, 1.5f * own.points[i].radius);
 }
