@@ -283,11 +283,11 @@ FIGURES = [
                   for title, camera in (("face", FACE), ("flank", eye([-1.6, 0.9, 0.6], [-0.2, 0.65, -0.1], 14)))
                   for tier in ("detailed", "reference")]},
     {"name": "transport", "title": "Light through fur, by count and colour, and along paths",
-     "text": "Left by the strands that a ray to the light crosses (`transmittance`), right along paths of up to 64 bounces (`paths`).",
+     "text": "Left by the strands that a ray to the light crosses (`transmittance`), right along paths of up to 32 bounces (`paths`).",
      "pictures": [picture(f"{title}, {transport}", builtin("sphere", 4000), coat(ramp=[{"at": 0, "colour": colour}], colour_spread=0.05), studio(),
-                          fur_of=fur(0.05, 0.5), quality={"method": "strands", "trace": {"transport": transport, "passes": 96,
-                                                                                        **({"bounces": 64} if transport == "paths" else {})}})
-                  for title, colour in (("white", [0.92, 0.9, 0.88]), ("red", [0.5, 0.16, 0.05]), ("black", [0.02, 0.02, 0.022]))
+                          fur_of=fur(0.05, 0.5), quality={"method": "strands", "trace": {"transport": transport, "passes": 48,
+                                                                                        **({"bounces": 32} if transport == "paths" else {})}})
+                  for title, colour in (("white", [0.85, 0.83, 0.8]), ("red", [0.5, 0.16, 0.05]), ("black", [0.02, 0.02, 0.022]))
                   for transport in ("transmittance", "paths")]},
     {"name": "lamps", "title": "Lamps with a size",
      "text": "A directional light of half angle 0 and 15 degrees, and a rectangle near the body.",
