@@ -33,7 +33,7 @@ struct Placed {
 
 }  // namespace
 
-std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, std::size_t strands_each) {
+std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each) {
   std::vector<Placed> order;
   order.reserve(model.triangles.size());
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
@@ -46,7 +46,7 @@ std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, st
   std::vector<StrandChunk> chunks;
   double strands = 0;
   for (const Placed& placed : order) {
-    if (chunks.empty() || strands >= static_cast<double>(strands_each)) chunks.emplace_back(), strands = 0;
+    if (chunks.empty() || strands >= strands_each) chunks.emplace_back(), strands = 0;
     chunks.back().push_back(placed.piece);
     strands += expected_strands(model.corners[placed.piece], coat);
   }

@@ -21,9 +21,19 @@ namespace pelage {
 namespace {
 
 constexpr float least_radius = 1e-7f;  // sizes
+constexpr double looked_through = 16;  // copies for each that is kept, at most
+constexpr double least_of_tile = 256;  // strands that repeat with the tile
 
 bool any_above_rest(std::span<const float> field) {
   return std::any_of(field.begin(), field.end(), [](float value) { return value > 0; });
+}
+
+/// The share of the tile's strands that copies are looked for of: what makes up a small share is not found one by one.
+/// A power of 1/2 where `share` is one.
+double tile_share_of(double share, int count) {
+  double of_tile = 1;
+  while (of_tile > looked_through * share && of_tile * count > 2 * least_of_tile) of_tile /= 2;
+  return of_tile;
 }
 
 /// A number in [0, 1) of a strand and the copy of the tile that it is in.
@@ -72,7 +82,8 @@ struct Grower::Impl {
         vertices(fur_vertices(surface, fields)),
         leans(how.coat.lean_curve, how.coat.root_share),
         tile(recipe.coat, strand_segments(how.coat, any_above_rest(fields.paint.curl))),
-        cells(tile.strands(), how.coat.tile),
+        tile_share(tile_share_of(how.share, how.coat.count)),
+        cells(tile.strands(), how.coat.tile, tile_share),
         form(recipe.coat, tile),
         colours(model, recipe, tile),
         whole_hash(recipe_hash(how, surface, tile)),
@@ -82,7 +93,7 @@ struct Grower::Impl {
 
   bool bald(std::uint32_t piece) const;
   bool keeps(const FurPiece& piece, const TileCopy& copy) const;
-  void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const;
+  void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t most, StrandSet& set) const;
   void append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
   void append_guard_hair(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
 
@@ -91,6 +102,7 @@ struct Grower::Impl {
   std::vector<FurVertex> vertices;
   LeanTable leans;
   TileStrands tile;
+  double tile_share;  // of the tile's strands are in `cells`; of their copies share / tile_share grow
   TileCells cells;
   StrandForm form;
   StrandColours colours;
@@ -107,7 +119,7 @@ bool Grower::Impl::bald(std::uint32_t piece) const {
 bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
   const glm::vec3 share(copy.share);
   const float density = piece.density(share);
-  return number_of(copy, 1) < piece.grown(share) && number_of(copy, 2) < static_cast<float>(recipe.share) &&
+  return number_of(copy, 1) < piece.grown(share) && number_of(copy, 2) < static_cast<float>(recipe.share / tile_share) &&
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
 
@@ -151,8 +163,9 @@ void Grower::Impl::append_guard_hair(const FurPiece& piece, const TileCopy& copy
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});
 }
 
-void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, StrandSet& set) const {
-  if (bald(index)) return;
+void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t most,
+                              StrandSet& set) const {
+  if (bald(index) || set.bytes() > most) return;
   cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
   const FurPiece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
@@ -160,6 +173,7 @@ void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies
     if (!keeps(piece, copy)) continue;
     const bool guard_hair = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
     guard_hair ? append_guard_hair(piece, copy, set) : append(piece, copy, set);
+    if (set.bytes() > most) return;
   }
 }
 
@@ -174,11 +188,11 @@ double expected_strands(const FurModel& model, const Coat& coat) {
   return sum;
 }
 
-StrandSet Grower::grow(const StrandChunk& chunk) const {
+StrandSet Grower::grow(const StrandChunk& chunk, std::size_t most) const {
   StrandSet set;
   set.segments = impl_->tile.segments();
   std::vector<TileCopy> copies;
-  for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, set);
+  for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, most, set);
   set.points.shrink_to_fit(), set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
 }

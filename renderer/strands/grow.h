@@ -2,7 +2,9 @@
 // slices, fields, tufts, patterns and paint (renderer/shaders), strands have as geometry.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,7 +29,7 @@ struct GrowRecipe {
 using StrandChunk = std::vector<std::uint32_t>;
 
 /// Pieces sorted along a space-filling curve and cut where about `strands_each` strands are reached.
-std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, std::size_t strands_each);
+std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each);
 
 /// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
 double expected_strands(const FurModel& model, const Coat& coat);
@@ -37,16 +39,17 @@ double expected_strands(const FurModel& model, const Coat& coat);
 /// 24 octets; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
 ///
 /// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
-/// than they are long. Limits: a piece grows at most 4,194,304 strands, and none where its place on the tile is further
+/// than they are long. A share below 1/16 also leaves out whole strands of the tile, so that growing takes no longer
+/// than 16 times what is kept would, while 256 of the tile are left. Limits: a piece grows at most 4,194,304 strands, and none where its place on the tile is further
 /// than 100 sizes from the origin or has no area (TileCells); who must bound memory asks expected_strands first.
 class Grower {
  public:
   Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe);
   ~Grower();
 
-  /// The strands of a chunk. Fur of no length grows none, density keeps those whose number is below it. A radius is
+  /// The strands of a chunk; some of them and more than `most` bytes, where they would be more. Fur of no length grows none, density keeps those whose number is below it. A radius is
   /// never below 1e-7, so that nothing is divided by 0 where strands have no width.
-  StrandSet grow(const StrandChunk& chunk) const;
+  StrandSet grow(const StrandChunk& chunk, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   /// Of all that `grow(chunk)` depends on: the same while it would give the same strands. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
 

@@ -1,6 +1,7 @@
 // Strands that are grown and indexed together.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
@@ -19,6 +20,7 @@ class MemoryBudget {
   /// False, and nothing taken, where the limit would be passed. Negative bytes are given back.
   bool take(std::ptrdiff_t bytes);
   std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
+  std::size_t left() const { return limit_ - std::min(used(), limit_); }
 
  private:
   std::atomic<std::size_t> limit_;

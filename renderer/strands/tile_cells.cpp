@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "protocol/base/random.h"
+
 namespace pelage {
 
 namespace {
@@ -46,6 +48,11 @@ Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high)
   return span;
 }
 
+/// Whether a strand is among the share of the tile that is looked at.
+bool is_kept(std::uint32_t strand, double share) {
+  return share >= 1 || static_cast<double>(mix_bits(strand | std::uint64_t{3} << 32) >> 40) * 0x1p-24 < share;
+}
+
 std::int64_t cell_of(double x) { return static_cast<std::int64_t>(std::floor(x)); }
 
 std::int64_t floored(std::int64_t x, std::int64_t by) { return x >= 0 ? x / by : -((by - 1 - x) / by); }
@@ -78,23 +85,25 @@ class HalfOpenTriangle {
   double area_;                // twice, above 0 counter-clockwise
 };
 
-TileCells::TileCells(std::span<const Strand> strands, double tile)
+TileCells::TileCells(std::span<const Strand> strands, double tile, double share)
     : tile_(tile),
-      side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(strands.size()) / strands_of_cell)))) {
+      side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(strands.size()) * share / strands_of_cell)))) {
+  std::vector<std::uint32_t> kept;
   std::vector<std::size_t> cells;
-  cells.reserve(strands.size());
-  for (const Strand& strand : strands) {
-    const glm::dvec2 at = glm::clamp(glm::floor(strand.root / tile * double(side_)), 0.0, double(side_ - 1));
+  for (std::uint32_t i = 0; i < strands.size(); ++i) {
+    if (!is_kept(i, share)) continue;
+    const glm::dvec2 at = glm::clamp(glm::floor(strands[i].root / tile * double(side_)), 0.0, double(side_ - 1));
+    kept.push_back(i);
     cells.push_back(static_cast<std::size_t>(at.y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(at.x));
   }
   first_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
   for (const std::size_t cell : cells) ++first_[cell + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  strands_.resize(strands.size()), roots_.resize(strands.size());
+  strands_.resize(kept.size()), roots_.resize(kept.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < strands.size(); ++i) {
+  for (std::size_t i = 0; i < kept.size(); ++i) {
     const std::uint32_t at = next[cells[i]]++;
-    strands_[at] = i, roots_[at] = strands[i].root;
+    strands_[at] = kept[i], roots_[at] = strands[kept[i]].root;
   }
 }
 

@@ -25,7 +25,8 @@ class TileCells {
   static constexpr double furthest = 100;               // sizes; triangles that reach further have no strands
   static constexpr std::size_t most_copies = 1u << 22;  // of one triangle; what is beyond them is left out
 
-  TileCells(std::span<const Strand> strands, double tile);
+  /// Of the strands a share, by a number of their own.
+  TileCells(std::span<const Strand> strands, double tile, double share = 1);
 
   /// Replaces `found` by the copies inside a triangle on the plane, sizes. Half open: of triangles that share an edge
   /// and lie on both sides of it, each copy falls into one. None where the area is 0 or a corner is not finite.

@@ -56,13 +56,14 @@ BasePoint TraceScene::base_at(glm::vec2 place) const {
   const float over = texel(base_.depth, x, y).x;
   if (!(light.a > 0.5f) || !(over > 0)) return {};
   const glm::vec3 direct(texel(base_.direct, x, y));
-  const glm::vec3 normal(texel(base_.normal, x, y));
+  const glm::vec3 normal(texel(base_.normal, x, y)), albedo(texel(base_.albedo, x, y));
   const float length = glm::length(normal);
+  if (!std::isfinite(glm::dot(glm::vec3(light) + direct + albedo, glm::vec3(1)) + length + over)) return {};
   return {.there = true,
           .distance = 1 / over,
           .ambient = glm::max(glm::vec3(light) - direct, 0.0f),
           .direct = direct,
-          .albedo = glm::vec3(texel(base_.albedo, x, y)),
+          .albedo = albedo,
           .normal = length > 1e-6f ? normal / length : -frame_.camera.forward};
 }
 

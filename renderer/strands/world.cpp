@@ -14,7 +14,8 @@ namespace {
 
 /// At most AVX2, so that the same CPUs give the same bits whatever they have beyond. Threads are ours.
 constexpr const char* device_settings = "max_isa=avx2,threads=1,set_affinity=0,hugepages=0";
-constexpr std::size_t strands_of_part = 6000;
+constexpr double strands_of_part = 6000;
+constexpr float farthest = 1e18f;  // sizes; Embree's own limit is 1.8e18
 constexpr float black_depth = 5.5f;  // optical depth beyond which light counts as nothing
 
 bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
@@ -58,6 +59,14 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
     }
   }
   arguments->valid[0] = 0;
+}
+
+/// What Embree takes: it ends the process for numbers beyond its range.
+bool can_be_cast(const Ray& ray) {
+  const glm::vec3 furthest = glm::max(glm::abs(ray.origin), glm::abs(ray.direction));
+  const bool in_range = furthest.x <= farthest && furthest.y <= farthest && furthest.z <= farthest;  // NaN is not
+  const float square = glm::dot(ray.direction, ray.direction);
+  return in_range && square > 0.5f && square < 2 && ray.reach >= 0;
 }
 
 RTCRay ray_of(const Ray& ray) {
@@ -117,7 +126,7 @@ struct World::Impl {
     std::optional<std::uint64_t> grown = {};  // fingerprint
   };
 
-  bool set_model(const FurModel& next, const Coat& coat);
+  bool set_model(const FurModel& next, const GrowRecipe& recipe);
   bool set_curves(const FurFrame& frame);
   bool grow(const Grower& grower, std::size_t chunk, std::atomic<std::size_t>& grown);
   bool join(const FurFrame& frame);
@@ -125,7 +134,7 @@ struct World::Impl {
   MemoryBudget budget;
   EmbreeDevice device;
   std::uint64_t model = 0;
-  double count = 0, tile = 0;  // of the coat that the chunks were made for
+  double count = 0, tile = 0, share = 0;  // of the recipe that the chunks were made for; 0 while there are none
   std::vector<Chunk> chunks;
   std::vector<std::unique_ptr<StrandPart>> parts;  // of each chunk; the last has the curves
   std::vector<FurCurves> curves;
@@ -135,10 +144,13 @@ struct World::Impl {
 };
 
 /// The surface's triangles, each once, and the chunk that one of its pieces is in.
-bool World::Impl::set_model(const FurModel& next, const Coat& coat) {
-  if (next.id == model && coat.count == count && coat.tile == tile) return true;
-  all.reset(), parts.clear(), chunks.clear(), curves.clear();
-  for (StrandChunk& pieces : make_chunks(next, coat, strands_of_part)) chunks.push_back({std::move(pieces)});
+bool World::Impl::set_model(const FurModel& next, const GrowRecipe& recipe) {
+  const Coat& coat = recipe.coat;
+  if (next.id == model && coat.count == count && coat.tile == tile && recipe.share == share) return true;
+  parts.clear(), chunks.clear(), curves.clear(), skin.reset();
+  count = 0;  // until all of it has worked
+  const double whole_strands = strands_of_part / recipe.share;
+  for (StrandChunk& pieces : make_chunks(next, coat, whole_strands)) chunks.push_back({std::move(pieces)});
   for (std::uint32_t i = 0; i <= chunks.size(); ++i) parts.push_back(std::make_unique<StrandPart>(i, budget));
   std::vector<std::pair<glm::uvec3, std::uint32_t>> faces;
   for (std::uint32_t c = 0; c < chunks.size(); ++c) {
@@ -152,15 +164,20 @@ bool World::Impl::set_model(const FurModel& next, const Coat& coat) {
     if (!triangles.empty() && triangles.back() == face.first) continue;
     triangles.push_back(face.first), part_of_triangle.push_back(face.second);
   }
-  skin = triangles.empty() ? nullptr : make_skin(device.get(), next, triangles);
-  model = next.id, count = coat.count, tile = coat.tile;
-  return triangles.empty() || skin;
+  if (!triangles.empty()) {
+    skin = make_skin(device.get(), next, triangles);
+    if (!skin) return false;
+  }
+  model = next.id, count = coat.count, tile = coat.tile, share = recipe.share;
+  return true;
 }
 
 bool World::Impl::set_curves(const FurFrame& frame) {
   if (curves == frame.curves) return true;
+  curves.clear();
+  if (!parts.back()->set(device.get(), grow_curves(frame.curves))) return false;
   curves = frame.curves;
-  return parts.back()->set(device.get(), grow_curves(curves));
+  return true;
 }
 
 bool World::Impl::grow(const Grower& grower, std::size_t chunk, std::atomic<std::size_t>& grown) {
@@ -168,7 +185,8 @@ bool World::Impl::grow(const Grower& grower, std::size_t chunk, std::atomic<std:
   const std::uint64_t fingerprint = grower.fingerprint(of.pieces);
   if (of.grown == fingerprint) return true;
   of.grown.reset();
-  if (!parts[chunk]->set(device.get(), grower.grow(of.pieces))) return false;
+  parts[chunk]->drop();
+  if (!parts[chunk]->set(device.get(), grower.grow(of.pieces, budget.left()))) return false;
   of.grown = fingerprint;
   grown += parts[chunk]->strands().count();
   return true;
@@ -203,7 +221,9 @@ Result<World::Change> World::update(const FurModel& model, const FurFields& fiel
                                     const GrowRecipe& recipe, const Workers& workers,
                                     const std::function<bool()>& go_on) {
   Impl& world = *impl_;
-  if (!world.set_model(model, recipe.coat) || !world.set_curves(frame)) return no_memory();
+  world.all.reset();                        // it holds the parts that are to go
+  rtcGetDeviceError(world.device.get());    // of a scene before that memory did not do for
+  if (!world.set_model(model, recipe) || !world.set_curves(frame)) return no_memory();
   const Grower grower(model, fields, recipe);
   std::atomic<std::size_t> grown{0};
   std::atomic<bool> wanted{true};
@@ -221,6 +241,7 @@ Result<World::Change> World::update(const FurModel& model, const FurFields& fiel
 std::size_t World::bytes() const { return impl_->budget.used(); }
 
 Hit World::meet(const Ray& ray) const {
+  if (!can_be_cast(ray)) return {};
   const Impl& world = *impl_;
   Query query;
   rtcInitIntersectContext(&query.context);
@@ -243,6 +264,7 @@ Hit World::meet(const Ray& ray) const {
 }
 
 bool World::blocked(const Ray& ray) const {
+  if (!can_be_cast(ray)) return false;
   Query query;
   rtcInitIntersectContext(&query.context);
   query.ray = &ray;
@@ -253,6 +275,7 @@ bool World::blocked(const Ray& ray) const {
 }
 
 glm::vec3 World::passed(const Ray& ray, float depth) const {
+  if (!can_be_cast(ray)) return glm::vec3(1);
   Query query;
   rtcInitIntersectContext(&query.context);
   query.ray = &ray, query.depth = depth;

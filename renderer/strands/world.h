@@ -66,6 +66,7 @@ class World {
 
   std::size_t bytes() const;  // of strands and index
 
+  /// Rays from beyond 1e18 sizes, of no direction or of numbers that are not finite meet nothing.
   Hit meet(const Ray& ray) const;
   bool blocked(const Ray& ray) const;
   /// Light that gets through along a ray, by channel: nothing through skin, and past each strand what its colour

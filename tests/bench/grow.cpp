@@ -13,7 +13,7 @@
 namespace pelage::bench {
 namespace {
 
-constexpr std::size_t strands_each = 8000;
+constexpr double strands_each = 8000;
 
 struct Case {
   std::string name;

@@ -41,7 +41,7 @@ struct FurPatch {
 
   FurModel model() const {
     FurModel view;
-    view.id = 1, view.positions = positions, view.normals = normals, view.tangents = tangents;
+    view.id = id, view.positions = positions, view.normals = normals, view.tangents = tangents;
     view.triangles = triangles, view.corners = corners, view.images = images;
     return view;
   }
@@ -54,6 +54,7 @@ struct FurPatch {
   }
   StrandSet grow(const GrowRecipe& recipe) const { return grower(recipe).grow(all()); }
 
+  std::uint64_t id = 1;
   std::vector<glm::vec3> positions, normals, tangents;
   std::vector<glm::uvec3> triangles;
   std::vector<std::array<FurCorner, 3>> corners;

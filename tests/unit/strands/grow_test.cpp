@@ -151,7 +151,7 @@ TEST(Grow, ChunksDoNotMatter) {
   const Grower grower = patch.grower(recipe);
   const auto whole = sorted_strands(grower.grow(patch.all()));
   for (const std::size_t each : {1u, 500u, 3000u, 1000000u}) {
-    std::vector<StrandChunk> chunks = make_chunks(patch.model(), coat, each);
+    std::vector<StrandChunk> chunks = make_chunks(patch.model(), coat, static_cast<double>(each));
     std::reverse(chunks.begin(), chunks.end());
     StrandSet sum;
     for (const StrandChunk& chunk : chunks) {

@@ -1,0 +1,191 @@
+// Strands kept over many changes and in any memory; how far thinning changes the picture.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "renderer/strands/world.h"
+#include "tests/unit/strands/traced_ball.h"
+
+namespace pelage {
+namespace {
+
+Status traced_in(Tracer& tracer, const FurPatch& fur, const FurFrame& frame) {
+  Status status = tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  while (status.ok() && tracer.report().end == TraceEnd::none) status = tracer.add_pass(always);
+  return status;
+}
+
+TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
+  const FurPatch ball = fur_ball(0.04f);
+  FurPatch small(0.02);
+  small.id = 2;
+  FurFrame frame = frame_at(24, coat_of(glm::vec3(0.5f), 1000), Transport::transmittance, 1);
+  FurFrame less = frame;
+  less.coat.count = 30;
+  const std::vector<float> whole = traced(ball, frame).beauty.rgba;
+  int refused = 0, done = 0;
+  for (std::size_t memory = std::size_t{64} << 10; memory <= std::size_t{64} << 20; memory *= 2) {
+    Tracer tracer(2, memory, false);
+    const Status status = traced_in(tracer, ball, frame);
+    if (status.ok()) {
+      EXPECT_EQ(tracer.layer(FrameLayer::beauty).rgba, whole) << memory;
+      ++done;
+    } else {
+      EXPECT_EQ(status.code, Code::too_large) << status.message;
+      EXPECT_FALSE(status.pointer.empty());
+      ++refused;
+    }
+    const Status again = traced_in(tracer, ball, frame);
+    EXPECT_EQ(again.code, status.code) << memory;
+    const Status fits = tracer.begin(small.model(), small.fields(), less, nothing(), std::array{FrameLayer::beauty}, always);
+    EXPECT_TRUE(fits.ok()) << memory << " " << fits.message;
+    EXPECT_TRUE(tracer.add_pass(always).ok());
+    EXPECT_EQ(traced_in(tracer, ball, frame).code, status.code) << memory;
+  }
+  EXPECT_GT(refused, 2);
+  EXPECT_GT(done, 1);
+}
+
+TEST(Upkeep, FewerStrandsOfTheSameModelFitAfterTooMany) {
+  const FurPatch ball = fur_ball(0.04f);
+  FurFrame frame = frame_at(16, coat_of(glm::vec3(0.5f), 1000), Transport::transmittance, 1);
+  std::size_t most = 0;
+  {
+    World world(plenty);
+    ASSERT_TRUE(world.update(ball.model(), ball.fields(), frame, {frame.coat}, {1, false}, always));
+    most = world.bytes();
+  }
+  World world(most + most / 8);
+  for (const int count : {1000, 3000, 1000, 500, 1000}) {  // what was before makes way
+    frame.coat.count = count;
+    const auto change = world.update(ball.model(), ball.fields(), frame, {frame.coat}, {2, false}, always);
+    EXPECT_EQ(bool(change), count <= 1000) << count;
+    frame.coat.bend += 0.1;
+  }
+}
+
+TEST(Upkeep, WhiskersThatDidNotFitAreGrownWhenTheyDo) {
+  FurPatch bald(0.02, 1, 0);
+  FurFrame frame;
+  const FurGuide guide{.points = {{0, 0, 0}, {0, 0, 0.2}}};
+  frame.curves = {{.guides = std::vector<FurGuide>(400, guide), .width_root = 0.001, .fill = 0}};
+  World world(12'000);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_FALSE(world.update(bald.model(), bald.fields(), frame, {coat_of(glm::vec3(1), 10)}, {1, false}, always));
+  frame.curves[0].guides.resize(2);
+  const auto few = world.update(bald.model(), bald.fields(), frame, {coat_of(glm::vec3(1), 10)}, {1, false}, always);
+  ASSERT_TRUE(few);
+  EXPECT_EQ(few->strands, 2u);
+}
+
+void stroke(FurPatch& fur, std::mt19937& random) {
+  const std::size_t first = random() % fur.length.size(), count = 1 + random() % 60;
+  for (std::size_t i = first; i < std::min(first + count, fur.length.size()); ++i) {
+    const auto any = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
+    fur.direction[i] = 0.7f * glm::vec2(any(), any());
+    fur.length[i] = 0.04f * (1 + any());
+  }
+}
+
+std::vector<float> met_by_grid(const World& world) {
+  std::vector<float> numbers;
+  for (int y = -40; y <= 40; ++y) {
+    for (int x = -40; x <= 40; ++x) {
+      const Ray ray{.origin = {0.0085f * float(x), 0.0085f * float(y), 2}, .direction = {0, 0, -1}};
+      const Hit hit = world.meet(ray);
+      const glm::vec3 passed = world.passed(ray, 0.3f);
+      for (const float value : {float(int(hit.met)), hit.distance, hit.offset, hit.height, hit.colour.r, hit.tangent.x,
+                                hit.normal.y, hit.number, passed.r, passed.g, float(world.blocked(ray))})
+        numbers.push_back(value);
+    }
+  }
+  return numbers;
+}
+
+TEST(Upkeep, AfterManyStrokesTheWorldIsAsNewAndTakesAsMuch) {
+  FurPatch ball = fur_ball(0.04f);
+  std::mt19937 random(7);
+  World world(plenty);
+  const GrowRecipe recipe{.coat = coat_of(glm::vec3(0.5f), 350)};
+  std::size_t partly = 0;
+  for (int i = 0; i < 300; ++i) {
+    stroke(ball, random);
+    const auto change = world.update(ball.model(), ball.fields(), {}, recipe, {2, false}, always);
+    ASSERT_TRUE(change);
+    partly += change->grown < change->strands;
+  }
+  EXPECT_GT(partly, 290u);
+  World fresh(plenty);
+  ASSERT_TRUE(fresh.update(ball.model(), ball.fields(), {}, recipe, {1, false}, always));
+  EXPECT_EQ(met_by_grid(world), met_by_grid(fresh));
+  const auto kept = static_cast<double>(world.bytes()), needed = static_cast<double>(fresh.bytes());
+  EXPECT_NEAR(kept / needed, 1, 0.02);
+}
+
+TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {
+  FurPatch ball = fur_ball(0.04f);
+  World world(plenty);
+  Coat coat = coat_of(glm::vec3(0.5f), 200);
+  std::size_t first = 0;
+  for (int i = 0; i < 100; ++i) {
+    coat.bend = 0.01 * (i % 10);
+    for (float& length : ball.length) length = 0.04f + 1e-4f * static_cast<float>(i % 10);
+    ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {coat}, {2, false}, always));
+    if (i == 10) first = world.bytes();
+  }
+  ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {coat}, {2, false}, always));
+  EXPECT_NEAR(static_cast<double>(world.bytes()) / static_cast<double>(first), 1, 0.02);
+  FurPatch bald = ball;
+  bald.length.assign(bald.length.size(), 0);
+  ASSERT_TRUE(world.update(bald.model(), bald.fields(), {}, {coat}, {2, false}, always));
+  EXPECT_LT(world.bytes(), first / 10);  // the skin
+}
+
+/// A camera whose picture is the part around the ball of one of 64 pixels and a field of view of 23 degrees.
+FurFrame view_from(double distance) {
+  const double pixel = 0.4 / 64 * distance;
+  const int size = static_cast<int>(std::ceil(0.7 / pixel));
+  FurFrame frame = frame_at(size, coat_of(glm::vec3(0.5f), 2500), Transport::transmittance, 20'000 / (size * size));
+  frame.coat.width_root = 0.0011, frame.coat.width_tip = 0.0004;
+  frame.camera.eye = {0, 0, distance};
+  frame.camera.tan_half_fov = static_cast<float>(size * pixel / 2 / distance);
+  return frame;
+}
+
+/// Share of such a picture that a world covers.
+double covered(const World& world, const FurFrame& frame) {
+  constexpr int side = 160;
+  int met = 0;
+  for (int i = 0; i < side * side; ++i) {
+    const glm::vec2 off = (glm::vec2(i % side, i / side) + 0.5f) * (2.0f / side) - 1.0f;
+    const glm::vec3 towards(off * frame.camera.tan_half_fov, -1);
+    met += world.meet({.origin = frame.camera.eye, .direction = glm::normalize(towards)}).met != Met::nothing;
+  }
+  return double(met) / (side * side);
+}
+
+// Strands that are thinner than a pixel are thinned out and widened: what they cover stays, from wherever it is seen.
+TEST(Upkeep, CoverageStaysFromAnyDistance) {
+  for (const bool more_fur_than_body : {false, true}) {
+    FurPatch ball = fur_ball(0.04f);
+    World world(plenty);
+    if (more_fur_than_body) {
+      for (glm::vec3& place : ball.positions) place *= 0.3f;
+    }
+    ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {view_from(2).coat}, {2, false}, always));
+    std::size_t most = 0, least = 1u << 30;
+    for (const double distance : {2.0, 8.0, 32.0, 128.0}) {
+      const FurFrame frame = view_from(distance);
+      const Traced picture = traced(ball, frame);
+      const double pixels = double(frame.width) * frame.height;
+      const double seen = mean_of(picture.beauty).alpha / pixels, whole = covered(world, frame);
+      EXPECT_NEAR(seen, whole, 0.03 * whole) << distance;
+      most = std::max(most, picture.report.strands), least = std::min(least, picture.report.strands);
+    }
+    EXPECT_LT(least, most * 3 / 4);
+  }
+}
+
+}  // namespace
+}  // namespace pelage
