@@ -20,7 +20,7 @@ class MemoryBudget {
   /// False, and nothing taken, where the limit would be passed. Negative bytes are given back.
   bool take(std::ptrdiff_t bytes);
   std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
-  std::size_t left() const { return limit_ - std::min(used(), limit_); }
+  std::size_t left() const { const std::size_t limit = limit_; return limit - std::min(used(), limit); }
 
  private:
   std::atomic<std::size_t> limit_;
