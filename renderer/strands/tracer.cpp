@@ -23,6 +23,7 @@ double milliseconds_since(Clock::time_point start) {
 constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr double widest = 0.004;     // sizes that strands are widened to because they are thin in the picture, or twice
 constexpr double widest_allowed = 0.05;  // sizes that they are widened to because they would be too many
+constexpr std::size_t base_pictures = 5;  // of a BasePicture
 constexpr int judged_passes = 8;     // before them no part of the picture is left for its little noise
 constexpr double dense_share = 0.6;  // of the memory that strands and index may take; the film has the rest
 
@@ -69,15 +70,20 @@ Tracer::Tracer(int threads, std::size_t memory, bool yielding)
     : impl_(std::make_unique<Impl>(threads, memory, yielding)) {}
 Tracer::~Tracer() = default;
 
+Status Tracer::admit(int width, int height, std::span<const FrameLayer> layers, bool filter) const {
+  const double whole = static_cast<double>(impl_->memory), pixels = double(width) * height;
+  const auto film = static_cast<double>(Film::bytes(width, height, layers, filter));
+  const double pictures = pixels * static_cast<double>(sizeof(glm::vec4) * (base_pictures + layers.size()));
+  if (film <= (1 - dense_share) * whole && film + pictures <= whole) return {};
+  return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
+                 "fewer pixels, or fewer layers");
+}
+
 Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
                      std::span<const FrameLayer> layers, const GoOn& go_on) {
   Impl& tracer = *impl_;
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  const auto film_memory = static_cast<std::size_t>((1 - dense_share) * static_cast<double>(tracer.memory));
-  if (Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter) > film_memory) {
-    return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
-                   "fewer pixels, or fewer layers");
-  }
+  if (Status refused = admit(frame.width, frame.height, layers, frame.knobs.trace.filter); !refused.ok()) return refused;
   const Clock::time_point start = Clock::now();
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
   thin_out(frame, expected_strands(model, frame.coat), recipe);
