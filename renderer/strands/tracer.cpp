@@ -23,6 +23,7 @@ double milliseconds_since(Clock::time_point start) {
 constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr double widest = 0.004;     // sizes that strands are widened to because they are thin in the picture, or twice
 constexpr double widest_allowed = 0.05;  // sizes that they are widened to because they would be too many
+constexpr std::size_t base_pictures = 5;  // of a BasePicture
 constexpr int judged_passes = 8;     // before them no part of the picture is left for its little noise
 constexpr std::size_t film_part = 2;  // a film takes at most one over this of the memory; strands and index have the rest
 
@@ -41,6 +42,12 @@ void thin_out(const FurFrame& frame, double expected, GrowRecipe& recipe) {
 bool takes_model_colours(const FurFrame& frame, const FurModel& model) {
   const ColourSource source = frame.look.colour_source;
   return source == ColourSource::model || (source == ColourSource::automatic && model.has_colours);
+}
+
+/// Of a base picture and of the layers that are made in the end.
+std::size_t picture_bytes(int width, int height, std::span<const FrameLayer> layers) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec4) *
+         (base_pictures + layers.size());
 }
 
 Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
@@ -69,16 +76,20 @@ Tracer::Tracer(int threads, std::size_t memory, bool yielding)
     : impl_(std::make_unique<Impl>(threads, memory, yielding)) {}
 Tracer::~Tracer() = default;
 
+Status Tracer::admit(int width, int height, std::span<const FrameLayer> layers, bool filter) const {
+  const std::size_t film = Film::bytes(width, height, layers, filter), pictures = picture_bytes(width, height, layers);
+  if (film <= impl_->memory / film_part && film + pictures <= impl_->memory) return {};
+  return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
+                 "fewer pixels, or fewer layers");
+}
+
 Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
                      std::span<const FrameLayer> layers, const GoOn& go_on) {
   Impl& tracer = *impl_;
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  const std::size_t film_bytes = Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter);
-  if (film_bytes > tracer.memory / film_part) {
-    return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
-                   "fewer pixels, or fewer layers");
-  }
-  tracer.world.set_memory(tracer.memory - film_bytes);
+  if (Status refused = admit(frame.width, frame.height, layers, frame.knobs.trace.filter); !refused.ok()) return refused;
+  tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, layers) -
+                          Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter));
   const Clock::time_point start = Clock::now();
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
   const double expected = expected_strands(model, frame.coat);

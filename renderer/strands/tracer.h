@@ -24,6 +24,9 @@ class Tracer {
   Tracer(int threads, std::size_t memory, bool yielding);
   ~Tracer();
 
+  /// Whether a picture may be begun in that memory with its base picture and its layers, before any of it is made.
+  /// too_large where not.
+  Status admit(int width, int height, std::span<const FrameLayer> layers, bool filter) const;
   /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Fails with
   /// too_large where memory does not do, unavailable when it was not to go on.
   Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,

@@ -18,13 +18,15 @@ SceneTracer::SceneTracer(FrameService& frames, int threads, std::size_t memory)
 
 Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                     const GoOn& go_on) {
+  layers_ = traced_layers(request);
+  if (Status refused = tracer_.admit(request.width, request.height, layers_, request.knobs.trace.filter); !refused.ok())
+    return refused;
   Result<TraceStart> start = frames_.begin_trace(scene, request);
   if (!start) return start.status();
   const SceneView view = start->scene.view();
   const Mesh& mesh = view.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
-  layers_ = traced_layers(request);
   begun_ = {.revision = view.revision,
             .report = {},
             .layers = {},

@@ -78,25 +78,32 @@ FurPatch any_ball() {
   return ball;
 }
 
+FloatImage traced_by(Tracer& tracer, const FurPatch& ball, const FurFrame& frame) {
+  const Status begun = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  RC_ASSERT(begun.ok());
+  while (tracer.report().end == TraceEnd::none) RC_ASSERT(tracer.add_pass(always).ok());
+  return tracer.layer(FrameLayer::beauty);
+}
+
 RC_GTEST_PROP(AnyScene, IsFiniteTheSameTwiceAndReported, ()) {
-  static Tracer kept(2, plenty, false);  // as a server's, after all that it traced before
+  static Tracer tracer(2, plenty, false);  // as a server's, after all that it traced before
   const FurPatch ball = any_ball();
   const FurFrame frame = any_frame();
-  const Traced first = traced(ball, frame, 1);
-  for (std::size_t i = 0; i < first.beauty.rgba.size(); ++i) {
-    const float value = first.beauty.rgba[i];
+  const FloatImage picture = traced_by(tracer, ball, frame);
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+    const float value = picture.rgba[i];
     RC_ASSERT(std::isfinite(value) && value >= 0);
     RC_ASSERT(i % 4 != 3 || value <= 1);
   }
-  const TraceReport& report = first.report;
-  RC_ASSERT(report.end != TraceEnd::none);
+  const TraceReport report = tracer.report();
   RC_ASSERT(report.passes >= 1 && report.passes <= frame.knobs.trace.passes);
   RC_ASSERT(report.samples >= 1 && report.samples <= report.passes);
   RC_ASSERT(report.noise >= 0);
   RC_ASSERT(report.strands <= std::size_t(frame.knobs.trace.strands) * 2 + 20);
-  RC_ASSERT(kept.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always).ok());
-  while (kept.report().end == TraceEnd::none) RC_ASSERT(kept.add_pass(always).ok());
-  RC_ASSERT(kept.layer(FrameLayer::beauty).rgba == first.beauty.rgba);
+  FurFrame other = frame;
+  other.coat.count += 7, other.camera.eye.z += 0.5f, other.knobs.trace.passes = 1;
+  traced_by(tracer, ball, other);
+  RC_ASSERT(traced_by(tracer, ball, frame).rgba == picture.rgba);
 }
 
 }  // namespace
