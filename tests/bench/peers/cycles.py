@@ -36,12 +36,12 @@ def strand_points(folder, scene):
 
 
 def line_mesh(numbers, points):
-    """Strands as lines of a mesh, root first, with a thickness and sigma_a at each vertex."""
+    """Strands as lines of a mesh, root first, with radius and sigma_a at each vertex."""
     first = numpy.arange(len(numbers)).reshape(-1, points)[:, :-1].reshape(-1)
     edges = numpy.stack([first, first + 1], axis=1)
     lines = mesh_object("lines", numbers[:, :3].tolist(), edges.tolist(), [])
-    thick = lines.data.attributes.new("thick", "FLOAT", "POINT")
-    thick.data.foreach_set("value", numpy.ascontiguousarray(numbers[:, 3]))
+    radius = lines.data.attributes.new("radius", "FLOAT", "POINT")
+    radius.data.foreach_set("value", numpy.ascontiguousarray(numbers[:, 3]))
     sigma = lines.data.attributes.new("sigma_a", "FLOAT_VECTOR", "POINT")
     sigma.data.foreach_set("vector", numpy.ascontiguousarray(numbers[:, 4:]).reshape(-1))
     lines.hide_render = True
@@ -57,16 +57,11 @@ def grow_hair(lines, material):
     source = nodes.new("GeometryNodeObjectInfo")
     source.inputs["Object"].default_value = lines
     curve = nodes.new("GeometryNodeMeshToCurve")
-    thick = nodes.new("GeometryNodeInputNamedAttribute")
-    thick.inputs["Name"].default_value = "thick"
-    radius = nodes.new("GeometryNodeSetCurveRadius")
     painted = nodes.new("GeometryNodeSetMaterial")
     painted.inputs["Material"].default_value = material
     out = nodes.new("NodeGroupOutput")
     link(source.outputs["Geometry"], curve.inputs["Mesh"])
-    link(curve.outputs["Curve"], radius.inputs["Curve"])
-    link(thick.outputs["Attribute"], radius.inputs["Radius"])
-    link(radius.outputs["Curve"], painted.inputs["Geometry"])
+    link(curve.outputs["Curve"], painted.inputs["Geometry"])
     link(painted.outputs["Geometry"], out.inputs["Geometry"])
     data = bpy.data.hair_curves.new("hair")
     data.materials.append(material)
