@@ -69,10 +69,10 @@ testing::FurredModel peer_torus() {
   Coat& coat = model.settings.coat;
   coat.count = 600, coat.width_root = 0.003, coat.width_tip = 0.001, coat.colour_spread = 0;
   coat.clump = 0.5, coat.clump_size = 0.03, coat.root_share = 0.2;
-  coat.ramp = {{0, {.42f, .23f, .11f}}, {1, {.80f, .62f, .40f}}};
+  coat.ramp = {{0, {.20f, .10f, .05f}}, {1, {.52f, .33f, .18f}}};
   model.settings.look.colour_source = ColourSource::coat;
   model.settings.look.skin = coat.ramp.front().colour;
-  model.settings.lights = {{.kind = LightKind::directional, .direction = {-0.5, -0.8, -0.6}, .intensity = 1.6, .angle_degrees = 5}};
+  model.settings.lights = {{.kind = LightKind::directional, .direction = {-0.5, -0.8, -0.6}, .intensity = 2.5, .angle_degrees = 5}};
   return model;
 }
 
