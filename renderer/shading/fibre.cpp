@@ -17,10 +17,14 @@ double square(double x) { return x * x; }
 
 /// Written for both precisions: the difference of cosines keeps its digits where product and exponential would not.
 template <typename Real>
-Real longitudinal_of(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real v) {
+Real longitudinal_whole(Real v) {
+  return -v * std::expm1(-2 / v);
+}
+
+template <typename Real>
+Real longitudinal_of(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real v, Real whole) {
   const Real apart = cos_in - cos_out, sum = sin_in + sin_out;
-  return scaled_bessel_i0(cos_in * cos_out / v) * std::exp(-(apart * apart + sum * sum) / (2 * v)) /
-         (-v * std::expm1(-2 / v));
+  return scaled_bessel_i0(cos_in * cos_out / v) * std::exp(-(apart * apart + sum * sum) / (2 * v)) / whole;
 }
 
 }  // namespace
@@ -60,11 +64,11 @@ float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-
 }
 
 double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v) {
-  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v);
+  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v, longitudinal_whole(v));
 }
 
 float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, float v) {
-  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v);
+  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v, longitudinal_whole(v));
 }
 
 double trimmed_logistic(double x, double s) {
@@ -113,19 +117,25 @@ LobeValues attenuation(double cos_theta, double h, double sigma_a, double eta) {
 FibreLobes energy_conserving_lobes(const FibreOptics& fibre) {
   const double v = longitudinal_variance(fibre.longitudinal_roughness);
   const double alpha = fibre.cuticle_tilt * pi / 180;
-  return {{v, v / 4, 4 * v, 4 * v},
-          {-2 * alpha, alpha, 4 * alpha, 0},
-          azimuthal_scale(fibre.azimuthal_roughness),
-          fibre.refractive_index};
+  FibreLobes lobes{{v, v / 4, 4 * v, 4 * v},
+                   {-2 * alpha, alpha, 4 * alpha, 0},
+                   azimuthal_scale(fibre.azimuthal_roughness),
+                   fibre.refractive_index};
+  lobes.azimuthal_whole = std::tanh(pi / (2 * lobes.azimuthal_scale));
+  for (std::size_t p = 0; p < lobe_count; ++p) {
+    lobes.tilt_sine[p] = std::sin(lobes.tilt[p]), lobes.tilt_cosine[p] = std::cos(lobes.tilt[p]);
+    lobes.whole[p] = longitudinal_whole(lobes.variance[p]);
+  }
+  return lobes;
 }
 
 LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& eye) {
   LobeValues values{};
   for (std::size_t p = 0; p < lobe_count; ++p) {
-    const double sine = std::sin(lobes.tilt[p]), cosine = std::cos(lobes.tilt[p]);
+    const double sine = lobes.tilt_sine[p], cosine = lobes.tilt_cosine[p];
     const double tilted_cosine = std::abs(eye.cosine * cosine - eye.sine * sine);
-    values[p] =
-        longitudinal(light.cosine, tilted_cosine, light.sine, eye.sine * cosine + eye.cosine * sine, lobes.variance[p]);
+    values[p] = longitudinal_of(light.cosine, tilted_cosine, light.sine, eye.sine * cosine + eye.cosine * sine,
+                                lobes.variance[p], lobes.whole[p]);
   }
   return values;
 }

@@ -54,7 +54,7 @@ glm::dvec3 FibreShading::empirical(const ScatterGeometry& geometry, const glm::d
 
 /// `azimuthal(cos_theta, azimuth, sigma_a)` answers Ap Np.
 template <typename Azimuthal>
-glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::dvec3& colour,
+glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::dvec3& sigma_a,
                                    const Azimuthal& azimuthal) const {
   const Inclination light = inclination_of(geometry.tangent, geometry.to_light);
   const Inclination eye = inclination_of(geometry.tangent, geometry.to_eye);
@@ -64,7 +64,6 @@ glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::d
   const double cos_theta = marschner ? cos_difference(light, eye) : eye.cosine;
   const double gain = marschner ? pi * light.cosine : pi;
   const double azimuth = azimuth_of(geometry);
-  const glm::dvec3 sigma_a = absorption(colour);
   glm::dvec3 sum(0);
   for (int channel = 0; channel < 3; ++channel) {
     const LobeValues n = azimuthal(cos_theta, azimuth, sigma_a[channel]);
@@ -75,7 +74,7 @@ glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::d
 
 glm::dvec3 FibreShading::scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand) const {
   if (!is_fibre()) return empirical(geometry, colour, strand);
-  return fibre_sum(geometry, colour, [&](double cos_theta, double azimuth, double sigma_a) {
+  return fibre_sum(geometry, absorption(colour), [&](double cos_theta, double azimuth, double sigma_a) {
     return average_->at(cos_theta, azimuth, sigma_a);
   });
 }
@@ -83,7 +82,13 @@ glm::dvec3 FibreShading::scatter(const ScatterGeometry& geometry, const glm::dve
 glm::dvec3 FibreShading::scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand,
                                  const ScatteringTable& table) const {
   if (!is_fibre()) return empirical(geometry, colour, strand);
-  return fibre_sum(geometry, colour, [&](double cos_theta, double azimuth, double sigma_a) {
+  return scatter_absorbed(geometry, absorption(colour), table);
+}
+
+glm::dvec3 FibreShading::scatter_absorbed(const ScatterGeometry& geometry, const glm::dvec3& absorbed,
+                                          const ScatteringTable& table) const {
+  assert(is_fibre());
+  return fibre_sum(geometry, absorbed, [&](double cos_theta, double azimuth, double sigma_a) {
     return table.at(cos_theta, azimuth, absorption_coordinate(sigma_a));
   });
 }
@@ -91,7 +96,7 @@ glm::dvec3 FibreShading::scatter(const ScatterGeometry& geometry, const glm::dve
 glm::dvec3 FibreShading::scatter_at_offset(const ScatterGeometry& geometry, const glm::dvec3& colour, double h) const {
   assert(look_.shading == ShadingModel::energy_conserving);
   std::optional<LobeValues> shared;  // Np, the same for all channels
-  return fibre_sum(geometry, colour, [&](double cos_theta, double azimuth, double sigma_a) {
+  return fibre_sum(geometry, absorption(colour), [&](double cos_theta, double azimuth, double sigma_a) {
     if (!shared) shared = azimuthal_lobes(lobes_, cos_theta, h, azimuth);
     const LobeValues a = attenuation(cos_theta, h, sigma_a, lobes_.eta), &n = *shared;
     return LobeValues{a[0] * n[0], a[1] * n[1], a[2] * n[2], a[3] * n[3]};

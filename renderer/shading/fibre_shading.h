@@ -27,6 +27,9 @@ class FibreShading {
   glm::dvec3 scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand,
                      const ScatteringTable& table) const;
 
+  /// A fibre model through its table, for a strand whose sigma_a is known.
+  glm::dvec3 scatter_absorbed(const ScatterGeometry& geometry, const glm::dvec3& sigma_a, const ScatteringTable& table) const;
+
   /// energy_conserving at one offset h in [-1, 1] across the fibre, for traced strands; see `offset_across`.
   glm::dvec3 scatter_at_offset(const ScatterGeometry& geometry, const glm::dvec3& colour, double h) const;
 
@@ -35,7 +38,7 @@ class FibreShading {
 
  private:
   template <typename Azimuthal>
-  glm::dvec3 fibre_sum(const ScatterGeometry& geometry, const glm::dvec3& colour, const Azimuthal& azimuthal) const;
+  glm::dvec3 fibre_sum(const ScatterGeometry& geometry, const glm::dvec3& sigma_a, const Azimuthal& azimuthal) const;
   glm::dvec3 empirical(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand) const;
   bool is_fibre() const { return average_ != nullptr; }
 

@@ -16,7 +16,6 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float leave_skin = 1e-5f;  // sizes from which rays start
 constexpr int first_bounces = 4;     // after them dark paths are ended by chance
-constexpr float environment_share = 0.25f;  // of the rays to lights, where lamps shine too
 
 /// A place that scatters: a strand or matt skin.
 class Scatterer {
@@ -26,7 +25,8 @@ class Scatterer {
     if (hit.met == Met::strand) {
       frame_.emplace(hit.tangent, to_eye);
       const StrandShading& shading = scene.shading();
-      fibre_.emplace(shading.lobes(), frame_->local(to_eye), hit.offset, shading.absorption(hit.colour));
+      absorption_ = shading.absorption(hit.colour);
+      fibre_.emplace(shading.lobes(), frame_->local(to_eye), hit.offset, absorption_);
     } else {
       hit_.colour = glm::clamp(hit.colour, 0.0f, 1.0f);
       place_ += hit.normal * leave_skin;
@@ -46,7 +46,7 @@ class Scatterer {
   /// The same for a lamp. Paths meet a strand at any offset alike, so that its mean over the offsets, which the table
   /// has, is as true as the value at this one, and far less noisy.
   glm::vec3 mean_value(glm::vec3 to_light) const {
-    return fibre_ ? scene_.shading().scatter(hit_, to_light, to_eye_) / pi : value(to_light);
+    return fibre_ ? scene_.shading().scatter_averaged(hit_, absorption_, to_light, to_eye_) / pi : value(to_light);
   }
   float density(glm::vec3 to_light) const {
     if (fibre_) return fibre_->density(frame_->local(to_light));
@@ -67,7 +67,7 @@ class Scatterer {
  private:
   const TraceScene& scene_;
   Hit hit_;
-  glm::vec3 place_, to_eye_;
+  glm::vec3 place_, to_eye_, absorption_{0};
   std::optional<FibreFrame> frame_;
   std::optional<FibrePaths> fibre_;
 };
@@ -77,8 +77,9 @@ struct Direct {
   glm::vec3 lamps{0}, unshadowed_lamps{0}, environment{0};
 };
 
-/// A ray to a lamp or into the environment. The environment is also met by paths that go on: both are weighted by their
-/// densities (balance heuristic, Veach 1997).
+/// A ray to a lamp, or where there is none into the environment. The environment is also met by paths that go on: then both
+/// are weighted by their densities (balance heuristic, Veach 1997). Beside lamps paths do: harmonics of two bands are so
+/// even that a ray spent on a lamp is worth more.
 Direct direct_light(const TraceScene& scene, const World& world, const Scatterer& at, Sampler& sampler) {
   const StrandLights& lights = scene.lights();
   Chances chances;
@@ -88,8 +89,7 @@ Direct direct_light(const TraceScene& scene, const World& world, const Scatterer
     chances.add(importance);
     lamps += importance;
   }
-  const float share = environment_share / (1 - environment_share);
-  if (lights.has_environment()) chances.add(lamps > 0 ? share * lamps : 1.0f);
+  if (lights.has_environment() && !(lamps > 0)) chances.add(1);
   const Choice choice = chances.choose(sampler.next());
   const glm::vec2 u = sampler.next2();
   if (choice.index < 0) return {};
@@ -108,19 +108,21 @@ Direct direct_light(const TraceScene& scene, const World& world, const Scatterer
   return {.lamps = light, .unshadowed_lamps = light};
 }
 
-/// The chance that the environment is asked for by direct_light at a place.
-float environment_chance(const StrandLights& lights, glm::vec3 place) {
-  float lamps = 0;
-  for (int i = 0; i < lights.count(); ++i) lamps += lights.importance(i, place);
-  return lamps > 0 ? environment_share : 1.0f;
+/// Whether direct_light leaves the environment at a place to the paths.
+bool lamps_shine(const StrandLights& lights, glm::vec3 place) {
+  for (int i = 0; i < lights.count(); ++i) {
+    if (lights.importance(i, place) > 0) return true;
+  }
+  return false;
 }
 
 /// What a path that leaves the scene brings, over the weight that direct_light has for it.
 glm::vec3 met_environment(const TraceScene& scene, const FibreSample& way, glm::vec3 from) {
   const StrandLights& lights = scene.lights();
   if (!lights.has_environment()) return glm::vec3(0);
-  const float other = lights.environment_density(way.direction) * environment_chance(lights, from);
-  return lights.environment(way.direction) * (way.density / (way.density + other));
+  const glm::vec3 light = lights.environment(way.direction);
+  if (lamps_shine(lights, from)) return light;
+  return light * (way.density / (way.density + lights.environment_density(way.direction)));
 }
 
 glm::vec3 bounded(glm::vec3 light, float brightest) {

@@ -23,6 +23,8 @@ class StrandShading {
   glm::vec3 absorption(glm::vec3 colour) const;
   /// Scattered to the eye for light of radiance 1, as FibreShading::scatter: fibre models averaged over the width.
   glm::vec3 scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) const;
+  /// The same by energy_conserving, for a strand whose sigma_a is known.
+  glm::vec3 scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light, glm::vec3 to_eye) const;
 
  private:
   Look look_;
