@@ -25,7 +25,7 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
   less.coat.count = 30;
   const std::vector<float> whole = traced(ball, frame).beauty.rgba;
   int refused = 0, done = 0;
-  for (std::size_t memory = std::size_t{64} << 10; memory <= std::size_t{64} << 20; memory *= 2) {
+  for (std::size_t memory = std::size_t{256} << 10; memory <= std::size_t{64} << 20; memory *= 2) {
     Tracer tracer(2, memory, false);
     const Status status = traced_in(tracer, ball, frame);
     if (status.ok()) {
