@@ -17,10 +17,10 @@ Status traced_in(Tracer& tracer, const FurPatch& fur, const FurFrame& frame) {
 }
 
 TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
-  const FurPatch ball = fur_ball(0.04f);
+  const FurPatch ball = fur_ball(0.04f), bald = fur_ball(0);
   FurPatch small(0.02);
   small.id = 2;
-  FurFrame frame = frame_at(24, coat_of(glm::vec3(0.5f), 1000), Transport::transmittance, 1);
+  FurFrame frame = frame_at(16, coat_of(glm::vec3(0.5f), 1000), Transport::transmittance, 1);
   FurFrame less = frame;
   less.coat.count = 30;
   const std::vector<float> whole = traced(ball, frame).beauty.rgba;
@@ -38,6 +38,9 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
     }
     const Status again = traced_in(tracer, ball, frame);
     EXPECT_EQ(again.code, status.code) << memory;
+    if (traced_in(tracer, bald, frame).ok()) {  // then with the skin, which may have been what did not fit
+      EXPECT_GT(mean_of(tracer.layer(FrameLayer::beauty)).alpha, 10) << memory;
+    }
     const Status fits = tracer.begin(small.model(), small.fields(), less, nothing(), std::array{FrameLayer::beauty}, always);
     EXPECT_TRUE(fits.ok()) << memory << " " << fits.message;
     EXPECT_TRUE(tracer.add_pass(always).ok());
