@@ -25,7 +25,7 @@ Around around(glm::vec3 direction) {
   return {d.x * over_length, std::sqrt(square) * over_length, std::atan2(d.z, d.y)};
 }
 
-/// Into [-pi, pi], from within [-3 pi, 3 pi].
+/// A turn nearer to [-pi, pi], in which it is from within [-3 pi, 3 pi].
 double wrapped(double angle) {
   if (angle > pi) return angle - 2 * pi;
   return angle < -pi ? angle + 2 * pi : angle;
@@ -54,7 +54,7 @@ FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 eye, float h, glm::vec
     lobe.normal = static_cast<float>(1 / lobes.whole[p]);
     if (p + 1 < lobe_count) {
       const double leaves = static_cast<double>(p) * (2 * inside + pi) - 2 * outside;  // exit_azimuth
-      lobe.azimuth = std::remainder(to_eye.azimuth + leaves, 2 * pi);
+      lobe.azimuth = wrapped(wrapped(to_eye.azimuth + leaves));
     }
     // The brightest channel absorbs least in every lobe, so by its share no channel's weight is above 1.
     sum += lobe.share = std::max({lobe.left.r, lobe.left.g, lobe.left.b});

@@ -14,8 +14,9 @@ namespace pelage {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float leave_skin = 1e-5f;  // sizes from which rays start
-constexpr int first_bounces = 4;     // after them dark paths are ended by chance
+constexpr float leave_skin = 1e-5f;   // sizes from which rays start
+constexpr int first_bounces = 1;      // after them dark paths are ended by chance
+constexpr float worth_a_ray = 0.01f;  // share of TraceScene::brightest below which light is asked for by chance
 
 /// A place that scatters: a strand or matt skin.
 class Scatterer {
@@ -79,8 +80,10 @@ struct Direct {
 
 /// A ray to a lamp, or where there is none into the environment. The environment is also met by paths that go on: then both
 /// are weighted by their densities (balance heuristic, Veach 1997). Beside lamps paths do: harmonics of two bands are so
-/// even that a ray spent on a lamp is worth more.
-Direct direct_light(const TraceScene& scene, const World& world, const Scatterer& at, Sampler& sampler) {
+/// even that a ray spent on a lamp is worth more. `carried` is what the path has kept so
+/// far: after its first place, what little a lamp could add is asked for by chance.
+Direct direct_light(const TraceScene& scene, const World& world, const Scatterer& at, glm::vec3 carried, bool first,
+                    Sampler& sampler) {
   const StrandLights& lights = scene.lights();
   Chances chances;
   float lamps = 0;
@@ -90,8 +93,8 @@ Direct direct_light(const TraceScene& scene, const World& world, const Scatterer
     lamps += importance;
   }
   if (lights.has_environment() && !(lamps > 0)) chances.add(1);
-  const Choice choice = chances.choose(sampler.next());
-  const glm::vec2 u = sampler.next2();
+  const glm::vec2 pick = sampler.next2(), u = sampler.next2();
+  const Choice choice = chances.choose(pick.x);
   if (choice.index < 0) return {};
   if (choice.index == lights.count()) {
     const EnvironmentSample sky = lights.sample_environment(u);
@@ -102,8 +105,13 @@ Direct direct_light(const TraceScene& scene, const World& world, const Scatterer
     return {.environment = light};
   }
   const LightSample lamp = lights.sample(choice.index, at.place(), u);
-  const glm::vec3 light = at.mean_value(lamp.to_light) * lamp.radiance * (pi / choice.probability);
+  glm::vec3 light = at.mean_value(lamp.to_light) * lamp.radiance * (pi / choice.probability);
   if (luminance(light) <= 0) return {};
+  const float asked = first ? 1 : luminance(carried * light) / (worth_a_ray * scene.brightest());
+  if (asked < 1) {
+    if (!(pick.y < asked)) return {};
+    light /= asked;
+  }
   if (world.blocked(at.ray(lamp.to_light, lamp.distance))) return {.unshadowed_lamps = light};
   return {.lamps = light, .unshadowed_lamps = light};
 }
@@ -138,7 +146,7 @@ void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampl
   glm::vec3 place = sample.position, to_eye = -seen.ray.direction, carried(1);
   for (int bounce = 0; bounce < scene.frame().knobs.trace.bounces; ++bounce) {
     const Scatterer at(scene, hit, place, to_eye);
-    const Direct direct = direct_light(scene, world, at, sampler);
+    const Direct direct = direct_light(scene, world, at, carried, bounce == 0, sampler);
     sample.radiance += bounded(carried * (direct.lamps + direct.environment), scene.brightest());
     if (bounce == 0) {
       sample.direct = bounded(direct.lamps, scene.brightest());
