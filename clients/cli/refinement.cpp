@@ -61,7 +61,8 @@ ExitCode follow_refinement(Session& session, const std::string& path, const std:
       const Result<TraceReport> trace = take(options, *answer, seconds());
       if (!trace) return report(trace.status());
       if (trace->end != TraceEnd::none || trace->passes >= last_pass) return done;
-      address = fmt::format("{}/frames?after={}&after_pass={}", path, header(*answer, "pelage-revision"), trace->passes);
+      address =
+          fmt::format("{}/frames?after={}&after_pass={}", path, header(*answer, "pelage-revision"), trace->passes);
     }
     const double left = most - seconds();
     if (left <= 0) return done;

@@ -42,7 +42,8 @@ FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 eye, float h, glm::vec
     const LobeValues left = attenuation(to_eye.cosine, double(h), double(sigma_a[channel]), lobes.eta);
     for (std::size_t p = 0; p < lobe_count; ++p) lobes_[p].left[channel] = static_cast<float>(left[p]);
   }
-  const double outside = std::asin(double(h)), inside = std::asin(refracted_offset(double(h), to_eye.cosine, lobes.eta));
+  const double outside = std::asin(double(h)),
+               inside = std::asin(refracted_offset(double(h), to_eye.cosine, lobes.eta));
   float sum = 0;
   for (std::size_t p = 0; p < lobe_count; ++p) {
     Lobe& lobe = lobes_[p];

@@ -28,7 +28,8 @@ class FibreShading {
                      const ScatteringTable& table) const;
 
   /// A fibre model through its table, for a strand whose sigma_a is known.
-  glm::dvec3 scatter_absorbed(const ScatterGeometry& geometry, const glm::dvec3& sigma_a, const ScatteringTable& table) const;
+  glm::dvec3 scatter_absorbed(const ScatterGeometry& geometry, const glm::dvec3& sigma_a,
+                              const ScatteringTable& table) const;
 
   /// energy_conserving at one offset h in [-1, 1] across the fibre, for traced strands; see `offset_across`.
   glm::dvec3 scatter_at_offset(const ScatterGeometry& geometry, const glm::dvec3& colour, double h) const;

@@ -1,5 +1,5 @@
-// What lies under the fur, drawn by the shells' passes: skin, bare skin and eyes in the light of all lamps, without fur,
-// shadows and ground.
+// What lies under the fur, drawn by the shells' passes: skin, bare skin and eyes in the light of all lamps, without
+// fur, shadows and ground.
 #pragma once
 
 #include "renderer/image/float_image.h"
@@ -12,7 +12,7 @@ struct BasePicture {
   FloatImage direct;  // of that the part of lamps
   FloatImage albedo;
   FloatImage normal;
-  FloatImage depth;   // 1 / distance along the view, 1 / sizes; 0 for none
+  FloatImage depth;  // 1 / distance along the view, 1 / sizes; 0 for none
 };
 
 }  // namespace pelage

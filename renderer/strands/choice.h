@@ -17,7 +17,7 @@ struct Choice {
 /// Up to nine weights: those of lamps, then of the environment.
 class Chances {
  public:
-  void add(float weight);  // below 0 counts as 0
+  void add(float weight);        // below 0 counts as 0
   Choice choose(float u) const;  // u in [0, 1)
 
  private:

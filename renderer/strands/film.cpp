@@ -87,9 +87,7 @@ void Film::add(int x, int y, const FilmSample& s) {
   keep(light, {s.light.x, s.light.y});
 }
 
-int Film::samples(int x, int y) const {
-  return static_cast<int>(samples_[index(x, y)]);
-}
+int Film::samples(int x, int y) const { return static_cast<int>(samples_[index(x, y)]); }
 
 double Film::mean_samples() const {
   double sum = 0;

@@ -12,8 +12,8 @@ namespace pelage {
 
 namespace {
 
-constexpr int farthest = 6;            // pixels that light comes from at 1 sample
-constexpr int margin = farthest + 3;   // and more for outlines, and for windows that touch a pixel
+constexpr int farthest = 6;           // pixels that light comes from at 1 sample
+constexpr int margin = farthest + 3;  // and more for outlines, and for windows that touch a pixel
 constexpr int band_rows = 32;
 constexpr int block = 32;              // pixels of a row that are worked on together
 constexpr float least_albedo = 0.02f;  // is added to all: black things keep their highlights
@@ -29,17 +29,20 @@ constexpr int features = 10;
 /// and a little, are multiplied by body.
 enum Plane : int {
   feature = 0,
-  mean = features,                       // of each feature, over the 3 x 3 pixels around
-  noise = mean + features,               // of each group: variance there
-  guide = noise + feature_groups,        // each feature with less noise
-  falloff = guide + features,            // of each group: over the square of its width
+  mean = features,                 // of each feature, over the 3 x 3 pixels around
+  noise = mean + features,         // of each group: variance there
+  guide = noise + feature_groups,  // each feature with less noise
+  falloff = guide + features,      // of each group: over the square of its width
   body = falloff + feature_groups,
-  light, light_end = light + 3,
-  white = light_end, white_end = white + 3,
-  over_reach = white_end,                // over the square of the filter's radius
-  own_share,                             // of a pixel's own features in its guide
-  ground,                                // alpha that is not of the body
-  result, result_end = result + 3,       // light, filtered
+  light,
+  light_end = light + 3,
+  white = light_end,
+  white_end = white + 3,
+  over_reach = white_end,  // over the square of the filter's radius
+  own_share,               // of a pixel's own features in its guide
+  ground,                  // alpha that is not of the body
+  result,
+  result_end = result + 3,  // light, filtered
   plane_count = result_end
 };
 

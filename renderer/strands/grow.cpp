@@ -47,9 +47,9 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, const
   const Coat& coat = recipe.coat;
   Hash hash;
   hash.add(tile.hash());
-  for (const double value : {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share,
-                             coat.tufts.gather, coat.tufts.size, recipe.share, recipe.widening,
-                             recipe.guard_share, coat.bend, coat.mess})
+  for (const double value :
+       {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share, coat.tufts.gather,
+        coat.tufts.size, recipe.share, recipe.widening, recipe.guard_share, coat.bend, coat.mess})
     hash.add(value);
   for (const std::uint64_t value :
        {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
@@ -119,7 +119,8 @@ bool Grower::Impl::bald(std::uint32_t piece) const {
 bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
   const glm::vec3 share(copy.share);
   const float density = piece.density(share);
-  return number_of(copy, 1) < piece.grown(share) && number_of(copy, 2) < static_cast<float>(recipe.share / tile_share) &&
+  return number_of(copy, 1) < piece.grown(share) &&
+         number_of(copy, 2) < static_cast<float>(recipe.share / tile_share) &&
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
 

@@ -40,15 +40,17 @@ double expected_strands(const FurModel& model, const Coat& coat);
 ///
 /// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
 /// than they are long. A share below 1/16 also leaves out whole strands of the tile, so that growing takes no longer
-/// than 16 times what is kept would, while 256 of the tile are left. Limits: a piece grows at most 4,194,304 strands, and none where its place on the tile is further
-/// than 100 sizes from the origin or has no area (TileCells); who must bound memory asks expected_strands first.
+/// than 16 times what is kept would, while 256 of the tile are left. Limits: a piece grows at most 4,194,304 strands,
+/// and none where its place on the tile is further than 100 sizes from the origin or has no area (TileCells); who must
+/// bound memory asks expected_strands first.
 class Grower {
  public:
   Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe);
   ~Grower();
 
-  /// The strands of a chunk; some of them and more than `most` bytes, where they would be more. Fur of no length grows none, density keeps those whose number is below it. A radius is
-  /// never below 1e-7, so that nothing is divided by 0 where strands have no width.
+  /// The strands of a chunk; some of them and more than `most` bytes, where they would be more. Fur of no length grows
+  /// none, density keeps those whose number is below it. A radius is never below 1e-7, so that nothing is divided by 0
+  /// where strands have no width.
   StrandSet grow(const StrandChunk& chunk, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   /// Of all that `grow(chunk)` depends on: the same while it would give the same strands. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;

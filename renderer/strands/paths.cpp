@@ -78,10 +78,10 @@ struct Direct {
   glm::vec3 lamps{0}, unshadowed_lamps{0}, environment{0};
 };
 
-/// A ray to a lamp, or where there is none into the environment. The environment is also met by paths that go on: then both
-/// are weighted by their densities (balance heuristic, Veach 1997). Beside lamps paths do: harmonics of two bands are so
-/// even that a ray spent on a lamp is worth more. `carried` is what the path has kept so
-/// far: after its first place, what little a lamp could add is asked for by chance.
+/// A ray to a lamp, or where there is none into the environment. The environment is also met by paths that go on: then
+/// both are weighted by their densities (balance heuristic, Veach 1997). Beside lamps paths do: harmonics of two bands
+/// are so even that a ray spent on a lamp is worth more. `carried` is what the path has kept so far: after its first
+/// place, what little a lamp could add is asked for by chance.
 Direct direct_light(const TraceScene& scene, const World& world, const Scatterer& at, glm::vec3 carried, bool first,
                     Sampler& sampler) {
   const StrandLights& lights = scene.lights();

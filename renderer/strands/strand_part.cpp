@@ -25,8 +25,8 @@ EmbreeGeometry make_ribbons(RTCDevice device, const StrandSet& strands) {
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, strands.points.data(), 0,
                              sizeof(StrandPoint), strands.points.size());
   const auto segments = static_cast<std::uint32_t>(strands.segments);
-  auto* first = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
-                                                                    sizeof(std::uint32_t), strands.count() * segments));
+  auto* first = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof(std::uint32_t), strands.count() * segments));
   if (!first) return nullptr;
   for (std::uint32_t i = 0; i < strands.count(); ++i) {
     for (std::uint32_t k = 0; k < segments; ++k) *first++ = i * (segments + 1) + k;

@@ -20,7 +20,10 @@ class MemoryBudget {
   /// False, and nothing taken, where the limit would be passed. Negative bytes are given back.
   bool take(std::ptrdiff_t bytes);
   std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
-  std::size_t left() const { const std::size_t limit = limit_; return limit - std::min(used(), limit); }
+  std::size_t left() const {
+    const std::size_t limit = limit_;
+    return limit - std::min(used(), limit);
+  }
 
  private:
   std::atomic<std::size_t> limit_;
@@ -41,7 +44,7 @@ class StrandPart {
 
   std::uint32_t number() const { return number_; }
   const StrandSet& strands() const { return strands_; }
-  RTCScene index() const { return index_.get(); }  // null without strands
+  RTCScene index() const { return index_.get(); }         // null without strands
   glm::vec3 root_colour() const { return root_colour_; }  // mean, linear
 
   /// Fills in what a ray met: `u` along the segment. Distance and `met` are the caller's.

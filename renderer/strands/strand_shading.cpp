@@ -14,7 +14,8 @@ constexpr int wetness_steps = 8;
 Look traced_look(const FurFrame& frame) {
   Look look = frame.look;
   look.fibre = wet_look(frame.coat, look).fibre;
-  if (frame.knobs.trace.scattering == StrandScattering::energy_conserving) look.shading = ShadingModel::energy_conserving;
+  if (frame.knobs.trace.scattering == StrandScattering::energy_conserving)
+    look.shading = ShadingModel::energy_conserving;
   return look;
 }
 
@@ -54,7 +55,8 @@ glm::vec3 StrandShading::scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 t
   return glm::vec3(shadings_[step].scatter(geometry, glm::dvec3(glm::min(hit.colour, 1.0f)), hit.number, table_));
 }
 
-glm::vec3 StrandShading::scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light, glm::vec3 to_eye) const {
+glm::vec3 StrandShading::scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light,
+                                          glm::vec3 to_eye) const {
   const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_eye};
   return glm::vec3(shadings_.front().scatter_absorbed(geometry, glm::dvec3(sigma_a), table_));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int least_segments = 6, most_segments = 48;
 constexpr double least_of_turn = 4, most_of_turn = 8;  // segments
-constexpr std::size_t looked_at = 2048;  // strands for a mean: the first ones of a tile lie evenly
+constexpr std::size_t looked_at = 2048;                // strands for a mean: the first ones of a tile lie evenly
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
 
@@ -32,8 +32,10 @@ double segments_of_turn(const Coat& coat, double radius) {
 int strand_segments(const Coat& coat, bool curled) {
   double segments = least_segments;
   if (curled) segments = std::max(segments, most_of_turn * coat.curl_turns);
-  if (coat.curl > 0) segments = std::max(segments, coat.curl_turns * segments_of_turn(coat, coat.curl * nominal_length));
-  if (coat.wave > 0) segments = std::max(segments, coat.wave_turns * segments_of_turn(coat, coat.wave * nominal_length));
+  if (coat.curl > 0)
+    segments = std::max(segments, coat.curl_turns * segments_of_turn(coat, coat.curl * nominal_length));
+  if (coat.wave > 0)
+    segments = std::max(segments, coat.wave_turns * segments_of_turn(coat, coat.wave * nominal_length));
   return std::min(static_cast<int>(std::ceil(segments)), most_segments);
 }
 

@@ -18,7 +18,8 @@ constexpr float strand_depth = 2.0f;
 constexpr float brightest_over_light = 16;
 
 glm::vec4 texel(const FloatImage& image, int x, int y) {
-  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  const std::size_t at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
   return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
@@ -39,8 +40,7 @@ Ray TraceScene::ray_at(glm::vec2 place) const {
   const FurCamera& camera = frame_.camera;
   const glm::vec2 size(frame_.width, frame_.height);
   const glm::vec2 off = (place * 2.0f - size) / size.y * camera.tan_half_fov;
-  return {.origin = camera.eye,
-          .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
+  return {.origin = camera.eye, .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
 }
 
 float TraceScene::pixel_at(float distance) const {

@@ -22,10 +22,11 @@ double milliseconds_since(Clock::time_point start) {
 
 constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr double widest = 0.004;     // sizes that strands are widened to because they are thin in the picture, or twice
-constexpr double widest_allowed = 0.05;  // sizes that they are widened to because they would be too many
+constexpr double widest_allowed = 0.05;   // sizes that they are widened to because they would be too many
 constexpr std::size_t base_pictures = 5;  // of a BasePicture
-constexpr int judged_passes = 8;     // before them no part of the picture is left for its little noise
-constexpr std::size_t film_part = 2;  // a film takes at most one over this of the memory; strands and index have the rest
+constexpr int judged_passes = 8;          // before them no part of the picture is left for its little noise
+constexpr std::size_t film_part =
+    2;  // a film takes at most one over this of the memory; strands and index have the rest
 
 /// Thins strands out for a view and widens what is left. The share is a power of 1/2, so that a step of the camera
 /// seldom changes it. Wide strands would make a small animal larger than it is, so that from afar no more are left out.
@@ -55,8 +56,7 @@ Status not_wanted() { return failure(Code::unavailable, "nobody waits for this p
 }  // namespace
 
 struct Tracer::Impl {
-  Impl(int threads, std::size_t bytes, bool yielding)
-      : workers{threads, yielding}, memory(bytes), world(bytes) {}
+  Impl(int threads, std::size_t bytes, bool yielding) : workers{threads, yielding}, memory(bytes), world(bytes) {}
 
   bool trace_tile(int tile, const GoOn& go_on);
   bool still_noisy(int tile) const;
@@ -87,7 +87,8 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
                      std::span<const FrameLayer> layers, const GoOn& go_on) {
   Impl& tracer = *impl_;
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  if (Status refused = admit(frame.width, frame.height, layers, frame.knobs.trace.filter); !refused.ok()) return refused;
+  if (Status refused = admit(frame.width, frame.height, layers, frame.knobs.trace.filter); !refused.ok())
+    return refused;
   tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, layers) -
                           Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter));
   const Clock::time_point start = Clock::now();
@@ -116,7 +117,8 @@ bool Tracer::Impl::trace_tile(int tile, const GoOn& go_on) {
       Sampler sampler(pixel, static_cast<std::uint32_t>(film->samples(x, y)), trace.seed);
       const glm::vec2 place = glm::vec2(x, y) + sampler.next2();
       const bool paths = trace.transport == Transport::paths;
-      film->add(x, y, paths ? path_sample(*scene, world, place, sampler) : transmitted_sample(*scene, world, place, sampler));
+      film->add(x, y,
+                paths ? path_sample(*scene, world, place, sampler) : transmitted_sample(*scene, world, place, sampler));
     }
   }
   return true;
@@ -137,9 +139,12 @@ void Tracer::Impl::judge() {
     active[i] = still_noisy(static_cast<int>(i));
     any = any || active[i];
   }
-  if (!any) report.end = TraceEnd::noise;
-  else if (report.passes >= trace.passes) report.end = TraceEnd::passes;
-  else if (trace.seconds > 0 && report.grow_ms + report.trace_ms >= 1e3 * trace.seconds) report.end = TraceEnd::seconds;
+  if (!any)
+    report.end = TraceEnd::noise;
+  else if (report.passes >= trace.passes)
+    report.end = TraceEnd::passes;
+  else if (trace.seconds > 0 && report.grow_ms + report.trace_ms >= 1e3 * trace.seconds)
+    report.end = TraceEnd::seconds;
 }
 
 Status Tracer::add_pass(const GoOn& go_on) {
@@ -150,8 +155,8 @@ Status Tracer::add_pass(const GoOn& go_on) {
   for (std::size_t i = 0; i < tracer.active.size(); ++i) {
     if (tracer.active[i]) tiles.push_back(static_cast<int>(i));
   }
-  const bool whole = for_each_piece(tracer.workers, tiles.size(),
-                                    [&](std::size_t i) { return tracer.trace_tile(tiles[i], go_on); });
+  const bool whole =
+      for_each_piece(tracer.workers, tiles.size(), [&](std::size_t i) { return tracer.trace_tile(tiles[i], go_on); });
   tracer.report.trace_ms += milliseconds_since(start);
   if (!whole) return not_wanted();
   ++tracer.report.passes;

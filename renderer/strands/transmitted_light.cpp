@@ -21,7 +21,8 @@ constexpr float near_pixels = 1.5f;  // width from which a strand shows how it s
 /// What a bundle sends back after many fibres, beside the single one (lighting.glsl, scatter_again).
 glm::vec3 with_more(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 once) {
   const float along = glm::dot(hit.tangent, to_light);
-  const float again = 0.55f * static_cast<float>(scene.frame().look.diffuse) * std::sqrt(std::max(0.0f, 1 - along * along));
+  const float again =
+      0.55f * static_cast<float>(scene.frame().look.diffuse) * std::sqrt(std::max(0.0f, 1 - along * along));
   return 0.6f * once + again * glm::min(hit.colour, 1.0f);
 }
 
@@ -59,18 +60,21 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
   if (choice.index < 0) return;
   if (choice.index == lights.count()) {
     const glm::vec3 way = cosine_direction(hit.normal, u);
-    const glm::vec3 passed = world.passed({.origin = place, .direction = way, .without = hit.strand}, scene.self_shadow());
-    sample.radiance += hit.colour * lights.environment(way) * ambient_share(scene.frame().look, passed) / choice.probability;
+    const glm::vec3 passed =
+        world.passed({.origin = place, .direction = way, .without = hit.strand}, scene.self_shadow());
+    sample.radiance +=
+        hit.colour * lights.environment(way) * ambient_share(scene.frame().look, passed) / choice.probability;
     return;
   }
   const LightSample light = lights.sample(choice.index, place, u);
   const ShadingModel model = scene.shading().model();
-  const float behind = static_cast<float>(light_behind(model, glm::dot(hit.normal, light.to_light),
-                                                       scene.frame().look.back_attenuation));
+  const float behind = static_cast<float>(
+      light_behind(model, glm::dot(hit.normal, light.to_light), scene.frame().look.back_attenuation));
   if (behind <= 0) return;
   const glm::vec3 whole = light.radiance * behind / choice.probability * scattered(scene, hit, light.to_light, to_eye);
-  const glm::vec3 passed = world.passed(
-      {.origin = place, .direction = light.to_light, .reach = light.distance, .without = hit.strand}, scene.self_shadow());
+  const glm::vec3 passed =
+      world.passed({.origin = place, .direction = light.to_light, .reach = light.distance, .without = hit.strand},
+                   scene.self_shadow());
   sample.radiance += whole * passed, sample.direct += whole * passed;
   sample.light += glm::vec2(luminance(whole * passed), luminance(whole));
 }
@@ -90,7 +94,7 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place) {
   seen.hit = world.meet(seen.ray);
   const bool strand = seen.hit.met == Met::strand;
   const bool eye = scene.near_eye(seen.ray);
-  if (strand && !eye) return seen;
+  if (!eye && seen.hit.met != Met::skin) return seen;
   seen.base = scene.base_at(place);
   if (seen.hit.met == Met::skin) {
     const glm::dvec3 place_on_skin(seen.ray.origin + seen.ray.direction * seen.hit.distance);

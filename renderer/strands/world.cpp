@@ -15,7 +15,7 @@ namespace {
 /// At most AVX2, so that the same CPUs give the same bits whatever they have beyond. Threads are ours.
 constexpr const char* device_settings = "max_isa=avx2,threads=1,set_affinity=0,hugepages=0";
 constexpr double strands_of_part = 6000;
-constexpr float farthest = 1e18f;  // sizes; Embree's own limit is 1.8e18
+constexpr float farthest = 1e18f;    // sizes; Embree's own limit is 1.8e18
 constexpr float black_depth = 5.5f;  // optical depth beyond which light counts as nothing
 
 bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
@@ -24,14 +24,12 @@ bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<Memory
 struct Query {
   RTCIntersectContext context{};
   const Ray* ray = nullptr;
-  float depth = 0;         // of one black strand
-  glm::vec3 gathered{0};   // strands crossed, weighted by what they stop
-  bool through = true;     // nothing opaque so far
+  float depth = 0;        // of one black strand
+  glm::vec3 gathered{0};  // strands crossed, weighted by what they stop
+  bool through = true;    // nothing opaque so far
 };
 
-Query& query_of(const RTCFilterFunctionNArguments* arguments) {
-  return *reinterpret_cast<Query*>(arguments->context);
-}
+Query& query_of(const RTCFilterFunctionNArguments* arguments) { return *reinterpret_cast<Query*>(arguments->context); }
 
 /// Leaves out the strand that the ray starts on.
 void leave_own(const RTCFilterFunctionNArguments* arguments) {
@@ -70,8 +68,18 @@ bool can_be_cast(const Ray& ray) {
 }
 
 RTCRay ray_of(const Ray& ray) {
-  return {ray.origin.x, ray.origin.y, ray.origin.z, 0, ray.direction.x, ray.direction.y, ray.direction.z, 0, ray.reach,
-          ~0u,          0,            0};
+  return {ray.origin.x,
+          ray.origin.y,
+          ray.origin.z,
+          0,
+          ray.direction.x,
+          ray.direction.y,
+          ray.direction.z,
+          0,
+          ray.reach,
+          ~0u,
+          0,
+          0};
 }
 
 EmbreeGeometry make_skin(RTCDevice device, const FurModel& model, std::span<const glm::uvec3> triangles) {
@@ -221,8 +229,8 @@ Result<World::Change> World::update(const FurModel& model, const FurFields& fiel
                                     const GrowRecipe& recipe, const Workers& workers,
                                     const std::function<bool()>& go_on) {
   Impl& world = *impl_;
-  world.all.reset();                        // it holds the parts that are to go
-  rtcGetDeviceError(world.device.get());    // of a scene before that memory did not do for
+  world.all.reset();                      // it holds the parts that are to go
+  rtcGetDeviceError(world.device.get());  // of a scene before that memory did not do for
   if (!world.set_model(model, recipe) || !world.set_curves(frame)) return no_memory();
   const Grower grower(model, fields, recipe);
   std::atomic<std::size_t> grown{0};

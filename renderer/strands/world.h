@@ -56,7 +56,7 @@ class World {
   void set_memory(std::size_t memory);  // from the next update on
 
   struct Change {
-    std::size_t grown = 0;   // strands that were grown anew
+    std::size_t grown = 0;  // strands that were grown anew
     std::size_t strands = 0;
   };
   /// Brings strands, skin and eyes up to date. Fails with too_large when memory does not do, with unavailable when

@@ -40,7 +40,8 @@ class PictureTracer {
  public:
   virtual ~PictureTracer() = default;
 
-  /// Begins a picture of the scene as it is now, of no passes; the revision. Fails as Tracer::begin and FrameService do.
+  /// Begins a picture of the scene as it is now, of no passes; the revision. Fails as Tracer::begin and FrameService
+  /// do.
   virtual Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                  const GoOn& go_on) = 0;
   /// As Tracer::add_pass.

@@ -34,25 +34,28 @@ const std::array<Place, 12>& places() {
   static const auto own = [](SceneSettings&) {};
   static const auto white = [](SceneSettings& s) { s.coat.ramp = plain(glm::vec3(0.9f)); };
   static const auto dark = [](SceneSettings& s) { s.coat.ramp = plain(glm::vec3(0.03f)); };
-  static const auto fine = [](SceneSettings& s) { s.coat.width_root = 0.0005, s.coat.width_tip = 0.0002, s.coat.count = 20000; };
+  static const auto fine = [](SceneSettings& s) {
+    s.coat.width_root = 0.0005, s.coat.width_tip = 0.0002, s.coat.count = 20000;
+  };
   static const auto curls = [](SceneSettings& s) { s.coat.curl = 0.08, s.coat.curl_together = 0.7; };
   static const auto wet = [](SceneSettings& s) { s.coat.wetness = 0.8; };
   static const auto rim = [](SceneSettings& s) {
     s.lights = {{.kind = LightKind::directional, .direction = {0.3, -0.4, 1}, .intensity = 1.5}};
   };
   static const auto kajiya_kay = [](SceneSettings& s) { s.look.shading = ShadingModel::kajiya_kay; };
-  static const std::array<Place, 12> result{{{"sphere", {Builtin::sphere, 4000}, {}, own},
-                                             {"sphere, white", {Builtin::sphere, 4000}, {}, white},
-                                             {"sphere, dark", {Builtin::sphere, 4000}, {}, dark},
-                                             {"sphere, fine hair", {Builtin::sphere, 4000}, {}, fine},
-                                             {"sphere, lit from behind", {Builtin::sphere, 4000}, {}, rim},
-                                             {"torus, sleek", {Builtin::torus, 4000}, {.length = 0.02, .inclination = 0.9}, own},
-                                             {"torus, long", {Builtin::torus, 4000}, {.length = 0.06, .inclination = 0.6}, own},
-                                             {"torus, curls", {Builtin::torus, 4000}, {}, curls},
-                                             {"torus, wet", {Builtin::torus, 4000}, {}, wet},
-                                             {"creature", {Builtin::creature, 8000}, {}, own},
-                                             {"creature, white", {Builtin::creature, 8000}, {}, white},
-                                             {"creature, Kajiya-Kay", {Builtin::creature, 8000}, {}, kajiya_kay}}};
+  static const std::array<Place, 12> result{
+      {{"sphere", {Builtin::sphere, 4000}, {}, own},
+       {"sphere, white", {Builtin::sphere, 4000}, {}, white},
+       {"sphere, dark", {Builtin::sphere, 4000}, {}, dark},
+       {"sphere, fine hair", {Builtin::sphere, 4000}, {}, fine},
+       {"sphere, lit from behind", {Builtin::sphere, 4000}, {}, rim},
+       {"torus, sleek", {Builtin::torus, 4000}, {.length = 0.02, .inclination = 0.9}, own},
+       {"torus, long", {Builtin::torus, 4000}, {.length = 0.06, .inclination = 0.6}, own},
+       {"torus, curls", {Builtin::torus, 4000}, {}, curls},
+       {"torus, wet", {Builtin::torus, 4000}, {}, wet},
+       {"creature", {Builtin::creature, 8000}, {}, own},
+       {"creature, white", {Builtin::creature, 8000}, {}, white},
+       {"creature, Kajiya-Kay", {Builtin::creature, 8000}, {}, kajiya_kay}}};
   return result;
 }
 
@@ -96,8 +99,10 @@ void compare_methods(Renderer& renderer, const Place& place, const Options& opti
     const Result<PictureError> error = compare(strands, shells, union_of(alpha_mask(strands), alpha_mask(shells)));
     std::printf("  coverage %5.3f luminance %5.3f FLIP %.3f", coverage_of(shells) / coverage_of(strands),
                 luminance_of(shells) / luminance_of(strands), error && error->figures ? error->figures->flip.mean : -1);
-    if (!options.out.empty()) save(renderer, frame, shells, options.out + "/" + place.name + (tier == Tier::detailed ? " d.png" : " i.png"));
-    if (!options.out.empty() && tier == Tier::detailed) save(renderer, frame, strands, options.out + "/" + place.name + " s.png");
+    if (!options.out.empty())
+      save(renderer, frame, shells, options.out + "/" + place.name + (tier == Tier::detailed ? " d.png" : " i.png"));
+    if (!options.out.empty() && tier == Tier::detailed)
+      save(renderer, frame, strands, options.out + "/" + place.name + " s.png");
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -111,11 +116,16 @@ int main(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
-    if (name == "--paths") options.paths = true;
-    else if (name == "--size" && i + 1 < argc) options.size = std::atoi(argv[++i]);
-    else if (name == "--passes" && i + 1 < argc) options.passes = std::atoi(argv[++i]);
-    else if (name == "--out" && i + 1 < argc) options.out = argv[++i];
-    else return std::fprintf(stderr, "unknown option %s\n", name.c_str()), 2;
+    if (name == "--paths")
+      options.paths = true;
+    else if (name == "--size" && i + 1 < argc)
+      options.size = std::atoi(argv[++i]);
+    else if (name == "--passes" && i + 1 < argc)
+      options.passes = std::atoi(argv[++i]);
+    else if (name == "--out" && i + 1 < argc)
+      options.out = argv[++i];
+    else
+      return std::fprintf(stderr, "unknown option %s\n", name.c_str()), 2;
   }
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;

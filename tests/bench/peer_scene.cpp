@@ -131,10 +131,12 @@ Fit fit_of(const std::vector<Run>& runs) {
 Fit print_runs(const std::string& name, const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.samples == 0) continue;
-    std::printf("%-8s %5d samples  RMSE %.5f  wall %7.2f s  CPU %7.2f s\n", name.c_str(), run.samples, run.error, run.wall, run.cpu);
+    std::printf("%-8s %5d samples  RMSE %.5f  wall %7.2f s  CPU %7.2f s\n", name.c_str(), run.samples, run.error,
+                run.wall, run.cpu);
   }
   const Fit fit = fit_of(runs);
-  std::printf("%-8s RMSE %.4f N^%.3f, CPU %.2f s + %.4f s N\n", name.c_str(), fit.at_one, fit.power, fit.start, fit.each);
+  std::printf("%-8s RMSE %.4f N^%.3f, CPU %.2f s + %.4f s N\n", name.c_str(), fit.at_one, fit.power, fit.start,
+              fit.each);
   return fit;
 }
 
@@ -155,8 +157,8 @@ void print_likeness(const FloatImage& ours, const FloatImage& theirs) {
   const Result<PictureError> error = compare(theirs, ours, union_of(alpha_mask(ours), alpha_mask(theirs)));
   if (!error || !error->figures) stop("cannot be compared");
   std::printf("ours over theirs: luminance %.4f, coverage %.4f; FLIP mean %.4f, 95th percentile %.4f; RMSE %.5f\n",
-              mean_luminance(ours) / mean_luminance(theirs), coverage(ours) / coverage(theirs), error->figures->flip.mean,
-              error->figures->flip.percentile_95, error->figures->rmse);
+              mean_luminance(ours) / mean_luminance(theirs), coverage(ours) / coverage(theirs),
+              error->figures->flip.mean, error->figures->flip.percentile_95, error->figures->rmse);
 }
 
 void compare_all(Renderer& renderer, const Options& options) {
@@ -189,17 +191,24 @@ int main(int argc, char** argv) {
   using namespace pelage::bench;
   const std::string action = argc > 2 ? argv[1] : "";
   const int first = action == "write" ? 3 : 4;
-  if ((action != "write" && action != "compare") || argc < first) return std::fprintf(stderr, "write or compare, and a folder\n"), 2;
+  if ((action != "write" && action != "compare") || argc < first)
+    return std::fprintf(stderr, "write or compare, and a folder\n"), 2;
   Options options{.folder = argv[2], .peer = first == 4 ? argv[3] : ""};
   for (int i = first; i + 1 < argc; i += 2) {
     const std::string name = argv[i];
-    if (name == "--size") options.size = std::atoi(argv[i + 1]);
-    else if (name == "--passes") options.passes = std::atoi(argv[i + 1]);
-    else if (name == "--truth") options.truth = std::atoi(argv[i + 1]);
-    else return std::fprintf(stderr, "unknown option %s\n", name.c_str()), 2;
+    if (name == "--size")
+      options.size = std::atoi(argv[i + 1]);
+    else if (name == "--passes")
+      options.passes = std::atoi(argv[i + 1]);
+    else if (name == "--truth")
+      options.truth = std::atoi(argv[i + 1]);
+    else
+      return std::fprintf(stderr, "unknown option %s\n", name.c_str()), 2;
   }
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  if (action == "write") write_all(*opened.renderer, options);
-  else compare_all(*opened.renderer, options);
+  if (action == "write")
+    write_all(*opened.renderer, options);
+  else
+    compare_all(*opened.renderer, options);
 }

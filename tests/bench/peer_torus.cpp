@@ -36,14 +36,17 @@ Listed write_strands(const FurModel& model, const FurFields& fields, const FurFr
     for (std::size_t i = 0; i < set.points.size(); ++i) {
       const StrandPoint& point = set.points[i];
       const glm::vec3 sigma_a = shading.absorption(unpack_colour(set.colours[i]));
-      numbers.insert(numbers.end(), {point.place.x, point.place.y, point.place.z, point.radius, sigma_a.r, sigma_a.g, sigma_a.b});
+      numbers.insert(numbers.end(),
+                     {point.place.x, point.place.y, point.place.z, point.radius, sigma_a.r, sigma_a.g, sigma_a.b});
     }
     put(file, std::span<const float>(numbers));
   }
   return listed;
 }
 
-std::ostream& operator<<(std::ostream& out, glm::vec3 v) { return out << '[' << v.x << ", " << v.y << ", " << v.z << ']'; }
+std::ostream& operator<<(std::ostream& out, glm::vec3 v) {
+  return out << '[' << v.x << ", " << v.y << ", " << v.z << ']';
+}
 
 void write_settings(const FurFrame& frame, std::ostream& out) {
   const FurCamera& camera = frame.camera;
@@ -51,11 +54,12 @@ void write_settings(const FurFrame& frame, std::ostream& out) {
   const FibreOptics& fibre = frame.look.fibre;
   const auto ambient = static_cast<float>(frame.look.ambient);
   out.precision(9);
-  out << "  \"width\": " << frame.width << ", \"height\": " << frame.height << ", \"bounces\": " << frame.knobs.trace.bounces
-      << ",\n  \"camera\": {\"eye\": " << camera.eye << ", \"right\": " << camera.right << ", \"up\": " << camera.up
-      << ", \"forward\": " << camera.forward << ", \"tan_half_fov\": " << camera.tan_half_fov
-      << "},\n  \"lamp\": {\"direction\": " << lamp.direction << ", \"half_angle\": " << lamp.angle
-      << ", \"radiance\": " << lamp.radiance << "},\n  \"environment\": " << ambient * frame.environment.sky
+  out << "  \"width\": " << frame.width << ", \"height\": " << frame.height
+      << ", \"bounces\": " << frame.knobs.trace.bounces << ",\n  \"camera\": {\"eye\": " << camera.eye
+      << ", \"right\": " << camera.right << ", \"up\": " << camera.up << ", \"forward\": " << camera.forward
+      << ", \"tan_half_fov\": " << camera.tan_half_fov << "},\n  \"lamp\": {\"direction\": " << lamp.direction
+      << ", \"half_angle\": " << lamp.angle << ", \"radiance\": " << lamp.radiance
+      << "},\n  \"environment\": " << ambient * frame.environment.sky
       << ",\n  \"skin\": " << frame.coat.ramp.front().colour
       << ",\n  \"fibre\": {\"longitudinal_roughness\": " << fibre.longitudinal_roughness
       << ", \"azimuthal_roughness\": " << fibre.azimuthal_roughness << ", \"cuticle_tilt\": " << fibre.cuticle_tilt
@@ -72,7 +76,8 @@ testing::FurredModel peer_torus() {
   coat.ramp = {{0, {.20f, .10f, .05f}}, {1, {.52f, .33f, .18f}}};
   model.settings.look.colour_source = ColourSource::coat;
   model.settings.look.skin = coat.ramp.front().colour;
-  model.settings.lights = {{.kind = LightKind::directional, .direction = {-0.5, -0.8, -0.6}, .intensity = 2.5, .angle_degrees = 5}};
+  model.settings.lights = {
+      {.kind = LightKind::directional, .direction = {-0.5, -0.8, -0.6}, .intensity = 2.5, .angle_degrees = 5}};
   return model;
 }
 

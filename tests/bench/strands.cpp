@@ -30,16 +30,26 @@ Options options_of(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
     const char* value = i + 1 < argc ? argv[i + 1] : "";
-    if (name == "--paths") options.paths = true;
-    else if (name == "--stroke") options.stroke = true;
-    else if (name == "--converge") options.truth = std::atoi(value), ++i;
-    else if (name == "--ply") options.ply = value, ++i;
-    else if (name == "--out") options.out = value, ++i;
-    else if (name == "--count") options.count = std::atoi(value), ++i;
-    else if (name == "--size") options.size = std::atoi(value), ++i;
-    else if (name == "--passes") options.passes = std::atoi(value), ++i;
-    else if (name == "--threads") options.threads = std::atoi(value), ++i;
-    else std::fprintf(stderr, "unknown option %s\n", name.c_str()), std::exit(2);
+    if (name == "--paths")
+      options.paths = true;
+    else if (name == "--stroke")
+      options.stroke = true;
+    else if (name == "--converge")
+      options.truth = std::atoi(value), ++i;
+    else if (name == "--ply")
+      options.ply = value, ++i;
+    else if (name == "--out")
+      options.out = value, ++i;
+    else if (name == "--count")
+      options.count = std::atoi(value), ++i;
+    else if (name == "--size")
+      options.size = std::atoi(value), ++i;
+    else if (name == "--passes")
+      options.passes = std::atoi(value), ++i;
+    else if (name == "--threads")
+      options.threads = std::atoi(value), ++i;
+    else
+      std::fprintf(stderr, "unknown option %s\n", name.c_str()), std::exit(2);
   }
   return options;
 }
@@ -47,7 +57,8 @@ Options options_of(int argc, char** argv) {
 /// The plush of ../shared/look.
 testing::FurredModel plush(const Options& options) {
   const FirstGroom fur{.length = 0.042, .inclination = 0.42};
-  testing::FurredModel model = options.ply.empty() ? testing::furred({Builtin::creature, 20000}, fur) : testing::furred_ply(options.ply, fur);
+  testing::FurredModel model =
+      options.ply.empty() ? testing::furred({Builtin::creature, 20000}, fur) : testing::furred_ply(options.ply, fur);
   Coat& coat = model.settings.coat;
   coat.count = options.count, coat.width_root = 0.00044, coat.width_tip = 0.00011, coat.root_share = 0.15;
   coat.clump = 0.45, coat.clump_size = 0.025, coat.fine_clump = 0.6, coat.fine_clump_size = 0.008, coat.curl = 0.01;
@@ -136,7 +147,8 @@ void converge(Renderer& renderer, const Options& options) {
   trace_to_end(tracer, [&](const TraceReport& report) {
     if ((report.passes & (report.passes - 1)) != 0) return;
     const FloatImage picture = tracer.layer(FrameLayer::beauty);
-    const double error = root_mean_square(picture, truth), brightest = *std::max_element(picture.rgba.begin(), picture.rgba.end());
+    const double error = root_mean_square(picture, truth),
+                 brightest = *std::max_element(picture.rgba.begin(), picture.rgba.end());
     const double log_passes = std::log2(report.passes), log_error = std::log2(error);
     n += 1, x += log_passes, y += log_error, xx += log_passes * log_passes, xy += log_passes * log_error;
     std::printf("%5d passes: RMSE %.5f, brightest %.2f, %.0f ms\n", report.passes, error, brightest, report.trace_ms);

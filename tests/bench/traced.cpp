@@ -18,7 +18,8 @@ bool always() { return true; }
 
 }  // namespace
 
-FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request) {
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model,
+                     const FrameRequest& request) {
   const SceneView view = model.view();
   sync_scene(renderer, view, {});
   const FurFrame frame = make_frame(view, request);

@@ -10,7 +10,8 @@
 namespace pelage::bench {
 
 /// Begins a picture of the model; ends the program when it cannot. The frame is answered.
-FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request);
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model,
+                     const FrameRequest& request);
 
 /// Adds passes until the request's end, and says after each what there is. Ends the program on failure.
 void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>& after_pass = {});

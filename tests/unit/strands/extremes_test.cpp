@@ -10,9 +10,9 @@
 namespace pelage {
 namespace {
 
-constexpr std::array all_layers{FrameLayer::beauty,  FrameLayer::alpha,  FrameLayer::depth,  FrameLayer::position,
-                                FrameLayer::normal,  FrameLayer::tangent, FrameLayer::albedo, FrameLayer::direct,
-                                FrameLayer::shadow,  FrameLayer::layer_count};
+constexpr std::array all_layers{FrameLayer::beauty, FrameLayer::alpha,      FrameLayer::depth,  FrameLayer::position,
+                                FrameLayer::normal, FrameLayer::tangent,    FrameLayer::albedo, FrameLayer::direct,
+                                FrameLayer::shadow, FrameLayer::layer_count};
 constexpr std::array both{Transport::transmittance, Transport::paths};
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -135,8 +135,8 @@ TEST_F(Extremes, LightsAnywhere) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat});
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
-    for (const glm::vec3 place : {knot(strands, 5, 0).place, knot(strands, 5, 3).place, glm::vec3(0), glm::vec3(0, 0, 0.25f),
-                                  glm::vec3(0, 1e6f, 0), glm::vec3(0, 1e30f, 0)}) {
+    for (const glm::vec3 place : {knot(strands, 5, 0).place, knot(strands, 5, 3).place, glm::vec3(0),
+                                  glm::vec3(0, 0, 0.25f), glm::vec3(0, 1e6f, 0), glm::vec3(0, 1e30f, 0)}) {
       for (const float radiance : {0.0f, 1.0f, 1e8f}) {
         frame.lights = {point_at(place, radiance)};
         for (const float radius : {0.0f, 10.0f}) {
@@ -197,15 +197,15 @@ TEST_F(Extremes, CamerasAnywhere) {
     for (const float tan_half_fov : {0.0087f, 3.73f}) {  // 1 and 150 degrees
       FurFrame frame = usual(transport);
       frame.camera.tan_half_fov = tan_half_fov;
-      trace(looking(frame, {0, 0, 0.27f}, {0, 0, -1}));             // inside the fur
-      trace(looking(frame, {0, 0, 0.25f}, {0, 0, -1}));             // on the skin
-      trace(looking(frame, {0, 0, 0.25f}, {1, 0, 0}));              // along it
-      trace(looking(frame, {0, 0, 0}, {0, 0, -1}));                 // inside the body
-      trace(looking(frame, knot(strands, 5, 0).place, along));      // inside a strand
+      trace(looking(frame, {0, 0, 0.27f}, {0, 0, -1}));         // inside the fur
+      trace(looking(frame, {0, 0, 0.25f}, {0, 0, -1}));         // on the skin
+      trace(looking(frame, {0, 0, 0.25f}, {1, 0, 0}));          // along it
+      trace(looking(frame, {0, 0, 0}, {0, 0, -1}));             // inside the body
+      trace(looking(frame, knot(strands, 5, 0).place, along));  // inside a strand
       trace(looking(frame, tip(strands, 5).place + along, -along));
       trace(looking(frame, {0, 0, 1e6f}, {0, 0, -1}));
       trace(looking(frame, {0, -1e6f, 0}, {0, 1, 0}));
-      trace(looking(frame, {0, 1e20f, 1e20f}, {0, -1, -1}));        // beyond what Embree takes
+      trace(looking(frame, {0, 1e20f, 1e20f}, {0, -1, -1}));  // beyond what Embree takes
       trace(looking(frame, {1e37f, 0, 0}, {-1, 0, 0}));
     }
   }
@@ -272,7 +272,8 @@ TEST_F(Extremes, ABasePictureOfAnything) {
     for (const Transport transport : both) {
       const FurPatch bald = fur_ball(0);
       const FurFrame frame = usual(transport);
-      ASSERT_TRUE(tracer_.begin(bald.model(), bald.fields(), frame, {any, any, any, any, any}, all_layers, always).ok());
+      ASSERT_TRUE(
+          tracer_.begin(bald.model(), bald.fields(), frame, {any, any, any, any, any}, all_layers, always).ok());
       ASSERT_TRUE(tracer_.add_pass(always).ok());
       expect_sane(tracer_);
     }

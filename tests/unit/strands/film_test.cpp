@@ -51,9 +51,9 @@ TEST(Film, LayersOfAPixelThatIsHalfCovered) {
   const struct {
     FrameLayer layer;
     glm::vec3 value;
-  } rows[] = {{FrameLayer::position, {1, 2, 3}},         {FrameLayer::normal, {0, 1, 0}},
-              {FrameLayer::tangent, {1, 0, 0}},          {FrameLayer::albedo, {0.4f, 0.2f, 0.1f}},
-              {FrameLayer::direct, glm::vec3(0.75f)},    {FrameLayer::shadow, glm::vec3(0.25f)},
+  } rows[] = {{FrameLayer::position, {1, 2, 3}},      {FrameLayer::normal, {0, 1, 0}},
+              {FrameLayer::tangent, {1, 0, 0}},       {FrameLayer::albedo, {0.4f, 0.2f, 0.1f}},
+              {FrameLayer::direct, glm::vec3(0.75f)}, {FrameLayer::shadow, glm::vec3(0.25f)},
               {FrameLayer::layer_count, glm::vec3(4)}};
   for (const auto& row : rows) {
     const glm::vec4 found = pixel_of(film, row.layer);
@@ -123,8 +123,7 @@ TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
       for (int pixel = 0; pixel < 512; ++pixel) {
         const int x = pixel % 32, y = pixel / 32;
         const float mean = x < 16 ? 0.05f : 0.4f + 0.01f * float(y);
-        for (std::uint32_t i = 0; i < samples; ++i)
-          film.add(x, y, hit(sample_about(mean, std::uint32_t(pixel), i)));
+        for (std::uint32_t i = 0; i < samples; ++i) film.add(x, y, hit(sample_about(mean, std::uint32_t(pixel), i)));
         const double factor = std::exp2(exposure), found = double(pixel_of(film, FrameLayer::beauty, x, y).g);
         error[x / 16] += std::abs(shown(factor * found) - shown(factor * double(mean))) / 256;
       }
@@ -144,8 +143,8 @@ TEST(Film, NoiseOfWhatIsNotKnown) {
       film.add(pixel % 20, pixel / 20, pixel < 16 ? hit(float(i)) : FilmSample{});
   }
   EXPECT_GT(film.noise(0, 0), 0);
-  EXPECT_EQ(film.noise(3, 0), 0);                // nothing seen there
-  EXPECT_EQ(film.noise(0), film.noise(0, 0));    // and it does not count
+  EXPECT_EQ(film.noise(3, 0), 0);              // nothing seen there
+  EXPECT_EQ(film.noise(0), film.noise(0, 0));  // and it does not count
   const std::vector<FrameLayer> alpha{FrameLayer::alpha};
   EXPECT_TRUE(std::isinf(Film(4, 4, alpha, false).noise(0)));
 }

@@ -179,10 +179,16 @@ TEST(Filter, MixesNothingIntoWhatIsEmpty) {
       const std::size_t i = 4 * std::size_t(y * side + x);
       const glm::vec3 colour = rgb(after, x, y);
       const float alpha = after.rgba[i + 3];
-      if (away > 2.5f) { EXPECT_EQ(colour, glm::vec3(0)) << x << ' ' << y; }
-      if (away > 2.5f && y < 40) { EXPECT_EQ(alpha, 0) << x << ' ' << y; }
+      if (away > 2.5f) {
+        EXPECT_EQ(colour, glm::vec3(0)) << x << ' ' << y;
+      }
+      if (away > 2.5f && y < 40) {
+        EXPECT_EQ(alpha, 0) << x << ' ' << y;
+      }
       if (away > 8 && y > 60) spread = std::max(spread, std::abs(double(alpha) - 0.25));
-      if (away < -2.5f) { EXPECT_EQ(alpha, 1); }
+      if (away < -2.5f) {
+        EXPECT_EQ(alpha, 1);
+      }
       for (int c = 0; c < 4; ++c) {
         sum_before[c] += double(before.rgba[i + std::size_t(c)]);
         sum_after[c] += double(after.rgba[i + std::size_t(c)]);

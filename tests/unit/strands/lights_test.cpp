@@ -165,8 +165,12 @@ TEST(StrandLights, RectangleShinesToOneSideByTheCosine) {
 TEST(StrandLights, ExtremesStayFinite) {
   for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot, LightKind::area}) {
     for (const float radius : {0.0f, 1e-4f, 0.05f, 10.0f}) {
-      const FurLight light{.kind = kind, .radiance = glm::vec3(1e8f), .soft_cone = 1, .angle = radius,
-                           .radius = radius, .extent = glm::vec2(radius)};
+      const FurLight light{.kind = kind,
+                           .radiance = glm::vec3(1e8f),
+                           .soft_cone = 1,
+                           .angle = radius,
+                           .radius = radius,
+                           .extent = glm::vec2(radius)};
       const StrandLights lights = lights_of(light);
       for (const glm::vec3 place : {glm::vec3(0), glm::vec3(0, -1e-20f, 0), glm::vec3(radius, 0, 0),
                                     glm::vec3(0, -radius, 0), glm::vec3(0, -1e6f, 0), glm::vec3(1e6f, 1e6f, 1e6f)}) {

@@ -139,7 +139,9 @@ TEST(TraceExtremes, FiniteForAnyScene) {
   const FurPatch ball = fur_ball(0.05f);
   for (const Transport transport : {Transport::transmittance, Transport::paths}) {
     const FurFrame usual = frame_at(12, coat_of(glm::vec3(0.5f), 400), transport, 2);
-    const auto looks_finite = [&](const FurPatch& fur, const FurFrame& frame) { expect_finite(traced(fur, frame).beauty); };
+    const auto looks_finite = [&](const FurPatch& fur, const FurFrame& frame) {
+      expect_finite(traced(fur, frame).beauty);
+    };
     looks_finite(fur_ball(0), usual);
     looks_finite(fur_ball(10), usual);
     for (const double width : {0.0, 0.05}) {
@@ -153,7 +155,8 @@ TEST(TraceExtremes, FiniteForAnyScene) {
     for (const float distance : {0.251f, 0.27f, 0.0f, 1e6f}) {  // lights inside the fur, inside the body, far away
       FurFrame frame = usual;
       FurLight lamp;
-      lamp.kind = LightKind::point, lamp.position = {0, 0, distance}, lamp.radiance = glm::vec3(1e8f), lamp.radius = 0.01f;
+      lamp.kind = LightKind::point, lamp.position = {0, 0, distance}, lamp.radiance = glm::vec3(1e8f),
+      lamp.radius = 0.01f;
       frame.lights = {lamp};
       looks_finite(ball, frame);
       frame.camera.eye = {0, 0, distance};
@@ -177,7 +180,8 @@ TEST(TraceExtremes, APictureBeyondTheMemoryIsRefused) {
   FurFrame frame = frame_at(8192, coat_of(glm::vec3(0.5f), 10), Transport::transmittance, 1);
   Tracer tracer(1, std::size_t{256} << 20, false);
   const FurPatch ball = fur_ball(0.03f);
-  const Status status = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  const Status status =
+      tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
   EXPECT_EQ(status.code, Code::too_large);
   EXPECT_EQ(status.pointer, "/width");
 }

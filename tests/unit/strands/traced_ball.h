@@ -35,7 +35,8 @@ inline FurPatch fur_ball(float fur) {
   const auto at = [](int x, int y) { return static_cast<unsigned>(y * (columns + 1) + x); };
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
-      for (const glm::uvec3 t : {glm::uvec3(at(x, y), at(x, y + 1), at(x + 1, y + 1)), glm::uvec3(at(x, y), at(x + 1, y + 1), at(x + 1, y))}) {
+      for (const glm::uvec3 t : {glm::uvec3(at(x, y), at(x, y + 1), at(x + 1, y + 1)),
+                                 glm::uvec3(at(x, y), at(x + 1, y + 1), at(x + 1, y))}) {
         ball.add(t);
         for (int k = 0; k < 3; ++k) {
           FurCorner& corner = ball.corners.back()[static_cast<std::size_t>(k)];
@@ -83,7 +84,8 @@ struct Traced {
 
 inline Traced traced(const FurPatch& fur, const FurFrame& frame, int threads = 2) {
   Tracer tracer(threads, plenty, false);
-  const Status begun = tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  const Status begun =
+      tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
   EXPECT_TRUE(begun.ok()) << begun.message;
   while (begun.ok() && tracer.report().end == TraceEnd::none) EXPECT_TRUE(tracer.add_pass(always).ok());
   return {tracer.layer(FrameLayer::beauty), tracer.report()};

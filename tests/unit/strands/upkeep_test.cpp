@@ -41,7 +41,8 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
     if (traced_in(tracer, bald, frame).ok()) {  // then with the skin, which may have been what did not fit
       EXPECT_GT(mean_of(tracer.layer(FrameLayer::beauty)).alpha, 10) << memory;
     }
-    const Status fits = tracer.begin(small.model(), small.fields(), less, nothing(), std::array{FrameLayer::beauty}, always);
+    const Status fits =
+        tracer.begin(small.model(), small.fields(), less, nothing(), std::array{FrameLayer::beauty}, always);
     EXPECT_TRUE(fits.ok()) << memory << " " << fits.message;
     EXPECT_TRUE(tracer.add_pass(always).ok());
     EXPECT_EQ(traced_in(tracer, ball, frame).code, status.code) << memory;

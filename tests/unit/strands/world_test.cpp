@@ -132,7 +132,8 @@ TEST(World, OnlyWhatChangedIsGrownAgain) {
 TEST(World, TooLittleMemoryIsSaidAndEnoughWorksAgain) {
   const FurPatch patch(0.6, 10);
   World world(200'000);
-  const Result<World::Change> much = world.update(patch.model(), patch.fields(), {}, {plain_coat(4000)}, {2, false}, always);
+  const Result<World::Change> much =
+      world.update(patch.model(), patch.fields(), {}, {plain_coat(4000)}, {2, false}, always);
   ASSERT_FALSE(much);
   EXPECT_EQ(much.status().code, Code::too_large);
   EXPECT_EQ(much.status().pointer, "/quality/trace/strands");
@@ -145,7 +146,8 @@ TEST(World, GrowingStopsWhenNobodyWaits) {
   World world(plenty);
   int asked = 0;
   const auto twice = [&asked] { return ++asked <= 2; };
-  const Result<World::Change> change = world.update(patch.model(), patch.fields(), {}, {plain_coat(4000)}, {1, false}, twice);
+  const Result<World::Change> change =
+      world.update(patch.model(), patch.fields(), {}, {plain_coat(4000)}, {1, false}, twice);
   ASSERT_FALSE(change);
   EXPECT_EQ(change.status().code, Code::unavailable);
   EXPECT_EQ(asked, 3);
