@@ -25,7 +25,9 @@ def main(arguments):
     script = str(pathlib.Path(__file__).with_name("cycles.py"))
     cycles = [blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", str(folder)]
     counts = [str(4 ** i) for i in range(16) if 4 ** i <= int(most)]
-    quiet = {"check": True, "stdout": subprocess.DEVNULL}
+    # The Python inside blender looks for its library by the first python3 of PATH: let it be blender's neighbour.
+    path = os.pathsep.join([str(pathlib.Path(blender).parent), os.environ["PATH"]])
+    quiet = {"check": True, "stdout": subprocess.DEVNULL, "env": {**os.environ, "PATH": path}}
     subprocess.run(bench + ["write", str(folder), "--size", size, "--passes", most, "--truth", truth], check=True)
     subprocess.run(cycles + [",".join(counts)], **quiet)
     subprocess.run(cycles + [truth, "7", "truth"], **quiet)
