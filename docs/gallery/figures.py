@@ -246,7 +246,7 @@ FIGURES = [
                        {"count": 5700, "root_share": 0.15, "clump": 0.45, "clump_size": 0.02, "fine_clump": 0.6, "curl": 0.02,
                         "ramp": [{"at": 0, "colour": [0.30, 0.29, 0.28]}, {"at": 0.5, "colour": [0.50, 0.48, 0.46]}, {"at": 1, "colour": [0.72, 0.70, 0.67]}]},
                        {"specular": 0.1}),
-                      ("agouti", shared("cat.obj", front="-z"), 0.036, 0.72,
+                      ("agouti", shared("cat.obj", front="-x"), 0.036, 0.72,
                        {"count": 10500, "root_share": 0.45, "clump": 0.25, "clump_size": 0.02, "fine_clump": 0.4,
                         "ramp": [{"at": 0, "colour": [0.18, 0.12, 0.09]}, {"at": 0.5, "colour": [0.62, 0.24, 0.05]}, {"at": 1, "colour": [0.30, 0.12, 0.04]}]},
                        {"specular": 0.15, "diffuse": 0.65}),
