@@ -131,7 +131,6 @@ class BadFrames(ServedTest):
 
     def test_what_is_not_built(self):
         self.assert_problem(self.scene.post("frames", {"budget_ms": 40}), 422, "/budget_ms")
-        self.assert_problem(self.scene.post("frames", {"quality": "reference"}), 422, "/quality")
 
     def test_extremes_give_a_picture(self):
         for request in ({"width": 1, "height": 1}, {"width": 8192, "height": 1}, {"exposure": 20}, {"exposure": -20},
