@@ -25,8 +25,7 @@ constexpr double widest = 0.004;     // sizes that strands are widened to becaus
 constexpr double widest_allowed = 0.05;   // sizes that they are widened to because they would be too many
 constexpr std::size_t base_pictures = 5;  // of a BasePicture
 constexpr int judged_passes = 8;          // before them no part of the picture is left for its little noise
-constexpr std::size_t film_part =
-    2;  // a film takes at most one over this of the memory; strands and index have the rest
+constexpr std::size_t film_part = 2;      // a film takes at most one over this of the memory
 
 /// Thins strands out for a view and widens what is left. The share is a power of 1/2, so that a step of the camera
 /// seldom changes it. Wide strands would make a small animal larger than it is, so that from afar no more are left out.
