@@ -57,7 +57,9 @@ FurFrame any_frame() {
   trace.passes = one_of<int>({1, 2}), trace.bounces = one_of<int>({1, 8, 4096}), trace.filter = one_of<int>({0, 1}) == 1;
   trace.strands = one_of<int>({1, 500, 8'000'000}), trace.noise = one_of<double>({0, 0.01, 1});
   trace.seed = one_of<std::uint32_t>({0, 1, 4294967295u});
-  trace.scattering = one_of<StrandScattering>({StrandScattering::look, StrandScattering::energy_conserving});
+  if (trace.transport == Transport::transmittance) {  // paths take no other model than energy_conserving
+    trace.scattering = one_of<StrandScattering>({StrandScattering::look, StrandScattering::energy_conserving});
+  }
   frame.look.shading = one_of<ShadingModel>({ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving,
                                              ShadingModel::scheuermann, ShadingModel::marschner});
   frame.look.fibre.longitudinal_roughness = one_of<double>({0, 0.3, 1});
