@@ -29,6 +29,7 @@ std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
          (frame.knobs.bands > 1 ? "#define BANDS\n" : "") +
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + surroundings_of(frame.environment) +
          shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
+         "#define LAMPS " + std::to_string(frame.lights.size()) + "\n" +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
@@ -145,7 +146,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
   const float furthest = frame.knobs.order == FragmentOrder::sorted ? -2.0f : furthest_averted;
   const auto lists = model.sort_for(
-      gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest});
+      gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest, block.world_to_clip});
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);

@@ -44,6 +44,7 @@ struct LayerView {
   int shells = 16;
   ShellPolicy policy = ShellPolicy::adaptive;
   float furthest = furthest_averted;  // cosine from which on triangles are drawn; -2 draws all
+  glm::mat4 to_clip{1};
 };
 
 /// What a vertex brings: `length` of its fur in sizes, `curvature` of the skin in 1 / sizes.
@@ -54,7 +55,7 @@ struct LayerVertex {
 
 /// How often the number of shells may be halved at a vertex, in [0, sets_of - 1]: layers follow the tangent of the angle
 /// between view and fur and the bending of the skin over the fur's length, as a thick layer goes straight on; they need
-/// not lie closer than half a pixel. Continuous in all of its arguments but the number of shells.
+/// not lie closer than a pixel. Continuous in all of its arguments but the number of shells.
 float layer_level(const LayerView& view, const LayerVertex& vertex);
 
 /// Mean over the edges at each vertex of the change of the normal over the edge's length, 1 / sizes.
@@ -64,20 +65,21 @@ std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<co
 /// Change of level over which pixels of two sets are mixed.
 inline constexpr float dithered_levels = 0.25f;
 
-/// Triangles as seen from an eye, as indices of vertices.
+/// Triangles as seen from an eye, as indices of vertices; for each set those that may show in its pixels.
 struct LayerLists {
-  std::vector<glm::uvec3> facing, averted;  // averted only near outlines: further away they lie behind the skin
-  std::array<std::vector<glm::uvec3>, most_layer_sets> marks;  // those of `facing` that may show pixels of a set
+  using OfSets = std::array<std::vector<glm::uvec3>, most_layer_sets>;
+  OfSets facing, averted;  // averted only near outlines: further away they lie behind the skin
+  OfSets marks;            // those of the facing ones that may ask for a set; none when a frame has one set only
 };
 
 struct LayerMesh {
   std::span<const glm::uvec3> triangles;
   std::span<const glm::vec3> centroids, normals;  // of triangles; normals of any length
-  std::span<const float> levels;                  // of vertices
+  std::span<const glm::vec3> positions;           // of vertices
+  std::span<const float> lengths, levels;
 };
 
-/// Marks are made for `sets` sets; there are none when a frame has one set only.
-LayerLists sort_triangles(const LayerMesh& mesh, glm::vec3 eye, int sets, float furthest = furthest_averted);
+LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view);
 
 /// The triangles of both lists. Nothing else may write the depth of dense fur, or thin parts show holes where
 /// fur that is not drawn hides what is.

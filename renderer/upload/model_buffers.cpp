@@ -239,9 +239,8 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
     levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
-  const LayerMesh mesh{triangles_, centroids_, face_normals_, levels_};
-  const int sets = sets_of(view.shells, view.policy);
-  const LayerLists lists = sort_triangles(mesh, view.eye, sets, view.furthest);
+  const LayerMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_};
+  const LayerLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements(skin_elements());
   const auto append = [&](const std::vector<glm::uvec3>& triangles) {
@@ -251,9 +250,11 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
   };
   DrawLists result = lists_of_skin();
   result.shown = append(shown_triangles(mesh, view.eye));
-  result.facing = append(lists.facing);
-  result.averted = append(lists.averted);
-  for (std::size_t set = 0; set < most_layer_sets; ++set) result.marks[set] = append(lists.marks[set]);
+  for (std::size_t set = 0; set < most_layer_sets; ++set) {
+    result.facing[set] = append(lists.facing[set]);
+    result.averted[set] = append(lists.averted[set]);
+    result.marks[set] = append(lists.marks[set]);
+  }
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);
   return result;

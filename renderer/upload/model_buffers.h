@@ -74,8 +74,7 @@ class ModelBuffers {
   struct DrawLists {
     DrawList all, bare, furred;  // every triangle; those that bare skin may touch, and the others
     DrawList shown;              // those whose fur is drawn
-    DrawList facing, averted;
-    std::array<DrawList, most_layer_sets> marks;  // as LayerLists
+    std::array<DrawList, most_layer_sets> facing, averted, marks;  // as LayerLists
   };
   /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
   DrawLists skin_lists(const Gl& gl);

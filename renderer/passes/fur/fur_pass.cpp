@@ -36,14 +36,15 @@ FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
 namespace {
 
 /// Of all sets, inside out.
-std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const ModelBuffers::DrawList& list, int side) {
+std::vector<FurPass::Shell> shells_of(const Knobs& knobs,
+                                      const std::array<ModelBuffers::DrawList, most_layer_sets>& lists, int side) {
   std::vector<FurPass::Shell> result;
   const int sets = sets_of(knobs.shells, knobs.shell_policy);
   for (int set = 0; set < sets; ++set) {
     const int shells = shells_of_set(knobs.shells, set);
     const SlabSteps slab = steps_of_set(knobs, set);
     for (int shell = 0; shell < shells; ++shell)
-      result.push_back({sets == 1 ? FurPass::every_pixel : set, shell, shells, slab, list, side});
+      result.push_back({sets == 1 ? FurPass::every_pixel : set, shell, shells, slab, lists[static_cast<std::size_t>(set)], side});
   }
   const auto height = [](const FurPass::Shell& s) { return (s.shell + 0.5) / s.shells; };
   std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
@@ -150,7 +151,7 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {every_pixel, shell, solid_shells, {1, 4}, drawing.lists.shown, 1});
+    draw_shell(gl, solid, {every_pixel, shell, solid_shells, {1, 1}, drawing.lists.shown, 1});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

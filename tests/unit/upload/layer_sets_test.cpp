@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+
+#include "renderer/upload/set_cells.h"
 
 namespace pelage {
 namespace {
@@ -25,15 +28,15 @@ TEST(LayerSets, MoreLayersTowardsTheOutline) {
 
 TEST(LayerSets, FurThatIsSmallOnThePictureNeedsFew) {
   const glm::vec3 edge = tilted(89);
-  EXPECT_EQ(layer_level(view, {{0, 0, 0}, edge, 0.1f, 0}), 0);           // 20 pixels
-  EXPECT_NEAR(layer_level(view, {{0, 0, 0}, edge, 0.04f, 0}), 1, 0.01);  // 8 pixels
-  EXPECT_EQ(layer_level(view, {{0, 0, 0}, edge, 0.01f, 0}), 2);          // 2 pixels
+  EXPECT_EQ(layer_level(view, {{0, 0, 0}, edge, 0.2f, 0}), 0);           // 40 pixels
+  EXPECT_NEAR(layer_level(view, {{0, 0, 0}, edge, 0.08f, 0}), 1, 0.01);  // 16 pixels
+  EXPECT_EQ(layer_level(view, {{0, 0, 0}, edge, 0.02f, 0}), 2);          // 4 pixels
 }
 
 TEST(LayerSets, BentSkinNeedsMore) {
-  const auto level = [](float curvature) { return layer_level(view, {{0, 0, 0}, tilted(0), 0.1f, curvature}); };
+  const auto level = [](float curvature) { return layer_level(view, {{0, 0, 0}, tilted(0), 0.2f, curvature}); };
   EXPECT_EQ(level(0), 2);
-  EXPECT_LT(level(10), level(7));
+  EXPECT_LT(level(5), level(4));
   EXPECT_EQ(level(100), 0);
 }
 
@@ -89,24 +92,67 @@ TEST(LayerSets, ShellsAndSteps) {
   EXPECT_EQ(steps_of_set(knobs(1024, 16, 4), 2), (SlabSteps{1, 16}));
 }
 
+/// Three triangles of three vertices each about `places`: one that faces the eye, one turned a little away, one far.
+struct ThreeTriangles {
+  std::vector<glm::uvec3> triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  std::vector<glm::vec3> centroids = std::vector<glm::vec3>(3, glm::vec3(0));
+  std::vector<glm::vec3> normals = {{0, 0, 1}, {1, 0, -0.2f}, {0, 0, -1}};
+  std::vector<glm::vec3> positions = std::vector<glm::vec3>(9, glm::vec3(0));
+  std::vector<float> lengths = std::vector<float>(9, 0.01f);
+
+  LayerLists sorted(std::array<float, 3> levels, int shells) const {
+    std::vector<float> all;
+    for (int i = 0; i < 3; ++i) all.insert(all.end(), levels.begin(), levels.end());
+    LayerView seen = view;
+    seen.shells = shells;
+    seen.to_clip[3] = {0, 0, 0, 10};  // straight on, from 10 away
+    return sort_triangles({triangles, centroids, normals, positions, lengths, all}, seen);
+  }
+};
+
 TEST(LayerSets, EverySetIsMarkedWhereItMayShow) {
-  const std::vector<glm::uvec3> triangles = {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}};
-  const std::vector<glm::vec3> centroids(3, glm::vec3(0)), normals = {{0, 0, 1}, {1, 0, -0.2f}, {0, 0, -1}};
-  const auto lists_of = [&](std::vector<float> levels, int sets) {
-    return sort_triangles({triangles, centroids, normals, levels}, view.eye, sets);
-  };
-  const LayerLists all = lists_of({0, 0.5f, 2}, 3);
-  EXPECT_EQ(all.facing.size(), 1u);
-  EXPECT_EQ(all.averted.size(), 1u);                             // the third is turned too far away
+  const ThreeTriangles mesh;
+  const LayerLists all = mesh.sorted({0, 0.5f, 2}, 32);
   for (const auto& marks : all.marks) EXPECT_EQ(marks.size(), 1u);  // corners from level 0 to 2
-  const LayerLists two = lists_of({1, 0.6f, 1}, 3);
+  const LayerLists two = mesh.sorted({1, 0.6f, 1}, 32);
   EXPECT_EQ(two.marks[0].size(), 1u);  // dithered from .375 to .625
   EXPECT_EQ(two.marks[1].size(), 1u);
   EXPECT_EQ(two.marks[2].size(), 0u);
-  EXPECT_EQ(lists_of({1, 0.7f, 1}, 3).marks[0].size(), 0u);
-  EXPECT_EQ(lists_of({0, 0, 0}, 1).marks[0].size(), 0u);
-  const std::vector<float> levels(3, 0.0f);
-  EXPECT_EQ(shown_triangles({triangles, centroids, normals, levels}, view.eye).size(), 2u);
+  EXPECT_EQ(mesh.sorted({1, 0.7f, 1}, 32).marks[0].size(), 0u);
+  EXPECT_EQ(mesh.sorted({0, 0, 0}, 8).marks[0].size(), 0u);
+  const std::vector<float> levels(9, 0.0f);
+  EXPECT_EQ(shown_triangles({mesh.triangles, mesh.centroids, mesh.normals, mesh.positions, mesh.lengths, levels}, view.eye).size(),
+            2u);
+}
+
+TEST(LayerSets, ASetIsDrawnWhereItMayBeAskedForAndNowhereElse) {
+  ThreeTriangles mesh;
+  const LayerLists together = mesh.sorted({2, 2, 2}, 32);
+  EXPECT_EQ(together.facing[2].size(), 1u);
+  EXPECT_EQ(together.facing[0].size(), 1u);  // the one that turns away leaves pixels without a mark beside it
+  EXPECT_EQ(together.averted[0].size(), 1u);
+  EXPECT_EQ(together.averted[2].size(), 1u);
+  EXPECT_EQ(together.facing[1].size() + together.averted[1].size(), 0u);
+  for (std::size_t i = 3; i < 6; ++i) mesh.positions[i] = {8, 0, 0};
+  const LayerLists apart = mesh.sorted({2, 2, 2}, 32);
+  EXPECT_EQ(apart.facing[0].size(), 0u);
+  EXPECT_EQ(apart.averted[2].size(), 0u);
+  EXPECT_EQ(apart.averted[0].size(), 1u);
+  const LayerLists one = mesh.sorted({0, 0, 0}, 8);
+  EXPECT_EQ(one.facing[0].size(), 1u);
+  EXPECT_EQ(one.averted[0].size(), 1u);
+}
+
+TEST(SetCells, FurNearTheEyeMayBeEverywhere) {
+  const glm::mat4 to_clip(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0);  // w = z
+  const std::vector<glm::vec3> places = {{0, 0, 1}, {0, 0, 0.1f}, {0, 0, -1}, {1e20f, 0, 1e-20f}};
+  const std::vector<CellBox> boxes = cells_of_fur(to_clip, places, std::vector<float>(4, 0.2f));
+  EXPECT_GT(boxes[0].left, 0);
+  EXPECT_LT(boxes[0].right, SetCells::side - 1);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(boxes[i].left, 0) << i;
+    EXPECT_EQ(boxes[i].bottom, SetCells::side - 1) << i;
+  }
 }
 
 }  // namespace
