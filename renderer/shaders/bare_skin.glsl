@@ -147,7 +147,7 @@ vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
   vec3 dry = vec3(0.0);
   if (bare.colour.w > 0.0) dry = mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
   sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.wet_roughness), bare.finish.y);
-  for (int i = 0; i < int(frame.counts.z); ++i) {
+  for (int i = 0; i < LAMPS; ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
     vec3 sent = lamp_on_skin(bare, point, to_light), kept = radiance * sent;

@@ -6,6 +6,9 @@
 
 #include "scattering.glsl"
 
+#ifndef LAMPS
+#define LAMPS int(frame.counts.z)  // of any frame; a number that is known when it is compiled makes light cheaper
+#endif
 #ifndef SHADING_MODEL
 #define SHADING_MODEL model_kajiya
 #endif
@@ -91,7 +94,7 @@ vec3 fibre_light(Fibre fibre) {
   vec3 crossed = colour_crossed(fibre.colour, fibre.height);
   vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.depth, crossed) *
              environment_light(fibre.normal);
-  for (int i = 0; i < int(frame.counts.z); ++i) {
+  for (int i = 0; i < LAMPS; ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
