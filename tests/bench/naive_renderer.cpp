@@ -3,11 +3,13 @@
 #include <array>
 #include <cassert>
 
+#include "renderer/frame/parts.h"
+#include "renderer/passes/draw/draw_state.h"
 #include "server/scene/fur_view.h"
 
 namespace pelage {
 namespace shaders {
-extern const char* const naive_vert;
+extern const char* const fur_vert;
 extern const char* const naive_frag;
 extern const char* const skin_vert;
 extern const char* const skin_frag;
@@ -20,10 +22,15 @@ namespace {
 ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
   UploadCount count;
   const Mesh& mesh = model.model.surface.mesh();
-  const FurPieces pieces = make_pieces(mesh, hard_pieces(model.model.patches));  // it knows no overlaps
+  const FurPieces pieces = make_pieces(mesh, model.model.patches);
   return ModelBuffers(gl, {model.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {},
                            !mesh.corners.empty()},
                       {model.fields.direction(), model.fields.length(), {}}, count);
+}
+
+std::string defines_of(const FurFrame& frame) {
+  return surroundings_of(frame.environment) + "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) +
+         "\n";
 }
 
 CoatTextures trilinear(const Gl& gl, const Coat& coat) {
@@ -39,7 +46,8 @@ CoatTextures trilinear(const Gl& gl, const Coat& coat) {
 
 NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame)
     : gl_(gl), frame_(frame), coat_(trilinear(gl, frame.coat)), model_(send(gl, model)),
-      skin_(gl, shaders::skin_vert, shaders::skin_frag), shell_(gl, shaders::naive_vert, shaders::naive_frag),
+      skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame)),
+      shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame)),
       resolve_(gl), scattering_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, 1, true),
       picture_(gl, GL_RGBA8, frame.width, frame.height, 1, false) {
   assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());
@@ -73,9 +81,13 @@ Image NaiveRenderer::draw() {
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   shell_.use();
-  for (int shell = 0; shell < frame_.knobs.shells; ++shell) {
-    shell_.set("shell", shell);
-    gl_.DrawElements(GL_TRIANGLES, lists.all.count, GL_UNSIGNED_INT, nullptr);
+  shell_.set("push", 0.0f);
+  shell_.set("shell_count", frame_.knobs.shells);
+  const int shells = frame_.knobs.shells;
+  for (int i = 0; i < 2 * shells; ++i) {  // those turned away from the outside in, then those that face the eye
+    shell_.set("shell_side", i < shells ? -1 : 1);
+    shell_.set("shell", i < shells ? shells - 1 - i : i - shells);
+    draw_list(gl_, i < shells ? lists.averted[0] : lists.facing[0]);
   }
   gl_.Disable(GL_BLEND);
   resolve_.draw(gl_, frame_, drawn_, picture_, 255, 0);

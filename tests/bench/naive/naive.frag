@@ -6,26 +6,27 @@
 layout(binding = 0) uniform sampler2DArray shapes;
 layout(binding = 1) uniform sampler2DArray colours;
 
+uniform int shell_count;
+uniform int shell;
+
 in vec3 place, fibre_normal, fibre_tangent, tile_u, base_uv, base_colour;
 in vec2 tile;
-in float height;
+in float level, slant, density_share;
 
 layout(location = 0) out vec4 result;
 
-// What a text book does: both textures with the hardware's mip levels, and light on every fragment.
+// What a text book does with the same fur: one place in each shell, both textures trilinear, light on every fragment.
 void main() {
+  float height = (float(shell) + 0.5) / float(shell_count);
   vec3 uv = vec3(tile, floor(height * float(slice_count)));
-  vec4 shape = texture(shapes, uv);
-  vec3 strand = texture(colours, uv).rgb;
-  vec3 to_eye = normalize(frame.eye.xyz - place);
+  vec4 shape = textureLod(shapes, uv, level), texel = textureLod(colours, uv, level);
   vec3 normal = normalize(fibre_normal);
-  float slant = 1.0 / max(abs(dot(normal, to_eye)), 0.1);
-  vec4 scales = frame.depth_scale[int(clamp(textureQueryLod(shapes, tile).x + 0.5, 0.0, 7.0))];
-  float scale = mix(scales.x, scales.y, clamp(2.0 - 2.0 / slant, 0.0, 1.0));
-  float opacity = 1.0 - exp2(-stored_depth * 1.442695 * shape.a * scale * slant * float(slice_count) / frame.counts.x);
+  vec4 scales = frame.depth_scale[int(level + 0.5)];
+  float scale = mix(scales.x, scales.y, clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0)) * clamp(slant, 1.0, 10.0);
+  float opacity = 1.0 - exp2(-stored_depth * 1.442695 * shape.a * density_share * scale * float(slice_count) / float(shell_count));
   vec2 slope = (shape.xy * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
-  Fibre fibre = Fibre(place, normal, tangent, to_eye, fur_colour(strand * strand, base_colour, base_uv), height,
-                      -log(max(shape.b, 0.004)), 0.5);
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), fur_colour(texel.rgb * texel.rgb, base_colour, base_uv),
+                      height, -log(max(shape.b, 0.004)), texel.a);
   result = vec4(fibre_light(fibre) * opacity, opacity);
 }
