@@ -70,14 +70,14 @@ struct Knobs {
   int shells = 16;                                // [1, 1024], where the view needs most
   ShellPolicy shell_policy = ShellPolicy::adaptive;
   int samples = 1;                                // on outlines: 1 or 4
-  int steps = 4;                                  // texture steps inside a slab of all shells, [1, 16]
+  int steps = 2;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
   int bands = 1;                                  // that a thick slab is lit in, at most, [1, 4]
   int eye_steps = 8;                              // into the iris: 0 flat, 1 parallax, more march, [0, 64]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)
   bool shadow_maps = false;                       // draw the shadows that lights ask for
   int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
-  Accumulation accumulation = Accumulation::half;
+  Accumulation accumulation = Accumulation::full;
   FragmentOrder order = FragmentOrder::layers;    // in which fur is blended; sorted takes 1 sample
   bool fins = false;                              // side views of the fur on edges at outlines
   int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near outlines
