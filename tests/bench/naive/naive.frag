@@ -19,13 +19,13 @@ void main() {
   vec3 strand = texture(colours, uv).rgb;
   vec3 to_eye = normalize(frame.eye.xyz - place);
   vec3 normal = normalize(fibre_normal);
-  float slant = 1.0 / max(abs(dot(normal, to_eye)), 0.1);
+  float slant = 1.0 / clamp(abs(dot(normal, to_eye)), 0.1, 1.0);
   vec4 scales = frame.depth_scale[int(clamp(textureQueryLod(shapes, tile).x + 0.5, 0.0, 7.0))];
-  float scale = mix(scales.x, scales.y, clamp(2.0 - 2.0 / slant, 0.0, 1.0));
+  float scale = mix(scales.x, scales.y, 1.1547005 * sqrt(1.0 - 1.0 / (slant * slant)));
   float opacity = 1.0 - exp2(-stored_depth * 1.442695 * shape.a * scale * slant * float(slice_count) / frame.counts.x);
   vec2 slope = (shape.xy * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
   Fibre fibre = Fibre(place, normal, tangent, to_eye, fur_colour(strand * strand, base_colour, base_uv), height,
-                      -log(max(shape.b, 0.004)), 0.5);
+                      -stored_light * log(max(shape.b, 0.004)), 0.5);
   result = vec4(fibre_light(fibre) * opacity, opacity);
 }
