@@ -32,11 +32,11 @@ vec3 stopped_by_strand(vec3 colour, float part) {
 vec3 transmittance(float strands, vec3 colour) { return exp2(-1.442695 * strands * stopped_by_strand(colour, 1.0)); }
 
 // Strands that a ray to the light crosses, of `above` that one at 45 degrees to upright fur would cross. A ray meets
-// strands by the sine of its angle to them, and the fur over them is the longer the lower the light stands; bodies are
-// round, so that no way through their fur is endless.
-float strands_to_light(float above, vec3 tangent, vec3 to_light, float facing) {
-  const float spread = 0.08;    // strands of one place differ in direction
-  const float roundness = 0.2;  // twice the fur's height over the radius of the body
+// strands by the sine of its angle to them, and its way through the fur is the longer the lower the light stands: out of
+// a height h below the tips, over a body of radius r, h 2 / (n.l + sqrt((n.l)^2 + 2 h / r)).
+float strands_to_light(float above, float height, vec3 tangent, vec3 to_light, float facing) {
+  const float spread = 0.08;                     // strands of one place differ in direction
+  float roundness = 0.2 * (1.0 - height) + 0.01; // 2 h / r, where fur is a tenth of the radius of what it grows on
   float along = dot(tangent, to_light);
   return above * sqrt(1.0 - (1.0 - spread) * min(along * along, 1.0)) * 2.0 / (facing + sqrt(facing * facing + roundness));
 }
@@ -56,11 +56,12 @@ vec3 colour_crossed(vec3 colour, float height) {
 
 // Share of the light from all around that gets to a height: g of GPU fur eq 1, with s where nothing better is known.
 // Where the self-shadow knows the fur above, it takes the place of s; both together would darken the same fur twice.
-// From a direction at the angle x to the normal it crosses `above` tan x strands and is weighed by cos x; the mean of
-// exp(-a tan x) over the half sphere falls by pi/2 a at first and with the square of a later.
+// From a direction at the angle x to the normal it crosses `above` tan x strands and is weighed by cos x. The mean of
+// exp(-a tan x) over the half sphere falls by pi/2 a at first and as 2 over the square of a at last; this is within .01.
 vec3 ambient_share(float height, float above, vec3 crossed) {
-  vec3 reached = 1.0 / (1.0 + 0.7853982 * above * stopped_by_strand(crossed, 0.6));
-  vec3 open = mix(vec3(height), reached * reached, min(frame.exponents.w, 1.0));
+  vec3 a = above * stopped_by_strand(crossed, 0.6);
+  vec3 reached = (1.0 + a) / (1.0 + a * (2.5707963 + a * (1.21 + a * 0.5)));
+  vec3 open = mix(vec3(height), reached, min(frame.exponents.w, 1.0));
   return mix(vec3(frame.weights.w), vec3(1.0), open);
 }
 
@@ -114,7 +115,7 @@ vec3 fibre_light(Fibre fibre) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
-    float strands = strands_to_light(fibre.above, fibre.tangent, to_light, facing);
+    float strands = strands_to_light(fibre.above, fibre.height, fibre.tangent, to_light, facing);
 #ifdef LAYERS
     vec3 unshadowed = radiance;
 #endif
