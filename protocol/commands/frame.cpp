@@ -11,11 +11,13 @@ Knobs knobs_of(Tier tier) {
     case Tier::interactive: return {};
     case Tier::detailed:
       return {.shells = 48,
-              .steps = 3,
+              .steps = 4,
               .scale = 2,
               .eye_steps = 16,
               .shadow_maps = true,
               .shadow_resolution = 1024,
+              .accumulation = Accumulation::full,
+              .order = FragmentOrder::sorted,
               .fins = true,
               .guard_hairs = 20000};
     case Tier::reference: return {.eye_steps = 16, .method = Method::strands};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "renderer/coat/strand_cover.h"
 #include "renderer/coat/strand_tile.h"
 
 namespace pelage {
@@ -12,6 +13,10 @@ namespace pelage {
 namespace {
 
 using Stack = std::vector<std::vector<SliceTexel>>;
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 std::size_t at(int x, int y, int texels) {
   return static_cast<std::size_t>((y & (texels - 1)) * texels + (x & (texels - 1)));
@@ -33,33 +38,92 @@ Stack halve(const Stack& stack, int texels) {
   return result;
 }
 
-/// Mean over the tile of what a ray lets through that moves `shift` texels sideways from slice to slice, with depths
-/// scaled by `scale`. Every fourth texel is enough at full size.
-double mean_transmittance(const Stack& stack, int texels, double shift, double scale) {
+constexpr int slanted_rays = 64;             // on a side, at most
+constexpr double least_let_through = 0.002;  // of rays: less says nothing about a slice
+constexpr float opaque_depth = 12;           // of a slice; more is not told apart
+
+/// The factor for which a falling function has that value; bisection in its logarithm (base 2), from `low` to `high`.
+template <typename Falling>
+double bisect(double low, double high, int steps, double wanted, const Falling& value) {
+  for (int step = 0; step < steps; ++step) {
+    const double middle = (low + high) / 2;
+    (value(std::exp2(middle)) > wanted ? low : high) = middle;
+  }
+  return std::exp2((low + high) / 2);
+}
+
+/// Mean over the tile of what a ray along the stack lets through, with depths scaled by `scale`. Every fourth texel is
+/// enough at full size.
+double mean_transmittance(const Stack& stack, int texels, double scale) {
   const int stride = texels > 128 ? 4 : 1;
   double sum = 0;
   int count = 0;
   for (int y = 0; y < texels; y += stride) {
     for (int x = 0; x < texels; x += stride) {
       double depth = 0;
-      for (std::size_t i = 0; i < stack.size(); ++i) {
-        depth += static_cast<double>(
-            stack[i][at(x + static_cast<int>(std::lround(shift * static_cast<double>(i))), y, texels)].depth);
-      }
+      for (const std::vector<SliceTexel>& slice : stack) depth += static_cast<double>(slice[at(x, y, texels)].depth);
       sum += std::exp(-scale * depth), ++count;
     }
   }
   return sum / count;
 }
 
-/// The scale for which the level lets through what the finest one does; bisection in the logarithm, as it is monotone.
-double matching_scale(const Stack& stack, int texels, double shift, double path, double wanted) {
-  double low = -12, high = 6;
-  for (int step = 0; step < 24; ++step) {
-    const double middle = (low + high) / 2;
-    (mean_transmittance(stack, texels, shift, path * std::exp2(middle)) > wanted ? low : high) = middle;
+/// The scale for which the whole stack lets through what is wanted; bisection in the logarithm, as it is monotone.
+double matching_scale(const Stack& stack, int texels, double wanted) {
+  return bisect(-12, 6, 24, wanted, [&](double scale) {
+    return mean_transmittance(stack, texels, scale);
+  });
+}
+
+/// Depths of one slice along rays that enter it `shift` texels further for each slice above the first.
+std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texels, double shift, std::size_t index) {
+  const int stride = std::max(1, texels / slanted_rays), parts = std::clamp(static_cast<int>(std::ceil(shift)), 1, 4);
+  std::vector<double> depths;
+  for (int y = 0; y < texels; y += stride) {
+    for (int x = 0; x < texels; x += stride) {
+      double depth = 0;
+      for (int part = 0; part < parts; ++part) {
+        const double height = static_cast<double>(index) + (part + 0.5) / parts;
+        depth += static_cast<double>(slice[at(x + static_cast<int>(std::floor(shift * height + 0.5)), y, texels)].depth);
+      }
+      depths.push_back(depth / parts);
+    }
   }
-  return std::exp2((low + high) / 2);
+  return depths;
+}
+
+/// Scales each slice's depths so that at 60 degrees as many rays get past it, and all that lie above, as get past the
+/// strands. A mean over the whole stack would not do: dense fur lets so little through that the mean is of the widest
+/// gaps alone, and a stack that keeps it is far too thin at the tips, which are what one sees.
+void match_slices(Stack& stack, int texels, double shift, const std::array<double, slice_count>& wanted) {
+  std::vector<double> reached;
+  double factor = 1;
+  for (std::size_t i = stack.size(); i-- > 0;) {
+    const std::vector<double> here = depths_along(stack[i], texels, shift, i);
+    reached.resize(here.size(), 0.0);
+    if (wanted[i] > least_let_through && wanted[i] < 1) {
+      factor = bisect(-5, 5, 16, wanted[i], [&](double scale) {
+        double sum = 0;
+        for (std::size_t k = 0; k < here.size(); ++k) sum += std::exp(-reached[k] - 2 * scale * here[k]);
+        return sum / static_cast<double>(here.size());
+      });
+    }
+    for (std::size_t k = 0; k < here.size(); ++k) reached[k] += 2 * factor * here[k];
+    for (SliceTexel& texel : stack[i]) texel.scale(static_cast<float>(factor));
+  }
+}
+
+/// Brings the largest depth to what an octet holds. Answers the factor that undoes it.
+double fit_to_octets(Stack& stack) {
+  float largest = 1e-3f;
+  for (const std::vector<SliceTexel>& slice : stack) {
+    for (const SliceTexel& texel : slice) largest = std::max(largest, texel.depth);
+  }
+  const float fitting = static_cast<float>(stored_depth) / std::min(largest, opaque_depth);
+  for (std::vector<SliceTexel>& slice : stack) {
+    for (SliceTexel& texel : slice) texel.scale(fitting);
+  }
+  return 1 / static_cast<double>(fitting);
 }
 
 std::uint8_t octet(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
@@ -97,55 +161,53 @@ SliceLevel pack(const Stack& stack, int texels) {
   return level;
 }
 
-/// Light that reaches a slab from above, by the coverage of what lies above it within a few texels: strands deep
-/// between tufts are darker than those on a tuft's top. Filtered on a quarter of the size, which is the reach of
-/// scattering.
-void light_from_above(const Coat& coat, Stack& stack) {
-  constexpr int coarse = slice_texels / 8;
-  Stack small = halve(halve(halve(stack, slice_texels), slice_texels / 2), slice_texels / 4);
-  // Crossings of a slanted ray count, and most of the light goes on after each: science.md, ../look: .55 to .88 kept.
-  const double slant = nominal_length / slice_count * slice_texels / coat.tile;
-  const double kept = 0.42 * std::min(1.0, slant / 4);
-  std::vector<double> above(coarse * coarse, 0.0);
+/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies half
+/// under what is straight above it and half under the mean.
+void light_from_above(const CrossingGrid& crossings, Stack& stack) {
+  constexpr int texels_of_cell = slice_texels / crossing_cells;
+  std::vector<double> above(crossing_cells * crossing_cells, 0.0);
   for (std::size_t i = stack.size(); i-- > 0;) {
-    const double mean = std::accumulate(above.begin(), above.end(), 0.0) / static_cast<double>(above.size());
+    for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
+    const double mean = mean_of(above);
     for (int y = 0; y < slice_texels; ++y) {
       for (int x = 0; x < slice_texels; ++x) {
-        // Light comes from the side too, so a gap between tufts is no brighter than the fur around it.
-        const double depth = 0.5 * mean + 0.5 * std::max(mean, above[at(x / 8, y / 8, coarse)]);
-        stack[i][at(x, y, slice_texels)].light = static_cast<float>(std::exp(-kept * depth));
+        const double here = above[at(x / texels_of_cell, y / texels_of_cell, crossing_cells)];
+        stack[i][at(x, y, slice_texels)].light = static_cast<float>(std::exp(-(0.5 * mean + 0.5 * here) / stored_light));
       }
     }
-    for (std::size_t k = 0; k < above.size(); ++k) above[k] += std::min(1.0, static_cast<double>(small[i][k].depth));
+    for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
   }
 }
 
-std::array<float, slice_count> depth_above(const Stack& stack) {
+std::array<float, slice_count> depth_above(const CrossingGrid& crossings) {
   std::array<float, slice_count> result{};
-  for (std::size_t i = 0; i < stack.size(); ++i) {
-    double sum = 0;
-    for (const SliceTexel& texel : stack[i]) sum += static_cast<double>(texel.light);
-    result[i] = static_cast<float>(-std::log(std::max(sum / static_cast<double>(stack[i].size()), 1e-6)));
+  double above = 0;
+  for (std::size_t i = slice_count; i-- > 0;) {
+    const double here = mean_of(crossings[i]);
+    result[i] = static_cast<float>(above + 0.5 * here);
+    above += here;
   }
   return result;
 }
 
 }  // namespace
 
-Slices build_levels(const Coat& coat, Stack stack) {
+Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack stack) {
   assert(stack.size() == slice_count);
-  light_from_above(coat, stack);
+  const CrossingGrid crossings = crossings_of(coat, strands);
+  light_from_above(crossings, stack);
   Slices slices;
-  slices.depth_above = depth_above(stack);
-  const double shift = std::sqrt(3.0) * nominal_length / slice_count / coat.tile;  // of 60 degrees, in tiles
-  const double along = mean_transmittance(stack, slice_texels, 0, 1);
-  const double slanted = mean_transmittance(stack, slice_texels, shift * slice_texels, 2);
+  slices.depth_above = depth_above(crossings);
+  const double slant = std::sqrt(3.0), shift = slant * nominal_length / slice_count / coat.tile;  // in tiles
+  const std::array<double, slice_count> along = rays_let_through(coat, strands, 0);
+  const std::array<double, slice_count> slanted = rays_let_through(coat, strands, slant);
   for (int level = 0, texels = slice_texels; level < slice_levels; ++level, texels /= 2) {
     if (level > 0) stack = halve(stack, texels * 2);
-    slices.levels.push_back(pack(stack, texels));
-    if (level == 0) continue;
-    slices.levels.back().depth_scale = {matching_scale(stack, texels, 0, 1, along),
-                                        matching_scale(stack, texels, shift * texels, 2, slanted)};
+    Stack matched = stack;
+    match_slices(matched, texels, shift * texels, slanted);
+    const double scale = fit_to_octets(matched);
+    slices.levels.push_back(pack(matched, texels));
+    slices.levels.back().depth_scale = {std::min(matching_scale(matched, texels, along[0]), 2 * scale), scale};
   }
   return slices;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/coat/slices.h"
+#include "renderer/coat/strand_tile.h"
 
 namespace pelage {
 
@@ -23,9 +24,16 @@ struct SliceTexel {
     colour += other.colour;
     light += other.light;
   }
+
+  /// As thick as that, of the same strands.
+  void scale(float factor) {
+    depth *= factor;
+    slope *= factor;
+    colour *= factor;
+  }
 };
 
-/// `stack` has slice_count slices of slice_texels^2 texels, `light` unset.
-Slices build_levels(const Coat& coat, std::vector<std::vector<SliceTexel>> stack);
+/// `stack` has slice_count slices of slice_texels^2 texels of these strands, `light` unset.
+Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, std::vector<std::vector<SliceTexel>> stack);
 
 }  // namespace pelage

@@ -81,7 +81,7 @@ Slices bake_slices(const Coat& coat) {
   std::thread other(bake_half, 1);  // slices do not depend on each other, so the split changes no bit
   bake_half(0);
   other.join();
-  return build_levels(coat, std::move(stack));
+  return build_levels(coat, strands, std::move(stack));
 }
 
 }  // namespace pelage

@@ -13,24 +13,26 @@ namespace pelage {
 inline constexpr int slice_count = 32;        // N0: layers that the depth was baked as
 inline constexpr int slice_texels = 512;      // a side of the finest level
 inline constexpr int slice_levels = 8;        // 512 ... 4
-inline constexpr double stored_depth = 6;     // optical depth (natural log) of a stored 255
+inline constexpr double stored_depth = 6;     // optical depth (natural log) of a stored 255, before `depth_scale`
+inline constexpr double stored_light = 4;     // strands over a texel for which the stored light is 1/e
 inline constexpr double stored_slope = 0.06;  // sideways per height, in sizes, of a stored +-1
 
 /// One level: `texels * texels * slice_count` texels of 4 octets, x fastest, then y, then the slice.
-///  shape: the strand's slope (x, y; unnormalised mean, .5 is upright), light from above, optical depth (linear).
+///  shape: the strand's slope (x, y; unnormalised mean, .5 is upright), exp(-n / stored_light) where n strands lie
+///  between the texel and light that comes at 45 degrees, optical depth (linear).
 ///  colour: the strand's colour (sqrt of linear, so that dark ones keep their steps), and its number.
 struct SliceLevel {
   int texels = 0;
   std::vector<std::uint8_t> shape;
   std::vector<std::uint8_t> colour;
-  /// Factors on the optical depth for a view along the strands' stack and at 60 degrees to it, for which the stack's
-  /// mean transmittance is that of the finest level.
+  /// Factors on the stored optical depth. At 60 degrees to the strands' stack the rays that get past each slice are then
+  /// those that opaque strands let past, and along the stack those that get past all slices.
   std::array<double, 2> depth_scale{1, 1};
 };
 
 struct Slices {
   std::vector<SliceLevel> levels;
-  /// Mean optical depth above each slice's middle for light along the normal, slant and multiple scattering included.
+  /// Strands above each slice's middle that a ray at 45 degrees crosses on average, in fur nominal_length long.
   std::array<float, slice_count> depth_above{};
 };
 

@@ -14,7 +14,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 counts;       // shells, steps, lights, root share
   vec4 tile;         // 1 / side, texel size at the finest level, lean curve (0 arc, 1 root), largest ramp lightness
   vec4 depth_scale[8];  // for each level: along the stack, at 60 degrees
-  vec4 depth_above[8];  // 32 values: mean optical depth to the light above each slice
+  vec4 depth_above[8];  // 32 values: strands over each slice that a ray at 45 degrees crosses
   vec4 colour_above[32];  // of the fur over each slice, over the colour there
   vec4 ramp_root;    // colour at the root
   Light lights[8];
@@ -24,4 +24,5 @@ layout(std140, binding = 0) uniform FrameBlock {
 const int slice_count = 32;
 const float stored_depth = 6.0;
 const float stored_slope = 0.06;
+const float stored_light = 4.0;
 const float nominal_length = 0.03;

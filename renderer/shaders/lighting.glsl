@@ -25,8 +25,24 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
   radiance *= clamp((inside - edge) / max(light.radiance.w - edge, 1e-6), 0.0, 1.0);
 }
 
-// Light that passes pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4).
-vec3 transmittance(float depth, vec3 colour) { return exp2(-1.442695 * depth * (1.0 - 0.82 * sqrt(clamp(colour, 0.0, 1.0)))); }
+// Share of the light that a strand of that colour stops. Light that passes pale fur keeps its colour and much of its
+// strength: t_c = t^(1 - f_c) (science.md 4), with t = exp(-2) past a black strand, to the power of `part`.
+vec3 stopped_by_strand(vec3 colour, float part) {
+  return 1.0 - exp2(-2.0 * 1.442695 * part * frame.exponents.w * (1.0 - 0.82 * sqrt(clamp(colour, 0.0, 1.0))));
+}
+
+// Mean of what gets through on rays that cross so many strands on average, by chance: that of a Poisson distribution.
+vec3 transmittance(float strands, vec3 colour) { return exp2(-1.442695 * strands * stopped_by_strand(colour, 1.0)); }
+
+// Strands that a ray to the light crosses, of `above` that one at 45 degrees to upright fur would cross. A ray meets
+// strands by the sine of its angle to them, and its way through the fur is the longer the lower the light stands: out of
+// a height h below the tips, over a body of radius r, h 2 / (n.l + sqrt((n.l)^2 + 2 h / r)).
+float strands_to_light(float above, float height, vec3 tangent, vec3 to_light, float facing) {
+  const float spread = 0.08;                     // strands of one place differ in direction
+  float roundness = 0.2 * (1.0 - height) + 0.01; // 2 h / r, where fur is a tenth of the radius of what it grows on
+  float along = dot(tangent, to_light);
+  return above * sqrt(1.0 - (1.0 - spread) * min(along * along, 1.0)) * 2.0 / (facing + sqrt(facing * facing + roundness));
+}
 
 #ifdef PAINT_COLOUR
 vec4 paint_above = vec4(0.0);  // of the fur over a strand: times its cover, cover
@@ -43,8 +59,12 @@ vec3 colour_crossed(vec3 colour, float height) {
 
 // Share of the light from all around that gets to a height: g of GPU fur eq 1, with s where nothing better is known.
 // Where the self-shadow knows the fur above, it takes the place of s; both together would darken the same fur twice.
-vec3 ambient_share(float height, float depth, vec3 crossed) {
-  vec3 open = mix(vec3(height), transmittance(0.6 * depth * frame.exponents.w, crossed), min(frame.exponents.w, 1.0));
+// From a direction at the angle x to the normal it crosses `above` tan x strands and is weighed by cos x. The mean of
+// exp(-a tan x) over the half sphere falls by pi/2 a at first and as 2 over the square of a at last; this is within .01.
+vec3 ambient_share(float height, float above, vec3 crossed) {
+  vec3 a = above * stopped_by_strand(crossed, 0.6);
+  vec3 reached = (1.0 + a) / (1.0 + a * (2.5707963 + a * (1.21 + a * 0.5)));
+  vec3 open = mix(vec3(height), reached, min(frame.exponents.w, 1.0));
   return mix(vec3(frame.weights.w), vec3(1.0), open);
 }
 
@@ -85,36 +105,36 @@ struct Fibre {
   vec3 place, normal, tangent, to_eye;
   vec3 colour;    // C
   float height;   // s in [0, 1]
-  float depth;    // optical depth to a light along the normal
+  float above;    // strands over the place that a ray at 45 degrees to upright fur would cross
   float strand;   // number of the strand in [0, 1]
 };
 
 // Light that a fibre sends to the eye, after GPU fur eq 1 to 3: each light is scattered by the look's shading model.
 vec3 fibre_light(Fibre fibre) {
   vec3 crossed = colour_crossed(fibre.colour, fibre.height);
-  vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.depth, crossed) *
+  vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.above, crossed) *
              environment_light(fibre.normal);
   for (int i = 0; i < LAMPS; ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
-    float depth = frame.exponents.w * fibre.depth / max(facing, 0.3);
+    float strands = strands_to_light(fibre.above, fibre.height, fibre.tangent, to_light, facing);
 #ifdef LAYERS
     vec3 unshadowed = radiance;
 #endif
 #ifdef SHADOW_MAPS
-    depth = layer_depth(i, fibre.place, fibre.height, facing, depth);
+    strands = layer_depth(i, fibre.place, fibre.height, facing, strands);
     radiance *= cast_light(i, fibre.place);
 #endif
     vec3 scattered = scatter(SHADING_MODEL, fibre.tangent, fibre.normal, to_light, fibre.to_eye, fibre.colour, fibre.strand);
     if (SHADING_MODEL == model_energy_conserving || SHADING_MODEL == model_marschner) {
       scattered = 0.6 * scattered + scatter_again(fibre.tangent, to_light, fibre.colour);
     }
-    sum += radiance * scattered * transmittance(depth, crossed) *
+    sum += radiance * scattered * transmittance(strands, crossed) *
            light_behind(SHADING_MODEL, facing, frame.exponents.z);
 #ifdef LAYERS
     vec3 arriving = scattered * light_behind(SHADING_MODEL, facing, frame.exponents.z);
-    keep_direct(radiance * arriving * transmittance(depth, crossed), unshadowed * arriving);
+    keep_direct(radiance * arriving * transmittance(strands, crossed), unshadowed * arriving);
 #endif
   }
   return sum;

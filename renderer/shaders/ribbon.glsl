@@ -3,14 +3,14 @@
 
 // Share of what a hair shows at height s that the fur before it lets through to the eye: hairs are drawn after the
 // shells, and without it their roots would lie over the fur. Sorted, they have their place among the shells.
-float seen_through(float s, float facing) {
+float seen_through(float s, float facing, float fur_length) {
 #ifdef SORTED
   return 1.0;
 #endif
   float slice = clamp(s * float(slice_count) - 0.5, 0.0, float(slice_count - 1));
   int low = int(slice), high = min(low + 1, slice_count - 1);
-  float depth = mix(frame.depth_above[low / 4][low % 4], frame.depth_above[high / 4][high % 4], fract(slice));
-  return exp(-depth / max(facing, 0.2));
+  float above = mix(frame.depth_above[low / 4][low % 4], frame.depth_above[high / 4][high % 4], fract(slice));
+  return exp(-above * fur_length / nominal_length * sqrt(max(1.0 - facing * facing, 0.0)) / max(facing, 0.2));
 }
 
 struct Ribbon {

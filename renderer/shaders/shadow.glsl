@@ -13,6 +13,7 @@ layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearb
                                                         // its mean times the depth of what casts it
 
 const float shadow_layers = 16.0;
+const float own_part = 0.5 / 32.0;  // of the height: what lies nearer is the strand itself, which does not shade itself
 const float cast_bias = 0.006;   // sizes
 const float shadow_width = 0.03; // sizes from the edge of a shadow to where its map is white
 
@@ -83,7 +84,7 @@ float layer_depth(int i, vec3 place, float height, float facing, float estimate)
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
   vec2 at = place_on_map(i, place);
-  float layer = height * shadow_layers, low = floor(layer);
+  float layer = min(height + own_part, 1.0) * shadow_layers, low = min(floor(layer), shadow_layers - 1.0);
   float first = slot * (shadow_layers + 1.0);
   float kept = mix(texture(kept_maps, vec3(at, first + low)).r,
                    texture(kept_maps, vec3(at, first + min(low + 1.0, shadow_layers))).r, layer - low);

@@ -73,7 +73,7 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
 #endif
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   vec4 scales = frame.depth_scale[int(sharp)];
-  float slanted = clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0);  // 0 along the stack, 1 from 60 degrees on
+  float slanted = 1.1547005 * sqrt(1.0 - 1.0 / max(slant * slant, 1.0));  // sine to the stack, over that of 60 degrees
   float scale = stored_depth * 1.442695 * share * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));

@@ -7,6 +7,7 @@ in vec3 fibre_tangent;
 in vec3 base_uv;
 in vec3 base_colour;
 in float height;   // s
+in float length_share;  // of the fur, over nominal_length
 #ifdef PATTERN
 in vec3 root;
 in vec4 varied;
@@ -33,11 +34,12 @@ vec3 strip_tangent() { return fibre_tangent / max(length(fibre_tangent), 1e-20);
 // What a strip of that colour and number sends to the eye.
 vec3 strip_light(vec3 colour, float number) {
   int above = clamp(int(height * float(slice_count)), 0, slice_count - 1);
-  float depth = frame.depth_above[above / 4][above % 4];
+  float strands = frame.depth_above[above / 4][above % 4] * length_share;
 #ifdef PAINT
-  depth *= painted_depth();
+  strands *= painted_depth();
 #endif
   vec3 to_eye = frame.eye.xyz - place;
   to_eye /= max(length(to_eye), 1e-20);
-  return fibre_light(Fibre(place, strip_normal(), strip_tangent(), to_eye, colour, clamp(height, 0.0, 1.0), depth, number));
+  return fibre_light(Fibre(place, strip_normal(), strip_tangent(), to_eye, colour, clamp(height, 0.0, 1.0), strands,
+                           number));
 }

@@ -1,5 +1,5 @@
 // Shells beside traced strands: coverage, mean luminance and FLIP on twelve scenes.
-// usage: bench_methods [--size PIXELS] [--passes N] [--paths] [--out FOLDER]
+// usage: bench_methods [--size PIXELS] [--passes N] [--distance TIMES] [--paths] [--out FOLDER]
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +17,7 @@ namespace {
 
 struct Options {
   int size = 256, passes = 64;
+  float distance = 1;  // of the camera, over where it frames the model
   bool paths = false;
   std::string out;
 };
@@ -88,11 +89,12 @@ void compare_methods(Renderer& renderer, const Place& place, const Options& opti
   request.knobs.trace.passes = options.passes;
   request.knobs.trace.scattering = options.paths ? StrandScattering::energy_conserving : StrandScattering::look;
   if (options.paths) request.knobs.trace.transport = Transport::paths;
-  const FloatImage strands = traced_beauty(renderer, model, request);
+  const FloatImage strands = traced_beauty(renderer, model, request, options.distance);
   std::printf("%-24s", place.name);
   for (const Tier tier : {Tier::interactive, Tier::detailed}) {
     request.knobs = knobs_of(tier);
-    const FurFrame frame = make_frame(model.view(), request);
+    FurFrame frame = make_frame(model.view(), request);
+    frame.camera.eye *= options.distance;
     Result<std::vector<FloatImage>> drawn = renderer.draw_layers(frame, std::array{FrameLayer::beauty});
     if (!drawn) std::exit(4);
     const FloatImage& shells = drawn->front();
@@ -122,6 +124,8 @@ int main(int argc, char** argv) {
       options.size = std::atoi(argv[++i]);
     else if (name == "--passes" && i + 1 < argc)
       options.passes = std::atoi(argv[++i]);
+    else if (name == "--distance" && i + 1 < argc)
+      options.distance = std::strtof(argv[++i], nullptr);
     else if (name == "--out" && i + 1 < argc)
       options.out = argv[++i];
     else

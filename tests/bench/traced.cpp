@@ -19,10 +19,11 @@ bool always() { return true; }
 }  // namespace
 
 FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model,
-                     const FrameRequest& request) {
+                     const FrameRequest& request, float distance) {
   const SceneView view = model.view();
   sync_scene(renderer, view, {});
-  const FurFrame frame = make_frame(view, request);
+  FurFrame frame = make_frame(view, request);
+  frame.camera.eye *= distance;
   Result<BasePicture> base = renderer.draw_base(frame);
   if (!base) check(base.status());
   const ModelArrays arrays = make_arrays(view);
@@ -38,9 +39,10 @@ void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>&
   }
 }
 
-FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request) {
+FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request,
+                         float distance) {
   Tracer tracer(2, memory, false);
-  begin_trace(renderer, tracer, model, request);
+  begin_trace(renderer, tracer, model, request, distance);
   trace_to_end(tracer);
   return tracer.layer(FrameLayer::beauty);
 }

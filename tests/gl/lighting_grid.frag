@@ -2,7 +2,7 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 
-// One layer each: place with height, normal with depth, tangent with the strand's number, to eye, colour.
+// One layer each: place with height, normal with the strands above, tangent with the strand's number, to eye, colour.
 layout(binding = 0) uniform sampler2DArray cases;
 
 uniform int asked;
@@ -17,7 +17,7 @@ void main() {
                       given(2).w);
   result = vec4(0.0);
   if (asked == 0) result.rgb = fibre_light(fibre);
-  if (asked == 1) result.rgb = transmittance(fibre.depth, fibre.colour);
+  if (asked == 1) result.rgb = transmittance(fibre.above, fibre.colour);
   if (asked == 2) result.rgb = environment_light(fibre.normal);
   if (asked == 3) {
     vec3 to_light, radiance;

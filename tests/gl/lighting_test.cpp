@@ -1,6 +1,7 @@
 // The light on a fibre in GLSL against the formulas of GPU fur eq 1 to 3 and of science.md 4, in double.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "renderer/coat/colour_above.h"
@@ -26,7 +27,7 @@ constexpr int lamp = 2;  // the light whose shadow is asked for: the third, whos
 
 struct Case {
   glm::vec3 place, normal, tangent, to_eye, colour;
-  float height, depth, strand;
+  float height, above, strand;
 };
 
 std::vector<Case> random_cases() {
@@ -42,7 +43,7 @@ std::vector<Case> random_cases() {
     c.place = 0.6f * glm::vec3(number(), number(), number()) - 0.3f;
     c.normal = direction(), c.tangent = direction(), c.to_eye = direction();
     c.colour = {number(), number(), number()};
-    c.height = number(), c.depth = 3 * number(), c.strand = number();
+    c.height = number(), c.above = 3 * number(), c.strand = number();
     made.push_back(c);
   }
   return made;
@@ -60,7 +61,7 @@ class Lighting : public OnBackend {
     const Buffer scattering = send_block(gl(), 3, scattering_block(frame.look));
     std::vector<glm::vec4> texels;
     for (const Case& c : of) texels.emplace_back(c.place, c.height);
-    for (const Case& c : of) texels.emplace_back(c.normal, c.depth);
+    for (const Case& c : of) texels.emplace_back(c.normal, c.above);
     for (const Case& c : of) texels.emplace_back(c.tangent, c.strand);
     for (const Case& c : of) texels.emplace_back(c.to_eye, 0);
     for (const Case& c : of) texels.emplace_back(c.colour, 0);
@@ -73,11 +74,30 @@ class Lighting : public OnBackend {
   }
 };
 
-/// t of fur of that colour: t^(1 - f_c), f_c = .82 sqrt(C).
-glm::dvec3 let_through(double depth, const glm::dvec3& colour) {
-  glm::dvec3 kept;
-  for (int k = 0; k < 3; ++k) kept[k] = std::pow(std::exp(-depth), 1 - 0.82 * std::sqrt(std::clamp(colour[k], 0.0, 1.0)));
-  return kept;
+/// Share that a strand of that colour stops of the light: 1 - t^(1 - f_c), f_c = .82 sqrt(C), t = exp(-2 w p).
+glm::dvec3 stopped(const Look& look, const glm::dvec3& colour, double part = 1) {
+  glm::dvec3 share;
+  for (int k = 0; k < 3; ++k)
+    share[k] = 1 - std::exp(-2 * look.self_shadow * part * (1 - 0.82 * std::sqrt(std::clamp(colour[k], 0.0, 1.0))));
+  return share;
+}
+
+/// Strands met by chance: the sum over n of e^-N N^n / n! (1 - stopped)^n.
+glm::dvec3 let_through(const Look& look, double strands, const glm::dvec3& colour) {
+  return glm::exp(-strands * stopped(look, colour));
+}
+
+/// What gets from all around to a place under so many strands, about.
+double from_all_around(double a) {
+  return (1 + a) / (1 + (std::numbers::pi / 2 + 1) * a + 1.21 * a * a + 0.5 * a * a * a);
+}
+
+/// Strands on the way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface.
+double strands_to_light(const Case& c, const glm::dvec3& to_light) {
+  const double facing = glm::dot(glm::dvec3(c.normal), to_light), along = glm::dot(glm::dvec3(c.tangent), to_light);
+  const double below = 0.1 * (1 - double(c.height)) + 0.005;
+  const double way = (std::sqrt(facing * facing + 2 * below) - facing) / below;
+  return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way;
 }
 
 struct Arriving {
@@ -104,15 +124,16 @@ struct Expected {
 };
 
 /// c = ka g C E + sum of [scattered] t B L, with t of the colour of the fur above; g = (1-e) o + e, where o goes from s
-/// to t as the self-shadow takes the place of the height.
+/// to what reaches the place as the self-shadow takes the place of the height.
 Expected expected_light(const FurFrame& frame, const FibreShading& shading, const Case& c) {
   const Look& look = frame.look;
   const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));
   const glm::dvec3 colour(c.colour), normal(c.normal);
   const std::size_t slice = std::min<std::size_t>(static_cast<std::size_t>(c.height * slice_count), slice_count - 1);
   const glm::dvec3 crossed = colour * glm::dvec3(colour_above(frame.coat)[slice]);
-  const glm::dvec3 open = glm::mix(glm::dvec3(double(c.height)), let_through(0.6 * look.self_shadow * double(c.depth), crossed),
-                                   std::min(look.self_shadow, 1.0));
+  const glm::dvec3 above = double(c.above) * stopped(look, crossed, 0.6);
+  const glm::dvec3 reached{from_all_around(above.r), from_all_around(above.g), from_all_around(above.b)};
+  const glm::dvec3 open = glm::mix(glm::dvec3(double(c.height)), reached, std::min(look.self_shadow, 1.0));
   const glm::dvec3 g = (1 - look.ambient_floor) * open + look.ambient_floor;
   Expected sum;
   for (const FurLight& light : frame.lights) {
@@ -121,7 +142,7 @@ Expected expected_light(const FurFrame& frame, const FibreShading& shading, cons
     const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_eye)};
     const double behind = light_behind(look.shading, facing, look.back_attenuation);
     const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
-    sum.direct += whole * let_through(look.self_shadow * double(c.depth) / std::max(facing, 0.3), crossed);
+    sum.direct += whole * let_through(look, strands_to_light(c, from.to_light), crossed);
     sum.unshadowed += whole;
   }
   sum.light = sum.direct + look.ambient * g * colour * glm::max(evaluate(around, normal), 0.0);
@@ -207,17 +228,32 @@ TEST_P(Lighting, KeepsTheLightOfLampsApart) {
   }
 }
 
-/// Black fur lets through t; the paler, the more, and white fur much of the light (science.md 4).
+/// Past two strands on average black fur lets through exp(-2 (1 - t)); the paler, the more (science.md 4).
 TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
   std::vector<Case> of = random_cases();
-  of[0].colour = {0, 0.25f, 1}, of[0].depth = 2;
-  const std::vector<glm::vec4> values = on_gpu(transmitted, lit_frame(), of);
+  of[0].colour = {0, 0.25f, 1}, of[0].above = 2;
+  FurFrame frame = lit_frame();
+  frame.look.self_shadow = 1;
+  const std::vector<glm::vec4> values = on_gpu(transmitted, frame, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    ASSERT_LT(apart(values[i], let_through(double(of[i].depth), glm::dvec3(of[i].colour))), 1e-5);
+    ASSERT_LT(apart(values[i], let_through(frame.look, double(of[i].above), glm::dvec3(of[i].colour))), 1e-5);
   }
-  EXPECT_NEAR(values[0].r, std::exp(-2), 1e-5);
-  EXPECT_GT(values[0].g, 1.5f * values[0].r);
-  EXPECT_GT(values[0].b, 0.6f);
+  EXPECT_NEAR(values[0].r, std::exp(-2 * (1 - std::exp(-2))), 1e-5);
+  EXPECT_GT(values[0].g, 1.3f * values[0].r);
+  EXPECT_GT(values[0].b, 0.5f);
+}
+
+/// The approximation beside the mean of exp(-a tan x) over the half sphere.
+TEST(AmbientShare, IsNearTheMeanOverAllDirections) {
+  for (const double a : {0.01, 0.1, 0.5, 1.0, 3.0, 10.0}) {
+    double mean = 0;
+    constexpr int steps = 20000;
+    for (int i = 0; i < steps; ++i) {
+      const double x = (i + 0.5) / steps * std::numbers::pi / 2;
+      mean += std::sin(2 * x) * std::exp(-a * std::tan(x)) * std::numbers::pi / 2 / steps;
+    }
+    EXPECT_NEAR(from_all_around(a), mean, 0.01) << a;
+  }
 }
 
 TEST_P(Lighting, SurroundingsAreTheHarmonicsOfTheFrame) {
@@ -334,14 +370,15 @@ TEST_P(ShadowFormulas, HardShadowIsAllOrNothingPastTheBias) {
   }
 }
 
-/// The maps hold exp(-.2 (16 - i)) at boundary i: between two of them what is let through is mixed.
+/// The maps hold exp(-.2 (16 - i)) at boundary i: between two of them what is let through is mixed. Half a slice, a
+/// quarter of a layer, is the strand itself.
 TEST_P(ShadowFormulas, LayersLetThroughWhatTheirMapsSay) {
   const std::vector<Case> of = places_below(0);
   const std::vector<glm::vec4> values = asked({}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    const double layer = 16 * double(of[i].height), low = std::floor(layer);
+    const double layer = std::min(16 * double(of[i].height) + 0.25, 16.0), low = std::min(std::floor(layer), 15.0);
     const double kept =
-        glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (std::min(low + 1, 16.0) - 16)), layer - low);
+        glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (low - 15)), layer - low);
     ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
   }
   for (const glm::vec4& value : asked({.layers = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate

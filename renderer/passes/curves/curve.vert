@@ -41,6 +41,6 @@ void main() {
   across = ribbon.across;
   reach = ribbon.reach;
   float facing = abs(dot(safe_unit(frame.eye.xyz - points[root].xyz), normal));
-  strength = ribbon.strength * mix(seen_through(point.w, facing), 1.0, smoothstep(0.8, 1.1, point.w));
+  strength = ribbon.strength * mix(seen_through(point.w, facing, nominal_length), 1.0, smoothstep(0.8, 1.1, point.w));
   gl_Position = ribbon.clip;
 }

@@ -21,6 +21,7 @@ out vec3 fibre_tangent;
 out vec3 base_uv;
 out vec3 base_colour;
 out float height;
+out float length_share;
 #ifdef PATTERN
 out vec3 root;
 out vec4 varied;
@@ -35,6 +36,7 @@ void main() {
   Strand strand = strand_at(gl_VertexID % 2 == 0 ? edge.ends.x : edge.ends.y, height, 1.0);
   place = strand.place;
   fibre_normal = strand.normal;
+  length_share = strand.fur_length / nominal_length;
   fibre_tangent = strand.tangent;
   base_uv = strand.image_uv;
   base_colour = strand.colour;

@@ -26,6 +26,7 @@ out vec3 fibre_tangent;
 out vec3 base_uv;
 out vec3 base_colour;
 out float height;
+out float length_share;
 #ifdef PATTERN
 out vec3 root;
 out vec4 varied;
@@ -65,6 +66,7 @@ void main() {
   fibre_normal = normal;
   fibre_tangent = strand.tangent + bends_to * (2.0 * reached * s / max(strand.fur_length * stretch, 1e-6));
   height = min(s * stretch, 1.0);
+  length_share = strand.fur_length / nominal_length;
   base_uv = strand.image_uv;
   base_colour = strand.colour;
 #ifdef PATTERN
@@ -84,7 +86,7 @@ void main() {
   reach = ribbon.reach;
   float facing = abs(dot(safe_unit(frame.eye.xyz - strand.root), normal));
   strength = ribbon.strength * furred(strand.fur_length) * (1.0 - smoothstep(0.4 * limit, limit, facing)) *
-             seen_through(height, facing);
+             seen_through(height, facing, strand.fur_length);
 #ifdef PAINT
   if (number_of(hair.bits * 2654435769u, 10) >= amounts.x && amounts.x < 1.0) strength = 0.0;  // one of those that are gone
 #endif

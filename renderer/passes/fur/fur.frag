@@ -26,6 +26,7 @@ in vec3 base_uv;
 in vec3 base_colour;
 
 in float density_share;
+in float length_share;
 #ifdef LENGYEL
 in vec3 vertex_light;  // for fur of colour 1
 #ifdef LAYERS
@@ -67,7 +68,7 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
 #ifdef TUFTS
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
 #endif
-  float above = -log(max(slab.light * share, 0.004));
+  float above = -stored_light * log(max(slab.light * share, 0.004)) * length_share;
   vec3 colour = fur_colour(strand, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);

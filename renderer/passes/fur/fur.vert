@@ -55,6 +55,7 @@ out vec2 vertex_share;
 #endif
 #endif
 out float density_share; // of the optical depth that this piece draws
+out float length_share;  // of the fur, over nominal_length
 out float wanted_level;  // how often the number of shells may be halved
 
 // Fur of no length is no fur, or it would lie as a fog on bare skin.
@@ -97,12 +98,13 @@ void main() {
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   density_share = weight * grown(groom.z);
   wanted_level = layer_level;
+  length_share = fur_length / nominal_length;
   tile_u = tile_axis;
 #ifdef LENGYEL
   int above = int(s * float(slice_count));
-  float depth = frame.depth_above[above / 4][above % 4];
+  float strands = frame.depth_above[above / 4][above % 4] * length_share;
   const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
-  vertex_light = fibre_light(Fibre(place, normal, normalize(fibre_tangent), to_eye, vec3(grey), s, depth, 0.5)) / grey;
+  vertex_light = fibre_light(Fibre(place, normal, normalize(fibre_tangent), to_eye, vec3(grey), s, strands, 0.5)) / grey;
 #ifdef LAYERS
   vertex_direct = direct_light / grey;
   vertex_share = light_share;

@@ -33,7 +33,7 @@ layout(location = 0) out vec4 result;
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;
-  float grown = smoothstep(0.0, 0.008, fur_length), above = frame.depth_above[0].x;
+  float grown = smoothstep(0.0, 0.008, fur_length), above = frame.depth_above[0].x * fur_length / nominal_length;
 #ifdef PAINT
   grown *= 1.0 - pow(1.0 - clamp(amounts.x, 0.0, 1.0), 3.0);  // thinned fur does not hide the skin
   above *= painted_depth();
@@ -58,7 +58,6 @@ void main() {
 #endif
   vec3 coat = colour_crossed(undercoat, 0.0);
   vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
-  float depth = covered * above * frame.exponents.w;
   vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), covered);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
   for (int i = 0; i < LAMPS; ++i) {
@@ -66,7 +65,7 @@ void main() {
     light_at(i, place, to_light, radiance);
     float facing = dot(normal, to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
-    float to_skin = depth / max(facing, 0.3);
+    float to_skin = covered * strands_to_light(above, 0.0, normal, to_light, facing);
 #ifdef LAYERS
     vec3 unshadowed = radiance;
 #endif

@@ -11,7 +11,7 @@ uniform int shell;
 
 in vec3 place, fibre_normal, fibre_tangent, tile_u, base_uv, base_colour;
 in vec2 tile;
-in float level, slant, density_share;
+in float level, slant, density_share, length_share;
 
 layout(location = 0) out vec4 result;
 
@@ -22,11 +22,12 @@ void main() {
   vec4 shape = textureLod(shapes, uv, level), texel = textureLod(colours, uv, level);
   vec3 normal = normalize(fibre_normal);
   vec4 scales = frame.depth_scale[int(level + 0.5)];
-  float scale = mix(scales.x, scales.y, clamp(2.0 - 2.0 / max(slant, 1.0), 0.0, 1.0)) * clamp(slant, 1.0, 10.0);
+  float steep = max(slant, 1.0), slanted = clamp(1.1547005 * sqrt(1.0 - 1.0 / (steep * steep)), 0.0, 1.0);
+  float scale = mix(scales.x, scales.y, slanted) * min(steep, 10.0);
   float opacity = 1.0 - exp2(-stored_depth * 1.442695 * shape.a * density_share * scale * float(slice_count) / float(shell_count));
   vec2 slope = (shape.xy * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
   Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), fur_colour(texel.rgb * texel.rgb, base_colour, base_uv),
-                      height, -log(max(shape.b, 0.004)), texel.a);
+                      height, -stored_light * log(max(shape.b, 0.004)) * length_share, texel.a);
   result = vec4(fibre_light(fibre) * opacity, opacity);
 }
