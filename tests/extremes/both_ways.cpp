@@ -64,15 +64,21 @@ std::string complaint_about(const std::vector<FloatImage>& layers) {
   return {};
 }
 
-Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
+FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   std::optional<FurFrame> frame;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
     sync_scene(renderer_, view, dirty);
     frame = make_frame(view, request);
   });
-  Result<Image> shown = renderer_.draw(*frame);
-  if (!shown) return shown.status();
-  return renderer_.draw_layers(*frame, all_layers);
+  return *frame;
+}
+
+Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return renderer_.draw(sync(scene, request)); }
+
+Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
+  const FurFrame frame = sync(scene, request);
+  if (Result<Image> shown = renderer_.draw(frame); !shown) return shown.status();
+  return renderer_.draw_layers(frame, all_layers);
 }
 
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {

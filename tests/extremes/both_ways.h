@@ -7,6 +7,7 @@
 
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/input/fur_scene.h"
 #include "renderer/strands/tracer.h"
 #include "server/scene/scene.h"
 
@@ -23,11 +24,14 @@ class BothWays {
 
   /// Layers of shells with the request's own knobs, or of strands.
   Result<std::vector<FloatImage>> draw(Scene& scene, const FrameRequest& request);
+  /// As a client sees it, in 8 bits.
+  Result<Image> show(Scene& scene, const FrameRequest& request);
   Result<std::vector<FloatImage>> trace(Scene& scene, const FrameRequest& request);
 
   std::size_t pictures() const { return pictures_; }
 
  private:
+  FurFrame sync(Scene& scene, const FrameRequest& request);
   Status check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint);
 
   Renderer& renderer_;

@@ -6,6 +6,13 @@
 
 namespace pelage::testing {
 
+Status carry_out(const std::string& text, Scene& scene, const SceneStore& store) {
+  const Result<std::vector<Command>> commands = decode_commands(text);
+  if (!commands) return commands.status();
+  const Result<CommandAnswer> answer = store.execute(scene, *commands);
+  return answer ? Status{} : answer.status();
+}
+
 Result<std::shared_ptr<Scene>> scene_of(const Row& row, SceneStore& store) {
   const Result<NewScene> asked = decode_new_scene(row.scene);
   if (!asked) return asked.status();
@@ -17,10 +24,7 @@ Result<std::shared_ptr<Scene>> scene_of(const Row& row, SceneStore& store) {
     if (!loaded) return loaded.status();
   }
   for (const std::string& text : row.commands) {
-    const Result<std::vector<Command>> commands = decode_commands(text);
-    if (!commands) return commands.status();
-    const Result<CommandAnswer> answer = store.execute(**scene, *commands);
-    if (!answer) return answer.status();
+    if (Status refused = carry_out(text, **scene, store); !refused.ok()) return refused;
   }
   return scene;
 }

@@ -11,6 +11,8 @@ namespace pelage::testing {
 
 /// The scene of a row, or the first refusal on the way to it.
 Result<std::shared_ptr<Scene>> scene_of(const Row& row, SceneStore& store);
+/// Runs the commands of a text in a scene.
+Status carry_out(const std::string& text, Scene& scene, const SceneStore& store);
 Result<FrameRequest> request_of(const Row& row);
 
 }  // namespace pelage::testing

@@ -115,7 +115,7 @@ Rows brush_rows() {
   const std::string key = R"("keys": [{"position": [0, 0, 1], "length": 0.3}, {"position": [0, 0.5, -1], "length": 0.01}])";
   return {of_brush("radius 0", comb(R"("radius": 0)")),
           of_brush("radius 1e6 sizes", comb(R"("radius": 1e6, "strength": 1)")),
-          of_brush("radius 1e27 of the model's units", comb(R"("radius": 1e27, "units": "world", "strength": 1)")),
+          of_brush("radius 1e27 of the model's units", comb(R"("radius": 1e27, "units": "world", "strength": 1)"), "/brush/radius"),
           of_brush("radius below 0", comb(R"("radius": -1)"), "/brush/radius"),
           of_brush("strength 0", comb(R"("radius": 0.2, "strength": 0)")),
           of_brush("strength 1.1", comb(R"("radius": 0.2, "strength": 1.1)"), "/brush/strength"),
