@@ -65,17 +65,17 @@ class Worker {
     const std::optional<FrameRequest> asked = request_or_refusal(frame), between = request_or_refusal(other);
     const std::optional<FrameRequest> traced = request_or_refusal(traced_frame(tracing));
     std::optional<Layers> shells, strands;
-    if (asked) shells = fine(ways_.draw(scene, *asked));
-    if (traced) strands = fine(ways_.trace(scene, *traced));
-    if (between) fine(ways_.draw(scene, *between));
-    if (asked) RC_ASSERT(same_bits(*shells, *fine(ways_.draw(scene, *asked))));
-    if (traced) RC_ASSERT(same_bits(*strands, *fine(ways_.trace(scene, *traced))));
+    if (asked) shells = fine("shells", ways_.draw(scene, *asked));
+    if (traced) strands = fine("strands", ways_.trace(scene, *traced));
+    if (between) fine("shells between", ways_.draw(scene, *between));
+    if (asked) RC_ASSERT(same_bits(*shells, *fine("shells", ways_.draw(scene, *asked))));
+    if (traced) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
   }
 
-  static std::optional<Layers> fine(Result<Layers> layers) {
-    if (!layers) RC_FAIL(layers.status().message + " " + layers.status().pointer);
+  static std::optional<Layers> fine(const std::string& way, Result<Layers> layers) {
+    if (!layers) RC_FAIL(way + ": " + layers.status().message + " " + layers.status().pointer);
     const std::string complaint = complaint_about(*layers);
-    if (!complaint.empty()) RC_FAIL(complaint);
+    if (!complaint.empty()) RC_FAIL(way + ": " + complaint);
     return std::move(layers).value();
   }
 
