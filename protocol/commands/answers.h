@@ -30,6 +30,8 @@ struct FrameCounters {
   std::size_t textures = 0;  // textures bound
   std::size_t bytes = 0;     // sent from the CPU
   std::uint64_t fragments = 0;  // runs of fragment shaders, but for the pass that writes the picture's pixels
+  std::size_t objects = 0;    // buffers, textures, targets and programs that were made
+  std::size_t allocated = 0;  // bytes of storage that was asked for, without mip levels
   bool operator==(const FrameCounters&) const = default;
 };
 

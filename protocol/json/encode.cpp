@@ -174,7 +174,9 @@ std::string encode(const FrameCounters& counters) {
                {"draws", counters.draws},
                {"textures", counters.textures},
                {"bytes", counters.bytes},
-               {"fragments", counters.fragments}});
+               {"fragments", counters.fragments},
+               {"objects", counters.objects},
+               {"allocated", counters.allocated}});
 }
 
 }  // namespace pelage

@@ -36,7 +36,9 @@ void draw(const Coat& coat, const Strand& strand, std::vector<glm::vec4>& pictur
     const double q = std::min(1.0, s / strand.length_share);
     const double ending = std::min(1.0, left * side_view_height);  // a tip ends inside its row
     const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q) * ending * to_texels;
-    draw({(strand.root.x + strand_offset(coat, strand, q).x) * to_texels, radius, strand_colour(coat, strand, q)},
+    draw({(strand.root.x + strand_offset(coat, strand, q).x) * to_texels,
+          std::min(radius, 0.5 * side_view_width + 1),  // then it covers the whole row
+          strand_colour(coat, strand, q)},
          &picture[static_cast<std::size_t>(y) * side_view_width]);
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <thread>
 
 #include "renderer/coat/mip_levels.h"
@@ -11,6 +12,11 @@
 namespace pelage {
 
 namespace {
+
+// Discs that lie over each texel on average when a slice lets nothing through any more: each brings a depth of 5.8, and
+// more than stored_depth is not kept.
+constexpr double opaque_cover = 16;
+const double most_depth = -std::log1p(-0.997);  // of one disc
 
 /// One strand's cross-section at a slice's height.
 struct Sprite {
@@ -37,7 +43,7 @@ void draw(const Sprite& sprite, std::vector<SliceTexel>& slice) {
     for (int x = low.x; x <= high.x; ++x) {
       const double share = coverage(glm::distance(sprite.centre, glm::dvec2(x + 0.5, y + 0.5)), sprite.radius);
       if (share <= 0) continue;
-      const float depth = static_cast<float>(-std::log1p(-std::min(share, 0.997)));
+      const float depth = static_cast<float>(share >= 0.997 ? most_depth : -std::log1p(-share));
       slice[static_cast<std::size_t>(wrap(y) * slice_texels + wrap(x))].add(
           {depth, sprite.slope * depth, sprite.colour * depth, sprite.number, 0});
     }
@@ -54,18 +60,24 @@ Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
   const glm::dvec2 slope = glm::mix(slope_of(strand_offset), slope_of(free_offset), coat.wetness);
   const double to_texels = slice_texels / coat.tile;
   const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
-  return {(strand.root + strand_offset(coat, strand, q)) * to_texels, radius * to_texels, glm::vec2(slope),
-          strand_colour(coat, strand, q), static_cast<float>(strand.number)};
+  return {(strand.root + strand_offset(coat, strand, q)) * to_texels,
+          std::min(radius * to_texels, double{slice_texels}),  // then it covers the whole tile
+          glm::vec2(slope), strand_colour(coat, strand, q), static_cast<float>(strand.number)};
 }
 
+/// Strands whose discs lie over each other many times are not all drawn: any number of first ones covers the tile evenly
+/// (strand_tile.cpp), and without an end the widest strands would take days.
 std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& strands, int index) {
   std::vector<SliceTexel> slice(slice_texels * slice_texels);
   const double s = (index + 0.5) / slice_count;
+  double cover = 0;
   for (const Strand& strand : strands) {
+    if (cover > opaque_cover) break;
     if (strand.length_share < s) continue;
     Sprite sprite = cross_section(coat, strand, s);
     sprite.radius *= std::min(1.0, (strand.length_share - s) * slice_count);  // a tip ends inside its slab
     draw(sprite, slice);
+    cover += std::numbers::pi * sprite.radius * sprite.radius / (slice_texels * slice_texels);
   }
   return slice;
 }

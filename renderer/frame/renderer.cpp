@@ -302,7 +302,9 @@ FrameCounters Renderer::take_counters() const {
           .draws = counts.draws,
           .textures = counts.textures,
           .bytes = counts.bytes,
-          .fragments = fragments_.result()};
+          .fragments = fragments_.result(),
+          .objects = counts.objects,
+          .allocated = counts.allocated};
 }
 
 }  // namespace pelage

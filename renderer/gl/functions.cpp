@@ -1,5 +1,7 @@
 #include "renderer/gl/functions.h"
 
+#include <algorithm>
+
 namespace pelage {
 
 namespace {
@@ -7,6 +9,23 @@ namespace {
 std::size_t texel_bytes(GLenum format, GLenum type) {
   const std::size_t channels = format == GL_RGBA ? 4 : format == GL_RG ? 2 : 1;
   return channels * (type == GL_FLOAT ? sizeof(GLfloat) : sizeof(GLubyte));
+}
+
+std::size_t stored_bytes(GLenum format) {
+  switch (format) {
+    case GL_R16F: return 2;
+    case GL_RGBA16:
+    case GL_RGBA16F:
+    case GL_RG32F:
+    case GL_DEPTH32F_STENCIL8: return 8;
+    case GL_RGBA32F: return 16;
+    default: return 4;  // GL_RGBA8, GL_SRGB8_ALPHA8, GL_R32F
+  }
+}
+
+/// Without mip levels, which add a third or less.
+std::size_t volume(GLsizei width, GLsizei height, GLsizei depth) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
 }
 
 }  // namespace
@@ -33,12 +52,30 @@ void Gl::DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const vo
 
 void Gl::NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const {
   if (data) counts_.bytes += static_cast<std::size_t>(size);
+  counts_.allocated += static_cast<std::size_t>(size);
   counted_.NamedBufferData(buffer, size, data, usage);
 }
 
 void Gl::NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, const void* data) const {
   counts_.bytes += static_cast<std::size_t>(size);
   counted_.NamedBufferSubData(buffer, offset, size, data);
+}
+
+void Gl::NamedRenderbufferStorageMultisample(GLuint buffer, GLsizei samples, GLenum format, GLsizei width,
+                                             GLsizei height) const {
+  counts_.allocated += volume(width, height, std::max(samples, 1)) * stored_bytes(format);
+  counted_.NamedRenderbufferStorageMultisample(buffer, samples, format, width, height);
+}
+
+void Gl::TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const {
+  counts_.allocated += volume(width, height, 1) * stored_bytes(format);
+  counted_.TextureStorage2D(texture, levels, format, width, height);
+}
+
+void Gl::TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
+                          GLsizei depth) const {
+  counts_.allocated += volume(width, height, depth) * stored_bytes(format);
+  counted_.TextureStorage3D(texture, levels, format, width, height, depth);
 }
 
 void Gl::TextureSubImage2D(GLuint texture, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
@@ -131,14 +168,14 @@ std::string Gl::load(const LoadFunction& find) {
   get(NamedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers");
   get(NamedFramebufferRenderbuffer, "glNamedFramebufferRenderbuffer");
   get(NamedFramebufferTexture, "glNamedFramebufferTexture");
-  get(NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");
+  get(counted_.NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");
   get(PixelStorei, "glPixelStorei");
   get(ReadPixels, "glReadPixels");
   get(Scissor, "glScissor");
   get(ShaderSource, "glShaderSource");
   get(TextureParameteri, "glTextureParameteri");
-  get(TextureStorage2D, "glTextureStorage2D");
-  get(TextureStorage3D, "glTextureStorage3D");
+  get(counted_.TextureStorage2D, "glTextureStorage2D");
+  get(counted_.TextureStorage3D, "glTextureStorage3D");
   get(counted_.TextureSubImage2D, "glTextureSubImage2D");
   get(counted_.TextureSubImage3D, "glTextureSubImage3D");
   get(GenerateTextureMipmap, "glGenerateTextureMipmap");

@@ -13,9 +13,10 @@ namespace pelage {
 /// Looks a function up by name; null where the context has none.
 using LoadFunction = std::function<void*(const char*)>;
 
-/// What was asked of the GL; bytes are those of buffers and textures that came from the CPU.
+/// What was asked of the GL; bytes are those of buffers and textures that came from the CPU, `allocated` those of the
+/// storage that was asked for, and objects those that were made.
 struct GlCounts {
-  std::size_t programs = 0, draws = 0, textures = 0, bytes = 0;
+  std::size_t programs = 0, draws = 0, textures = 0, bytes = 0, allocated = 0, objects = 0;
 };
 
 /// A table of functions, valid for one context on one thread. Calls that frames are measured by are counted.
@@ -78,7 +79,6 @@ struct Gl {
   PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC NamedFramebufferDrawBuffers = nullptr;
   PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer = nullptr;
   PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture = nullptr;
-  PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
   PFNGLSCISSORPROC Scissor = nullptr;
@@ -86,8 +86,6 @@ struct Gl {
   PFNGLSTENCILFUNCPROC StencilFunc = nullptr;
   PFNGLSTENCILOPPROC StencilOp = nullptr;
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
-  PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
-  PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLUNIFORM1FPROC Uniform1f = nullptr;
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
@@ -105,7 +103,12 @@ struct Gl {
   void DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) const;
   void DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) const;
   void NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const;
+  void NamedRenderbufferStorageMultisample(GLuint buffer, GLsizei samples, GLenum format, GLsizei width,
+                                           GLsizei height) const;
   void NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, const void* data) const;
+  void TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const;
+  void TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
+                        GLsizei depth) const;
   /// Of 1, 2 or 4 channels (GL_RED, GL_RG, GL_RGBA) in octets or floats.
   void TextureSubImage2D(GLuint texture, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                          GLenum type, const void* pixels) const;
@@ -113,6 +116,8 @@ struct Gl {
                          GLsizei depth, GLenum format, GLenum type, const void* pixels) const;
   void UseProgram(GLuint program) const;
 
+  /// Called by all that make an object (handles.h).
+  void count_object() const { ++counts_.objects; }
   /// What was counted since the last call.
   GlCounts take_counts() const { return std::exchange(counts_, {}); }
 
@@ -127,6 +132,9 @@ struct Gl {
     PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
     PFNGLNAMEDBUFFERDATAPROC NamedBufferData = nullptr;
     PFNGLNAMEDBUFFERSUBDATAPROC NamedBufferSubData = nullptr;
+    PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample = nullptr;
+    PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
+    PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
     PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = nullptr;
     PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
     PFNGLUSEPROGRAMPROC UseProgram = nullptr;

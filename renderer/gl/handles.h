@@ -13,7 +13,9 @@ class Handle {
  public:
   Handle() = default;
   template <class... Arguments>
-  explicit Handle(const Gl& gl, Arguments... arguments) : gl_(&gl), id_(Kind::create(gl, arguments...)) {}
+  explicit Handle(const Gl& gl, Arguments... arguments) : gl_(&gl), id_(Kind::create(gl, arguments...)) {
+    gl.count_object();
+  }
   Handle(Handle&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(gl_, other.gl_);

@@ -1,6 +1,8 @@
 // Pieces of fur from the eye inwards, for the depth of a frame: what a fragment adds to the opacity over its pixel, or, with
 // CROSSING, one over its distance along the view where that opacity crosses half.
 #ifdef CROSSING
+#include "inverse_distance.glsl"
+
 layout(binding = 14) uniform sampler2D covered;  // opacity after this piece, opacity before it
 
 void keep_crossings() {
@@ -8,7 +10,7 @@ void keep_crossings() {
   if (opacity.r < 0.5 || opacity.g >= 0.5) discard;
 }
 
-vec4 covering(float opacity) { return vec4(gl_FragCoord.w, 0.0, 0.0, 1.0); }
+vec4 covering(float opacity) { return vec4(inverse_distance(), 0.0, 0.0, 1.0); }
 #else
 vec4 covering(float opacity) { return vec4(opacity); }
 #endif

@@ -8,23 +8,26 @@ layout(location = 5) out vec4 layer_direct;
 layout(location = 6) out vec4 layer_light;  // light that is left, light without shadows
 layout(location = 7) out vec4 layer_count;
 
+// What is interpolated over a triangle that is all but a line on the screen may not be a number.
+vec3 known(vec3 value) { return any(isnan(value)) || any(isinf(value)) ? vec3(0.0) : value; }
+
 // Takes direct_light and light_share from lighting.glsl. `shells` is 1 for fur, 0 for skin.
 void write_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float shells, float opacity) {
-  layer_position = vec4(place, 1.0) * opacity;
-  layer_normal = vec4(normal, 1.0) * opacity;
-  layer_tangent = vec4(tangent, 1.0) * opacity;
-  layer_albedo = vec4(albedo, 1.0) * opacity;
-  layer_direct = vec4(direct_light, 1.0) * opacity;
+  layer_position = vec4(known(place), 1.0) * opacity;
+  layer_normal = vec4(known(normal), 1.0) * opacity;
+  layer_tangent = vec4(known(tangent), 1.0) * opacity;
+  layer_albedo = vec4(known(albedo), 1.0) * opacity;
+  layer_direct = vec4(known(direct_light), 1.0) * opacity;
   layer_light = vec4(light_share, 0.0, 1.0) * opacity;
   layer_count = vec4(shells, 0.0, 0.0, 0.0);
 }
 
 // Fur beside what was written or added before.
 void add_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float opacity) {
-  layer_position += vec4(place, 1.0) * opacity;
-  layer_normal += vec4(normal, 1.0) * opacity;
-  layer_tangent += vec4(tangent, 1.0) * opacity;
-  layer_albedo += vec4(albedo, 1.0) * opacity;
-  layer_direct += vec4(direct_light, 1.0) * opacity;
+  layer_position += vec4(known(place), 1.0) * opacity;
+  layer_normal += vec4(known(normal), 1.0) * opacity;
+  layer_tangent += vec4(known(tangent), 1.0) * opacity;
+  layer_albedo += vec4(known(albedo), 1.0) * opacity;
+  layer_direct += vec4(known(direct_light), 1.0) * opacity;
   layer_light += vec4(light_share, 0.0, 1.0) * opacity;
 }

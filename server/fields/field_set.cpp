@@ -44,6 +44,15 @@ void flip(float* channels, const std::uint32_t* flips, int count) {
     channels[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(channels[c]) ^ flips[c]);
 }
 
+/// Arrays that are there from the beginning.
+bool always_kept(Sheet sheet, Field field) {
+  return sheet == seen_sheet && (field == Field::direction || field == Field::length);
+}
+
+bool all_at_rest(const std::vector<float>& values, float rest) {
+  return std::all_of(values.begin(), values.end(), [&](float value) { return bits_of(value) == bits_of(rest); });
+}
+
 }  // namespace
 
 glm::vec2 stored_direction(glm::dvec2 direction) {
@@ -156,13 +165,18 @@ void FieldSet::apply(const FieldDelta& delta) {
     const auto channels = static_cast<std::size_t>(shape_of(part.field).channels);
     std::vector<float>& values = touched(part.field, part.sheet);
     const std::uint32_t* flips = part.flips.data();
+    const float rest = rest_of(part.sheet, part.field);
+    bool to_rest = true;
     for (const std::uint32_t v : part.vertices) {
       float* stored = &values[v * channels];
       add_hash(hash_, part, v, stored, true);
       flip(stored, flips, static_cast<int>(channels));
       add_hash(hash_, part, v, stored, false);
       flips += channels;
+      for (std::size_t c = 0; c < channels; ++c) to_rest = to_rest && bits_of(stored[c]) == bits_of(rest);
     }
+    // What has been taken back everywhere costs no frame and no memory any more.
+    if (to_rest && !always_kept(part.sheet, part.field) && all_at_rest(values, rest)) values = {};
   }
 }
 

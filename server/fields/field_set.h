@@ -46,7 +46,8 @@ class FieldSet {
   /// Whether no vertex of the field has anything on the sheet.
   bool untouched(Sheet sheet, Field field) const;
 
-  /// All values, channel by channel for each vertex; empty while nothing has touched the field.
+  /// All values, channel by channel for each vertex; empty while nothing has touched the field, and after a delta that
+  /// took back all of it.
   const std::vector<float>& values(Field field) const { return sheets_[seen_sheet][static_cast<std::size_t>(field)]; }
   bool at_rest(Field field) const { return values(field).empty(); }
   std::span<const glm::vec2> direction() const;

@@ -163,6 +163,16 @@ TEST(Slices, SameBitsAgain) {
   }
 }
 
+// 100,000 discs of ten tiles each: without an end it would take days.
+TEST(Slices, TheWidestStrandsAreOpaqueAndEnd) {
+  Coat coat;
+  coat.count = 100'000, coat.tile = 0.01, coat.width_root = coat.width_tip = 0.05, coat.length_spread = 0;
+  coat.undercoat = {.share = 0.5, .length = 1, .width = 4};
+  const Slices slices = bake_slices(coat);
+  const SliceLevel& level = slices.levels[0];
+  for (std::size_t i = 3; i < level.shape.size() / 2; i += 4) ASSERT_EQ(level.shape[i], 255);  // the lower half
+}
+
 TEST(Slices, ExtremesAreFinite) {
   for (const auto& [count, width, bend] : {std::tuple{1, 0.0, 0.0}, {1, 0.05, 2.0}, {20000, 0.002, 2.0}}) {
     Coat coat;

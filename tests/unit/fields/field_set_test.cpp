@@ -87,6 +87,27 @@ TEST(FieldSet, FieldsTakeNoMemoryBeforeTheyAreTouched) {
   EXPECT_EQ(fields.hash(), rest) << "what is at rest again adds nothing";
 }
 
+TEST(FieldSet, WhatIsTakenBackTakesNoMemoryAgain) {
+  FieldSet fields(100), painted(100);
+  painted.set(Field::density, 7, glm::vec4(0.5f));
+  painted.set(Field::root_colour, 99, glm::vec4(0.5f));
+  painted.set(Field::length, 3, glm::vec4(0.5f));
+  const std::size_t bytes = fields.bytes();
+  const FieldDelta delta = difference(fields, painted);
+  fields.apply(delta);
+  EXPECT_FALSE(fields.at_rest(Field::density));
+  EXPECT_GT(fields.bytes(), bytes);
+  FieldDelta half = delta;
+  half.parts.resize(1);  // an array that is there from the beginning stays
+  fields.apply(half);
+  EXPECT_GT(fields.bytes(), bytes);
+  fields.apply(half), fields.apply(delta);
+  EXPECT_TRUE(fields.at_rest(Field::density) && fields.at_rest(Field::root_colour));
+  EXPECT_EQ(fields.bytes(), bytes);
+  EXPECT_EQ(fields.length().size(), 100u);
+  EXPECT_EQ(fields.hash(), FieldSet(100).hash());
+}
+
 TEST(FieldSet, EveryChannelOfEveryFieldIsInTheHash) {
   std::vector<FieldsHash> seen{FieldSet(2).hash()};
   for (std::size_t f = 0; f < field_count; ++f) {

@@ -1,0 +1,125 @@
+#include "tests/extremes/both_ways.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "server/scene/fur_view.h"
+#include "server/scene/skin_view.h"
+
+namespace pelage::testing {
+
+namespace {
+
+constexpr std::array all_layers{FrameLayer::beauty, FrameLayer::alpha,      FrameLayer::depth,  FrameLayer::position,
+                                FrameLayer::normal, FrameLayer::tangent,    FrameLayer::albedo, FrameLayer::direct,
+                                FrameLayer::shadow, FrameLayer::layer_count};
+constexpr std::array<const char*, 10> layer_names{"beauty",  "alpha",  "depth",  "position", "normal",
+                                                  "tangent", "albedo", "direct", "shadow",   "layer_count"};
+constexpr float above_one = 1.001f;  // sums of half floats
+
+bool is_light(FrameLayer layer) {
+  return layer == FrameLayer::beauty || layer == FrameLayer::direct || layer == FrameLayer::albedo;
+}
+
+bool fine(FrameLayer layer, std::size_t channel, float value) {
+  if (!std::isfinite(value)) return false;
+  if (is_light(layer) && value < 0) return false;
+  if (layer == FrameLayer::depth) return channel != 0 || value >= 0;
+  if (channel == 3) return value >= 0 && value <= above_one;
+  return true;
+}
+
+FrameRequest sorted_with_all(FrameRequest request) {
+  Knobs& knobs = request.knobs;
+  knobs.order = FragmentOrder::sorted, knobs.samples = 1, knobs.shell_policy = ShellPolicy::uniform;
+  knobs.accumulation = Accumulation::full, knobs.fins = true, knobs.guard_hairs = std::max(knobs.guard_hairs, 200);
+  knobs.scale = 1;
+  return request;
+}
+
+FrameRequest traced(FrameRequest request, Transport transport) {
+  Knobs& knobs = request.knobs;
+  const int guard_hairs = knobs.guard_hairs, eye_steps = knobs.eye_steps;
+  knobs = {};
+  knobs.method = Method::strands, knobs.guard_hairs = guard_hairs, knobs.eye_steps = eye_steps;
+  knobs.trace.passes = 1, knobs.trace.strands = 2000, knobs.trace.transport = transport;
+  return request;
+}
+
+bool always() { return true; }
+
+}  // namespace
+
+std::string complaint_about(const std::vector<FloatImage>& layers) {
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    for (std::size_t i = 0; i < layers[l].rgba.size(); ++i) {
+      const float value = layers[l].rgba[i];
+      if (fine(all_layers[l], i % 4, value)) continue;
+      return std::string(layer_names[l]) + " of pixel " + std::to_string(i / 4) + ", channel " + std::to_string(i % 4) +
+             ": " + std::to_string(value);
+    }
+  }
+  return {};
+}
+
+FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
+  std::optional<FurFrame> frame;
+  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
+    sync_scene(renderer_, view, dirty);
+    frame = make_frame(view, request);
+  });
+  return *frame;
+}
+
+Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return renderer_.draw(sync(scene, request)); }
+
+Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
+  const FurFrame frame = sync(scene, request);
+  if (Result<Image> shown = renderer_.draw(frame); !shown) return shown.status();
+  return renderer_.draw_layers(frame, all_layers);
+}
+
+Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
+  if (Status refused = tracer_.admit(request.width, request.height, all_layers, true); !refused.ok()) return refused;
+  Status status;
+  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
+    sync_scene(renderer_, view, dirty);
+    const FurFrame frame = make_frame(view, request);
+    Result<BasePicture> base = renderer_.draw_base(frame);
+    if (!base) {
+      status = base.status();
+      return;
+    }
+    const Mesh& mesh = view.model.surface.mesh();
+    const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
+    const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
+    const ModelArrays arrays = make_arrays(view);
+    status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1)), frame,
+                           std::move(base).value(), all_layers, always);
+  });
+  while (status.ok() && tracer_.report().end == TraceEnd::none) status = tracer_.add_pass(always);
+  if (!status.ok()) return status;
+  std::vector<FloatImage> images;
+  for (const FrameLayer layer : all_layers) images.push_back(tracer_.layer(layer));
+  return images;
+}
+
+Status BothWays::check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint) {
+  if (!images) return images.status();
+  ++pictures_;
+  const std::string found = complaint_about(*images);
+  if (!found.empty()) complaint += std::string(way) + ": " + found + "\n";
+  return {};
+}
+
+Status BothWays::look_at(Scene& scene, const FrameRequest& request, std::string& complaint) {
+  Status status = check(draw(scene, request), "shells", complaint);
+  if (status.ok()) status = check(draw(scene, sorted_with_all(request)), "sorted shells", complaint);
+  if (status.ok()) status = check(trace(scene, traced(request, Transport::transmittance)), "strands", complaint);
+  if (status.ok()) status = check(trace(scene, traced(request, Transport::paths)), "paths", complaint);
+  return status;
+}
+
+}  // namespace pelage::testing

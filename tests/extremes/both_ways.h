@@ -1,0 +1,46 @@
+// A scene drawn by shells and traced as strands, with every number of every layer looked at.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/commands/frame.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/strands/tracer.h"
+#include "server/scene/scene.h"
+
+namespace pelage::testing {
+
+/// Pictures of one request: shells as they are asked for, shells sorted with fins and guard hairs, and strands in both
+/// transports.
+class BothWays {
+ public:
+  explicit BothWays(Renderer& renderer) : renderer_(renderer) {}
+
+  /// Refused as drawing and tracing are. `complaint` says which number of which layer is wrong, "" where all are fine.
+  Status look_at(Scene& scene, const FrameRequest& request, std::string& complaint);
+
+  /// Layers of shells with the request's own knobs, or of strands.
+  Result<std::vector<FloatImage>> draw(Scene& scene, const FrameRequest& request);
+  /// As a client sees it, in 8 bits.
+  Result<Image> show(Scene& scene, const FrameRequest& request);
+  Result<std::vector<FloatImage>> trace(Scene& scene, const FrameRequest& request);
+
+  std::size_t pictures() const { return pictures_; }
+
+ private:
+  FurFrame sync(Scene& scene, const FrameRequest& request);
+  Status check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint);
+
+  Renderer& renderer_;
+  Tracer tracer_{2, std::size_t{1} << 28, false};
+  std::size_t pictures_ = 0;
+};
+
+/// What is wrong with the layers of a picture, "" for nothing: all are finite, light is not negative, shares lie in
+/// [0, 1].
+std::string complaint_about(const std::vector<FloatImage>& layers);
+
+}  // namespace pelage::testing

@@ -1,0 +1,87 @@
+#include "tests/extremes/features.h"
+
+namespace pelage::testing {
+
+namespace {
+
+std::string one(const std::string& op, const std::string& members) { return R"({"op": ")" + op + "\", " + members + "}"; }
+
+std::string coat(const std::string& members) { return one("set_coat", R"("coat": {)" + members + "}"); }
+
+std::string quality(const std::string& members) { return R"("quality": {)" + members + "}"; }
+
+std::string lamp(const std::string& members) {
+  return one("set_lights", R"("lights": [{"direction": [0, -1, -1])" + members + "}]");
+}
+
+std::string paint(const std::string& field, const std::string& value) {
+  return one("paint", R"("flood": true, "brush": {"strength": 1}, "field": ")" + field + R"(", )" + value);
+}
+
+std::string batch(const std::string& first, const std::string& second) {
+  return R"({"commands": [)" + first + ", " + second + "]}";
+}
+
+std::vector<Feature> of_the_coat() {
+  const std::string group = R"({"curves": [[[0, 0, 1], [0.5, 0, 2]]], "width_root": 0.01})";
+  const std::string region = R"({"centre": [0, 0, 1], "radii": [0.5, 0.5, 0.5]})";
+  return {{"pattern", coat(R"("pattern": {"kind": "stripes"})"), "", coat(R"("pattern": {"kind": "none", "scale": 0.5})")},
+          {"variation", coat(R"("variation": {"hue": 1})"), "", coat(R"("variation": {"hue": 0, "size": 0.3})")},
+          {"tufts", coat(R"("tufts": {"gather": 1})"), "", coat(R"("tufts": {"gather": 0, "size": 0.3, "scales": 3})")},
+          {"painted density", paint("density", R"("value": 0.5)"), "", paint("density", R"("value": 1)")},
+          {"painted colour", paint("root_colour", R"("value": 1, "colour": "#ff0000")"), "", paint("wetness", R"("value": 0)")},
+          {"curves", one("set_curves", R"("groups": [)" + group + "]"), "", one("set_curves", R"("groups": [])")},
+          {"bare skin", one("set_skin", R"("regions": [)" + region + "]"), "", one("set_skin", R"("regions": [])")},
+          {"eyes", one("set_eyes", R"("eyes": [{"position": [0, 0, 1], "radius": 0.1}])"), "",
+           one("set_eyes", R"("eyes": [])"), quality(R"("eye_steps": 64)")}};
+}
+
+std::vector<Feature> of_light() {
+  const std::string shine = R"("look": {"shading": "energy_conserving", "fibre": {"refractive_index": 2}})";
+  return {{"ground", one("set_ground", R"("ground": {"visible": true})"), "",
+           one("set_ground", R"("ground": {"visible": false, "height": 1, "shadow": 1})")},
+          {"layer-wise shadow maps", lamp(R"(, "self_shadow_maps": true)"), quality(R"("shadow_maps": true)"),
+           lamp(R"(, "self_shadow_maps": true)"), quality(R"("shadow_resolution": 4096)")},
+          {"hard shadow", lamp(R"(, "cast_shadow": "hard")"), quality(R"("shadow_maps": true)"),
+           lamp(R"(, "cast_shadow": "hard")")},
+          {"soft shadow", lamp(R"(, "cast_shadow": "soft")"), quality(R"("shadow_maps": true)"), lamp(""),
+           quality(R"("shadow_maps": true)")},
+          {"light from all around", "", "", one("set_environment", R"("environment": {"intensity": 0.5})")},
+          {"fibre scattering", one("set_look", shine), "",
+           one("set_look", R"("look": {"shading": "kajiya", "fibre": {"refractive_index": 2, "eumelanin": 100}})")}};
+}
+
+std::vector<Feature> of_the_frame() {
+  return {{"fins", "", quality(R"("fins": true)"), "", quality(R"("fins": false)")},
+          {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
+          {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "layers")")},
+          {"four samples", "", quality(R"("samples": 4)"), "", quality(R"("samples": 1)")},
+          {"float accumulation", "", quality(R"("accumulation": "full")"), "", quality(R"("accumulation": "half")")},
+          {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},
+          {"overlay of a field", "", R"("overlay": "direction")", "", R"("overlay": "none")"},
+          {"overlay of strokes", "", R"("overlay": "strokes")", "", R"("overlay": "none")"},
+          {"overlay of layers", "", R"("overlay": "layer_count")", "", R"("overlay": "none")"},
+          {"layers of an EXR", "", R"("format": "exr", "layers": ["beauty", "depth", "normal"])", "",
+           R"("format": "png")"}};
+}
+
+/// These change what tools do, and no frame.
+std::vector<Feature> of_the_groom() {
+  const std::string layer = one("layer", R"("action": "add", "name": "l")");
+  return {{"edit layers", batch(layer, one("length", R"("flood": true, "layer": "l", "mode": "set", "value": 0.1)")), "",
+           batch(layer, one("layer", R"("action": "set", "name": "l", "muted": true)"))},
+          {"blowers that stay", "", "", one("set_blowers", R"("blowers": [{"name": "b", "source": [0, 0, 3]}])")},
+          {"symmetry", "", "", one("set_symmetry", R"("symmetry": {"planes": [{"normal": [1, 0, 0]}]})")},
+          {"checkpoints", "", "", one("checkpoint", R"("name": "c")")}};
+}
+
+}  // namespace
+
+std::vector<Feature> features() {
+  std::vector<Feature> all;
+  for (const auto& some : {of_the_coat(), of_light(), of_the_frame(), of_the_groom()})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+}  // namespace pelage::testing

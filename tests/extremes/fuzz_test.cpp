@@ -1,0 +1,103 @@
+// Any scene with any knobs, by shells and by strands: finite, or refused with a pointer; and the same picture twice,
+// whatever was drawn in between. More cases: RC_PARAMS="max_success=10000" (tests/extremes/fuzz.sh).
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+#include "tests/extremes/any_scene.h"
+#include "tests/extremes/both_ways.h"
+#include "tests/extremes/row_scene.h"
+#include "tests/extremes/with_store.h"
+
+namespace pelage::testing {
+namespace {
+
+using Layers = std::vector<FloatImage>;
+
+bool same_bits(const Layers& a, const Layers& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::memcmp(a[i].rgba.data(), b[i].rgba.data(), a[i].rgba.size() * sizeof(float)) != 0) return false;
+  }
+  return a.size() == b.size();
+}
+
+/// A request, or nothing where members of it do not go together.
+std::optional<FrameRequest> request_or_refusal(const std::string& frame) {
+  Row row;
+  row.frame = frame;
+  const Result<FrameRequest> request = request_of(row);
+  if (request) return *request;
+  RC_ASSERT(!request.status().pointer.empty());
+  RC_ASSERT(!request.status().limit.empty());
+  return std::nullopt;
+}
+
+std::string traced_frame(const std::string& tracing) {
+  return R"({"width": 9, "height": 7, "quality": )" + tracing + "}";
+}
+
+class Fuzz : public ::testing::TestWithParam<Backend> {};
+
+class Worker {
+ public:
+  explicit Worker(Renderer& renderer, SceneStore& store) : renderer_(renderer), store_(store), ways_(renderer) {}
+
+  void any_case() {
+    const Row row = any_row();
+    std::string trail = row.scene + "\n" + row.frame;
+    for (const std::string& command : row.commands) trail += "\n" + command;
+    const std::string tracing = any_tracing(), other = any_frame();
+    RC_LOG() << trail << "\n" << tracing << "\n" << other << "\n";
+    const Result<std::shared_ptr<Scene>> scene = scene_of(row, store_);
+    if (!scene) RC_FAIL(scene.status().message + " " + scene.status().pointer + "\n");
+    look_at(**scene, row.frame, tracing, other);
+    renderer_.forget((*scene)->model()->id);
+    RC_ASSERT(store_.remove((*scene)->id()).ok());
+    if (++cases_ % 10 == 0) std::fprintf(stderr, "%d scenes\n", cases_);  // long runs are watched
+  }
+
+ private:
+  void look_at(Scene& scene, const std::string& frame, const std::string& tracing, const std::string& other) {
+    const std::optional<FrameRequest> asked = request_or_refusal(frame), between = request_or_refusal(other);
+    const std::optional<FrameRequest> traced = request_or_refusal(traced_frame(tracing));
+    std::optional<Layers> shells, strands;
+    if (asked) shells = fine("shells", ways_.draw(scene, *asked));
+    if (traced) strands = fine("strands", ways_.trace(scene, *traced));
+    if (between) fine("shells between", ways_.draw(scene, *between));
+    if (asked) RC_ASSERT(same_bits(*shells, *fine("shells", ways_.draw(scene, *asked))));
+    if (traced) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
+  }
+
+  static std::optional<Layers> fine(const std::string& way, Result<Layers> layers) {
+    if (!layers) RC_FAIL(way + ": " + layers.status().message + " " + layers.status().pointer);
+    const std::string complaint = complaint_about(*layers);
+    if (!complaint.empty()) RC_FAIL(way + ": " + complaint);
+    return std::move(layers).value();
+  }
+
+  Renderer& renderer_;
+  SceneStore& store_;
+  BothWays ways_;
+  int cases_ = 0;
+};
+
+TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
+  Result<std::unique_ptr<Context>> context = open(GetParam());
+  if (!context && !in_ci()) GTEST_SKIP() << context.status().message;
+  ASSERT_TRUE(context.ok()) << context.status().message;
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+  ASSERT_TRUE(renderer.ok());
+  FreshStore store("pelage_fuzz" + std::to_string(static_cast<int>(GetParam())));
+  setenv("RC_PARAMS", "max_success=8", 0);  // where nobody asks for more
+  Worker worker(**renderer, *store);
+  EXPECT_TRUE(rc::check("any scene", [&] { worker.any_case(); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Fuzz, both_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing

@@ -1,0 +1,62 @@
+// The largest picture and the largest model. They take gigabytes and minutes of software GL, so they run where
+// PELAGE_EXTREMES_LARGE is set.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "tests/extremes/both_ways.h"
+#include "tests/extremes/row_scene.h"
+#include "tests/extremes/with_store.h"
+
+namespace pelage::testing {
+namespace {
+
+class Large : public ::testing::TestWithParam<Backend> {
+ protected:
+  void SetUp() override {
+    if (!std::getenv("PELAGE_EXTREMES_LARGE")) GTEST_SKIP() << "PELAGE_EXTREMES_LARGE is not set";
+    Result<std::unique_ptr<Context>> opened = open(GetParam());
+    ASSERT_TRUE(opened.ok()) << opened.status().message;
+    context_ = std::move(opened).value();
+    renderer_ = std::move(Renderer::create(context_->gl())).value();
+  }
+  void TearDown() override { renderer_.reset(); }
+
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Renderer> renderer_;
+  FreshStore store_{"pelage_large" + std::to_string(static_cast<int>(GetParam()))};
+};
+
+TEST_P(Large, APictureOf8192IsDrawnByShellsAndRefusedToStrands) {
+  const Row row{.area = "camera", .value = "8192 x 8192", .frame = R"({"width": 8192, "height": 8192, "quality": {"shells": 1}})"};
+  const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
+  BothWays ways(*renderer_);
+  FrameRequest request = request_of(row).value();
+  const Result<Image> image = ways.show(*scene, request);
+  ASSERT_TRUE(image.ok()) << image.status().message;
+  for (std::size_t i = 3; i < image->rgba.size(); i += 4) ASSERT_EQ(image->rgba[i], 255);
+  request.knobs.method = Method::strands;
+  const auto traced = ways.trace(*scene, request);
+  ASSERT_FALSE(traced.ok());
+  EXPECT_EQ(traced.status().code, Code::too_large);
+  EXPECT_EQ(traced.status().pointer, "/width");
+}
+
+TEST_P(Large, AModelOfAMillionTriangles) {
+  const Row row{.area = "mesh",
+                .value = "1,000,000 triangles",
+                .scene = R"({"model": {"builtin": "torus", "triangles": 1000000}, "fur": {"length": 0.05}})"};
+  const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
+  EXPECT_GT(scene->model()->surface.mesh().triangles.size(), 990'000u);
+  BothWays ways(*renderer_);
+  std::string complaint;
+  const Status status = ways.look_at(*scene, request_of(row).value(), complaint);
+  EXPECT_TRUE(status.ok()) << status.message;
+  EXPECT_EQ(complaint, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Large, both_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing

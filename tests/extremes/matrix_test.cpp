@@ -1,0 +1,122 @@
+// The matrix of science.md 7: each row is drawn by shells, drawn sorted, traced in both transports and finite, or
+// refused with a pointer and a limit. The page docs/extremes.md lists the same rows.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <tuple>
+
+#include "tests/extremes/both_ways.h"
+#include "tests/extremes/row.h"
+#include "tests/extremes/row_scene.h"
+#include "tests/extremes/with_store.h"
+
+namespace pelage::testing {
+namespace {
+
+class Matrix : public ::testing::TestWithParam<std::tuple<Backend, std::string>> {
+ protected:
+  void SetUp() override {
+    Result<std::unique_ptr<Context>> opened = open(std::get<0>(GetParam()));
+    if (!opened && !in_ci()) GTEST_SKIP() << opened.status().message;
+    ASSERT_TRUE(opened.ok()) << opened.status().message;
+    context_ = std::move(opened).value();
+    Result<std::unique_ptr<Renderer>> made = Renderer::create(context_->gl());
+    ASSERT_TRUE(made.ok()) << made.status().message;
+    renderer_ = std::move(made).value();
+  }
+  void TearDown() override {
+    renderer_.reset();
+    if (!context_) return;
+    EXPECT_EQ(context_->gl().GetError(), GLenum{GL_NO_ERROR});
+  }
+
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Renderer> renderer_;
+};
+
+Status outcome_of(const Row& row, SceneStore& store, BothWays& ways, std::string& complaint) {
+  const Result<std::shared_ptr<Scene>> scene = scene_of(row, store);
+  if (!scene) return scene.status();
+  const Result<FrameRequest> request = request_of(row);
+  if (!request) return request.status();
+  return ways.look_at(**scene, *request, complaint);
+}
+
+void expect_refused(const Row& row, const Status& status) {
+  ASSERT_FALSE(status.ok()) << "drawn";
+  EXPECT_FALSE(status.message.empty());
+  if (row.refused == "model") return;  // a file has no pointers
+  EXPECT_EQ(status.pointer, row.refused) << status.message;
+  EXPECT_FALSE(status.limit.empty()) << status.message;
+}
+
+TEST_P(Matrix, IsDrawnFiniteOrRefused) {
+  const auto& [backend, area] = GetParam();
+  FreshStore store("pelage_matrix_" + area + std::to_string(static_cast<int>(backend)));
+  BothWays ways(*renderer_);
+  std::size_t refused = 0;
+  for (const Row& row : rows_of(area)) {
+    SCOPED_TRACE(row.area + ": " + row.value);
+    std::string complaint;
+    const Status status = outcome_of(row, *store, ways, complaint);
+    EXPECT_EQ(complaint, "");
+    if (row.refused.empty()) {
+      EXPECT_TRUE(status.ok()) << status.message << " " << status.pointer << " " << status.limit;
+    } else {
+      expect_refused(row, status);
+      ++refused;
+    }
+    for (const SceneSummary& scene : store->list()) {
+      const auto made = store->find(scene.id);
+      renderer_->forget((*made)->model()->id);
+      EXPECT_TRUE(store->remove(scene.id).ok());
+    }
+  }
+  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows_of(area).size(), refused,
+              ways.pictures());
+}
+
+std::string name_of_area(const ::testing::TestParamInfo<std::tuple<Backend, std::string>>& info) {
+  return (std::get<0>(info.param) == Backend::osmesa ? "osmesa_" : "egl_") + std::get<1>(info.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Matrix, ::testing::Combine(both_backends(), ::testing::ValuesIn(areas())), name_of_area);
+
+std::string table() {
+  std::ostringstream text;
+  std::size_t rows = 0, refused = 0;
+  text << "| area | value | what comes |\n|---|---|---|\n";
+  for (const std::string& area : areas()) {
+    for (const Row& row : rows_of(area)) {
+      ++rows, refused += !row.refused.empty();
+      text << "| " << row.area << " | " << row.value << " | "
+           << (row.refused.empty() ? "drawn" : row.refused == "model" ? "refused" : "refused: `" + row.refused + "`")
+           << " |\n";
+    }
+  }
+  text << "\n" << rows << " rows: " << rows - refused << " drawn, each as shells, as sorted shells with fins and guard hairs, "
+       << "as strands and as paths, on both backends (" << 8 * (rows - refused) << " pictures of ten layers), and "
+       << refused << " refused.\n";
+  return text.str();
+}
+
+// PELAGE_WRITE_PAGE=1 writes the rows into the page instead of comparing.
+TEST(MatrixPage, ListsTheRows) {
+  const std::string begin = "<!-- rows -->\n", end = "<!-- end of rows -->\n";
+  std::ifstream file(PELAGE_EXTREMES_PAGE);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t first = page.find(begin), last = page.find(end);
+  ASSERT_NE(first, std::string::npos);
+  ASSERT_NE(last, std::string::npos);
+  const std::string expected = page.substr(0, first + begin.size()) + table() + page.substr(last);
+  if (std::getenv("PELAGE_WRITE_PAGE")) {
+    std::ofstream(PELAGE_EXTREMES_PAGE) << expected;
+  } else {
+    EXPECT_TRUE(page == expected) << "run extremes_tests with PELAGE_WRITE_PAGE=1 after changing rows";
+  }
+}
+
+}  // namespace
+}  // namespace pelage::testing

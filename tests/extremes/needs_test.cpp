@@ -1,0 +1,127 @@
+// A scene pays for what it has: a feature that is named and not used asks nothing of the GL, and one that was used and
+// taken away leaves nothing behind.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "renderer/frame/renderer.h"
+#include "server/scene/fur_view.h"
+#include "tests/extremes/features.h"
+#include "tests/extremes/row_scene.h"
+#include "tests/extremes/with_store.h"
+
+namespace pelage {
+
+// How GoogleTest prints counters that differ.
+void PrintTo(const FrameCounters& counters, std::ostream* out) {
+  *out << counters.passes << " passes, " << counters.draws << " draws, " << counters.textures << " textures, "
+       << counters.bytes << " bytes, " << counters.fragments << " fragments, " << counters.objects << " objects, "
+       << counters.allocated << " allocated";
+}
+
+namespace testing {
+namespace {
+
+template <class T>
+Status status_of(const Result<T>& result) {
+  return result ? Status{} : result.status();
+}
+
+class Needs : public ::testing::TestWithParam<Backend> {
+ protected:
+  void SetUp() override {
+    Result<std::unique_ptr<Context>> opened = open(GetParam());
+    if (!opened && !in_ci()) GTEST_SKIP() << opened.status().message;
+    ASSERT_TRUE(opened.ok()) << opened.status().message;
+    context_ = std::move(opened).value();
+    renderer_ = std::move(Renderer::create(context_->gl())).value();
+    scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
+  }
+  void TearDown() override { renderer_.reset(); }
+
+  static FrameRequest request(const std::string& members) {
+    return request_of({.area = "", .value = "", .frame = R"({"width": 48, "height": 32)" +
+                                                         (members.empty() ? members : ", " + members) + "}"})
+        .value();
+  }
+
+  FrameCounters drawn(const FrameRequest& request) {
+    std::optional<FurFrame> frame;
+    scene_->read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
+      sync_scene(*renderer_, view, dirty);
+      frame = make_frame(view, request);
+    });
+    DrawTimes times;
+    const bool exr = request.format == FrameFormat::exr;
+    const Status drawn = exr ? status_of(renderer_->draw_layers(*frame, request.layers, &times))
+                             : status_of(renderer_->draw(*frame, &times));
+    EXPECT_TRUE(drawn.ok()) << drawn.message;
+    return times.counters;
+  }
+  /// After all that is made once has been made.
+  FrameCounters settled(const std::string& members) {
+    drawn(request(members));
+    drawn(request(members));
+    return drawn(request(members));
+  }
+
+  /// Whether the commands changed anything that can be undone.
+  bool execute(const std::string& commands) {
+    if (commands.empty()) return false;
+    const Revision before = scene_->revision();
+    const Status status = carry_out(commands, *scene_, *store_);
+    EXPECT_TRUE(status.ok()) << status.message << " " << status.pointer;
+    return scene_->revision() != before;
+  }
+  void undo() { EXPECT_TRUE(scene_->move(Undo{1}).ok()); }
+
+  FreshStore store_{"pelage_needs" + std::to_string(static_cast<int>(GetParam()))};
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Renderer> renderer_;
+  std::shared_ptr<Scene> scene_;
+};
+
+TEST_P(Needs, NothingWhereAFeatureIsNamedAndNotUsed) {
+  const FrameCounters plain = settled("");
+  for (const Feature& feature : features()) {
+    SCOPED_TRACE(feature.name);
+    const bool changed = execute(feature.rest_commands);
+    EXPECT_EQ(settled(feature.rest_frame), plain);
+    if (changed) undo();
+  }
+}
+
+TEST_P(Needs, NothingAfterAFeatureIsTakenAway) {
+  const FrameCounters plain = settled("");
+  for (const Feature& feature : features()) {
+    if (feature.commands.empty() && feature.frame.empty()) continue;
+    SCOPED_TRACE(feature.name);
+    const bool changed = execute(feature.commands);
+    const FrameCounters first = drawn(request(feature.frame)), used = settled(feature.frame);
+    const bool only_values = feature.name == "edit layers";  // longer fur is no other work
+    EXPECT_TRUE(only_values || used != plain || first != plain) << "not seen by the counters";
+    if (changed) undo();
+    EXPECT_EQ(settled(""), plain);
+  }
+}
+
+// What is drawn again and again makes nothing anew but the blocks of its frame.
+TEST_P(Needs, NoNewObjectsFromFrameToFrame) {
+  EXPECT_EQ(settled("").objects, 0u);
+  for (const Feature& feature : features()) {
+    SCOPED_TRACE(feature.name);
+    const bool own_targets = feature.frame.starts_with("\"overlay\"") || feature.frame.starts_with("\"format\"");
+    if (own_targets || feature.name == "sorted order") continue;  // large, and given back at once
+    const bool changed = execute(feature.commands);
+    EXPECT_EQ(settled(feature.frame).objects, 0u);
+    if (changed) undo();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Needs, both_backends(), name_of);
+
+}  // namespace
+}  // namespace testing
+}  // namespace pelage

@@ -1,0 +1,169 @@
+// Rows of light, camera and eye.
+#include "tests/extremes/row.h"
+
+namespace pelage::testing {
+
+namespace {
+
+const std::string small = R"("width": 16, "height": 12)";
+
+Row of_light(std::string value, const std::string& light, const std::string& quality = {}, std::string refused = {}) {
+  return {.area = "light",
+          .value = std::move(value),
+          .commands = {R"({"op": "set_lights", "lights": [{)" + light + "}]}"},
+          .frame = "{" + small + R"(, "quality": {"shadow_maps": true)" + quality + "}}",
+          .refused = std::move(refused)};
+}
+
+Row of_camera(std::string value, const std::string& camera, std::string refused = {}) {
+  return {.area = "camera",
+          .value = std::move(value),
+          .frame = "{" + small + R"(, "camera": {)" + camera + "}}",
+          .refused = std::move(refused)};
+}
+
+Row of_frame(std::string value, const std::string& frame, std::string refused = {}) {
+  return {.area = "camera", .value = std::move(value), .frame = "{" + frame + "}", .refused = std::move(refused)};
+}
+
+/// An eye in front of the ball. The ball's radius is 1, its size 3.46.
+Row of_eye(std::string value, const std::string& eye, std::string refused = {}, const std::string& steps = "8",
+           const std::string& camera = R"("eye": [0, 0, 2], "target": [0, 0, 1])") {
+  return {.area = "eye",
+          .value = std::move(value),
+          .commands = {R"({"op": "set_eyes", "eyes": [{"position": [0, 0, 1], )" + eye + "}]}"},
+          .frame = "{" + small + R"(, "camera": {)" + camera + R"(}, "quality": {"eye_steps": )" + steps + "}}",
+          .refused = std::move(refused)};
+}
+
+const std::string all_shadows = R"(, "self_shadow_maps": true, "cast_shadow": "soft")";
+
+void add_places(Rows& rows, const std::string& kind, const std::string& more) {
+  struct Place {
+    const char *name, *position;
+  };
+  for (const Place& place : {Place{"on the surface", "[0, 0, 1]"}, Place{"inside the fur", "[0, 0, 1.08]"},
+                             Place{"at the tips", "[0, 0, 1.1732]"}, Place{"in the middle of the model", "[0, 0, 0]"},
+                             Place{"1e6 away", "[0, 1e6, 0]"}, Place{"1e27 away", "[0, 1e27, 0]"}}) {
+    for (const char* intensity : {"0", "1", "1e8"}) {
+      rows.push_back(of_light(kind + " " + place.name + ", intensity " + intensity,
+                              R"("kind": ")" + kind + R"(", "position": )" + place.position + R"(, "intensity": )" +
+                                  intensity + more + all_shadows,
+                              R"(, "shadow_resolution": 32)"));
+    }
+  }
+}
+
+}  // namespace
+
+Rows light_rows() {
+  Rows rows;
+  add_places(rows, "point", "");
+  add_places(rows, "spot", R"(, "direction": [0, 0, -1], "cone_degrees": 90)");
+  add_places(rows, "area", R"(, "direction": [0, 0, -1])");
+  const std::string above = R"("kind": "spot", "direction": [0, -1, 0], "intensity": 10, "position": )";
+  const std::string sun = R"("direction": [0, -1, 0])";
+  rows.push_back(of_light("shadow map of 1 x 1, a spot", above + "[0, 3, 0]" + all_shadows, R"(, "shadow_resolution": 1)"));
+  rows.push_back(of_light("shadow map of 1 x 1, a sun", sun + all_shadows, R"(, "shadow_resolution": 1)"));
+  rows.push_back(of_light("shadow map of 1 x 1, hard", sun + R"(, "cast_shadow": "hard")", R"(, "shadow_resolution": 1)"));
+  for (const char* place : {"[0, 1.0000001, 0]", "[0, 1.05, 0]", "[0, 1.1733, 0]"}) {
+    rows.push_back(of_light(std::string("a caster on the near plane: spot at ") + place, above + place + all_shadows,
+                            R"(, "shadow_resolution": 64)"));
+    rows.push_back(of_light(std::string("the same, hard: spot at ") + place, above + place + R"(, "cast_shadow": "hard")",
+                            R"(, "shadow_resolution": 64)"));
+  }
+  rows.push_back(of_light("a spot of 0.1 degrees", above + R"([0, 3, 0], "cone_degrees": 0.1)" + all_shadows));
+  rows.push_back(of_light("shadow scale 0", sun + all_shadows + R"(, "shadow_scale": 0)"));
+  rows.push_back(of_light("shadow scale 1000", sun + all_shadows + R"(, "shadow_scale": 1000)"));
+  rows.push_back(of_light("a sun that spans 90 degrees, intensity 1e8", sun + R"(, "angle_degrees": 90, "intensity": 1e8)"));
+  rows.push_back(of_light("intensity over 1e8", R"("intensity": 1.1e8)", "", "/lights/0/intensity"));
+  rows.push_back(of_light("intensity below 0", R"("intensity": -1)", "", "/lights/0/intensity"));
+  rows.push_back(of_light("a direction of no length", R"("direction": [0, 0, 0])", "", "/lights/0/direction"));
+  rows.push_back(of_light("a place beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
+  rows.push_back(of_light("shadow map of 0 x 0", sun, R"(, "shadow_resolution": 0)", "/quality/shadow_resolution"));
+  Row eight = of_light("eight lamps of 1e8 at one place", "");
+  std::string lamps;
+  for (int i = 0; i < 8; ++i)
+    lamps += std::string(i ? ", " : "") + R"({"kind": "point", "position": [0, 0, 1.02], "intensity": 1e8, "self_shadow_maps": true})";
+  eight.commands = {R"({"op": "set_lights", "lights": [)" + lamps + "]}"};
+  rows.push_back(eight);
+  Row nine = eight;
+  nine.value = "nine lamps", nine.refused = "/lights";
+  nine.commands = {R"({"op": "set_lights", "lights": [{}, )" + lamps + "]}"};
+  rows.push_back(nine);
+  for (const char* harmonic : {"-1e6", "1e6"}) {
+    const std::string one = std::string("[") + harmonic + ", " + harmonic + ", 1]";
+    std::string nine_of_them = one;
+    for (int i = 1; i < 9; ++i) nine_of_them += ", " + one;
+    Row row = of_light(std::string("surroundings of harmonics ") + harmonic + ", intensity 100", "");
+    row.commands = {R"({"op": "set_environment", "environment": {"intensity": 100, "harmonics": [)" + nine_of_them + "]}}"};
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Rows camera_rows() {
+  Rows rows{of_camera("inside the fur", R"("eye": [0, 0, 1.08], "target": [0, 0, 0])"),
+            of_camera("inside the fur, outwards", R"("eye": [0, 0, 1.08], "target": [0, 0, 2])"),
+            of_camera("on the skin", R"("eye": [0, 0, 1], "target": [0, 0, 0])"),
+            of_camera("on the skin, along it", R"("eye": [0, 0, 1], "target": [1, 0, 1])"),
+            of_camera("in the middle of the model", R"("eye": [0, 0, 0], "target": [0, 0, 1])"),
+            of_camera("grazing the tips", R"("eye": [0, 1.1, 4], "target": [0, 1.1, 0])"),
+            of_camera("grazing the skin, 1 degree wide", R"("eye": [0, 1, 4], "target": [0, 1, 0], "fov_degrees": 1)"),
+            of_camera("far over near 1e7: 1e-7 above the tips", R"("eye": [0, 0, 1.1732052], "target": [0, 0, 0], "fov_degrees": 150)"),
+            of_camera("far over near 1e7: 3.5e7 away", R"("eye": [0, 0, 3.5e7], "target": [0, 0, 0], "fov_degrees": 1)"),
+            of_camera("1e27 away", R"("eye": [1e27, 1e27, 0], "target": [0, 0, 0])"),
+            of_camera("150 degrees wide", R"("eye": [0, 0, 1.3], "target": [0, 0, 0], "fov_degrees": 150)"),
+            of_camera("0.9 degrees wide", R"("eye": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 0.9)", "/camera/fov_degrees"),
+            of_camera("at its target", R"("eye": [0, 0, 3], "target": [0, 0, 3])", "/camera"),
+            of_camera("up along the view", R"("eye": [0, 3, 0], "target": [0, 0, 0])", "/camera/up"),
+            of_camera("beyond 1e27", R"("eye": [0, 1e28, 0], "target": [0, 0, 0])", "/camera/eye/1")};
+  for (const char* size : {R"("width": 1, "height": 1)", R"("width": 1, "height": 300)", R"("width": 300, "height": 1)",
+                           R"("width": 2048, "height": 1)"})
+    rows.push_back(of_frame(std::string("picture: ") + size, size));
+  rows.push_back(of_frame("1 x 1 at a quarter of the size", R"("width": 1, "height": 1, "quality": {"scale": 0.25})"));
+  rows.push_back(of_frame("1 x 1 at twice the size, 4 samples", R"("width": 1, "height": 1, "quality": {"scale": 2, "samples": 4})"));
+  rows.push_back(of_frame("exposure 20", small + R"(, "exposure": 20)"));
+  rows.push_back(of_frame("exposure -20", small + R"(, "exposure": -20)"));
+  rows.push_back(of_frame("exposure 21", small + R"(, "exposure": 21)", "/exposure"));
+  rows.push_back(of_frame("0 x 0", R"("width": 0, "height": 0)", "/width"));
+  rows.push_back(of_frame("8193 wide", R"("width": 8193, "height": 8)", "/width"));
+  rows.push_back(of_frame("8192 x 8192 at twice the size", R"("width": 8192, "height": 8192, "quality": {"scale": 2})", "/quality"));
+  rows.push_back(of_frame("8192 x 8192, sorted, 64 layers",
+                          R"("width": 8192, "height": 8192, "quality": {"order": "sorted", "shells": 64})", "/quality"));
+  rows.push_back(of_frame("8192 x 8192, two layers of an EXR",
+                          R"("width": 8192, "height": 8192, "format": "exr", "layers": ["beauty", "depth"])", "/layers"));
+  return rows;
+}
+
+Rows eye_rows() {
+  Rows rows;
+  const std::string ball = R"("radius": 0.1)";
+  for (const char* index : {"1", "3"}) {
+    const std::string eye = ball + R"(, "refraction": )" + index;
+    rows.push_back(of_eye(std::string("n = ") + index, eye));
+    rows.push_back(of_eye(std::string("n = ") + index + ", seen at 89.9 degrees", eye, "", "8",
+                          R"("eye": [2, 0, 1.0034907], "target": [0, 0, 1])"));
+    rows.push_back(of_eye(std::string("n = ") + index + ", iris depth 0, relief 0.2",
+                          eye + R"(, "iris": {"depth": 0, "relief": 0.2})"));
+    for (const char* pupil : {"0", "1"})
+      rows.push_back(of_eye(std::string("n = ") + index + ", pupil " + pupil + ", a slit",
+                            eye + R"(, "pupil": {"shape": "slit", "size": )" + pupil + "}"));
+    for (const char* steps : {"0", "1", "64"})
+      rows.push_back(of_eye(std::string("n = ") + index + ", " + steps + " steps", eye, "", steps));
+  }
+  rows.push_back(of_eye("no bulge, iris depth 0.5", ball + R"(, "bulge": 0, "iris": {"depth": 0.5})"));
+  rows.push_back(of_eye("radius 1e-6 sizes", R"("radius": 1e-6)"));
+  rows.push_back(of_eye("radius 1e6 sizes, around everything", R"("radius": 1e6)"));
+  rows.push_back(of_eye("seen from inside", ball, "", "8", R"("eye": [0, 0, 1.1], "target": [0, 0, 0])"));
+  rows.push_back(of_eye("lids that are shut", ball + R"(, "lids": {"upper_degrees": -90, "lower_degrees": -90})"));
+  rows.push_back(of_eye("radius 0", R"("radius": 0)", "/eyes/0/radius"));
+  rows.push_back(of_eye("n = 0.9", ball + R"(, "refraction": 0.9)", "/eyes/0/refraction"));
+  rows.push_back(of_eye("n = 3.1", ball + R"(, "refraction": 3.1)", "/eyes/0/refraction"));
+  rows.push_back(of_eye("a pupil of 1.1", ball + R"(, "pupil": {"size": 1.1})", "/eyes/0/pupil/size"));
+  rows.push_back(of_eye("looking at its own centre", ball + R"(, "look_at": [0, 0, 1])", "/eyes/0/look_at"));
+  rows.push_back(of_eye("65 steps", ball, "/quality/eye_steps", "65"));
+  return rows;
+}
+
+}  // namespace pelage::testing

@@ -1,0 +1,42 @@
+// A store of scenes in a folder of its own, and a renderer on each of the two backends.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "server/scene/scene_store.h"
+#include "server/surface/import.h"
+#include "tests/gl/backends.h"
+
+namespace pelage::testing {
+
+/// EGL on a device and OSMesa: surfaceless EGL is the same driver as the device (tests/gl draws on all three).
+inline auto both_backends() { return ::testing::Values(Backend::egl_device, Backend::osmesa); }
+
+/// A store that is empty when it is made and gone with its owner.
+class FreshStore {
+ public:
+  explicit FreshStore(std::string name) : folder_(std::filesystem::path(::testing::TempDir()) / std::move(name)) {
+    std::filesystem::remove_all(folder_);
+    auto store = SceneStore::open(folder_.string(), program_folder() + "/pelage-import");
+    EXPECT_TRUE(store.ok()) << store.status().message;
+    if (store) store_ = std::move(store).value();
+  }
+  ~FreshStore() {
+    store_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  SceneStore* operator->() { return store_.get(); }
+  SceneStore& operator*() { return *store_; }
+  FreshStore(const FreshStore&) = delete;
+  FreshStore& operator=(const FreshStore&) = delete;
+
+ private:
+  std::filesystem::path folder_;
+  std::unique_ptr<SceneStore> store_;
+};
+
+}  // namespace pelage::testing
