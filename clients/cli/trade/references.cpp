@@ -1,0 +1,62 @@
+#include "clients/cli/trade/references.h"
+
+namespace pelage::trade {
+
+namespace {
+
+constexpr int shadow_texels = 2048;
+
+Knobs converged(int shells, bool maps) {
+  Knobs knobs;
+  knobs.shells = shells;
+  knobs.shell_policy = ShellPolicy::uniform;
+  knobs.samples = 1, knobs.scale = 1, knobs.fins = false, knobs.guard_hairs = 0;
+  knobs.order = FragmentOrder::sorted, knobs.accumulation = Accumulation::full;
+  knobs.self_shadow = true, knobs.shadow_maps = maps, knobs.shadow_resolution = shadow_texels;
+  return knobs;
+}
+
+}  // namespace
+
+Result<Truth> References::draw(const std::string& name, const Knobs& knobs) {
+  auto shot = shoot(session_, place_, knobs);
+  if (!shot) return shot.status();
+  if (shot->non_finite > 0) return failure(Code::internal, name + " has pixels that are not finite: it is no truth.");
+  return Truth{name, std::move(*shot)};
+}
+
+Result<const Truth*> References::keep(Truth truth) {
+  const std::string name = truth.name;
+  return &(drawn_[name] = std::move(truth));
+}
+
+Result<const Truth*> References::shells(const Knobs& wanted) {
+  const std::string name = wanted.shadow_maps ? "R1 maps" : "R1";
+  if (const auto found = drawn_.find(name); found != drawn_.end()) return &found->second;
+  auto truth = draw(name, converged(shells_, wanted.shadow_maps));
+  if (!truth) return truth.status();
+  if (wanted.shadow_maps) {
+    const auto plain = shells({});
+    if (!plain) return plain;
+    truth->floor = (*plain)->floor;
+    return keep(std::move(*truth));
+  }
+  const auto half = shoot(session_, place_, converged(shells_ / 2, false));
+  if (!half) return half.status();
+  const auto error = error_of(truth->shot.picture, half->picture);
+  if (!error) return error.status();
+  if (error->figures) truth->floor = error->figures->flip.mean;
+  return keep(std::move(*truth));
+}
+
+Result<const Truth*> References::strands() {
+  if (const auto found = drawn_.find("R2"); found != drawn_.end()) return &found->second;
+  Knobs knobs = knobs_of(Tier::reference);
+  knobs.trace.passes = passes_;
+  knobs.trace.scattering = StrandScattering::look;
+  auto truth = draw("R2", knobs);
+  if (!truth) return truth.status();
+  return keep(std::move(*truth));
+}
+
+}  // namespace pelage::trade
