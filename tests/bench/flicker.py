@@ -9,43 +9,18 @@ usage: PELAGE_BIN=build/tests/bin python3 tests/bench/flicker.py [--frames 6] [-
 """
 import argparse
 import pathlib
-import re
-import subprocess
 import sys
-import tempfile
 
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end"))
+from support.exr import read_exr  # noqa: E402
 from support.server import Server  # noqa: E402
 
 FOV = 35
 SETTINGS = [("draft", "draft"), ("interactive", "interactive"), ("detailed", "detailed"),
             ("uniform 256", {"shells": 256, "shell_policy": "uniform", "accumulation": "full"}),
             ("sorted 256", {"shells": 256, "shell_policy": "uniform", "accumulation": "full", "order": "sorted"})]
-
-
-def read_exr(octets, folder):
-    """Channels by name, rows x columns each: oiiotool writes them to a raw PFM a channel."""
-    source = pathlib.Path(folder) / "frame.exr"
-    source.write_bytes(octets)
-    printed = subprocess.run(["oiiotool", "--info", "-v", source], check=True, capture_output=True, text=True).stdout
-    names = re.search(r"channel list: (.+)", printed).group(1)
-    channels = {}
-    for name in (part.split()[0] for part in names.split(",")):
-        target = pathlib.Path(folder) / "channel.pfm"
-        subprocess.run(["oiiotool", source, "--ch", f"{name},{name},{name}", "-d", "float", "-o", target], check=True)
-        channels[name] = read_pfm(target)
-    return channels
-
-
-def read_pfm(path):
-    octets = path.read_bytes()
-    header = re.match(rb"PF\s+(\d+)\s+(\d+)\s+(-?[\d.]+)\s", octets)
-    columns, rows = int(header.group(1)), int(header.group(2))
-    kind = "<f4" if float(header.group(3)) < 0 else ">f4"
-    values = numpy.frombuffer(octets[header.end():], dtype=kind).reshape(rows, columns, 3)
-    return values[::-1, :, 0].astype(float)  # PFM begins at the bottom
 
 
 def camera_at(degrees, centre, distance):
@@ -75,13 +50,13 @@ def sample(picture, x, y):
             v * ((1 - u) * picture[i + 1, j] + u * picture[i + 1, j + 1]))
 
 
-def draw(scene, eye, target, size, quality, folder):
+def draw(scene, eye, target, size, quality):
     request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "layers": ["beauty", "position", "depth"],
                "background": "transparent", "quality": quality,
                "camera": {"eye": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": FOV}}
     answer = scene.post("frames", request, timeout=600)
     assert answer.status == 200, answer
-    channels = read_exr(answer.body, folder)
+    channels = read_exr(answer.body)
     return {"light": numpy.dstack([channels[c] for c in "RGB"]), "alpha": channels["A"], "depth": channels["Z"],
             "position": numpy.dstack([channels[f"position.{c}"] for c in "XYZ"])}
 
@@ -104,12 +79,12 @@ def change(before, eye, target, after, size, scale_of_model):
     return rms, levels, good.sum() / max(opaque.sum(), 1)
 
 
-def orbit(scene, info, quality, options, folder):
+def orbit(scene, info, quality, options):
     low, high = numpy.array(info["bounds"]["min"]), numpy.array(info["bounds"]["max"])
     target, changes, before = (low + high) / 2, [], None
     for i in range(options.frames):
         eye = camera_at(30 + i * options.step, target, 1.5 * info["size"])
-        frame = draw(scene, eye, target, options.size, quality, folder)
+        frame = draw(scene, eye, target, options.size, quality)
         if before is not None:
             changes.append(change(before[1], before[0], target, frame, options.size, info["size"]))
         before = (eye, frame)
@@ -126,14 +101,13 @@ def main():
     options = parser.parse_args()
     server = Server()
     try:
-        with tempfile.TemporaryDirectory() as folder:
-            scene = server.new_scene(options.model, options.triangles)
-            info = scene.info()
-            print(f"{options.model}, {options.frames} frames, {options.step} degrees apart, {options.size} pixels\n")
-            print("| quality | RMS, linear | grey levels | carried, % |\n|---|---|---|---|")
-            for name, quality in SETTINGS:
-                rms, levels, share = orbit(scene, info, quality, options, folder)
-                print(f"| {name} | {rms:.4f} | {levels:.2f} | {100 * share:.0f} |", flush=True)
+        scene = server.new_scene(options.model, options.triangles)
+        info = scene.info()
+        print(f"{options.model}, {options.frames} frames, {options.step} degrees apart, {options.size} pixels\n")
+        print("| quality | RMS, linear | grey levels | carried, % |\n|---|---|---|---|")
+        for name, quality in SETTINGS:
+            rms, levels, share = orbit(scene, info, quality, options)
+            print(f"| {name} | {rms:.4f} | {levels:.2f} | {100 * share:.0f} |", flush=True)
     finally:
         server.close()
 
