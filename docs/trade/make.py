@@ -18,8 +18,8 @@ from support.server import BIN, Server  # noqa: E402
 def report():
     server = Server()
     try:
-        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "192", "--truth", "256",
-                        "--passes", "32"], check=True)
+        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "160", "--truth", "256",
+                        "--passes", "24"], check=True)
     finally:
         server.close()
 
@@ -32,8 +32,8 @@ def table(script, name, *arguments):
 
 
 STEPS = {"report": report,
-         "animals": lambda: table("tiers.py", "tiers.md", "--size", "192", "--truth", "256", "--pictures", str(FOLDER)),
-         "flicker": lambda: table("flicker.py", "flicker.md", "--size", "192", "--frames", "5")}
+         "animals": lambda: table("tiers.py", "tiers.md", "--size", "192", "--truth", "256", "--passes", "24", "--pictures", str(FOLDER)),
+         "flicker": lambda: table("flicker.py", "flicker.md", "--size", "160", "--frames", "5")}
 
 
 def main():

@@ -108,11 +108,13 @@ class Truths:
             self.drawn[key] = draw(self.scene, self.distance, self.options.size, quality)
         return self.drawn[key]
 
-    def r1(self, maps, shells=None):
+    def r1(self, knobs, shells=None):
+        """With the shadows of these knobs."""
         shells = shells or self.options.truth
+        shadows = {name: knobs[name] for name in ("self_shadow", "shadow_maps", "shadow_resolution")}
         quality = {**self.base, "shells": shells, "shell_policy": "uniform", "order": "sorted", "accumulation": "full", "samples": 1,
-                   "scale": 1, "self_shadow": True, "shadow_maps": maps, "shadow_resolution": 2048, "fins": False, "guard_hairs": 0}
-        return self.frame(("R1", maps, shells), quality)
+                   "scale": 1, "fins": False, "guard_hairs": 0, **shadows}
+        return self.frame((shells, *shadows.values()), quality)
 
     def r2(self):
         strands = {"method": "strands", "trace": {"passes": self.options.passes, "scattering": "look"}}
@@ -125,13 +127,13 @@ def tier_rows(scene, options, animal):
     whole = {tier: draw(scene, DISTANCES["whole"], options.size, tier) for tier in TIERS}
     truths = {name: Truths(scene, distance, options, whole["interactive"].knobs) for name, distance in DISTANCES.items()}
     at = truths["whole"]
-    r1, r2 = at.r1(False), at.r2()
+    r1, r2 = at.r1(at.base), at.r2()
     between, between_map = compare(r1, r2)
-    floor = compare(r1, at.r1(False, options.truth // 2))[0]["flip"]["mean"]
+    floor = compare(r1, at.r1(at.base, options.truth // 2))[0]["flip"]["mean"]
     print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {figure(between, 'mean')} | | | | (R1 is known to {floor:.4f}) |")
     cells += [("R1", r1, None), (f"R2, {between['flip']['mean']:.3f} from R1", r2, between_map)]
     for tier in TIERS:
-        error, error_map = compare(at.r1(whole[tier].knobs["shadow_maps"]), whole[tier])
+        error, error_map = compare(at.r1(whole[tier].knobs), whole[tier])
         strands = compare(r2, whole[tier])[0]
         ratios = [ratios_of(whole[tier] if name == "whole" else draw(scene, distance, options.size, tier), truths[name].r2())
                   for name, distance in DISTANCES.items()]
@@ -155,7 +157,7 @@ def convergence_row(scene, options, animal, truths, knobs):
     errors = []
     for shells in SHELLS:
         test = draw(scene, DISTANCES["whole"], options.size, {**knobs, "shells": shells, "shell_policy": "uniform"})
-        errors.append(compare(truths.r1(knobs["shadow_maps"]), test)[0]["flip"]["mean"])
+        errors.append(compare(truths.r1(knobs), test)[0]["flip"]["mean"])
     order = -numpy.polyfit([math.log(n) for n in SHELLS], [math.log(max(e, 1e-6)) for e in errors], 1)[0]
     return f"| {animal.name} | {' | '.join(f'{e:.4f}' for e in errors)} | {order:.2f} |"
 

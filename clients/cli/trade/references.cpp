@@ -1,18 +1,27 @@
 #include "clients/cli/trade/references.h"
 
+#include <fmt/format.h>
+
 namespace pelage::trade {
 
 namespace {
 
-constexpr int shadow_texels = 2048;
+/// Of the default knobs, which have the estimate.
+const std::string plain_name = "R1";
 
-Knobs converged(int shells, bool maps) {
+std::string name_of_shells(const Knobs& knobs) {
+  if (knobs.shadow_maps) return fmt::format("{} with maps of {}", plain_name, knobs.shadow_resolution);
+  return knobs.self_shadow ? plain_name : plain_name + " without self-shadow";
+}
+
+Knobs converged(int shells, const Knobs& shadows) {
   Knobs knobs;
   knobs.shells = shells;
   knobs.shell_policy = ShellPolicy::uniform;
   knobs.samples = 1, knobs.scale = 1, knobs.fins = false, knobs.guard_hairs = 0;
   knobs.order = FragmentOrder::sorted, knobs.accumulation = Accumulation::full;
-  knobs.self_shadow = true, knobs.shadow_maps = maps, knobs.shadow_resolution = shadow_texels;
+  knobs.self_shadow = shadows.self_shadow, knobs.shadow_maps = shadows.shadow_maps;
+  knobs.shadow_resolution = shadows.shadow_resolution;
   return knobs;
 }
 
@@ -31,17 +40,17 @@ Result<const Truth*> References::keep(Truth truth) {
 }
 
 Result<const Truth*> References::shells(const Knobs& wanted) {
-  const std::string name = wanted.shadow_maps ? "R1 maps" : "R1";
+  const std::string name = name_of_shells(wanted);
   if (const auto found = drawn_.find(name); found != drawn_.end()) return &found->second;
-  auto truth = draw(name, converged(shells_, wanted.shadow_maps));
+  auto truth = draw(name, converged(shells_, wanted));
   if (!truth) return truth.status();
-  if (wanted.shadow_maps) {
+  if (name != plain_name) {
     const auto plain = shells({});
     if (!plain) return plain;
     truth->floor = (*plain)->floor;
     return keep(std::move(*truth));
   }
-  const auto half = shoot(session_, place_, converged(shells_ / 2, false));
+  const auto half = shoot(session_, place_, converged(shells_ / 2, wanted));
   if (!half) return half.status();
   const auto error = error_of(truth->shot.picture, half->picture);
   if (!error) return error.status();

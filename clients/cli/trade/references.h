@@ -10,7 +10,7 @@ namespace pelage::trade {
 
 /// A picture that others are measured against.
 struct Truth {
-  std::string name;  // "R1", "R1 maps" or "R2"
+  std::string name;  // "R1", with its shadows where they are not the estimate, or "R2"
   Shot shot;
   double floor = 0;  // FLIP against half the layers; 0 for R2
 };
@@ -21,9 +21,9 @@ class References {
   References(Session& session, Place place, int shells, int passes)
       : session_(session), place_(std::move(place)), shells_(shells), passes_(passes) {}
 
-  /// R1 with the shadows that these knobs ask for: many uniform shells, fragments sorted, 32-bit float. Fur without
-  /// self-shadow is measured against the estimate, for leaving shadow out is an error too. Its proof is the difference
-  /// from half the shells; with maps that of the same fur without them, for layers do not differ by light.
+  /// R1 with the shadows of these knobs: many uniform shells, fragments sorted, 32-bit float. Shadows are the same so
+  /// that layers are measured and not light; what light leaves out is seen against R2. Its proof is the difference from
+  /// half the shells under the estimate of self-shadow, for the layers are the same in any light.
   Result<const Truth*> shells(const Knobs& knobs);
 
   /// R2: traced strands, lit by the look's own model.

@@ -59,8 +59,6 @@ void add_choices(Collector& collect, const Base& base) {
   collect.choice(base, "order", "sorted", [](Knobs& k) { k.order = FragmentOrder::sorted, k.samples = 1; });
   collect.choice(base, "accumulation", "half", [](Knobs& k) { k.accumulation = Accumulation::half; });
   collect.choice(base, "accumulation", "full", [](Knobs& k) { k.accumulation = Accumulation::full; });
-  collect.choice(base, "self-shadow", "none", [](Knobs& k) { k.self_shadow = k.shadow_maps = false; });
-  collect.choice(base, "self-shadow", "estimate", [](Knobs& k) { k.self_shadow = true, k.shadow_maps = false; });
   collect.choice(base, "fins", "off", [](Knobs& k) { k.fins = false; });
   collect.choice(base, "fins", "on", [](Knobs& k) { k.fins = true; });
   collect.numbers(base, "guard hairs", &Knobs::guard_hairs, std::vector<int>{0, 5000, 20000});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "clients/cli/trade/page/front.h"
 #include "clients/cli/trade/references.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
@@ -122,7 +123,7 @@ class Sweeper {
 
   static void add_picture(const Row& row, const Shot& shot, const PictureError& error, Report& report) {
     const Image map = error_picture(error.flip, shot.picture.width, shot.picture.height);
-    const std::string caption = fmt::format("error {:.4f}, outline {:.4f}, {:.3g} ms", row.flip, row.outline, row.draw_ms);
+    const std::string caption = fmt::format("error {:.4f}, outline {:.4f}, {} ms", row.flip, row.outline, milliseconds(cost_of(row)));
     report.pictures.push_back({row.scene, row.value, caption, jpeg_of(shot.picture), encode_jpeg(map, 84)});
   }
 

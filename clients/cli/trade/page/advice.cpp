@@ -13,7 +13,7 @@ namespace {
 
 constexpr double no_worse = 1.02;  // measured costs differ by so much from run to run
 
-std::string ms(double value) { return fmt::format("{:.3g}", value); }
+std::string ms(double value) { return milliseconds(value); }
 std::string error(double value) { return fmt::format("{:.4f}", value); }
 
 std::vector<std::string> cells_of(std::string wish, const std::optional<Mean>& choice) {
@@ -25,9 +25,13 @@ std::string budget_table(const std::vector<Mean>& settings) {
   Table table{{"so many ms", "choose", "ms", "error", "outline"}, {}};
   const auto [least, most] = std::minmax_element(settings.begin(), settings.end(),
                                                  [](const Mean& a, const Mean& b) { return a.cost < b.cost; });
-  double budget = 1.25 * least->cost;
-  for (int i = 0; i < 7 && budget < 2 * most->cost; ++i, budget *= 2)
-    table.rows.push_back(cells_of(ms(budget), best_within(settings, budget)));
+  std::string last;
+  for (const double budget : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}) {
+    const std::optional<Mean> choice = best_within(settings, budget);
+    if (budget < least->cost || budget > 2 * most->cost || choice->name == last) continue;  // more time buys nothing
+    table.rows.push_back(cells_of(ms(budget), choice));
+    last = choice->name;
+  }
   return table_html(table);
 }
 

@@ -26,6 +26,10 @@ std::vector<std::string> scenes_of(const std::vector<Row>& rows, bool only_swept
 
 double cost_of(const Row& row) { return row.cpu_ms > 0 ? row.cpu_ms : row.draw_ms; }
 
+std::string milliseconds(double value) {
+  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 bool against_shells(const Row& row) { return row.reference.starts_with("R1"); }
 
 std::string name_of(const Row& row) {

@@ -21,7 +21,10 @@ struct Mean {
 /// Drawing milliseconds of CPU where the server says them, else of wall time.
 double cost_of(const Row& row);
 
-/// Whether the row is against R1, with or without maps.
+/// Three digits, without an exponent.
+std::string milliseconds(double value);
+
+/// Whether the row is against R1, with any shadows.
 bool against_shells(const Row& row);
 
 /// In words: "interactive", "interactive with 8 shells", "8 shells of 3 steps at 0.75 of the size".

@@ -31,7 +31,7 @@ std::string way_of(const Axes& axes, const Points& points, const std::string& kn
     if (row->series != knob || row->base != base) continue;
     const double x = axes.to_x(cost_of(*row)), y = axes.to_y(row->flip);
     line.emplace_back(x, y);
-    const std::string hint = fmt::format("{}: {:.4g} ms, FLIP {:.4f}", name_of(*row), cost_of(*row), row->flip);
+    const std::string hint = fmt::format("{}: {} ms, FLIP {:.4f}", name_of(*row), milliseconds(cost_of(*row)), row->flip);
     marks += dot(x, y, 4, tier_colour(base), hint) + label(x + 6, y - 5, row->value, "start", tier_colour(base));
   }
   return line.empty() ? "" : polyline(line, tier_colour(base), 2) + marks;

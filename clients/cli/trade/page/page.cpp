@@ -22,8 +22,8 @@ std::string introduction(const Report& report) {
       "<p><b>Error</b> is FLIP, the difference that an eye sees when two pictures are swapped in place, from 0 to 1, over "
       "the fur only. <b>Outline</b> is the same in a band of 8 pixels to each side of its edge. <b>Time</b> is {} of "
       "drawing, shadows included, without sending and encoding: the least of {}.</p>"
-      "<p>The truth is <b>R1</b>, the same fur and shadows in {} layers with every fragment sorted. <b>R2</b> traces every "
-      "strand; it shows what layers cannot.</p>",
+      "<p>The truth is <b>R1</b>, the same fur with the same shadows in {} layers with every fragment sorted. <b>R2</b> traces every "
+      "strand; it shows what layers and light leave out.</p>",
       escaped(report.renderer), report.size, report.size, cpu ? "milliseconds of CPU on all threads" : "wall milliseconds",
       report.repeats, report.truth);
 }
@@ -35,7 +35,7 @@ std::string tier_table(const std::vector<Row>& rows) {
       if (row.series != "tier" || row.value != tier) continue;
       table.rows.push_back({tier, row.scene, row.reference, fmt::format("{:.4f}", row.flip), fmt::format("{:.3f}", row.flip_95),
                             fmt::format("{:.4f}", row.outline), fmt::format("{:.3f}", row.luminance),
-                            fmt::format("{:.3f}", row.coverage), fmt::format("{:.3g}", cost_of(row))});
+                            fmt::format("{:.3f}", row.coverage), milliseconds(cost_of(row))});
     }
   }
   return "<details><summary>The figures of the tiers, R2 included</summary>" + table_html(table) + "</details>";
@@ -89,8 +89,8 @@ std::string all_rows(const std::vector<Row>& rows) {
   Table table{{"scene", "setting", "truth", "error", "95%", "outline", "ms", "CPU ms"}, {}};
   for (const Row& row : rows) {
     table.rows.push_back({row.scene, name_of(row), row.reference, fmt::format("{:.4f}", row.flip), fmt::format("{:.3f}", row.flip_95),
-                          fmt::format("{:.4f}", row.outline), fmt::format("{:.4g}", row.draw_ms),
-                          row.cpu_ms > 0 ? fmt::format("{:.4g}", row.cpu_ms) : ""});
+                          fmt::format("{:.4f}", row.outline), milliseconds(row.draw_ms),
+                          row.cpu_ms > 0 ? milliseconds(row.cpu_ms) : ""});
   }
   return "<details><summary>Everything that was measured; results.csv has it with all knobs</summary><div class=\"all\">" +
          table_html(table) + "</div></details>";

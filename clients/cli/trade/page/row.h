@@ -17,7 +17,7 @@ struct Row {
   std::string series;     // what is swept: "tier", "grid" or a knob; around `base`
   std::string base;       // the tier that the other knobs are of; "" in a grid
   std::string value;      // of what is swept: "16", "full", "draft"
-  std::string reference;  // "R1", "R1 maps" or "R2"
+  std::string reference;  // "R1", with its shadows where they are not the estimate, or "R2"
   int shells = 0, steps = 0;
   double scale = 1;
   double flip = 0, flip_95 = 0;        // mean and 95th percentile

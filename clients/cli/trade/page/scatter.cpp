@@ -24,7 +24,7 @@ std::vector<Row> points_of(const std::vector<Row>& rows, const std::string& scen
 }
 
 std::string hint_of(const Row& row) {
-  return fmt::format("{}: {:.4g} ms, FLIP {:.4f}, outline {:.4f}", name_of(row), cost_of(row), row.flip, row.outline);
+  return fmt::format("{}: {} ms, FLIP {:.4f}, outline {:.4f}", name_of(row), milliseconds(cost_of(row)), row.flip, row.outline);
 }
 
 std::string front_line(const Axes& axes, const std::vector<double>& costs, const std::vector<double>& errors) {
@@ -39,18 +39,18 @@ std::string scatter_plot(const std::vector<Row>& rows, const std::string& scene)
   const std::vector<Row> points = points_of(rows, scene);
   std::vector<double> costs, errors;
   for (const Row& row : points) costs.push_back(cost_of(row)), errors.push_back(row.flip);
-  const Axes axes{.width = 520, .height = 330, .x = span_of(costs), .y = span_of(errors)};
+  const Axes axes{.top = 28, .width = 520, .height = 330, .x = span_of(costs), .y = span_of(errors)};
   std::string content = axes_svg(axes, "drawing, milliseconds", "error (masked FLIP)");
   content += front_line(axes, costs, errors);
   std::string tiers;  // last, so that nothing hides them
   for (const Row& row : points) {
     const double x = axes.to_x(cost_of(row)), y = axes.to_y(row.flip);
     if (row.series == "tier")
-      tiers += dot(x, y, 7, tier_colour(row.value), hint_of(row)) + label(x + 10, y - 8, row.value, "start", tier_colour(row.value));
+      tiers += dot(x, y, 7, tier_colour(row.value), hint_of(row)) + label(x, y - 12, row.value, "middle", tier_colour(row.value));
     else
       content += dot(x, y, 3.2, "#9a948a", hint_of(row));
   }
-  return svg(620, 400, "Error against cost: " + scene, content + tiers);
+  return svg(640, 410, "Error against cost: " + scene, content + tiers);
 }
 
 }  // namespace pelage::trade

@@ -16,12 +16,14 @@ double share(const Span& span, double value) {
   return std::log(held / span.least) / std::log(span.largest / span.least);
 }
 
-std::vector<double> ticks_of(const Span& span) {
+/// At 1, 2 and 5 of every decade, or at 1 alone where `pixels` leave no room for their numbers.
+std::vector<double> ticks_of(const Span& span, double pixels, double room) {
   std::vector<double> ticks;
+  const bool dense = pixels / std::log10(span.largest / span.least) > 3 * room;
   for (double decade = std::pow(10, std::floor(std::log10(span.least))); decade <= span.largest; decade *= 10) {
     for (const double step : {1.0, 2.0, 5.0}) {
       const double tick = decade * step;
-      if (tick >= span.least * 0.999 && tick <= span.largest * 1.001) ticks.push_back(tick);
+      if ((dense || step == 1) && tick >= span.least * 0.999 && tick <= span.largest * 1.001) ticks.push_back(tick);
     }
   }
   return ticks;
@@ -77,11 +79,11 @@ double Axes::to_y(double value) const { return top + height * (1 - share(y, valu
 std::string axes_svg(const Axes& axes, std::string_view x_title, std::string_view y_title) {
   const double bottom = axes.top + axes.height, right = axes.left + axes.width;
   std::string text;
-  for (const double tick : ticks_of(axes.x)) {
+  for (const double tick : ticks_of(axes.x, axes.width, 30)) {
     text += line(axes.to_x(tick), axes.top, axes.to_x(tick), bottom, "#e8e4de");
     text += label(axes.to_x(tick), bottom + 16, fmt::format("{:.4g}", tick), "middle", "#666");
   }
-  for (const double tick : ticks_of(axes.y)) {
+  for (const double tick : ticks_of(axes.y, axes.height, 14)) {
     text += line(axes.left, axes.to_y(tick), right, axes.to_y(tick), "#e8e4de");
     text += label(axes.left - 6, axes.to_y(tick) + 4, fmt::format("{:.4g}", tick), "end", "#666");
   }
