@@ -67,10 +67,10 @@ class Frame:
         return (self.light @ [.2126, .7152, .0722]).sum() / max(self.alpha.sum(), 1e-9)
 
     def shown(self):
-        """8 bits over light grey, through the filmic curve of the resolve pass."""
+        """8 bits over grey, through the filmic curve of the resolve pass."""
         alpha = self.alpha.clip(1e-6, 1)[..., None]
         x = (self.light / alpha).clip(0, 1e4) * .72
-        film = (x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)).clip(0, 1) * alpha + .72 * (1 - self.alpha.clip(0, 1)[..., None])
+        film = (x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)).clip(0, 1) * alpha + .35 * (1 - self.alpha.clip(0, 1)[..., None])
         srgb = numpy.where(film < .0031308, 12.92 * film, 1.055 * numpy.maximum(film, 1e-9) ** (1 / 2.4) - .055)
         return Image.fromarray((255 * srgb.clip(0, 1) + .5).astype(numpy.uint8))
 

@@ -15,6 +15,8 @@ constexpr double near = 1.35, far = 4;  // sizes from the middle; the model's sp
 constexpr const char* white = R"({"op":"set_coat","coat":{"ramp":[{"at":0,"colour":"#efeae2"}]}})";
 constexpr const char* dark = R"({"op":"set_coat","coat":{"ramp":[{"at":0,"colour":"#221c18"}]}})";
 
+constexpr const char* coat_colours = R"({"op":"set_look","look":{"colour_source":"coat"}})";
+
 glm::dvec3 from(double degrees_up, double degrees_around) {
   const double up = glm::radians(degrees_up), around = glm::radians(degrees_around);
   return {std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around)};
@@ -44,7 +46,7 @@ Case case_of(const Sight& s, const std::string& words = {}) {
   return {.name = fmt::format("{}{}, {} coat, lit from {}, {}", patch ? "patch" : s.model, words,
                               s.is_white ? "white" : "dark", s.front ? "the front" : "behind", s.is_near ? "near" : "far"),
           .request = new_scene(s.model, patch ? 800 : 5000),
-          .commands = {s.is_white ? white : dark, lights(s.front, s.direction)},
+          .commands = {s.is_white ? white : dark, coat_colours, lights(s.front, s.direction)},
           .towards = s.direction * distance,
           .swept = s.swept};
 }

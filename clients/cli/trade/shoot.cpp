@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_pixels = std::size_t{1} << 26;
 constexpr int jpeg_quality = 84;
-constexpr double paper = 0.72;  // linear grey behind the pictures of the report
+constexpr double paper = 0.35;  // linear grey behind the pictures of the report
 
 Result<HttpAnswer> draw(Session& session, const Place& place, const Knobs& knobs, FrameFormat format) {
   FrameRequest request = place.request;

@@ -40,7 +40,7 @@ Result<FrameCost> cost_of_frame(Session& session, const Place& place, const Knob
 /// Over the fur of both, as they are shown.
 Result<PictureError> error_of(const FloatImage& truth, const FloatImage& picture);
 
-/// A JPEG of a picture as it is shown over light grey.
+/// A JPEG of a picture as it is shown over grey.
 std::string jpeg_of(const FloatImage& picture);
 
 }  // namespace pelage::trade

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "clients/cli/trade/page/front.h"
 #include "clients/cli/trade/page/plots.h"
@@ -23,16 +24,29 @@ std::vector<std::string> knobs_in(const Points& points) {
   return knobs;
 }
 
-/// The way of one knob around one tier, its ends named.
+/// Whether a number at `place` would run into those that are written already.
+bool is_free(const std::vector<std::pair<double, double>>& written, std::pair<double, double> place) {
+  return std::none_of(written.begin(), written.end(), [&](const auto& other) {
+    return std::abs(other.first - place.first) < 24 && std::abs(other.second - place.second) < 12;
+  });
+}
+
+/// The way of one knob around one tier, with its values where there is room.
 std::string way_of(const Axes& axes, const Points& points, const std::string& knob, const std::string& base) {
-  std::vector<std::pair<double, double>> line;
+  std::vector<std::pair<double, double>> line, written;
   std::string marks;
   for (const Row* row : points) {
     if (row->series != knob || row->base != base) continue;
     const double x = axes.to_x(cost_of(*row)), y = axes.to_y(row->flip);
     line.emplace_back(x, y);
     const std::string hint = fmt::format("{}: {} ms, FLIP {:.4f}", name_of(*row), milliseconds(cost_of(*row)), row->flip);
-    marks += dot(x, y, 4, tier_colour(base), hint) + label(x + 6, y - 5, row->value, "start", tier_colour(base));
+    marks += dot(x, y, 4, tier_colour(base), hint);
+    for (const double below : {-5.0, 15.0}) {
+      if (!is_free(written, {x, y + below})) continue;
+      marks += label(x + 6, y + below, row->value, "start", tier_colour(base));
+      written.emplace_back(x, y + below);
+      break;
+    }
   }
   return line.empty() ? "" : polyline(line, tier_colour(base), 2) + marks;
 }

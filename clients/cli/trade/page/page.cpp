@@ -61,7 +61,7 @@ std::string checks(const std::vector<Row>& rows) {
 
 std::string for_each_scene(const std::vector<Row>& rows, std::string (*plot)(const std::vector<Row>&, const std::string&)) {
   std::string text;
-  for (const std::string& scene : swept_scenes(rows)) text += "<h3>" + escaped(scene) + "</h3>" + plot(rows, scene);
+  for (const std::string& scene : swept_scenes(rows)) text += "<div><h3>" + escaped(scene) + "</h3>" + plot(rows, scene) + "</div>";
   return text;
 }
 
@@ -105,7 +105,7 @@ std::string page(const Report& report) {
   text += section("Side by side", "<p>Below each picture its error map: black is none, yellow is as wrong as can be.</p>" + gallery(report.pictures));
   text += section("Where the tiers lie", tier_plot(rows) + tier_table(rows));
   text += section("Error against time", "<p>Each dot is a setting; rest the pointer on it for its name. Nothing lies below the "
-                  "line: it is the best that each time buys.</p>" + for_each_scene(rows, scatter_plot));
+                  "line: it is the best that each time buys.</p><div class=\"panels\">" + for_each_scene(rows, scatter_plot) + "</div>");
   text += section("What each knob buys", "<p>One knob is turned, the others stay as in the tier of that colour. Left is faster, "
                   "down is better: a good knob goes down and hardly to the right.</p>" + for_each_scene(rows, knob_plots));
   text += section("More shells, less error", "<p>The order says how fast: with order 1 twice the shells halve the error.</p>" +

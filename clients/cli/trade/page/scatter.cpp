@@ -39,7 +39,7 @@ std::string scatter_plot(const std::vector<Row>& rows, const std::string& scene)
   const std::vector<Row> points = points_of(rows, scene);
   std::vector<double> costs, errors;
   for (const Row& row : points) costs.push_back(cost_of(row)), errors.push_back(row.flip);
-  const Axes axes{.top = 28, .width = 520, .height = 330, .x = span_of(costs), .y = span_of(errors)};
+  const Axes axes{.top = 28, .width = 440, .height = 300, .x = span_of(costs), .y = span_of(errors)};
   std::string content = axes_svg(axes, "drawing, milliseconds", "error (masked FLIP)");
   content += front_line(axes, costs, errors);
   std::string tiers;  // last, so that nothing hides them
@@ -50,7 +50,7 @@ std::string scatter_plot(const std::vector<Row>& rows, const std::string& scene)
     else
       content += dot(x, y, 3.2, "#9a948a", hint_of(row));
   }
-  return svg(640, 410, "Error against cost: " + scene, content + tiers);
+  return svg(540, 380, "Error against cost: " + scene, content + tiers);
 }
 
 }  // namespace pelage::trade

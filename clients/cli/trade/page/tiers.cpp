@@ -12,7 +12,7 @@ constexpr double row_height = 26;
 
 std::string key(double y) {
   std::string text;
-  double x = 330;
+  double x = 400;
   for (const char* tier : {"draft", "interactive", "detailed"}) {
     text += dot(x, y - 4, 6, tier_colour(tier), "") + label(x + 11, y, tier, "start", tier_colour(tier));
     x += 110;
@@ -37,7 +37,7 @@ std::string tier_plot(const std::vector<Row>& rows) {
   }
   const Span no_ticks{2.1, 4.9};  // scenes have no scale
   const double height = row_height * static_cast<double>(scenes.size());
-  const Axes axes{.left = 320, .top = 34, .width = 600, .height = height, .x = span_of(errors), .y = no_ticks};
+  const Axes axes{.left = 390, .top = 34, .width = 540, .height = height, .x = span_of(errors), .y = no_ticks};
   std::string content = key(16) + axes_svg(axes, "error (masked FLIP), less is better", "");
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const double y = axes.top + row_height * (static_cast<double>(i) + 0.5);
