@@ -1,5 +1,5 @@
-"""Makes what docs/trade shows, with the programs of build/release or $PELAGE_BIN: the report of `pelage trade`, six animals
-with error maps, and the tables of tests/bench/tiers.py and tests/bench/flicker.py.
+"""Makes what docs/trade shows, with the programs of build/release or $PELAGE_BIN: the report of `pelage trade`, six
+animals with error maps, and the tables of tests/bench/tiers.py and tests/bench/flicker.py.
 
 usage: docs/trade/make.py [report] [animals] [flicker]     (all of them when none is named)
 """
@@ -18,21 +18,22 @@ from support.server import BIN, Server  # noqa: E402
 def report():
     server = Server()
     try:
-        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "160", "--truth", "256",
-                        "--passes", "24"], check=True)
+        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "160",
+                        "--truth", "256", "--passes", "24"], check=True)
     finally:
         server.close()
 
 
 def table(script, name, *arguments):
-    run = subprocess.run([sys.executable, ROOT / "tests" / "bench" / script, *arguments], check=True, stdout=subprocess.PIPE,
-                         text=True, env={**os.environ, "PELAGE_BIN": str(BIN)})
+    run = subprocess.run([sys.executable, ROOT / "tests" / "bench" / script, *arguments], check=True,
+                         stdout=subprocess.PIPE, text=True, env={**os.environ, "PELAGE_BIN": str(BIN)})
     (FOLDER / name).write_text(run.stdout, encoding="utf-8")
     print(run.stdout)
 
 
 STEPS = {"report": report,
-         "animals": lambda: table("tiers.py", "tiers.md", "--size", "192", "--truth", "256", "--passes", "24", "--pictures", str(FOLDER)),
+         "animals": lambda: table("tiers.py", "tiers.md", "--size", "192", "--truth", "256", "--passes", "24",
+                                  "--pictures", str(FOLDER)),
          "flicker": lambda: table("flicker.py", "flicker.md", "--size", "160", "--frames", "5")}
 
 

@@ -1,11 +1,12 @@
 """Flicker: how much fur changes between frames of a slow orbit beyond what the motion itself explains.
 
-Each frame is carried back to the one before it: the position layer says where on the model every pixel lies, the camera
-before says where that was seen. What is hidden there, or moves in depth by over a hundredth of the size, is left out. The
-change is the root mean square over linear light and the mean of |difference| after the sRGB curve, in grey levels of 255.
-Bilinear carrying changes a still picture a little too; `uniform 256` shows how much of that there is.
+Each frame is carried back to the one before it: the position layer says where on the model every pixel lies, the
+camera before says where that was seen. What is hidden there, or moves in depth by over a hundredth of the size, is left
+out. The change is the root mean square over linear light and the mean of |difference| after the sRGB curve, in grey
+levels of 255. Bilinear carrying blurs, so that no setting has none; what counts is how much more than `sorted 256`.
 
-usage: PELAGE_BIN=build/tests/bin python3 tests/bench/flicker.py [--frames 6] [--step .25] [--size 256] [--model creature]
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/flicker.py [--frames 6] [--step .25] [--size 256]
+           [--model creature] [--triangles 5000]
 """
 import argparse
 import pathlib
@@ -51,8 +52,8 @@ def sample(picture, x, y):
 
 
 def draw(scene, eye, target, size, quality):
-    request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "layers": ["beauty", "position", "depth"],
-               "background": "transparent", "quality": quality,
+    request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
+               "layers": ["beauty", "position", "depth"], "quality": quality,
                "camera": {"eye": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": FOV}}
     answer = scene.post("frames", request, timeout=600)
     assert answer.status == 200, answer
@@ -62,7 +63,8 @@ def draw(scene, eye, target, size, quality):
 
 
 def shown(light):
-    return numpy.where(light < .0031308, 12.92 * light, 1.055 * numpy.maximum(light, 1e-9) ** (1 / 2.4) - .055).clip(0, 1)
+    curve = 1.055 * numpy.maximum(light, 1e-9) ** (1 / 2.4) - .055
+    return numpy.where(light < .0031308, 12.92 * light, curve).clip(0, 1)
 
 
 def change(before, eye, target, after, size, scale_of_model):
@@ -71,7 +73,8 @@ def change(before, eye, target, after, size, scale_of_model):
     x, y, depth = seen_from(eye, target, numpy.where(opaque[..., None], after["position"], target), size)
     inside = (x > 1) & (x < size - 1) & (y > 1) & (y < size - 1)
     there = sample(numpy.where(numpy.isfinite(before["depth"]), before["depth"], 1e9)[..., None], x, y)[..., 0]
-    good = opaque & inside & (numpy.abs(there - depth) < .01 * scale_of_model) & (sample(before["alpha"][..., None], x, y)[..., 0] > .95)
+    covered = sample(before["alpha"][..., None], x, y)[..., 0] > .95
+    good = opaque & inside & covered & (numpy.abs(there - depth) < .01 * scale_of_model)
     carried = sample(before["light"], x, y)[good]
     now = after["light"][good]
     rms = numpy.sqrt(((now - carried) ** 2).mean())

@@ -1,5 +1,5 @@
-"""The tiers on six animals: how far each is from sorted layers (R1) and from traced strands (R2), near and far; and how the
-error falls with shells. Through HTTP, because grooms are recipes.
+"""The tiers on six animals: how far each is from sorted layers (R1) and from traced strands (R2), near and far; and
+how the error falls with shells. Through HTTP, because grooms are recipes.
 
 R1 has many uniform shells whose fragments are sorted, 32-bit float, and the shadows of the tier; R2 is the look's own
 scattering, traced. Light is mean linear luminance over alpha, coverage the sum of alpha, both over the reference's.
@@ -42,17 +42,22 @@ class Animal:
             answer = server.call("PUT", f"{scene.path}/model?format={kind}&front={self.front}{self.fur}", octets)
             assert answer.status == 200, answer
         if self.recipe:
-            subprocess.run([BIN / "pelage", "--server", server.address, "run", scene.id,
-                            ROOT / "clients" / "recipes" / f"{self.recipe}.json"], check=True, stdout=subprocess.DEVNULL)
+            recipe = ROOT / "clients" / "recipes" / f"{self.recipe}.json"
+            subprocess.run([BIN / "pelage", "--server", server.address, "run", scene.id, recipe], check=True,
+                           stdout=subprocess.DEVNULL)
         if self.look:
             commands = json.loads((ROOT / "clients" / "looks" / f"{self.look}.json").read_text(encoding="utf-8"))
             answer = scene.post("commands", commands)
             assert answer.status == 200, answer
+        answer = scene.run({"op": "set_ground", "ground": {"visible": False}})  # its shadow would count as coverage
+        assert answer.status == 200, answer
         return scene
 
 
-ANIMALS = [Animal("koala, plush", "koala_low.obj", "koala_plush"), Animal("cat as a fox", "cat.obj", "cat_fox", front="-x"),
-           Animal("spot, sleek", "spot.obj", "spot_sleek", front="-z"), Animal("koala, white", "koala_low.obj", "koala_white"),
+ANIMALS = [Animal("koala, plush", "koala_low.obj", "koala_plush"),
+           Animal("cat as a fox", "cat.obj", "cat_fox", front="-x"),
+           Animal("spot, sleek", "spot.obj", "spot_sleek", front="-z"),
+           Animal("koala, white", "koala_low.obj", "koala_white"),
            Animal("creature", recipe="creature"),
            Animal("cat as a leopard", "cat.obj", look="leopard", front="-x", fur="&length=0.018&inclination=0.8")]
 
@@ -70,7 +75,8 @@ class Frame:
         """8 bits over grey, through the filmic curve of the resolve pass."""
         alpha = self.alpha.clip(1e-6, 1)[..., None]
         x = (self.light / alpha).clip(0, 1e4) * .72
-        film = (x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)).clip(0, 1) * alpha + .35 * (1 - self.alpha.clip(0, 1)[..., None])
+        film = (x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)).clip(0, 1)
+        film = film * alpha + .35 * (1 - alpha)
         srgb = numpy.where(film < .0031308, 12.92 * film, 1.055 * numpy.maximum(film, 1e-9) ** (1 / 2.4) - .055)
         return Image.fromarray((255 * srgb.clip(0, 1) + .5).astype(numpy.uint8))
 
@@ -80,7 +86,8 @@ def draw(scene, distance, size, quality):
     low, high = numpy.array(info["bounds"]["min"]), numpy.array(info["bounds"]["max"])
     target = (low + high) / 2
     eye = target + DIRECTION / numpy.linalg.norm(DIRECTION) * distance * info["size"]
-    request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent", "quality": quality,
+    request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
+               "quality": quality,
                "camera": {"eye": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": 35}}
     answer = scene.post("frames", request, timeout=900)
     assert answer.status == 200, answer
@@ -93,7 +100,8 @@ def compare(truth, test):
         a, b, error_map = (pathlib.Path(folder) / name for name in ("a.exr", "b.exr", "map.png"))
         a.write_bytes(truth.octets)
         b.write_bytes(test.octets)
-        run = subprocess.run([BIN / "pelage", "--json", "compare", a, b, "--map", error_map], check=True, capture_output=True, text=True)
+        run = subprocess.run([BIN / "pelage", "--json", "compare", a, b, "--map", error_map], check=True,
+                             capture_output=True, text=True)
         return json.loads(run.stdout), Image.open(io.BytesIO(error_map.read_bytes())).convert("RGB")
 
 
@@ -112,8 +120,8 @@ class Truths:
         """With the shadows of these knobs."""
         shells = shells or self.options.truth
         shadows = {name: knobs[name] for name in ("self_shadow", "shadow_maps", "shadow_resolution")}
-        quality = {**self.base, "shells": shells, "shell_policy": "uniform", "order": "sorted", "accumulation": "full", "samples": 1,
-                   "scale": 1, "fins": False, "guard_hairs": 0, **shadows}
+        quality = {**self.base, "shells": shells, "shell_policy": "uniform", "order": "sorted",
+                   "accumulation": "full", "samples": 1, "scale": 1, "fins": False, "guard_hairs": 0, **shadows}
         return self.frame((shells, *shadows.values()), quality)
 
     def r2(self):
@@ -125,27 +133,34 @@ def tier_rows(scene, options, animal):
     """Prints a row for each tier and gives what the picture shows: names, frames and error maps."""
     cells = []
     whole = {tier: draw(scene, DISTANCES["whole"], options.size, tier) for tier in TIERS}
-    truths = {name: Truths(scene, distance, options, whole["interactive"].knobs) for name, distance in DISTANCES.items()}
+    base = whole["interactive"].knobs
+    truths = {name: Truths(scene, distance, options, base) for name, distance in DISTANCES.items()}
     at = truths["whole"]
     r1, r2 = at.r1(at.base), at.r2()
     between, between_map = compare(r1, r2)
     floor = compare(r1, at.r1(at.base, options.truth // 2))[0]["flip"]["mean"]
-    print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {figure(between, 'mean')} | | | | (R1 is known to {floor:.4f}) |")
+    print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {outline_of(between)} | | | | "
+          f"(R1 is known to {floor:.4f}) |")
     cells += [("R1", r1, None), (f"R2, {between['flip']['mean']:.3f} from R1", r2, between_map)]
     for tier in TIERS:
         error, error_map = compare(at.r1(whole[tier].knobs), whole[tier])
         strands = compare(r2, whole[tier])[0]
-        ratios = [ratios_of(whole[tier] if name == "whole" else draw(scene, distance, options.size, tier), truths[name].r2())
-                  for name, distance in DISTANCES.items()]
-        light, coverage = zip(*ratios)
-        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {figure(error, 'mean')} | {error['flip']['percentile_95']:.3f} | "
-              f"{strands['flip']['mean']:.3f} | {' '.join(f'{v:.3f}' for v in light)} | {' '.join(f'{v:.3f}' for v in coverage)} |", flush=True)
+        frames = {name: whole[tier] if name == "whole" else draw(scene, distance, options.size, tier)
+                  for name, distance in DISTANCES.items()}
+        light, coverage = zip(*(ratios_of(frame, truths[name].r2()) for name, frame in frames.items()))
+        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {outline_of(error)} | "
+              f"{error['flip']['percentile_95']:.3f} | {strands['flip']['mean']:.3f} | {three(light)} | "
+              f"{three(coverage)} |", flush=True)
         cells.append((f"{tier}, {error['flip']['mean']:.3f} from R1", whole[tier], error_map))
-    return cells, at, whole["interactive"].knobs
+    return cells, at, base
 
 
-def figure(error, name):
-    return f"{error['outline'][name]:.4f}" if error["outline"] else ""
+def outline_of(error):
+    return f"{error['outline']['mean']:.4f}" if error["outline"] else ""
+
+
+def three(values):
+    return " ".join(f"{value:.3f}" for value in values)
 
 
 def ratios_of(test, truth):
@@ -198,7 +213,8 @@ def main():
     server = Server()
     try:
         print(f"{options.size} pixels, R1 of {options.truth} sorted shells, R2 of {options.passes} passes\n")
-        print("| animal | tier | FLIP to R1 | outline | 95% | FLIP to R2 | light over R2, near whole far | coverage over R2 |")
+        print("| animal | tier | FLIP to R1 | outline | 95% | FLIP to R2 | light over R2, near whole far | "
+              "coverage over R2 |")
         print("|---|---|---|---|---|---|---|---|")
         rows = [measure(server, animal, options) for animal in ANIMALS
                 if not options.only or animal.name.startswith(tuple(options.only))]

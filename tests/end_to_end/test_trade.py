@@ -18,8 +18,8 @@ class Trade(ServedTest):
         self.folder = Path(folder.name) / "report"
 
     def trade(self, *arguments, code=0):
-        return self.pelage("trade", "--quick", "--size", "32", "--truth", "16", "--passes", "2", "-o", self.folder, *arguments,
-                           code=code)
+        return self.pelage("trade", "--quick", "--size", "32", "--truth", "16", "--passes", "2", "-o", self.folder,
+                           *arguments, code=code)
 
     def rows(self):
         with open(self.folder / "results.csv", newline="", encoding="utf-8") as file:

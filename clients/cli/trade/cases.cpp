@@ -31,7 +31,8 @@ std::string lights(bool front, glm::dvec3 towards) {
 }
 
 std::string new_scene(const char* builtin, int triangles) {
-  return fmt::format(R"({{"name":"trade","model":{{"builtin":"{}","triangles":{}}},"fur":{{"length":0.035}}}})", builtin, triangles);
+  return fmt::format(R"({{"name":"trade","model":{{"builtin":"{}","triangles":{}}},"fur":{{"length":0.035}}}})",
+                     builtin, triangles);
 }
 
 struct Sight {
@@ -43,12 +44,13 @@ struct Sight {
 Case case_of(const Sight& s, const std::string& words = {}) {
   const bool patch = std::string_view(s.model) == "plane";
   const double distance = s.is_near ? (patch ? 0.9 : near) : far;
-  return {.name = fmt::format("{}{}, {} coat, lit from {}, {}", patch ? "patch" : s.model, words,
-                              s.is_white ? "white" : "dark", s.front ? "the front" : "behind", s.is_near ? "near" : "far"),
-          .request = new_scene(s.model, patch ? 800 : 5000),
-          .commands = {s.is_white ? white : dark, coat_colours, lights(s.front, s.direction)},
-          .towards = s.direction * distance,
-          .swept = s.swept};
+  return {
+      .name = fmt::format("{}{}, {} coat, lit from {}, {}", patch ? "patch" : s.model, words,
+                          s.is_white ? "white" : "dark", s.front ? "the front" : "behind", s.is_near ? "near" : "far"),
+      .request = new_scene(s.model, patch ? 800 : 5000),
+      .commands = {s.is_white ? white : dark, coat_colours, lights(s.front, s.direction)},
+      .towards = s.direction * distance,
+      .swept = s.swept};
 }
 
 }  // namespace

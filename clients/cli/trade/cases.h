@@ -12,11 +12,11 @@ namespace pelage::trade {
 /// A scene seen from one place.
 struct Case {
   std::string name;
-  std::string id = {};                // of a scene that is there already; "" to make one
-  std::string request = {};            // JSON that makes it
+  std::string id = {};                     // of a scene that is there already; "" to make one
+  std::string request = {};                // JSON that makes it
   std::vector<std::string> commands = {};  // JSON, then done to it
-  glm::dvec3 towards{0};              // from the middle of its box to the eye, in sizes
-  bool swept = false;                 // all knobs, pictures and R2; else tiers and shells
+  glm::dvec3 towards{0};                   // from the middle of its box to the eye, in sizes
+  bool swept = false;                      // all knobs, pictures and R2; else tiers and shells
 };
 
 /// Sphere, flat patch at three angles, torus and creature; white and dark, lit from the front and from behind, near and

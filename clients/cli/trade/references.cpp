@@ -31,7 +31,7 @@ Result<Truth> References::draw(const std::string& name, const Knobs& knobs) {
   auto shot = shoot(session_, place_, knobs);
   if (!shot) return shot.status();
   if (shot->non_finite > 0) return failure(Code::internal, name + " has pixels that are not finite: it is no truth.");
-  return Truth{name, std::move(*shot)};
+  return Truth{name, std::move(*shot), knobs.method == Method::strands ? passes_ : shells_};
 }
 
 Result<const Truth*> References::keep(Truth truth) {

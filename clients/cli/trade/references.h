@@ -12,6 +12,7 @@ namespace pelage::trade {
 struct Truth {
   std::string name;  // "R1", with its shadows where they are not the estimate, or "R2"
   Shot shot;
+  int detail = 0;    // shells of R1, or passes of R2
   double floor = 0;  // FLIP against half the layers; 0 for R2
 };
 

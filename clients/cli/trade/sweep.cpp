@@ -37,7 +37,8 @@ class Stage {
     return stage;
   }
 
-  Stage(Stage&& other) noexcept : session_(other.session_), id_(std::move(other.id_)), made_(std::exchange(other.made_, false)) {}
+  Stage(Stage&& other) noexcept
+      : session_(other.session_), id_(std::move(other.id_)), made_(std::exchange(other.made_, false)) {}
   Stage& operator=(Stage&&) = delete;
   ~Stage() {
     if (made_) (void)session_.connection().remove(path());
@@ -73,7 +74,10 @@ Result<Place> place_of(Session& session, const std::string& path, const Case& sc
 class Sweeper {
  public:
   Sweeper(Session& session, const Case& scene, const SweepOptions& options, Place place)
-      : session_(session), scene_(scene), options_(options), place_(place),
+      : session_(session),
+        scene_(scene),
+        options_(options),
+        place_(place),
         truths_(session, place, options.truth, options.passes) {}
 
   References& truths() { return truths_; }
@@ -86,7 +90,8 @@ class Sweeper {
     if (!cost) return cost.status();
     const auto shells = truths_.shells(setting.knobs);
     if (!shells) return shells.status();
-    if (Status status = add_row(setting, **shells, *shot, *cost, strands, report); !status.ok() || !strands) return status;
+    if (Status status = add_row(setting, **shells, *shot, *cost, strands, report); !status.ok() || !strands)
+      return status;
     const auto traced = truths_.strands();
     if (!traced) return traced.status();
     return add_row(setting, **traced, *shot, *cost, false, report);
@@ -95,12 +100,22 @@ class Sweeper {
  private:
   Row row_of(const Setting& setting, const Truth& truth, const Shot& shot, const FrameCost& cost) const {
     const Shot& true_shot = truth.shot;
-    return {.scene = scene_.name, .size = options_.size, .series = setting.series, .base = setting.base,
-            .value = setting.value, .reference = truth.name, .shells = setting.knobs.shells,
-            .steps = setting.knobs.steps, .scale = setting.knobs.scale,
+    return {.scene = scene_.name,
+            .size = options_.size,
+            .series = setting.series,
+            .base = setting.base,
+            .value = setting.value,
+            .reference = truth.name,
+            .truth = truth.detail,
+            .shells = setting.knobs.shells,
+            .steps = setting.knobs.steps,
+            .scale = setting.knobs.scale,
             .luminance = true_shot.luminance > 0 ? shot.luminance / true_shot.luminance : 1,
             .coverage = true_shot.coverage > 0 ? shot.coverage / true_shot.coverage : 1,
-            .floor = truth.floor, .non_finite = shot.non_finite, .draw_ms = cost.draw, .cpu_ms = cost.cpu,
+            .floor = truth.floor,
+            .non_finite = shot.non_finite,
+            .draw_ms = cost.draw,
+            .cpu_ms = cost.cpu,
             .knobs = encode(setting.knobs)};
   }
 
@@ -123,7 +138,8 @@ class Sweeper {
 
   static void add_picture(const Row& row, const Shot& shot, const PictureError& error, Report& report) {
     const Image map = error_picture(error.flip, shot.picture.width, shot.picture.height);
-    const std::string caption = fmt::format("error {:.4f}, outline {:.4f}, {} ms", row.flip, row.outline, milliseconds(cost_of(row)));
+    const std::string caption =
+        fmt::format("error {:.4f}, outline {:.4f}, {} ms", row.flip, row.outline, milliseconds(cost_of(row)));
     report.pictures.push_back({row.scene, row.value, caption, jpeg_of(shot.picture), encode_jpeg(map, 84)});
   }
 
@@ -135,10 +151,11 @@ class Sweeper {
 };
 
 /// A row for this setting that need not be drawn: kept from before, or the same knobs in another series.
-const Row* known(const Report& report, const Case& scene, const Setting& setting, int size) {
+const Row* known(const Report& report, const Case& scene, const Setting& setting, const SweepOptions& options) {
   const std::string knobs = encode(setting.knobs);
   const auto found = std::find_if(report.rows.begin(), report.rows.end(), [&](const Row& row) {
-    return row.scene == scene.name && row.size == size && row.knobs == knobs && row.reference != "R2";
+    return row.scene == scene.name && row.size == options.size && row.truth == options.truth && row.knobs == knobs &&
+           row.reference != "R2";
   });
   return found == report.rows.end() ? nullptr : &*found;
 }
@@ -166,9 +183,9 @@ double work_of(const Case& scene, const SweepOptions& options) {
 namespace {
 
 /// Draws a setting, or copies what is known of its knobs.
-Status add(Sweeper& sweeper, const Case& scene, const Setting& setting, int size, Report& report) {
+Status add(Sweeper& sweeper, const Case& scene, const Setting& setting, const SweepOptions& options, Report& report) {
   const bool shown = scene.swept && setting.series == "tier";
-  const Row* row = shown ? nullptr : known(report, scene, setting, size);
+  const Row* row = shown ? nullptr : known(report, scene, setting, options);
   if (!row) return sweeper.measure(setting, shown, report);
   Row copy = *row;
   copy.series = setting.series, copy.base = setting.base, copy.value = setting.value;
@@ -193,7 +210,7 @@ Status sweep(Session& session, const Case& scene, const SweepOptions& options, R
   }
   if (Status status = done(work_of(scene, options) - static_cast<double>(settings.size())); !status.ok()) return status;
   for (const Setting& setting : settings) {
-    if (Status status = add(sweeper, scene, setting, options.size, report); !status.ok()) return status;
+    if (Status status = add(sweeper, scene, setting, options, report); !status.ok()) return status;
     if (Status status = done(1); !status.ok()) return status;
   }
   return {};

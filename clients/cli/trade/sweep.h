@@ -12,10 +12,10 @@ namespace pelage::trade {
 
 struct SweepOptions {
   bool quick = false;
-  int size = 256;    // pixels of a side
-  int truth = 512;   // shells of R1
-  int passes = 64;   // of R2
-  int repeats = 2;   // of which the least time counts
+  int size = 256;   // pixels of a side
+  int truth = 512;  // shells of R1
+  int passes = 64;  // of R2
+  int repeats = 2;  // of which the least time counts
 };
 
 /// How much work a sweep is, in frames of usual cost.

@@ -75,9 +75,12 @@ std::string advice_html(const std::vector<Row>& rows) {
   if (settings.empty()) return "<p>Not enough was measured to say.</p>";
   std::string text = fmt::format(
       "<p>Means over {} on which every setting was tried. Choose by the time that you have, or by the error that you "
-      "can live with: under .015 is hard to see even when pictures are swapped in place, .04 is seen when they are, .08 "
-      "is seen side by side.</p>", scenes.size() == 1 ? "one scene" : fmt::format("{} scenes", scenes.size()));
-  text += "<div class=\"pair\"><div>" + budget_table(settings) + "</div><div>" + error_table(settings) + "</div></div><ul>";
+      "can live with: under .015 is hard to see even when pictures are swapped in place, .04 is seen when they are, "
+      ".08 "
+      "is seen side by side.</p>",
+      scenes.size() == 1 ? "one scene" : fmt::format("{} scenes", scenes.size()));
+  text +=
+      "<div class=\"pair\"><div>" + budget_table(settings) + "</div><div>" + error_table(settings) + "</div></div><ul>";
   for (const char* tier : {"draft", "interactive", "detailed"}) {
     const auto found = std::find_if(settings.begin(), settings.end(), [&](const Mean& m) { return m.name == tier; });
     if (found != settings.end()) text += "<li>" + judgement(settings, *found) + "</li>";

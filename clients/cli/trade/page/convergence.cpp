@@ -16,7 +16,8 @@ struct Curve {
 Curve curve_of(const std::vector<Row>& rows, const std::string& scene) {
   Curve curve{.scene = scene};
   for (const Row& row : rows) {
-    const bool wanted = row.scene == scene && row.series == "shells" && row.base == "interactive" && against_shells(row);
+    const bool wanted =
+        row.scene == scene && row.series == "shells" && row.base == "interactive" && against_shells(row);
     if (!wanted || !(row.flip > 0)) continue;
     curve.shells.push_back(row.shells), curve.errors.push_back(row.flip);
   }

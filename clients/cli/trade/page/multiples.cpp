@@ -39,7 +39,8 @@ std::string way_of(const Axes& axes, const Points& points, const std::string& kn
     if (row->series != knob || row->base != base) continue;
     const double x = axes.to_x(cost_of(*row)), y = axes.to_y(row->flip);
     line.emplace_back(x, y);
-    const std::string hint = fmt::format("{}: {} ms, FLIP {:.4f}", name_of(*row), milliseconds(cost_of(*row)), row->flip);
+    const std::string hint =
+        fmt::format("{}: {} ms, FLIP {:.4f}", name_of(*row), milliseconds(cost_of(*row)), row->flip);
     marks += dot(x, y, 4, tier_colour(base), hint);
     for (const double below : {-5.0, 15.0}) {
       if (!is_free(written, {x, y + below})) continue;

@@ -12,9 +12,9 @@ namespace {
 using Line = std::vector<std::string>;
 
 const Line& names() {
-  static const Line result{"scene",   "size",    "series",     "base",      "value",    "reference", "shells",
-                           "steps",   "scale",   "flip",       "flip_95",   "outline",  "outline_95", "luminance",
-                           "coverage", "floor",  "non_finite", "draw_ms",   "cpu_ms",   "knobs"};
+  static const Line result{"scene",     "size",     "series", "base",       "value",   "reference", "truth",
+                           "shells",    "steps",    "scale",  "flip",       "flip_95", "outline",   "outline_95",
+                           "luminance", "coverage", "floor",  "non_finite", "draw_ms", "cpu_ms",    "knobs"};
   return result;
 }
 
@@ -37,11 +37,27 @@ std::string text_of(T value) {
 }
 
 Line line_of(const Row& r) {
-  return {r.scene,          text_of(r.size),     r.series,            r.base,
-          r.value,          r.reference,         text_of(r.shells),   text_of(r.steps),
-          text_of(r.scale), text_of(r.flip),     text_of(r.flip_95),  text_of(r.outline),
-          text_of(r.outline_95), text_of(r.luminance), text_of(r.coverage), text_of(r.floor),
-          text_of(r.non_finite), text_of(r.draw_ms), text_of(r.cpu_ms), r.knobs};
+  return {r.scene,
+          text_of(r.size),
+          r.series,
+          r.base,
+          r.value,
+          r.reference,
+          text_of(r.truth),
+          text_of(r.shells),
+          text_of(r.steps),
+          text_of(r.scale),
+          text_of(r.flip),
+          text_of(r.flip_95),
+          text_of(r.outline),
+          text_of(r.outline_95),
+          text_of(r.luminance),
+          text_of(r.coverage),
+          text_of(r.floor),
+          text_of(r.non_finite),
+          text_of(r.draw_ms),
+          text_of(r.cpu_ms),
+          r.knobs};
 }
 
 /// Takes the fields of the next line off the text; none when a quote is not closed.
@@ -94,9 +110,9 @@ std::optional<Row> row_of(const Line& line) {
   Row row;
   Reader reader(line);
   const auto read = [&](auto&... values) { (reader.read(values), ...); };
-  read(row.scene, row.size, row.series, row.base, row.value, row.reference, row.shells, row.steps, row.scale, row.flip,
-       row.flip_95, row.outline, row.outline_95, row.luminance, row.coverage, row.floor, row.non_finite, row.draw_ms,
-       row.cpu_ms, row.knobs);
+  read(row.scene, row.size, row.series, row.base, row.value, row.reference, row.truth, row.shells, row.steps, row.scale,
+       row.flip, row.flip_95, row.outline, row.outline_95, row.luminance, row.coverage, row.floor, row.non_finite,
+       row.draw_ms, row.cpu_ms, row.knobs);
   return reader.good() ? std::optional(row) : std::nullopt;
 }
 

@@ -18,16 +18,18 @@ struct Row {
   std::string base;       // the tier that the other knobs are of; "" in a grid
   std::string value;      // of what is swept: "16", "full", "draft"
   std::string reference;  // "R1", with its shadows where they are not the estimate, or "R2"
+  int truth = 0;          // shells of R1, or passes of R2
   int shells = 0, steps = 0;
   double scale = 1;
   double flip = 0, flip_95 = 0;        // mean and 95th percentile
   double outline = 0, outline_95 = 0;  // the same in the band around the fur's edge; 0 where there is no edge
-  double luminance = 0, coverage = 0;  // mean linear luminance of the fur, and pixels that it covers, over the reference's
-  double floor = 0;                    // FLIP that the reference itself may be off
-  std::size_t non_finite = 0;          // pixels with NaN or infinity
-  double draw_ms = 0;                  // least of the repeats
-  double cpu_ms = 0;                   // all threads, least of the repeats; 0 where the server does not say
-  std::string knobs;                   // JSON, as a request's `quality`
+  double luminance = 0,
+         coverage = 0;         // mean linear luminance of the fur, and pixels that it covers, over the reference's
+  double floor = 0;            // FLIP that the reference itself may be off
+  std::size_t non_finite = 0;  // pixels with NaN or infinity
+  double draw_ms = 0;          // least of the repeats
+  double cpu_ms = 0;           // all threads, least of the repeats; 0 where the server does not say
+  std::string knobs;           // JSON, as a request's `quality`
 
   bool operator==(const Row&) const = default;
 };

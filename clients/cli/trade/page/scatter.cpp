@@ -24,7 +24,8 @@ std::vector<Row> points_of(const std::vector<Row>& rows, const std::string& scen
 }
 
 std::string hint_of(const Row& row) {
-  return fmt::format("{}: {} ms, FLIP {:.4f}, outline {:.4f}", name_of(row), milliseconds(cost_of(row)), row.flip, row.outline);
+  return fmt::format("{}: {} ms, FLIP {:.4f}, outline {:.4f}", name_of(row), milliseconds(cost_of(row)), row.flip,
+                     row.outline);
 }
 
 std::string front_line(const Axes& axes, const std::vector<double>& costs, const std::vector<double>& errors) {
@@ -46,7 +47,8 @@ std::string scatter_plot(const std::vector<Row>& rows, const std::string& scene)
   for (const Row& row : points) {
     const double x = axes.to_x(cost_of(row)), y = axes.to_y(row.flip);
     if (row.series == "tier")
-      tiers += dot(x, y, 7, tier_colour(row.value), hint_of(row)) + label(x, y - 12, row.value, "middle", tier_colour(row.value));
+      tiers += dot(x, y, 7, tier_colour(row.value), hint_of(row)) +
+               label(x, y - 12, row.value, "middle", tier_colour(row.value));
     else
       content += dot(x, y, 3.2, "#9a948a", hint_of(row));
   }

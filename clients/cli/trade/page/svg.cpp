@@ -90,14 +90,15 @@ std::string axes_svg(const Axes& axes, std::string_view x_title, std::string_vie
   text += line(axes.left, bottom, right, bottom, "#888") + line(axes.left, axes.top, axes.left, bottom, "#888");
   if (!x_title.empty()) text += label(axes.left + axes.width / 2, bottom + 36, x_title, "middle");
   if (y_title.empty()) return text;
-  return text + fmt::format(R"svg(<text transform="translate({:.1f} {:.1f}) rotate(-90)" text-anchor="middle">{}</text>)svg",
-                            axes.left - 46, axes.top + axes.height / 2, escaped(y_title));
+  return text +
+         fmt::format(R"svg(<text transform="translate({:.1f} {:.1f}) rotate(-90)" text-anchor="middle">{}</text>)svg",
+                     axes.left - 46, axes.top + axes.height / 2, escaped(y_title));
 }
 
 std::string dot(double x, double y, double radius, const char* fill, std::string_view hint, bool hollow) {
   return fmt::format(
-      R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}" stroke="{}" stroke-width="1.5"><title>{}</title></circle>)", x, y,
-      radius, hollow ? "#fff" : fill, hollow ? fill : "none", escaped(hint));
+      R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}" stroke="{}" stroke-width="1.5"><title>{}</title></circle>)",
+      x, y, radius, hollow ? "#fff" : fill, hollow ? fill : "none", escaped(hint));
 }
 
 std::string label(double x, double y, std::string_view text, const char* anchor, const char* fill) {

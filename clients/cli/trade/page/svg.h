@@ -1,4 +1,5 @@
-// The small parts that plots are drawn of: texts, marks, and axes with logarithmic scales. All of it is well-formed XML.
+// The small parts that plots are drawn of: texts, marks, and axes with logarithmic scales. All of it is well-formed
+// XML.
 #pragma once
 
 #include <string>

@@ -21,7 +21,8 @@ std::string key(double y) {
 }
 
 std::string marks_of(const Axes& axes, const Row& row, double y) {
-  const std::string hint = fmt::format("{}, {}: FLIP {:.4f}, outline {:.4f}", row.scene, row.value, row.flip, row.outline);
+  const std::string hint =
+      fmt::format("{}, {}: FLIP {:.4f}, outline {:.4f}", row.scene, row.value, row.flip, row.outline);
   std::string text;
   if (row.outline > 0) text += dot(axes.to_x(row.outline), y, 5, tier_colour(row.value), hint, true);
   return text + dot(axes.to_x(row.flip), y, 6, tier_colour(row.value), hint);
