@@ -17,8 +17,8 @@ class Trade(ServedTest):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name) / "report"
 
-    def trade(self, *arguments, code=0):
-        return self.pelage("trade", "--quick", "--size", "32", "--truth", "16", "--passes", "2", "-o", self.folder,
+    def trade(self, *arguments, size=32, code=0):
+        return self.pelage("trade", "--quick", "--size", size, "--truth", "16", "--passes", "2", "-o", self.folder,
                            *arguments, code=code)
 
     def rows(self):
@@ -64,6 +64,8 @@ class Trade(ServedTest):
         again = {row["value"]: row["draw_ms"] for row in self.rows() if row["series"] == "grid"}
         self.assertEqual(kept, again)
         self.assertEqual(len(self.rows()), len(first))
+        self.trade("--scene", scene.id, "--resume", size=24)
+        self.assertEqual({row["size"] for row in self.rows()}, {"24"}, "sizes are not mixed")
         self.assertEqual(scene.info()["revision"], revision, "only looked at")
 
     def test_refusals(self):

@@ -151,13 +151,29 @@ class Sweeper {
 };
 
 /// A row for this setting that need not be drawn: kept from before, or the same knobs in another series.
-const Row* known(const Report& report, const Case& scene, const Setting& setting, const SweepOptions& options) {
+const Row* known(const Report& report, const Case& scene, const Setting& setting) {
   const std::string knobs = encode(setting.knobs);
   const auto found = std::find_if(report.rows.begin(), report.rows.end(), [&](const Row& row) {
-    return row.scene == scene.name && row.size == options.size && row.truth == options.truth && row.knobs == knobs &&
-           row.reference != "R2";
+    return row.scene == scene.name && row.knobs == knobs && row.reference != "R2";
   });
   return found == report.rows.end() ? nullptr : &*found;
+}
+
+/// Takes out rows from before that would lie beside others on one plot: of another size or truth, of knobs that are not
+/// tried any more, and tiers that are shown, for their pictures are in no table.
+void forget_stale(const Case& scene, const std::vector<Setting>& settings, const SweepOptions& options,
+                  Report& report) {
+  const auto is_tried = [&](const Row& row) {
+    return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) {
+      return row.series == setting.series && row.base == setting.base && row.value == setting.value &&
+             row.knobs == encode(setting.knobs);
+    });
+  };
+  std::erase_if(report.rows, [&](const Row& row) {
+    if (row.size != options.size) return true;
+    if (row.scene != scene.name) return false;
+    return row.truth != options.truth || (scene.swept && row.series == "tier") || !is_tried(row);
+  });
 }
 
 Status show_truths(References& truths, const Case& scene, Report& report) {
@@ -183,9 +199,9 @@ double work_of(const Case& scene, const SweepOptions& options) {
 namespace {
 
 /// Draws a setting, or copies what is known of its knobs.
-Status add(Sweeper& sweeper, const Case& scene, const Setting& setting, const SweepOptions& options, Report& report) {
+Status add(Sweeper& sweeper, const Case& scene, const Setting& setting, Report& report) {
   const bool shown = scene.swept && setting.series == "tier";
-  const Row* row = shown ? nullptr : known(report, scene, setting, options);
+  const Row* row = shown ? nullptr : known(report, scene, setting);
   if (!row) return sweeper.measure(setting, shown, report);
   Row copy = *row;
   copy.series = setting.series, copy.base = setting.base, copy.value = setting.value;
@@ -203,14 +219,13 @@ Status sweep(Session& session, const Case& scene, const SweepOptions& options, R
   if (!place) return place.status();
   Sweeper sweeper(session, scene, options, *place);
   const std::vector<Setting> settings = settings_for(scene.swept, options.quick);
-  // Tiers that are shown are drawn again: their pictures are in no table.
+  forget_stale(scene, settings, options, report);
   if (scene.swept) {
-    std::erase_if(report.rows, [&](const Row& row) { return row.scene == scene.name && row.series == "tier"; });
     if (Status status = show_truths(sweeper.truths(), scene, report); !status.ok()) return status;
   }
   if (Status status = done(work_of(scene, options) - static_cast<double>(settings.size())); !status.ok()) return status;
   for (const Setting& setting : settings) {
-    if (Status status = add(sweeper, scene, setting, options, report); !status.ok()) return status;
+    if (Status status = add(sweeper, scene, setting, report); !status.ok()) return status;
     if (Status status = done(1); !status.ok()) return status;
   }
   return {};

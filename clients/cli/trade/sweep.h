@@ -22,8 +22,8 @@ struct SweepOptions {
 double work_of(const Case& scene, const SweepOptions& options);
 
 /// Adds the rows and pictures of this scene to the report. Rows of the same scene, size, truth and knobs that it has
-/// already are kept and not drawn again. `done` hears of work as it is done, and may store what there is. A scene that
-/// is made for it is removed again, also when something fails.
+/// already are kept and not drawn again; those of others that would be mixed with them go. `done` hears of work as it
+/// is done, and may store what there is. A scene that is made for it is removed again, also when something fails.
 Status sweep(Session& session, const Case& scene, const SweepOptions& options, Report& report,
              const std::function<Status(double work)>& done);
 
