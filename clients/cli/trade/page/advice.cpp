@@ -76,8 +76,8 @@ std::string advice_html(const std::vector<Row>& rows) {
   std::string text = fmt::format(
       "<p>Means over {} on which every setting was tried. Choose by the time that you have, or by the error that you "
       "can live with: under .015 is hard to see even when pictures are swapped in place, .04 is seen when they are, "
-      ".08 "
-      "is seen side by side.</p>",
+      ".08 is seen side by side. The error is of layers, not of light: fur drawn without self-shadow is measured "
+      "against such fur, though it looks brighter; look at the pictures too.</p>",
       scenes.size() == 1 ? "one scene" : fmt::format("{} scenes", scenes.size()));
   text +=
       "<div class=\"pair\"><div>" + budget_table(settings) + "</div><div>" + error_table(settings) + "</div></div><ul>";
