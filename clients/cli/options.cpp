@@ -231,6 +231,26 @@ void add_tracing(CLI::App* command, Options& options) {
       ->check(CLI::NonNegativeNumber);
 }
 
+void declare_trade(CLI::App& app, Options& options) {
+  CLI::App* trade = add_action(app, options, Action::trade, "trade",
+                               "Measure what each quality costs and how far it is from the truth: a table and a page");
+  trade->add_option("-o,--output", options.output, "Folder for results.csv and index.html")->required();
+  trade->add_option("--scene", options.scenes,
+                    "Id or name of a scene to measure as it is; may be repeated [built-in ones]");
+  trade->add_flag("--quick", options.quick, "One small scene and few knobs: a look at the page in seconds");
+  trade->add_flag("--resume", options.resume, "Keep what results.csv has already");
+  trade->add_option("--size", options.size, "Pixels of a side")->capture_default_str()->check(CLI::Range(16, 2048));
+  trade->add_option("--truth", options.truth, "Sorted shells of the truth")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 1024));
+  trade->add_option("--passes", options.r2_passes, "Of traced strands")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 65536));
+  trade->add_option("--repeats", options.repeats, "Timed frames of each setting; the least counts")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100));
+}
+
 void declare_picture_actions(CLI::App& app, Options& options) {
   CLI::App* frame = add_action(app, options, Action::frame, "frame", "Draw a scene");
   add_scene(frame, options);
@@ -265,6 +285,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   compare->add_option("--tone-map", options.tone_map, "How EXR and HDR are shown, for FLIP: none or filmic")
       ->capture_default_str()
       ->check(CLI::IsMember({"none", "filmic"}));
+
+  declare_trade(app, options);
 
   CLI::App* pick = add_action(app, options, Action::pick, "pick", "Say what lies under a pixel");
   add_scene(pick, options);

@@ -30,7 +30,8 @@ enum class Action {
   remove,
   info,
   subdivide,
-  compare
+  compare,
+  trade
 };
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
@@ -82,6 +83,13 @@ struct Options {
   std::string mask;                 // a picture; "" for the alpha of both
   std::string map;                  // PNG to write; "" for none
   std::string tone_map = "filmic";  // of EXR and HDR: none or filmic
+  // trade
+  std::vector<std::string> scenes;  // ids or names; none for the built-in ones
+  bool quick = false, resume = false;
+  int size = 256;      // pixels of a side
+  int truth = 512;     // shells of R1
+  int r2_passes = 64;  // of R2
+  int repeats = 2;     // of each timing
   // log
   bool lines = false;
   std::string other;  // scene that the lines are carried to, by id or name; "" for this one

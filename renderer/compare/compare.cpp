@@ -59,20 +59,6 @@ double shown(double value, ToneMap tone_map) {
   return std::clamp(tone_map == ToneMap::filmic ? film(positive) : positive, 0.0, 1.0);
 }
 
-/// As the resolve pass does it: the colour itself is tone mapped, then laid over the background.
-FloatImage as_displayed(const FloatImage& image, const CompareOptions& options) {
-  const ToneMap tone_map = image.display_referred ? ToneMap::none : options.tone_map;
-  FloatImage displayed{image.width, image.height, std::vector<float>(image.rgba.size(), 1.0f), true};
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    const double alpha = std::clamp(static_cast<double>(image.rgba[i + 3]), 0.0, 1.0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double colour = alpha > 0 ? shown(image.rgba[i + k] / alpha, tone_map) : 0;
-      displayed.rgba[i + k] = static_cast<float>(colour * alpha + options.background * (1 - alpha));
-    }
-  }
-  return displayed;
-}
-
 glm::dvec3 over_background(const FloatImage& image, std::size_t pixel, double background) {
   const float* rgba = &image.rgba[pixel * 4];
   const double rest = background * (1 - std::clamp(static_cast<double>(rgba[3]), 0.0, 1.0));
@@ -116,6 +102,19 @@ std::optional<FlipFigures> figures_over(const std::vector<float>& flip, const Ma
 }
 
 }  // namespace
+
+FloatImage as_displayed(const FloatImage& image, const CompareOptions& options) {
+  const ToneMap tone_map = image.display_referred ? ToneMap::none : options.tone_map;
+  FloatImage displayed{image.width, image.height, std::vector<float>(image.rgba.size(), 1.0f), true};
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const double alpha = std::clamp(static_cast<double>(image.rgba[i + 3]), 0.0, 1.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double colour = alpha > 0 ? shown(image.rgba[i + k] / alpha, tone_map) : 0;
+      displayed.rgba[i + k] = static_cast<float>(colour * alpha + options.background * (1 - alpha));
+    }
+  }
+  return displayed;
+}
 
 Result<PictureError> compare(const FloatImage& reference, const FloatImage& test, const Mask& mask,
                              const CompareOptions& options) {

@@ -44,6 +44,10 @@ struct PictureError {
   std::vector<float> flip;                // the error map, one for each pixel, rows from the top; empty without figures
 };
 
+/// What FLIP looks at, in linear light: as the resolve pass does it, the colour itself is tone mapped, then laid over the
+/// background.
+FloatImage as_displayed(const FloatImage& image, const CompareOptions& options);
+
 /// Refused (invalid) when sizes differ, the mask is empty, or an option is out of its range.
 Result<PictureError> compare(const FloatImage& reference, const FloatImage& test, const Mask& mask,
                              const CompareOptions& options = {});

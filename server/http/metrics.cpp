@@ -39,6 +39,16 @@ void Metrics::count_frame(double seconds) {
   frame_seconds_ += seconds;
 }
 
+/// Escaped as the text format wants it.
+static std::string label_value(const std::string& text) {
+  std::string value;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') value += '\\';
+    value += c == '\n' ? ' ' : c;
+  }
+  return value;
+}
+
 std::string Metrics::text(const Gauges& gauges) const {
   const std::lock_guard lock(mutex_);
   std::string text = head("pelage_requests_total", "counter", "Answers by route and status.");
@@ -59,6 +69,8 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.", gauges.traces.seconds);
   text += single("pelage_scenes", "gauge", "Scenes on the server.", gauges.scenes);
   text += single("pelage_ready", "gauge", "1 when the server takes work.", gauges.ready ? 1 : 0);
+  text += head("pelage_renderer_info", "gauge", "1; `renderer` is what draws.");
+  text += fmt::format("pelage_renderer_info{{renderer=\"{}\"}} 1\n", label_value(gauges.renderer));
   text += single("process_resident_memory_bytes", "gauge", "Resident memory.", resident_bytes());
   return text;
 }

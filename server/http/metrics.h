@@ -19,6 +19,7 @@ struct Gauges {
   std::size_t frames_drawn = 0;
   double seconds_drawing = 0;
   TraceCounts traces;
+  std::string renderer;  // what the GL calls itself
 };
 
 /// Thread-safe.

@@ -68,7 +68,8 @@ void add_status_routes(httplib::Server& server, Service& service) {
                         .ready = service.ready(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .seconds_drawing = service.frames.seconds_drawing(),
-                        .traces = service.traces.counts()};
+                        .traces = service.traces.counts(),
+                        .renderer = service.frames.description()};
     response.set_content(service.metrics.text(gauges), "text/plain; version=0.0.4");
   });
   server.Get("/openapi.json",

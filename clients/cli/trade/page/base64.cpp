@@ -1,0 +1,19 @@
+#include <cstdint>
+
+#include "clients/cli/trade/page/page.h"
+
+namespace pelage::trade {
+
+std::string base64(const std::string& octets) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < octets.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < octets.size() ? static_cast<unsigned char>(octets[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > octets.size() ? '=' : digits[bits >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+}  // namespace pelage::trade

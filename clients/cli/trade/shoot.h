@@ -1,0 +1,46 @@
+// Frames over HTTP, what they cost, and how far they are from each other.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "clients/cli/session.h"
+#include "protocol/commands/frame.h"
+#include "renderer/compare/compare.h"
+
+namespace pelage::trade {
+
+/// Where frames are drawn, and from where they are seen.
+struct Place {
+  std::string scene_path;  // "/v1/scenes/ID"
+  FrameRequest request;    // knobs and format are not looked at
+};
+
+/// A picture in linear light, and figures of it.
+struct Shot {
+  FloatImage picture;
+  std::size_t non_finite = 0;          // pixels
+  double luminance = 0, coverage = 0;  // mean over alpha; sum of alpha in pixels
+};
+
+/// Milliseconds of drawing, shadows included.
+struct FrameCost {
+  double draw = 0;
+  double cpu = 0;  // of all threads; 0 where the server does not say
+};
+
+/// The milliseconds of one entry of a Server-Timing header; 0 where it is not there.
+double timing_of(std::string_view header, std::string_view entry);
+
+Result<Shot> shoot(Session& session, const Place& place, const Knobs& knobs);
+
+/// The least of so many frames, each measure by itself.
+Result<FrameCost> cost_of_frame(Session& session, const Place& place, const Knobs& knobs, int repeats);
+
+/// Over the fur of both, as they are shown.
+Result<PictureError> error_of(const FloatImage& truth, const FloatImage& picture);
+
+/// A JPEG of a picture as it is shown over grey.
+std::string jpeg_of(const FloatImage& picture);
+
+}  // namespace pelage::trade
