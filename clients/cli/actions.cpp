@@ -24,7 +24,8 @@ ExitCode perform(Session& session) {
     case Action::remove: return remove_scene(session);
     case Action::info: return describe_scene(session);
     case Action::subdivide: return subdivide_model(session);
-    case Action::compare: break;  // needs no session: pelage-compare does it
+    case Action::compare:
+    case Action::calibrate: break;  // need no session: pelage-compare and pelaged do them
   }
   return failed;
 }

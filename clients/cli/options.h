@@ -30,7 +30,8 @@ enum class Action {
   remove,
   info,
   subdivide,
-  compare
+  compare,
+  calibrate
 };
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
@@ -82,6 +83,8 @@ struct Options {
   std::string mask;                 // a picture; "" for the alpha of both
   std::string map;                  // PNG to write; "" for none
   std::string tone_map = "filmic";  // of EXR and HDR: none or filmic
+  // calibrate
+  Parameters server_options;  // of pelaged, with their dashes
   // log
   bool lines = false;
   std::string other;  // scene that the lines are carried to, by id or name; "" for this one

@@ -187,6 +187,16 @@ Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const Measu
   return calibration;
 }
 
+Calibration fit_costs(const Calibration& errors, std::span<const MeasuredView> views) {
+  assert(!views.empty());
+  std::vector<Knobs> ladder;
+  for (const CalibratedKnobs& row : errors.ladder) ladder.push_back(row.knobs);
+  Calibration calibration = errors;
+  calibration.cost = fit_cost(ladder, views, [](const MeasuredView&) { return true; });
+  calibration.cost_safety = safety_of_cost(ladder, views);
+  return calibration;
+}
+
 std::vector<std::size_t> pareto_rows(std::span<const MeasuredView> views, double slack) {
   assert(!views.empty());
   std::vector<std::size_t> kept;

@@ -23,6 +23,10 @@ struct MeasuredView {
 /// to the caller. Deterministic.
 Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const MeasuredView> views);
 
+/// The same costs alone: `errors` with the prices and the safety of cost that the views give, whose errors are not
+/// looked at.
+Calibration fit_costs(const Calibration& errors, std::span<const MeasuredView> views);
+
 /// The rows of a ladder worth keeping: those that in at least one view have less error than every cheaper row, or nearly
 /// (within `slack`). In the ladder's order.
 std::vector<std::size_t> pareto_rows(std::span<const MeasuredView> views, double slack = 1.02);

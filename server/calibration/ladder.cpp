@@ -10,19 +10,19 @@ struct Row {
   double scale;
 };
 
+// Shells times steps divide the slices of the coat or are a multiple of them: others skip slices and gain nothing.
+constexpr auto layers = FragmentOrder::layers, sorted = FragmentOrder::sorted;
+constexpr Row rows[] = {
+    {layers, 4, 4, .25}, {layers, 4, 4, .35}, {layers, 4, 4, .5}, {layers, 4, 8, .5}, {layers, 8, 4, .5}, {layers, 4, 8, .75},
+    {layers, 8, 4, .75}, {layers, 16, 2, .75}, {layers, 4, 8, 1},  {layers, 8, 4, 1},   {layers, 12, 3, 1},  {layers, 16, 2, 1},
+    {layers, 16, 4, 1},  {layers, 32, 1, 1},  {layers, 32, 2, 1}, {layers, 64, 1, 1},  {sorted, 4, 4, .5},  {sorted, 8, 4, .5},
+    {sorted, 8, 4, .75}, {sorted, 16, 2, .75}, {sorted, 4, 8, 1}, {sorted, 8, 4, 1},  {sorted, 16, 2, 1},  {sorted, 16, 4, 1},
+    {sorted, 32, 1, 1},  {sorted, 32, 2, 1},  {sorted, 64, 1, 1}, {sorted, 128, 1, 1}};
+
 }  // namespace
 
 std::vector<Knobs> candidate_ladder() {
-  constexpr auto layers = FragmentOrder::layers, sorted = FragmentOrder::sorted;
-  constexpr Row rows[] = {
-      {layers, 4, 4, .25}, {layers, 4, 4, .5},  {layers, 6, 4, .5},  {layers, 8, 3, .5},  {layers, 8, 4, .75},
-      {layers, 4, 8, 1},   {layers, 6, 4, 1},   {layers, 8, 2, 1},   {layers, 8, 4, 1},   {layers, 12, 3, 1},
-      {layers, 16, 2, 1},  {layers, 16, 4, 1},  {layers, 24, 3, 1},  {layers, 32, 2, 1},
-      {sorted, 4, 4, .5},  {sorted, 8, 4, .5},  {sorted, 8, 4, .75}, {sorted, 16, 3, .75}, {sorted, 4, 6, 1},
-      {sorted, 6, 4, 1},   {sorted, 8, 3, 1},   {sorted, 8, 6, 1},   {sorted, 12, 4, 1},   {sorted, 16, 2, 1},
-      {sorted, 16, 4, 1},  {sorted, 24, 3, 1},  {sorted, 32, 2, 1},  {sorted, 48, 2, 1},   {sorted, 64, 2, 1},
-      {sorted, 96, 2, 1}};
-  std::vector<Knobs> ladder{knobs_of(Tier::draft), knobs_of(Tier::interactive)};
+  std::vector<Knobs> ladder{knobs_of(Tier::interactive)};
   for (const Row& row : rows) {
     Knobs knobs = knobs_of(Tier::interactive);
     knobs.shells = row.shells, knobs.steps = row.steps, knobs.scale = row.scale;

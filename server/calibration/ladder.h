@@ -7,7 +7,8 @@
 
 namespace pelage {
 
-/// Candidates, and the tiers of shells that need no maps and fins, so that their frames have an estimate too.
+/// The tier `interactive`, so that its frames have an estimate, and candidates that differ from it in shells, steps,
+/// scale and order.
 std::vector<Knobs> candidate_ladder();
 
 }  // namespace pelage

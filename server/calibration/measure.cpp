@@ -1,17 +1,11 @@
 #include "server/calibration/measure.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "renderer/compare/compare.h"
 #include "server/scene/fur_view.h"
 
 namespace pelage {
-
-CostUnit cost_unit(bool software, int threads) {
-  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return {software, threads > 0 ? threads : all};
-}
 
 Knobs reference_knobs(int shells) {
   Knobs knobs = knobs_of(Tier::interactive);
@@ -37,27 +31,48 @@ std::optional<double> fur_error(const Image& truth, const Image& test) {
   return error->figures->flip.mean;
 }
 
-Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, const SceneView& scene, FurFrame frame,
-                                  std::span<const Knobs> ladder, const MeasureOptions& options) {
+namespace {
+
+FurFrame with(FurFrame frame, const Knobs& knobs) {
+  frame.knobs = knobs;
+  return frame;
+}
+
+/// The first picture, and the least cost.
+Result<Image> draw_often(Renderer& renderer, const CostUnit& unit, const FurFrame& frame, int repetitions, double& cost) {
+  Result<Image> first = failure(Code::internal, "no repetition");
+  cost = 1e30;
+  for (int i = 0; i < repetitions; ++i) {
+    DrawTimes times;
+    Result<Image> image = renderer.draw(frame, &times);
+    if (!image) return image;
+    cost = std::min(cost, std::max(unit.of(times), 1e-3));
+    if (i == 0) first = std::move(image);
+  }
+  return first;
+}
+
+}  // namespace
+
+Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, const SceneView& scene,
+                                  const FurFrame& frame, std::span<const Knobs> ladder, const MeasureOptions& options) {
   MeasuredView measured;
   measured.features = view_features(frame, furred_skin(scene));
-  frame.knobs = reference_knobs(options.truth_shells);
-  const Result<Image> truth = renderer.draw(frame);
-  if (!truth) return truth.status();
+  std::optional<Image> truth;
+  if (options.truth_shells > 0) {
+    Result<Image> drawn = renderer.draw(with(frame, reference_knobs(options.truth_shells)));
+    if (!drawn) return drawn.status();
+    truth = std::move(drawn).value();
+  }
   for (const Knobs& knobs : ladder) {
-    frame.knobs = knobs;
-    double cost = 1e30;
-    for (int i = 0; i < options.repetitions; ++i) {
-      DrawTimes times;
-      const Result<Image> image = renderer.draw(frame, &times);
-      if (!image) return image.status();
-      cost = std::min(cost, unit.of(times));
-      if (i > 0) continue;
-      const std::optional<double> error = fur_error(*truth, *image);
-      if (!error) return failure(Code::invalid, "nothing is seen in a view that was to be measured");
-      measured.error.push_back(*error);
-    }
-    measured.cost_ms.push_back(std::max(cost, 1e-3));
+    double cost = 0;
+    const Result<Image> image = draw_often(renderer, unit, with(frame, knobs), options.repetitions, cost);
+    if (!image) return image.status();
+    measured.cost_ms.push_back(cost);
+    if (!truth) continue;
+    const std::optional<double> error = fur_error(*truth, *image);
+    if (!error) return failure(Code::invalid, "nothing is seen in a view that was to be measured");
+    measured.error.push_back(*error);
   }
   return measured;
 }

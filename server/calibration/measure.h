@@ -9,21 +9,12 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/quality/fit.h"
 #include "server/calibration/measured_scene.h"
+#include "server/scene/frame_cost.h"
 
 namespace pelage {
 
-/// What turns the times of a drawn frame into its cost (FrameEstimate).
-struct CostUnit {
-  bool software = true;  // GL: its CPU time counts, else the time that passes
-  int threads = 1;       // of a software GL
-
-  double of(const DrawTimes& times) const { return software ? times.cpu / threads : times.shadow + times.draw; }
-};
-/// `threads` as of select_context: 0 for all cores.
-CostUnit cost_unit(bool software, int threads);
-
 struct MeasureOptions {
-  int truth_shells = 256;  // sorted, of the reference
+  int truth_shells = 256;  // sorted, of the reference; 0 measures no errors
   int repetitions = 2;     // draws of each knob set, of which the least cost counts
 };
 
@@ -35,8 +26,9 @@ FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& vi
 
 /// Draws the view with each knob set of the ladder and with the reference. Fails as Renderer::draw does, and (invalid)
 /// where nothing is seen.
-Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, const SceneView& scene, FurFrame frame,
-                                  std::span<const Knobs> ladder, const MeasureOptions& options = {});
+Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, const SceneView& scene,
+                                  const FurFrame& frame, std::span<const Knobs> ladder,
+                                  const MeasureOptions& options = {});
 
 /// Mean FLIP over the fur of both pictures; none where nothing is seen.
 std::optional<double> fur_error(const Image& truth, const Image& test);

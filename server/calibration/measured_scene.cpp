@@ -1,6 +1,10 @@
 #include "server/calibration/measured_scene.h"
 
+#include <cassert>
+
+#include "server/surface/builtin.h"
 #include "server/surface/patches.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
@@ -28,14 +32,12 @@ MeasuredScene make_measured_scene(Mesh mesh, const FirstGroom& fur, std::uint64_
   return {{Surface(std::move(mesh)), std::move(patches), id, "measured"}, std::move(fields), {}};
 }
 
-FurredSkin furred_skin(const SceneView& scene) {
-  const Mesh& mesh = scene.model.surface.mesh();
-  FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles, scene.fields.length()};
-  if (!mesh.triangles.empty())
-    skin.pieces = static_cast<double>(scene.model.patches.pieces.size()) / static_cast<double>(mesh.triangles.size());
-  for (std::size_t field = first_painted; field < field_count; ++field)
-    skin.painted = skin.painted || !scene.fields.at_rest(field_at(field));
-  return skin;
+MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t id) {
+  Result<Mesh> mesh = prepare(make_builtin(scene.builtin), Axis::plus_y, Axis::plus_z, false);
+  assert(mesh);  // a built-in can be prepared
+  MeasuredScene made = make_measured_scene(std::move(mesh).value(), scene.fur, id);
+  made.settings.coat = scene.coat, made.settings.look.shading = scene.shading;
+  return made;
 }
 
 std::vector<CalibrationScene> calibration_scenes() {
@@ -43,7 +45,7 @@ std::vector<CalibrationScene> calibration_scenes() {
   const Coat brown, white = coat_of(0.8, 2.6f, 0.2), dark = coat_of(1.4, 0.25f, 0.5), fine = coat_of(0.5, 1.0f, 0.6);
   const auto kajiya = ShadingModel::kajiya;
   return {
-      {{Builtin::creature, 5000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 384}, {back, 1.6f, 256}}},
+      {{Builtin::creature, 5000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 320}, {back, 1.6f, 256}}},
       {{Builtin::torus, 3000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 256}, {front, 0.6f, 256}}},
       {{Builtin::sphere, 2000}, {.length = 0.05}, white, kajiya, {{front, 1, 256}, {three_quarter, 2, 256}}},
       {{Builtin::knot, 4000}, {.length = 0.02}, dark, kajiya, {{three_quarter, 1, 256}, {left, 0.7f, 192}}},

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "protocol/commands/frame.h"
-#include "renderer/quality/view_features.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -20,9 +19,6 @@ struct MeasuredScene {
 /// A prepared mesh with its patches and first groom. `id` is unique in the renderer.
 MeasuredScene make_measured_scene(Mesh mesh, const FirstGroom& fur, std::uint64_t id);
 
-/// What a view's features are told from; views of the scene.
-FurredSkin furred_skin(const SceneView& scene);
-
 /// A scene of the calibration and the views that it is measured from: `distances` over that which frames the model.
 struct CalibrationScene {
   BuiltinModel builtin;
@@ -36,6 +32,9 @@ struct CalibrationScene {
   };
   std::vector<View> views;
 };
+
+/// Made and prepared as the server does it.
+MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t id);
 
 /// Built-in models with coats of different length, width, colour and form. The order mixes models, so that a beginning
 /// of it has some of all.
