@@ -203,7 +203,7 @@ std::vector<std::size_t> pareto_rows(std::span<const MeasuredView> views, double
   for (std::size_t row = 0; row < views.front().error.size(); ++row) {
     const bool good = std::any_of(views.begin(), views.end(), [&](const MeasuredView& view) {
       for (std::size_t other = 0; other < view.error.size(); ++other) {
-        if (view.cost_ms[other] < view.cost_ms[row] && view.error[other] * slack <= view.error[row]) return false;
+        if (view.cost_ms[other] < view.cost_ms[row] && view.error[other] <= view.error[row] * slack) return false;
       }
       return true;
     });

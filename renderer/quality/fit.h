@@ -27,8 +27,8 @@ Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const Measu
 /// looked at.
 Calibration fit_costs(const Calibration& errors, std::span<const MeasuredView> views);
 
-/// The rows of a ladder worth keeping: those that in at least one view have less error than every cheaper row, or nearly
-/// (within `slack`). In the ladder's order.
+/// The rows of a ladder worth keeping: those that in at least one view have less error than every cheaper row, by more
+/// than the factor `slack`. In the ladder's order.
 std::vector<std::size_t> pareto_rows(std::span<const MeasuredView> views, double slack = 1.02);
 
 /// Least squares with x >= 0 for a of `columns` columns, by rows; b has as many entries as there are rows.
