@@ -75,7 +75,8 @@ void print_ladder(const Calibration& calibration, const std::vector<MeasuredView
 int fit(Renderer& renderer, const std::string& file, const MeasureOptions& options, int scenes) {
   std::vector<Knobs> candidates = candidate_ladder(), ladder;
   std::vector<MeasuredView> views = measure_all(renderer, candidates, options, scenes);
-  const std::vector<std::size_t> rows = pareto_rows(views);
+  std::vector<std::size_t> rows = pareto_rows(views);
+  if (rows.front() != 0) rows.insert(rows.begin(), 0);  // the tier has an estimate whether or not it is among the best
   for (const std::size_t row : rows) ladder.push_back(candidates[row]);
   for (MeasuredView& view : views) view.cost_ms = picked(view.cost_ms, rows), view.error = picked(view.error, rows);
   Calibration calibration = fit_calibration(ladder, views);

@@ -65,11 +65,12 @@ class Dial(ServedTest):
         exr = self.scene.frame(budget_ms=50, format="exr", layers=["beauty", "normal"])
         self.assertEqual(exr.headers["content-type"], "image/x-exr")
         self.scene.frame(budget_ms=50, overlay="length")
-        refined = self.scene.frame(max_error=0.1, refine={"passes": 1}, view="dial")
+        trace = {"passes": 1, "strands": 2000}
+        refined = self.scene.frame(max_error=0.1, refine=trace, view="dial")
         self.assertIn("pelage-trace", refined.headers)
         self.assertIn("pelage-error", refined.headers)
         better = self.scene.post(f"frames?after={refined.headers['pelage-revision']}&after_pass=0&wait=25",
-                                 {"width": 128, "height": 128, "max_error": 0.1, "refine": {"passes": 1}, "view": "dial"})
+                                 {"width": 128, "height": 128, "max_error": 0.1, "refine": trace, "view": "dial"})
         self.assertEqual(better.status, 200, better)
         self.assertEqual(header(better, "pelage-quality")["method"], "strands")
 
