@@ -13,11 +13,10 @@ struct Row {
 // Shells times steps divide the slices of the coat or are a multiple of them: others skip slices and gain nothing.
 constexpr auto layers = FragmentOrder::layers, sorted = FragmentOrder::sorted;
 constexpr Row rows[] = {
-    {layers, 4, 4, .25}, {layers, 4, 4, .35}, {layers, 4, 4, .5}, {layers, 4, 8, .5}, {layers, 8, 4, .5}, {layers, 4, 8, .75},
-    {layers, 8, 4, .75}, {layers, 16, 2, .75}, {layers, 4, 8, 1},  {layers, 8, 4, 1},   {layers, 12, 3, 1},  {layers, 16, 2, 1},
-    {layers, 16, 4, 1},  {layers, 32, 1, 1},  {layers, 32, 2, 1}, {layers, 64, 1, 1},  {sorted, 4, 4, .5},  {sorted, 8, 4, .5},
-    {sorted, 8, 4, .75}, {sorted, 16, 2, .75}, {sorted, 4, 8, 1}, {sorted, 8, 4, 1},  {sorted, 16, 2, 1},  {sorted, 16, 4, 1},
-    {sorted, 32, 1, 1},  {sorted, 32, 2, 1},  {sorted, 64, 1, 1}, {sorted, 128, 1, 1}};
+    {layers, 4, 4, .25}, {layers, 4, 4, .5}, {layers, 4, 8, .5}, {layers, 8, 4, .5}, {layers, 4, 8, .75},
+    {layers, 8, 4, .75}, {layers, 4, 8, 1},  {layers, 8, 4, 1},  {layers, 12, 3, 1}, {layers, 16, 2, 1},
+    {layers, 16, 4, 1},  {layers, 32, 2, 1}, {layers, 64, 1, 1}, {sorted, 8, 4, .75}, {sorted, 8, 4, 1},
+    {sorted, 16, 2, 1},  {sorted, 32, 2, 1}, {sorted, 64, 1, 1}, {sorted, 128, 1, 1}};
 
 }  // namespace
 

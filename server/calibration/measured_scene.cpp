@@ -45,18 +45,18 @@ std::vector<CalibrationScene> calibration_scenes() {
   const Coat brown, white = coat_of(0.8, 2.6f, 0.2), dark = coat_of(1.4, 0.25f, 0.5), fine = coat_of(0.5, 1.0f, 0.6);
   const auto kajiya = ShadingModel::kajiya;
   return {
-      {{Builtin::creature, 5000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 320}, {back, 1.6f, 256}}},
-      {{Builtin::torus, 3000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 256}, {front, 0.6f, 256}}},
-      {{Builtin::sphere, 2000}, {.length = 0.05}, white, kajiya, {{front, 1, 256}, {three_quarter, 2, 256}}},
-      {{Builtin::knot, 4000}, {.length = 0.02}, dark, kajiya, {{three_quarter, 1, 256}, {left, 0.7f, 192}}},
-      {{Builtin::plane, 800}, {.length = 0.04}, brown, kajiya, {{three_quarter, 1, 256}, {front, 0.8f, 256}}},
-      {{Builtin::creature, 12000}, {.length = 0.015}, white, kajiya, {{left, 1, 256}, {front, 0.5f, 256}}},
-      {{Builtin::torus, 1000}, {.length = 0.08}, fine, kajiya, {{front, 1, 256}, {three_quarter, 1.6f, 192}}},
-      {{Builtin::knot, 8000}, {.length = 0.05}, white, kajiya, {{front, 1, 256}, {back, 1.5f, 256}}},
-      {{Builtin::sphere, 6000}, {.length = 0.015}, dark, kajiya, {{three_quarter, 0.6f, 256}, {front, 1.3f, 192}}},
-      {{Builtin::creature, 3000}, {.length = 0.05}, striped(brown), kajiya, {{three_quarter, 1, 256}}},
-      {{Builtin::torus, 5000}, {.length = 0.02}, dark, ShadingModel::energy_conserving, {{three_quarter, 1, 256}}},
-      {{Builtin::plane, 2000}, {.length = 0.02}, striped(white), kajiya, {{three_quarter, 0.7f, 256}}},
+      {{Builtin::creature, 5000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 256}, {back, 1.6f, 192}}},
+      {{Builtin::torus, 3000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 192}, {front, 0.6f, 192}}},
+      {{Builtin::sphere, 2000}, {.length = 0.05}, white, kajiya, {{front, 1, 192}, {three_quarter, 2, 192}}},
+      {{Builtin::knot, 4000}, {.length = 0.02}, dark, kajiya, {{left, 0.8f, 192}}},
+      {{Builtin::plane, 800}, {.length = 0.04}, brown, kajiya, {{three_quarter, 1, 192}, {top, 0.8f, 192}}},
+      {{Builtin::creature, 12000}, {.length = 0.015}, white, kajiya, {{left, 1, 192}}},
+      {{Builtin::torus, 1000}, {.length = 0.08}, fine, kajiya, {{front, 1, 192}}},
+      {{Builtin::knot, 8000}, {.length = 0.05}, white, kajiya, {{back, 1.5f, 192}}},
+      {{Builtin::sphere, 6000}, {.length = 0.015}, dark, kajiya, {{three_quarter, 0.6f, 192}}},
+      {{Builtin::creature, 3000}, {.length = 0.05}, striped(brown), kajiya, {{three_quarter, 1, 192}}},
+      {{Builtin::torus, 5000}, {.length = 0.02}, dark, ShadingModel::energy_conserving, {{three_quarter, 1, 192}}},
+      {{Builtin::plane, 2000}, {.length = 0.02}, striped(white), kajiya, {{three_quarter, 0.7f, 192}}},
   };
 }
 

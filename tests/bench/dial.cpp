@@ -40,6 +40,16 @@ std::vector<double> picked(const std::vector<double>& all, const std::vector<std
   return result;
 }
 
+void print_view(const char* name, const MeasuredView& view, std::span<const Knobs> ladder) {
+  const ViewFeatures& f = view.features;
+  std::printf("%s: pixels %.0f triangles %.0f visible %.0f area %.0f edges %.0f covered %.0f behind %.3f fur %.2f strand %.3f "
+              "bending %.3f lightness %.3f lights %.0f scatters %d varies %d\n",
+              name, f.pixels, f.triangles, f.visible, f.area, f.edges, f.covered, f.behind, f.fur_pixels, f.strand_pixels,
+              f.bending, f.lightness, f.lights, f.scatters, f.varies);
+  for (std::size_t row = 0; row < ladder.size(); ++row) print_row(ladder[row], view.cost_ms[row], view.error[row]);
+  std::fflush(stdout);
+}
+
 std::vector<MeasuredView> measure_all(Renderer& renderer, std::span<const Knobs> ladder, const MeasureOptions& options,
                                       int most_scenes) {
   std::vector<MeasuredView> views;
@@ -54,7 +64,7 @@ std::vector<MeasuredView> measure_all(Renderer& renderer, std::span<const Knobs>
       if (!measured) std::printf("%s\n", measured.status().message.c_str()), std::exit(1);
       measured->model = static_cast<int>(described.builtin.shape);
       views.push_back(std::move(*measured));
-      std::printf("view %zu\n", views.size()), std::fflush(stdout);
+      print_view(std::to_string(views.back().model).c_str(), views.back(), ladder);
     }
     renderer.forget(scene.model.id);
   }
@@ -187,7 +197,7 @@ int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& o
       const FurFrame frame = measured_frame(model.view(), view);
       const Result<MeasuredView> measured = measure_view(renderer, cost_unit(true, 0), model.view(), frame, judged.candidates, options);
       if (!measured) return std::printf("%s\n", measured.status().message.c_str()), 1;
-      std::printf("%-14s ", file);
+      print_view(file, *measured, judged.candidates);
       judged.judge(*measured, frame);
     }
     renderer.forget(model.model.id);

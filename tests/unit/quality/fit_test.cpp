@@ -61,12 +61,13 @@ TEST(Fit, CostsAndErrorsComeBack) {
     for (std::size_t row = 0; row < view.error.size(); ++row) {
       EXPECT_NEAR(predicted_cost(calibration, view.features, calibration.ladder[row].knobs) / view.cost_ms[row], 1, 0.05);
       const ErrorTraits traits = in_range(calibration, error_traits_of(view.features));
-      EXPECT_NEAR(predicted_error(calibration.ladder[row], traits) / view.error[row], 1, 0.1);
+      EXPECT_NEAR(std::log(predicted_error(calibration.ladder[row], traits) / view.error[row]), 0, 0.4);
+      EXPECT_GT(calibration.ladder[row].slopes[0], 0.05);  // longer fur is further off
     }
   }
   for (const double price : calibration.cost) EXPECT_GE(price, 0);
   EXPECT_LT(calibration.cost_safety, 1.2);
-  EXPECT_LT(calibration.ladder.front().error_safety, 1.3);
+  EXPECT_LT(calibration.ladder.front().error_safety, 1.6);
 }
 
 TEST(Fit, SafetyGrowsWithWhatIsNotToldByFeatures) {
