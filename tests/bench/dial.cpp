@@ -1,8 +1,8 @@
 // The dial: fits the defaults on built-in models, and judges them on models that the fit does not know.
 // usage: bench_dial fit FILE [--truth SHELLS] [--scenes N]
 //          draws the calibration's scenes with all candidates and writes the calibration (server/scene/defaults.json)
-//        bench_dial judge FOLDER [--truth SHELLS] [--size PIXELS] [--views N] [--own-costs 1]
-//          draws the models of a folder (koala.ply, spot.ply, cat_ascii.ply) with all candidates, and says how often
+//        bench_dial judge FOLDER [--truth SHELLS] [--size PIXELS] [--views N] [--models N] [--own-costs 1]
+//          draws the models of a folder (spot.ply, cat_ascii.ply, koala.ply) with all candidates, and says how often
 //          budgets and errors are kept and how far the choices are from the best ones. The prices are the defaults', or
 //          with --own-costs measured first, as `pelage calibrate` does.
 #include <algorithm>
@@ -185,15 +185,20 @@ void Judged::judge(const MeasuredView& view, const FurFrame& frame) {
   max_errors(view, frame, {}, errors), max_errors(view, frame, correction, errors_later);
 }
 
-int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& options, int size, int most_views,
+struct JudgeOptions {
+  int size, views, models;
+};
+
+int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& options, const JudgeOptions& extent,
           const Calibration& calibration) {
+  const int size = extent.size;
   Judged judged{calibration, candidate_ladder(), {}, {}, {}, {}};
   const CalibrationScene::View views[] = {{AutoView::three_quarter, 1, size}, {AutoView::back, 1.5f, size}, {AutoView::left, 0.6f, size}};
-  const std::pair<const char*, FirstGroom> models[] = {{"koala.ply", {.length = 0.03}}, {"spot.ply", {.length = 0.03}}, {"cat_ascii.ply", {.length = 0.02}}};
-  for (const auto& [file, fur] : models) {
+  const std::pair<const char*, FirstGroom> models[] = {{"spot.ply", {.length = 0.03}}, {"cat_ascii.ply", {.length = 0.02}}, {"koala.ply", {.length = 0.03}}};
+  for (const auto& [file, fur] : std::span(models).first(static_cast<std::size_t>(std::clamp(extent.models, 1, 3)))) {
     const testing::FurredModel model = testing::furred_ply(folder + "/" + file, fur);
     sync_scene(renderer, model.view(), {});
-    for (const CalibrationScene::View& view : std::span(views).first(static_cast<std::size_t>(std::clamp(most_views, 1, 3)))) {
+    for (const CalibrationScene::View& view : std::span(views).first(static_cast<std::size_t>(std::clamp(extent.views, 1, 3)))) {
       const FurFrame frame = measured_frame(model.view(), view);
       const Result<MeasuredView> measured = measure_view(renderer, cost_unit(true, 0), model.view(), frame, judged.candidates, options);
       if (!measured) return std::printf("%s\n", measured.status().message.c_str()), 1;
@@ -224,7 +229,8 @@ int main(int count, char** arguments) {
     calibration = *own;
     std::printf("safety of cost %.2f\n", calibration.cost_safety);
   }
-  return judge(*opened.renderer, arguments[2], options, number("--size", 384), number("--views", 3), calibration);
+  return judge(*opened.renderer, arguments[2], options, {number("--size", 384), number("--views", 3), number("--models", 3)},
+               calibration);
 }
 
 }  // namespace
