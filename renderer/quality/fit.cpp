@@ -20,6 +20,7 @@ constexpr double pooled_views = 8;     // that the spread of all rows counts as 
 constexpr double least_error = 1e-5;
 constexpr int sweeps = 20'000;         // of coordinate descent
 constexpr double most_safety = 4;
+constexpr std::size_t enough_views = 12;  // fewer judge their own fit too kindly
 
 /// Solves a symmetric positive definite system by Cholesky's decomposition.
 template <std::size_t N>
@@ -194,6 +195,7 @@ Calibration fit_costs(const Calibration& errors, std::span<const MeasuredView> v
   Calibration calibration = errors;
   calibration.cost = fit_cost(ladder, views, [](const MeasuredView&) { return true; });
   calibration.cost_safety = safety_of_cost(ladder, views);
+  if (views.size() < enough_views) calibration.cost_safety = std::max(calibration.cost_safety, errors.cost_safety);
   return calibration;
 }
 

@@ -94,6 +94,14 @@ TEST(Fit, CostsAloneLeaveErrors) {
   EXPECT_EQ(after.ladder[1].log_error, before.ladder[1].log_error);
 }
 
+TEST(Fit, FewViewsDoNotLowerTheSafety) {
+  const std::vector<MeasuredView> views = measured();
+  Calibration before = fit_calibration(ladder(), views);
+  before.cost_safety = 1.9;
+  EXPECT_EQ(fit_costs(before, std::span(views).first(4)).cost_safety, 1.9);
+  EXPECT_LT(fit_costs(before, views).cost_safety, 1.9);
+}
+
 TEST(Fit, RowsThatAreNeverBestAreLeftOut) {
   MeasuredView view;
   view.cost_ms = {1, 2, 3, 4}, view.error = {.1, .2, .05, .05};
