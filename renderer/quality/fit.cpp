@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <set>
 
 #include "renderer/quality/cost_model.h"
 #include "renderer/quality/error_model.h"
@@ -98,27 +97,22 @@ void measure_range(Calibration& calibration, std::span<const MeasuredView> views
   }
 }
 
-/// Calls `judge(chosen, left_out)` for each model that can be left out.
+/// Calls `judge(chosen, left_out)` for each view, where there are others.
 template <class Judge>
 void leave_out_each(std::span<const MeasuredView> views, Judge judge) {
-  std::set<int> models;
-  for (const MeasuredView& view : views) models.insert(view.model);
-  if (models.size() < 2) return;
-  for (const int model : models) {
-    judge([=](const MeasuredView& view) { return view.model != model; },
-          [=](const MeasuredView& view) { return view.model == model; });
+  if (views.size() < 2) return;
+  for (const MeasuredView& out : views) {
+    judge([&out](const MeasuredView& view) { return &view != &out; }, out);
   }
 }
 
 double safety_of_cost(std::span<const Knobs> ladder, std::span<const MeasuredView> views) {
   std::vector<double> ratios{1};
-  leave_out_each(views, [&](const Chosen& chosen, const Chosen& left_out) {
+  leave_out_each(views, [&](const Chosen& chosen, const MeasuredView& left_out) {
     Calibration fitted;
     fitted.cost = fit_cost(ladder, views, chosen);
-    for (const MeasuredView& view : views) {
-      for (std::size_t row = 0; left_out(view) && row < ladder.size(); ++row)
-        ratios.push_back(view.cost_ms[row] / predicted_cost(fitted, view.features, ladder[row]));
-    }
+    for (std::size_t row = 0; row < ladder.size(); ++row)
+      ratios.push_back(left_out.cost_ms[row] / predicted_cost(fitted, left_out.features, ladder[row]));
   });
   std::sort(ratios.begin(), ratios.end());
   return std::clamp(ratios[ratios.size() * 95 / 100], 1.0, most_safety);
@@ -127,15 +121,12 @@ double safety_of_cost(std::span<const Knobs> ladder, std::span<const MeasuredVie
 /// Mean square of what is left of the logarithm of each row's error.
 std::vector<double> spreads_of_error(const Calibration& calibration, std::span<const MeasuredView> views) {
   std::vector<double> squares(calibration.ladder.size());
-  leave_out_each(views, [&](const Chosen& chosen, const Chosen& left_out) {
+  leave_out_each(views, [&](const Chosen& chosen, const MeasuredView& left_out) {
+    const ErrorTraits traits = in_range(calibration, error_traits_of(left_out.features));
     for (std::size_t row = 0; row < squares.size(); ++row) {
       const CalibratedKnobs line = fit_row(calibration, calibration.ladder[row].knobs, row, views, chosen);
-      for (const MeasuredView& view : views) {
-        if (!left_out(view)) continue;
-        const ErrorTraits traits = in_range(calibration, error_traits_of(view.features));
-        const double left = log_error(view.error[row]) - std::log(predicted_error(line, traits));
-        squares[row] += left * left / static_cast<double>(views.size());
-      }
+      const double left = log_error(left_out.error[row]) - std::log(predicted_error(line, traits));
+      squares[row] += left * left / static_cast<double>(views.size());
     }
   });
   return squares;

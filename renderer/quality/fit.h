@@ -11,7 +11,6 @@ namespace pelage {
 
 /// One view, drawn with every knob set of a ladder.
 struct MeasuredView {
-  int model = 0;  // views of one model are left out together when the fit is judged
   ViewFeatures features;
   std::vector<double> cost_ms;  // above 0
   std::vector<double> error;    // mean FLIP, [0, 1]
@@ -19,7 +18,7 @@ struct MeasuredView {
 
 /// Prices of terms by least squares of the relative error, none below 0 (coordinate descent on the normal equations);
 /// errors by ridge regression of their logarithms. Safety factors are such that 95% of the measured views keep them when
-/// the fit does not know their model. `views` is not empty, each as long as `ladder`; name, machine and threads are left
+/// the fit does not know the view. `views` is not empty, each as long as `ladder`; name, machine and threads are left
 /// to the caller. Deterministic.
 Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const MeasuredView> views);
 

@@ -38,7 +38,6 @@ Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Ca
       Result<MeasuredView> measured = measure_view(renderer, unit, scene.view(), measured_frame(scene.view(), view), ladder,
                                                    {.truth_shells = 0, .repetitions = 2});
       if (!measured) return measured.status();
-      measured->model = static_cast<int>(scenes[i].builtin.shape);
       views.push_back(std::move(measured).value());
       const double by_time = seconds_since(start) / options.seconds;
       progress(std::min(0.99, std::max(by_time, static_cast<double>(views.size()) / count)));

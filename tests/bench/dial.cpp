@@ -62,9 +62,8 @@ std::vector<MeasuredView> measure_all(Renderer& renderer, std::span<const Knobs>
       Result<MeasuredView> measured = measure_view(renderer, cost_unit(true, 0), scene.view(),
                                                    measured_frame(scene.view(), view), ladder, options);
       if (!measured) std::printf("%s\n", measured.status().message.c_str()), std::exit(1);
-      measured->model = static_cast<int>(described.builtin.shape);
       views.push_back(std::move(*measured));
-      print_view(std::to_string(views.back().model).c_str(), views.back(), ladder);
+      print_view(std::to_string(views.size()).c_str(), views.back(), ladder);
     }
     renderer.forget(scene.model.id);
   }

@@ -24,12 +24,11 @@ std::vector<Knobs> ladder() {
 std::vector<MeasuredView> measured() {
   const Calibration truth = testing::plain_calibration();
   std::vector<MeasuredView> views;
-  int model = 0;
   for (const int cells : {4, 16, 40}) {
     for (const float fur : {0.01f, 0.04f}) {
       for (const int size : {128, 256, 700}) {
         const Patch patch(cells, 0.3f, fur);
-        MeasuredView view{.model = model % 3, .features = view_features(frame_of(size, size), patch.skin()), .cost_ms = {}, .error = {}};
+        MeasuredView view{.features = view_features(frame_of(size, size), patch.skin()), .cost_ms = {}, .error = {}};
         for (const Knobs& knobs : ladder()) {
           view.cost_ms.push_back(predicted_cost(truth, view.features, knobs));
           view.error.push_back(0.2 / knobs.shells * std::pow(view.features.fur_pixels, 0.3));
@@ -37,7 +36,6 @@ std::vector<MeasuredView> measured() {
         views.push_back(view);
       }
     }
-    ++model;
   }
   return views;
 }
