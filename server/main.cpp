@@ -10,10 +10,12 @@
 #include <map>
 #include <thread>
 
+#include "server/calibration/program.h"
 #include "server/http/http_server.h"
 #include "server/scene/frame_service.h"
 #include "server/scene/scene_store.h"
 #include "server/scene/scene_tracer.h"
+#include "server/scene/stored_calibration.h"
 #include "server/surface/import.h"
 
 namespace {
@@ -32,6 +34,10 @@ struct Options {
   double trace_memory = 4;  // GiB
   std::string token;
   std::vector<std::string> hosts;
+  bool calibrate = false;
+  std::string calibration;
+
+  std::string calibration_file() const { return calibration.empty() ? data + "/calibration.json" : calibration; }
 };
 
 void declare(CLI::App& app, Options& options) {
@@ -48,6 +54,9 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--token", options.token, "Bearer token that requests need; required beyond loopback addresses")
       ->envname("PELAGE_TOKEN");
+  app.add_flag("--calibrate", options.calibrate,
+               "Measure what frames cost on this machine, store it for the next start, and end");
+  app.add_option("--calibration", options.calibration, "File of that [calibration.json in the folder of --data]");
   app.add_option("--host", options.hosts, "Name that requests may address beside the loopback ones; may be repeated");
 }
 
@@ -86,11 +95,21 @@ int fail(int code, const Status& status) {
   return code;
 }
 
+/// A calibration that is not there is nothing to speak of; one that cannot be used is said, and the defaults count.
+void plan_frames(FrameService& frames, const Options& options) {
+  Result<Calibration> stored = read_calibration(options.calibration_file(), frames.description(), frames.threads());
+  if (stored) return frames.plan_by(std::move(stored).value());
+  if (stored.status().code == Code::not_found && options.calibration.empty()) return;
+  fmt::print(stderr, "pelaged: {} Frames are planned by the defaults; `pelage calibrate` measures this machine.\n",
+             stored.status().message);
+}
+
 int serve(const Options& options, const HttpOptions& http) {
   const sigset_t signals = block_stop_signals();
   YieldGate gate;
   const auto frames = FrameService::start(options.gl, options.threads, gate);
   if (!frames) return fail(no_gl, frames.status());
+  plan_frames(**frames, options);
   const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import");
   if (!scenes) return fail(failed, scenes.status());
   const auto memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
@@ -132,6 +151,11 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage;
+  }
+  if (options.calibrate) {
+    const Status calibrated = calibrate_machine(options.gl, options.threads, options.calibration_file());
+    if (calibrated.ok()) return 0;
+    return fail(calibrated.code == Code::unavailable ? no_gl : failed, calibrated);
   }
   HttpOptions http{.host = {}, .port = 0, .token = options.token, .hosts = options.hosts};
   if (!split_address(options.listen, http)) {

@@ -24,8 +24,9 @@ ExitCode perform(Session& session) {
     case Action::remove: return remove_scene(session);
     case Action::info: return describe_scene(session);
     case Action::subdivide: return subdivide_model(session);
-    case Action::compare:  // pelage-compare and pelage-trade do these
-    case Action::trade: break;
+    case Action::compare:
+    case Action::trade:
+    case Action::calibrate: break;  // need no session: pelage-compare, pelage-trade and pelaged do them
   }
   return failed;
 }

@@ -2,11 +2,26 @@
 #include "clients/cli/actions.h"
 #include "clients/cli/hand_over.h"
 
+namespace {
+
+/// The machine that is measured is this one, so the server's program does it, and no server need run.
+pelage::ExitCode calibrate(const pelage::Options& options) {
+  std::vector<std::string> words{"pelaged", "--calibrate"};
+  for (const auto& [flag, value] : options.server_options) words.insert(words.end(), {flag, value});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return pelage::hand_over("pelaged", arguments.data());
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   const auto [exit_code, options] = pelage::parse_line(argc, argv);
   if (exit_code) return *exit_code;
   if (options.action == pelage::Action::compare) return pelage::hand_over("pelage-compare", argv);
   if (options.action == pelage::Action::trade) return pelage::hand_over("pelage-trade", argv);
+  if (options.action == pelage::Action::calibrate) return calibrate(options);
   auto connection = pelage::Connection::to(options.server, options.token);
   if (!connection) {
     pelage::report(connection.status());

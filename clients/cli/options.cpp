@@ -259,6 +259,10 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--quality", "quality", "draft, interactive, detailed or reference [interactive]");
   add_knob(frame, options);
   add_tracing(frame, options);
+  add_frame_parameter(frame, options, "--budget-ms", "budget_ms",
+                      "In place of a quality: the best that is drawn in so many milliseconds, 1 to 600000");
+  add_frame_parameter(frame, options, "--max-error", "max_error",
+                      "In place of a quality: the cheapest with at most this mean FLIP over the fur, up to 1");
   add_frame_parameter(frame, options, "--background", "background", "transparent, studio or #rrggbb");
   add_frame_parameter(frame, options, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   add_frame_parameter(frame, options, "--tone-map", "tone_map", "none or filmic [filmic]");
@@ -295,6 +299,19 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_view(pick, options);
 }
 
+void declare_calibrate(CLI::App& app, Options& options) {
+  CLI::App* calibrate = add_action(app, options, Action::calibrate, "calibrate",
+                                   "Measure what frames cost on this machine, for servers that start here from now on");
+  const auto add = [&](const char* flag, const char* help) {
+    calibrate->add_option_function<std::string>(
+        flag, [&options, flag](const std::string& value) { options.server_options.emplace_back(flag, value); }, help);
+  };
+  add("--data", "The server's folder, where the calibration is stored [pelage-data]");
+  add("--calibration", "Another file for it");
+  add("--gl", "As the server's: auto, egl or osmesa [auto]");
+  add("--threads", "As the server's: threads of a software GL, 0 for all cores [0]");
+}
+
 }  // namespace
 
 ParsedLine parse_line(int argc, char** argv) {
@@ -313,6 +330,7 @@ ParsedLine parse_line(int argc, char** argv) {
   declare_groom_actions(app, options);
   declare_history_actions(app, options);
   declare_picture_actions(app, options);
+  declare_calibrate(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -31,7 +31,8 @@ enum class Action {
   info,
   subdivide,
   compare,
-  trade
+  trade,
+  calibrate
 };
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
@@ -90,6 +91,8 @@ struct Options {
   int truth = 512;     // shells of R1
   int r2_passes = 64;  // of R2
   int repeats = 2;     // of each timing
+  // calibrate
+  Parameters server_options;  // of pelaged, with their dashes
   // log
   bool lines = false;
   std::string other;  // scene that the lines are carried to, by id or name; "" for this one

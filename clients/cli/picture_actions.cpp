@@ -51,9 +51,11 @@ Result<FrameRequest> request_of(const Options& options) {
 void print_frame(const Options& options, const HttpAnswer& answer) {
   const std::string revision = header(answer, "pelage-revision"), quality = header(answer, "pelage-quality");
   const std::string timing = header(answer, "server-timing"), trace = header(answer, "pelage-trace");
+  const std::string estimate = header(answer, "pelage-error");
   if (options.json) {
-    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}{}}}\n", json_text(options.output),
-               revision, quality, json_text(timing), trace.empty() ? "" : ",\"trace\":" + trace);
+    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}{}{}}}\n", json_text(options.output),
+               revision, quality, json_text(timing), trace.empty() ? "" : ",\"trace\":" + trace,
+               estimate.empty() ? "" : ",\"estimate\":" + estimate);
   } else {
     fmt::print("{}: revision {}, {}\n", options.output, revision, timing);
   }

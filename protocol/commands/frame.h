@@ -109,6 +109,9 @@ struct FrameRequest {
   int height = 512;  // [1, 8192]
   Camera camera;
   Knobs knobs = knobs_of(Tier::interactive);
+  // At most one of these, and then no knobs: the server chooses them.
+  std::optional<double> budget_ms = {};  // the least error for so much drawing time (FrameEstimate), [1, 600000]
+  std::optional<double> max_error = {};  // the least cost with at most this error (FrameEstimate), [1e-6, 1]
   Background background = Background::colour;
   glm::vec3 background_colour{0.56f, 0.58f, 0.61f};  // linear
   double exposure = 0;                               // stops, [-20, 20]
@@ -122,6 +125,8 @@ struct FrameRequest {
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
   std::optional<Tracing> refine = {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
   std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
+
+  bool plans() const { return budget_ms || max_error; }
 };
 
 }  // namespace pelage

@@ -164,6 +164,15 @@ void check_strands(const Value& value, const FrameRequest& request) {
   }
 }
 
+/// Knobs are named, or chosen by what they may cost, or by how far they may be off.
+void check_dial(const Value& value, Object& object, const FrameRequest& request) {
+  const bool two_goals = request.budget_ms && request.max_error;
+  if (two_goals || (request.plans() && object.has("quality"))) {
+    value.refuse_below(request.max_error ? "max_error" : "budget_ms", "One of them chooses the quality.",
+                       "one of quality, budget_ms and max_error");
+  }
+}
+
 /// Which members do not go together.
 void check_frame(const Value& value, const FrameRequest& request, bool names_layers) {
   check_strands(value, request);
@@ -206,6 +215,8 @@ FrameRequest frame_request(const Value& value) {
   object.integer("height", result.height, pixels);
   object.optional("camera", [&](const Value& v) { result.camera = camera(v); });
   object.optional("quality", [&](const Value& v) { result.knobs = quality(v); });
+  object.optional("budget_ms", [&](const Value& v) { result.budget_ms = v.number(budget_ms); });
+  object.optional("max_error", [&](const Value& v) { result.max_error = v.number(max_error); });
   object.optional("background", [&](const Value& v) { background(v, result); });
   object.number("exposure", result.exposure, {-20, 20});
   object.name("tone_map", result.tone_map, json_names::tone_maps);
@@ -219,6 +230,7 @@ FrameRequest frame_request(const Value& value) {
   object.optional("overlay_from", [&](const Value& v) { result.overlay_from = v.counter(); });
   object.optional("refine", [&](const Value& v) { refine(v, result); });
   object.finish();
+  check_dial(value, object, result);
   check_frame(value, result, object.has("layers"));
   return result;
 }

@@ -46,6 +46,8 @@ constexpr auto frame_parameters = std::to_array<Parameter>({
     {"fins", "/quality/fins", Kind::boolean},
     {"guard_hairs", "/quality/guard_hairs", Kind::number},
     {"method", "/quality/method", Kind::text},
+    {"budget_ms", "/budget_ms", Kind::number},
+    {"max_error", "/max_error", Kind::number},
     {"background", "/background", Kind::text},
     {"exposure", "/exposure", Kind::number},
     {"tone_map", "/tone_map", Kind::text},

@@ -121,7 +121,6 @@ std::string encode(const FrameRequest& request) {
   Json json = {{"width", request.width},
                {"height", request.height},
                {"camera", json_of(request.camera)},
-               {"quality", json_of(request.knobs)},
                {"background", request.background == Background::studio ? "studio" : "transparent"},
                {"exposure", request.exposure},
                {"tone_map", text_of(json_names::tone_maps, request.tone_map)},
@@ -129,6 +128,9 @@ std::string encode(const FrameRequest& request) {
                {"jpeg_quality", request.jpeg_quality},
                {"exr_type", text_of(json_names::exr_types, request.exr_type)},
                {"overlay", text_of(json_names::overlays, request.overlay)}};
+  if (!request.plans()) json["quality"] = json_of(request.knobs);
+  if (request.budget_ms) json["budget_ms"] = *request.budget_ms;
+  if (request.max_error) json["max_error"] = *request.max_error;
   if (request.format == FrameFormat::exr) json["layers"] = list(request.layers);
   if (request.background == Background::colour) json["background"] = colour(request.background_colour);
   if (request.look) json["look"] = json_of(*request.look);
@@ -167,6 +169,17 @@ std::string encode(const TraceReport& report) {
                {"end", text_of(json_names::trace_ends, report.end)},
                {"grow_ms", report.grow_ms},
                {"trace_ms", report.trace_ms}});
+}
+
+std::string encode(const FrameEstimate& estimate) {
+  return line({{"error", estimate.error},
+               {"error_safety", estimate.error_safety},
+               {"reference", "sorted_shells"},
+               {"cost_ms", estimate.cost_ms},
+               {"cost_safety", estimate.cost_safety},
+               {"correction", estimate.correction},
+               {"end", text_of(json_names::plan_ends, estimate.end)},
+               {"calibration", estimate.calibration}});
 }
 
 std::string encode(const FrameCounters& counters) {

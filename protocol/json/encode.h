@@ -9,6 +9,7 @@
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 #include "protocol/json/decode.h"
 
@@ -29,6 +30,7 @@ std::string encode(const Comparison& comparison);
 std::string encode(const FoldCount& folds);
 std::string encode(const std::vector<LogEntry>& log);
 std::string encode(const Knobs& knobs);
+std::string encode(const FrameEstimate& estimate);
 std::string encode(const FrameCounters& counters);
 std::string encode(const TraceReport& report);
 std::string encode(const MapAnswer& answer);

@@ -7,6 +7,7 @@
 
 #include "protocol/commands/command.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 
 namespace pelage::json_names {
@@ -117,6 +118,11 @@ inline constexpr std::array<Name<TraceEnd>, 4> trace_ends{{{"none", TraceEnd::no
                                                            {"passes", TraceEnd::passes},
                                                            {"noise", TraceEnd::noise},
                                                            {"seconds", TraceEnd::seconds}}};
+inline constexpr std::array<Name<PlanEnd>, 5> plan_ends{{{"asked", PlanEnd::asked},
+                                                         {"budget", PlanEnd::budget},
+                                                         {"error", PlanEnd::error},
+                                                         {"best", PlanEnd::best},
+                                                         {"least", PlanEnd::least}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
 inline constexpr std::array<Name<Accumulation>, 2> accumulations{

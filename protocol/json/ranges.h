@@ -32,6 +32,8 @@ inline constexpr Range layer_weight{-4, 4};
 inline constexpr Range clump_size{0.001, 0.5};
 inline constexpr Range feature_size{0.005, 2};
 inline constexpr Range pixels{1, limits::frame_pixels};
+inline constexpr Range budget_ms{1, 600'000};
+inline constexpr Range max_error{1e-6, 1};
 
 }  // namespace json_parts
 

@@ -21,6 +21,7 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
                                                       DrawTimes* times) {
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   const Stopwatch drawing;
+  const CpuStopwatch working;
   DrawTimes taken;
   fragments_.begin();
   const Prepared scene = prepare_scene(frame, taken);
@@ -41,6 +42,7 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
   }
   if (const Status built = programs(); !built.ok()) return built;
   taken.draw = drawing.milliseconds() - taken.shadow;
+  taken.cpu = working.milliseconds();
   taken.counters = take_counters();
   if (times) *times = taken;
   give_back_large_targets();

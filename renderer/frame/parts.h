@@ -1,6 +1,8 @@
 // What the parts of the renderer share.
 #pragma once
 
+#include <time.h>
+
 #include <chrono>
 #include <string>
 
@@ -16,6 +18,20 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// CPU time of all threads of the process: what a software GL draws with.
+class CpuStopwatch {
+ public:
+  double milliseconds() const { return now() - start_; }
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
+  }
+  double start_ = now();
 };
 
 struct Renderer::Prepared {

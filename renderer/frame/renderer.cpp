@@ -275,6 +275,7 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
                                        DrawTimes* times) {
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const Stopwatch drawing;
+  const CpuStopwatch working;
   DrawTimes taken;
   fragments_.begin();
   const Prepared scene = prepare_scene(frame, taken);
@@ -287,6 +288,7 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   if (const Status built = programs(); !built.ok()) return built;
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   taken.draw = drawing.milliseconds() - taken.shadow;
+  taken.cpu = working.milliseconds();
   const Stopwatch reading;
   Result<Picture> image = read_back<Picture>(frame, type);
   taken.read = reading.milliseconds();

@@ -99,8 +99,9 @@ std::string server_timing(const FrameAnswer& frame) {
                        "read;dur={:.3f}, encode;dur={:.3f}",
                        t.queue, t.upload, t.draw, frame.trace->grow_ms, frame.trace->trace_ms, t.read, t.encode);
   }
-  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}",
-                     t.queue, t.upload, t.shadow, t.draw, t.read, t.encode);
+  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}, "
+                     "cost;dur={:.3f}",
+                     t.queue, t.upload, t.shadow, t.draw, t.read, t.encode, t.cost);
 }
 
 /// A better picture of the revision that the client has, or what it asks for anew.
@@ -130,6 +131,7 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   response.set_header("Pelage-Revision", std::to_string(frame->revision));
   response.set_header("Pelage-Quality", encode(frame->knobs));
   response.set_header("Pelage-Counters", encode(frame->counters));
+  if (frame->estimate) response.set_header("Pelage-Error", encode(*frame->estimate));
   if (frame->trace) response.set_header("Pelage-Trace", encode(*frame->trace));
   response.set_header("Server-Timing", server_timing(*frame));
   response.set_header("Cache-Control", "no-cache");

@@ -8,6 +8,7 @@ namespace pelage {
 /// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands.
 struct FrameTimings {
   double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
+  double cost = 0;  // of shells: the drawing time that budgets are of (FrameEstimate)
 };
 
 /// From the renderer's coordinates to the model's own: internal * size + centre.

@@ -13,7 +13,9 @@
 
 #include "renderer/frame/renderer.h"
 #include "server/scene/difference_view.h"
+#include "server/scene/frame_cost.h"
 #include "server/scene/frame_file.h"
+#include "server/scene/frame_planner.h"
 #include "server/scene/fur_view.h"
 
 namespace pelage {
@@ -34,6 +36,8 @@ struct DrawnFrame {
   Revision revision = 0;
   FrameTimings timings;
   FrameCounters counters;
+  Knobs knobs;
+  std::optional<FrameEstimate> estimate;
 };
 
 /// What is drawn of a scene, and which of it.
@@ -42,6 +46,7 @@ struct Shown {
   ModelPlacement placement;
   Revision revision = 0;
   std::optional<SceneCopy> copy = {};
+  std::optional<ViewFeatures> features = {};  // where the frame is planned or can be estimated
 };
 
 /// What tracing needs of the render thread; null when that is stopping.
@@ -77,6 +82,8 @@ struct FrameService::Impl {
   std::atomic<bool> healthy{true};
   std::atomic<std::size_t> drawn{0};
   std::atomic<double> seconds{0};
+  FramePlanner planner;
+  CostUnit unit;
   std::thread thread;
 
   void run(GlChoice choice, int threads, std::promise<Status>& started);
@@ -95,6 +102,7 @@ void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>&
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
   if (!renderer) return started.set_value(renderer.status());
   description = (*context)->description();
+  unit = cost_unit((*context)->is_software(), threads);
   started.set_value({});
   serve(**renderer);
   renderer->reset();  // GL objects before their context
@@ -127,7 +135,7 @@ void FrameService::Impl::serve(Renderer& renderer) {
 
 /// Brings the renderer's copy of the scene up to date; all of the answer is of one revision.
 Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, const std::optional<PastFields>& past,
-                   bool with_copy) {
+                   bool with_copy, bool with_features) {
   Shown shown;
   bool comparable = true;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
@@ -139,6 +147,7 @@ Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request
     comparable = !past || past->model.get() == &view.model;
     if (past && comparable) shown.fur.difference = change_shares(past->fields, view.fields);
     if (with_copy) shown.copy.emplace(view);
+    if (with_features) shown.features = view_features(shown.fur, furred_skin(view));
   });
   if (comparable) return shown;
   return failure(Code::conflict, "the scene has another model since the frame was asked for");
@@ -162,8 +171,10 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   DrawnFrame frame;
   frame.timings.queue = milliseconds_since(job.asked);
   const Clock::time_point start = Clock::now();
-  const Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false);
+  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false, planner.looks_at(job.request));
   if (!shown) return shown.status();
+  if (shown->features) frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
+  frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = milliseconds_since(start);
   DrawTimes times;
@@ -172,6 +183,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   ++drawn;
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
+  frame.timings.cost = unit.of(times);
+  if (frame.estimate) planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   return frame;
@@ -242,9 +255,10 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   FrameAnswer result{.octets = encode_frame(std::move(drawn->picture), request, drawn->placement),
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
-                     .knobs = request.knobs,
+                     .knobs = drawn->knobs,
                      .timings = drawn->timings,
-                     .counters = drawn->counters};
+                     .counters = drawn->counters,
+                     .estimate = std::move(drawn->estimate)};
   result.timings.encode = milliseconds_since(start);
   return result;
 }
@@ -256,7 +270,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   return impl_->run_errand<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
     FrameTimings timings{.queue = milliseconds_since(asked)};
     const Clock::time_point start = Clock::now();
-    Result<Shown> shown = show(renderer, *scene, request, *past, true);
+    Result<Shown> shown = show(renderer, *scene, request, *past, true, false);
     if (!shown) return shown.status();
     timings.upload = milliseconds_since(start);
     DrawTimes times;
@@ -300,6 +314,9 @@ void FrameService::forget(std::uint64_t model_id) {
   impl_->forgotten.push_back(model_id);
   impl_->wake.notify_one();
 }
+
+void FrameService::plan_by(Calibration calibration) { impl_->planner.use(std::move(calibration)); }
+int FrameService::threads() const { return impl_->unit.threads; }
 
 const std::string& FrameService::description() const { return impl_->description; }
 bool FrameService::healthy() const { return impl_->healthy; }

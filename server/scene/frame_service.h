@@ -8,6 +8,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
 #include "server/scene/scene.h"
 #include "server/scene/scene_copy.h"
@@ -24,6 +25,7 @@ struct FrameAnswer {
   FrameTimings timings;
   FrameCounters counters;
   std::optional<TraceReport> trace = {};  // of a traced picture, and of a request with refine
+  std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are on the ladder
 };
 
 /// What a picture is traced from, all of one revision.
@@ -45,7 +47,12 @@ class FrameService {
   static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate);
   ~FrameService();
 
-  /// Draws shells and encodes. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
+  /// What frames are planned by from now on; the safe defaults until then.
+  void plan_by(Calibration calibration);
+  /// Threads that costs are divided by.
+  int threads() const;
+
+  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
   /// before drawing starts; a frame that nobody waits for is dropped (unavailable). Refused (invalid, "/overlay_from")
   /// when the scene's model has no such revision.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,

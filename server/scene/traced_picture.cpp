@@ -8,7 +8,7 @@ FrameRequest traced_request(const FrameRequest& request) {
   traced.knobs = knobs_of(Tier::reference);
   traced.knobs.eye_steps = request.knobs.eye_steps;
   traced.knobs.trace = *request.refine;
-  traced.refine.reset();
+  traced.refine.reset(), traced.budget_ms.reset(), traced.max_error.reset();
   return traced;
 }
 

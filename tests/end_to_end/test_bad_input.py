@@ -129,8 +129,17 @@ class BadFrames(ServedTest):
         refused({"eye": [0, 1, 0], "target": [0, 0, 0]}, "/camera/up")
         refused({"eye": [0, 0, 1], "target": [0, 0, 0], "fov_degrees": 180}, "/camera/fov_degrees")
 
-    def test_what_is_not_built(self):
-        self.assert_problem(self.scene.post("frames", {"budget_ms": 40}), 422, "/budget_ms")
+    def test_dials(self):
+        def refused(request, pointer):
+            self.assert_problem(self.scene.post("frames", request), 422, pointer)
+        for value in (0, 0.5, -1, 600001, "40", None):
+            refused({"budget_ms": value}, "/budget_ms")
+        for value in (0, -1, 1.1, "low"):
+            refused({"max_error": value}, "/max_error")
+        refused({"budget_ms": 40, "quality": "draft"}, "/budget_ms")
+        refused({"max_error": 0.1, "quality": {"shells": 8}}, "/max_error")
+        refused({"budget_ms": 40, "max_error": 0.1}, "/max_error")
+        self.assert_problem(self.server.get(f"{self.scene.path}/frame.png?budget_ms=40&shells=8"), 422, "/budget_ms")
 
     def test_extremes_give_a_picture(self):
         for request in ({"width": 1, "height": 1}, {"width": 8192, "height": 1}, {"exposure": 20}, {"exposure": -20},

@@ -85,6 +85,59 @@ TEST_P(Resolve, TheBackgroundShowsInLinearLight) {
   EXPECT_EQ(over.rgba[3], 65535);
 }
 
+/// Premultiplied linear light of a pixel; the nearest one for those outside.
+double light_at(const Image16& image, int x, int y, std::size_t channel) {
+  x = std::clamp(x, 0, image.width - 1), y = std::clamp(y, 0, image.height - 1);
+  const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  const double alpha = image.rgba[i + 3] / 65535.0;
+  return channel == 3 ? alpha : linear(image.rgba[i + channel]) * alpha;
+}
+
+double catmull_rom(double x) {
+  x = std::abs(x);
+  return x < 1 ? 1 + x * x * (1.5 * x - 2.5) : x < 2 ? 2 + x * (-4 + x * (2.5 - 0.5 * x)) : 0;
+}
+
+/// Catmull-Rom between drawn pixels without the corners, held between the four nearest.
+double enlarged(const Image16& drawn, double x, double y, std::size_t channel) {
+  const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+  double sum = 0, weights = 0, low = 1e9, high = -1e9;
+  for (int row = top - 1; row <= top + 2; ++row) {
+    for (int column = left - 1; column <= left + 2; ++column) {
+      const double light = light_at(drawn, column, row, channel);
+      const bool near_x = column == left || column == left + 1, near_y = row == top || row == top + 1;
+      if (!near_x && !near_y) continue;
+      const double weight = catmull_rom(x - column) * catmull_rom(y - row);
+      sum += weight * light, weights += weight;
+      if (near_x && near_y) low = std::min(low, light), high = std::max(high, light);
+    }
+  }
+  return std::clamp(sum / weights, low, high);
+}
+
+TEST_P(Resolve, PartSizeFramesAreEnlargedByCatmullRom) {
+  FrameRequest request = small_frame();
+  request.exposure = -2;  // nothing is brighter than white
+  const double scale = 0.5;
+  request.knobs.scale = scale;
+  const Image16 picture_of_part = picture(request);
+  request.knobs.scale = 1, request.width = request.height = 64;
+  const Image16 drawn = picture(request);
+  double largest = 0, sum = 0, sum_to_nearest = 0;
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      for (std::size_t channel = 0; channel < 4; ++channel) {
+        const double expected = enlarged(drawn, (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, channel);
+        const double shown = light_at(picture_of_part, x, y, channel);
+        largest = std::max(largest, std::abs(shown - expected));
+        sum += std::abs(shown - expected), sum_to_nearest += std::abs(shown - light_at(drawn, x / 2, y / 2, channel));
+      }
+    }
+  }
+  EXPECT_LT(largest, 1e-2);  // colours of faint pixels have few digits
+  EXPECT_LT(sum, 2e-3 * sum_to_nearest);
+}
+
 INSTANTIATE_TEST_SUITE_P(Gl, Resolve, all_backends(), name_of);
 
 }  // namespace

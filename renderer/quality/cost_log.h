@@ -1,0 +1,44 @@
+// What frames of a scene have cost, so that the next ones are planned by it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+
+#include "renderer/quality/planner.h"
+
+namespace pelage {
+
+/// Keeps the corrections of the scenes that were drawn last. Corrections move in steps, and only where the median of
+/// the last frames is off by more than `slack`, so that equal requests get equal knobs.
+class CostLog {
+ public:
+  static constexpr std::size_t kept_scenes = 256;
+  static constexpr std::size_t kept_frames = 7;   // of a scene and order
+  static constexpr std::size_t least_frames = 3;  // before a correction changes: the first ones build programs
+  static constexpr double slack = 1.2;            // times or over
+  static constexpr double step = 1.09;            // corrections are powers of it
+  static constexpr double most = 32;              // corrections lie in [1 / most, most]
+
+  CostCorrection correction(std::uint64_t scene) const;
+  /// `predicted` is without a correction; both in ms. Costs that are not above 0 and finite are not counted.
+  void add(std::uint64_t scene, const Knobs& knobs, double predicted, double measured);
+  void forget(std::uint64_t scene) { scenes_.erase(scene); }
+
+ private:
+  struct Record {
+    std::deque<double> ratios;  // newest last
+    double correction = 1;
+
+    void add(double ratio);
+  };
+  struct Scene {
+    Record layers, sorted;
+    std::uint64_t used = 0;
+  };
+
+  std::map<std::uint64_t, Scene> scenes_;
+  std::uint64_t clock_ = 0;
+};
+
+}  // namespace pelage

@@ -1,0 +1,99 @@
+#include "renderer/quality/planner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+#include "protocol/base/limits.h"
+#include "renderer/quality/cost_model.h"
+#include "renderer/quality/error_model.h"
+
+namespace pelage {
+
+namespace {
+
+/// A row of the ladder in this view.
+struct Option {
+  const CalibratedKnobs* row = nullptr;
+  FrameEstimate estimate;
+
+  double safe_cost() const { return estimate.cost_ms * estimate.cost_safety; }
+  double safe_error() const { return std::min(1.0, estimate.error * estimate.error_safety); }
+};
+
+FrameEstimate estimate(const Calibration& calibration, const CalibratedKnobs& row, const ViewFeatures& view,
+                       const CostCorrection& correction) {
+  const double factor = correction.of(row.knobs);
+  return {.error = predicted_error(row, in_range(calibration, error_traits_of(view))),
+          .error_safety = row.error_safety,
+          .cost_ms = predicted_cost(calibration, view, row.knobs) * factor,
+          .cost_safety = calibration.cost_safety,
+          .correction = factor,
+          .end = PlanEnd::asked,
+          .calibration = calibration.name};
+}
+
+/// The option that is least by `measure` among those that pass; null when none does. Of equal ones the first.
+template <class Measure, class Pass>
+const Option* least(const std::vector<Option>& options, Measure measure, Pass pass) {
+  const Option* best = nullptr;
+  for (const Option& option : options) {
+    if (pass(option) && (!best || measure(option) < measure(*best))) best = &option;
+  }
+  return best;
+}
+
+const auto any = [](const Option&) { return true; };
+
+PlannedFrame chosen(const Option& option, PlanEnd end) {
+  PlannedFrame planned{option.row->knobs, option.estimate};
+  planned.estimate.end = end;
+  return planned;
+}
+
+PlannedFrame within_budget(const std::vector<Option>& options, double budget) {
+  const auto error = [](const Option& o) { return o.estimate.error; };
+  const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
+  const Option* best = least(options, error, any);
+  const Option* affordable = least(options, error, [&](const Option& o) { return o.safe_cost() <= budget * budget_margin; });
+  if (!affordable) return chosen(*least(options, cost, any), PlanEnd::least);
+  return chosen(*affordable, error(*affordable) > error(*best) ? PlanEnd::budget : PlanEnd::best);
+}
+
+PlannedFrame within_error(const std::vector<Option>& options, double max_error) {
+  const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
+  const auto error = [](const Option& o) { return o.safe_error(); };
+  const Option* enough = least(options, cost, [&](const Option& o) { return o.safe_error() <= max_error; });
+  return enough ? chosen(*enough, PlanEnd::error) : chosen(*least(options, error, any), PlanEnd::best);
+}
+
+}  // namespace
+
+bool fits(const Knobs& knobs, int width, int height) {
+  const double drawn_width = width * knobs.scale, drawn_height = height * knobs.scale;
+  if (std::max(drawn_width, drawn_height) > limits::frame_pixels) return false;
+  const bool sorted = knobs.order == FragmentOrder::sorted;
+  return !sorted || drawn_width * drawn_height * knobs.shells <= static_cast<double>(limits::sorted_fragments);
+}
+
+PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
+                  const CostCorrection& correction, const PlanGoal& goal) {
+  assert(!calibration.ladder.empty() && goal.budget_ms.has_value() != goal.max_error.has_value());
+  std::vector<Option> options;
+  for (const CalibratedKnobs& row : calibration.ladder) {
+    if (fits(row.knobs, frame.width, frame.height))
+      options.push_back({&row, estimate(calibration, row, view, correction)});
+  }
+  if (options.empty()) options.push_back({&calibration.ladder.front(), estimate(calibration, calibration.ladder.front(), view, correction)});
+  return goal.budget_ms ? within_budget(options, *goal.budget_ms) : within_error(options, *goal.max_error);
+}
+
+std::optional<FrameEstimate> estimate_of(const Calibration& calibration, const ViewFeatures& view, const Knobs& knobs,
+                                         const CostCorrection& correction) {
+  for (const CalibratedKnobs& row : calibration.ladder) {
+    if (row.knobs == knobs) return estimate(calibration, row, view, correction);
+  }
+  return {};
+}
+
+}  // namespace pelage

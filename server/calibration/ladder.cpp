@@ -1,0 +1,35 @@
+#include "server/calibration/ladder.h"
+
+namespace pelage {
+
+namespace {
+
+struct Row {
+  FragmentOrder order;
+  int shells, steps;
+  double scale;
+};
+
+// Shells times steps divide the slices of the coat or are a multiple of them: others skip slices and gain nothing.
+constexpr auto layers = FragmentOrder::layers, sorted = FragmentOrder::sorted;
+constexpr Row rows[] = {
+    {layers, 4, 4, .25}, {layers, 4, 4, .5}, {layers, 4, 8, .5}, {layers, 8, 4, .5}, {layers, 4, 8, .75},
+    {layers, 8, 4, .75}, {layers, 4, 8, 1},  {layers, 8, 4, 1},  {layers, 12, 3, 1}, {layers, 16, 2, 1},
+    {layers, 16, 4, 1},  {layers, 32, 2, 1}, {layers, 64, 1, 1}, {sorted, 8, 4, .75}, {sorted, 8, 4, 1},
+    {sorted, 16, 2, 1},  {sorted, 32, 2, 1}, {sorted, 64, 1, 1}, {sorted, 128, 1, 1}};
+
+}  // namespace
+
+std::vector<Knobs> candidate_ladder() {
+  std::vector<Knobs> ladder{knobs_of(Tier::interactive)};
+  for (const Row& row : rows) {
+    Knobs knobs = knobs_of(Tier::interactive);
+    knobs.shells = row.shells, knobs.steps = row.steps, knobs.scale = row.scale;
+    knobs.shell_policy = ShellPolicy::uniform, knobs.order = row.order;
+    knobs.accumulation = Accumulation::full;
+    ladder.push_back(knobs);
+  }
+  return ladder;
+}
+
+}  // namespace pelage

@@ -1,0 +1,80 @@
+#include "server/calibration/measure.h"
+
+#include <algorithm>
+
+#include "renderer/compare/compare.h"
+#include "server/scene/fur_view.h"
+
+namespace pelage {
+
+Knobs reference_knobs(int shells) {
+  Knobs knobs = knobs_of(Tier::interactive);
+  knobs.shells = shells, knobs.shell_policy = ShellPolicy::uniform, knobs.order = FragmentOrder::sorted;
+  knobs.accumulation = Accumulation::full;
+  return knobs;
+}
+
+FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& view) {
+  FrameRequest request;
+  request.width = request.height = view.size;
+  request.camera.automatic = view.side;
+  request.background = Background::transparent;
+  FurFrame frame = make_frame(scene, request);
+  frame.camera.eye *= view.distance;
+  return frame;
+}
+
+std::optional<double> fur_error(const Image& truth, const Image& test) {
+  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(test)));
+  const Result<PictureError> error = compare(truth, test, mask);
+  if (!error || !error->figures) return {};
+  return error->figures->flip.mean;
+}
+
+namespace {
+
+FurFrame with(FurFrame frame, const Knobs& knobs) {
+  frame.knobs = knobs;
+  return frame;
+}
+
+/// The first picture, and the least cost.
+Result<Image> draw_often(Renderer& renderer, const CostUnit& unit, const FurFrame& frame, int repetitions, double& cost) {
+  Result<Image> first = failure(Code::internal, "no repetition");
+  cost = 1e30;
+  for (int i = 0; i < repetitions; ++i) {
+    DrawTimes times;
+    Result<Image> image = renderer.draw(frame, &times);
+    if (!image) return image;
+    cost = std::min(cost, std::max(unit.of(times), 1e-3));
+    if (i == 0) first = std::move(image);
+  }
+  return first;
+}
+
+}  // namespace
+
+Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, const SceneView& scene,
+                                  const FurFrame& frame, std::span<const Knobs> ladder, const MeasureOptions& options) {
+  MeasuredView measured;
+  measured.features = view_features(frame, furred_skin(scene));
+  std::optional<Image> truth;
+  if (options.truth_shells > 0) {
+    Result<Image> drawn = renderer.draw(with(frame, reference_knobs(options.truth_shells)));
+    if (!drawn) return drawn.status();
+    truth = std::move(drawn).value();
+  }
+  for (const Knobs& knobs : ladder) {
+    double cost = 0;
+    const Result<Image> image = draw_often(renderer, unit, with(frame, knobs), options.repetitions, cost);
+    if (!image) return image.status();
+    measured.cost_ms.push_back(cost);
+    if (!truth) continue;
+    const std::optional<double> error = fur_error(*truth, *image);
+    if (!error) return failure(Code::invalid, "nothing is seen in a view that was to be measured");
+    measured.error.push_back(*error);
+  }
+  return measured;
+}
+
+}  // namespace pelage

@@ -1,0 +1,23 @@
+// What a drawn frame has cost, and what a view's estimates are told from.
+#pragma once
+
+#include "renderer/frame/renderer.h"
+#include "renderer/quality/view_features.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// What turns the times of a drawn frame into its cost (FrameEstimate).
+struct CostUnit {
+  bool software = true;  // GL: its CPU time counts, else the time that passes
+  int threads = 1;       // of a software GL
+
+  double of(const DrawTimes& times) const { return software ? times.cpu / threads : times.shadow + times.draw; }
+};
+/// `threads` as of select_context: 0 for all cores.
+CostUnit cost_unit(bool software, int threads);
+
+/// Views of the scene.
+FurredSkin furred_skin(const SceneView& scene);
+
+}  // namespace pelage

@@ -1,0 +1,132 @@
+"""Budgets and errors through HTTP: the knobs are named, draw the same picture again, and stay."""
+
+import json
+import subprocess
+import unittest
+
+from support.server import BIN, Server, ServedTest
+from test_contract import named
+
+
+def header(answer, name):
+    return json.loads(answer.headers[name])
+
+
+def cost_of(answer):
+    timing = dict(part.strip().split(";dur=") for part in answer.headers["server-timing"].split(","))
+    return float(timing["cost"])
+
+
+class Dial(ServedTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.scene = cls.server.new_scene("torus", 800)
+
+    def test_answers_say_what_the_contract_says(self):
+        for request in ({"budget_ms": 60}, {"max_error": 0.05}, {"quality": "interactive"}, {}):
+            answer = self.scene.frame(**request)
+            named("FrameEstimate").validate(header(answer, "pelage-error"))
+            named("Knobs").validate(header(answer, "pelage-quality"))
+            self.assertGreater(cost_of(answer), 0)
+        named("FrameRequest").validate({"budget_ms": 60})
+        self.assertFalse(named("FrameRequest").is_valid({"budget_ms": 60, "quality": "draft"}))
+        self.assertNotIn("pelage-error", self.scene.frame(quality={"shells": 7}).headers)
+
+    def test_the_named_knobs_draw_the_same_picture(self):
+        for request in ({"budget_ms": 30}, {"budget_ms": 2000}, {"max_error": 0.03}):
+            planned = self.scene.frame(**request)
+            again = self.scene.frame(quality=header(planned, "pelage-quality"))
+            self.assertEqual(planned.body, again.body)
+            self.assertEqual(header(again, "pelage-quality"), header(planned, "pelage-quality"))
+
+    def test_both_ways_of_asking_agree(self):
+        posted = self.scene.frame(max_error=0.05)
+        got = self.server.get(f"{self.scene.path}/frame.png?width=128&height=128&max_error=0.05")
+        self.assertEqual((got.status, got.body), (200, posted.body))
+
+    def test_the_ends(self):
+        ends = [header(self.scene.frame(**request), "pelage-error")["end"]
+                for request in ({"budget_ms": 1}, {"budget_ms": 600000}, {"max_error": 1}, {"max_error": 0.000001}, {})]
+        self.assertEqual(ends, ["least", "best", "error", "best", "asked"])
+
+    def test_a_larger_budget_is_no_worse(self):
+        errors = [header(self.scene.frame(budget_ms=b), "pelage-error")["error"] for b in (1, 10, 30, 100, 1000)]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+
+    def test_knobs_stay_while_the_correction_does(self):
+        seen = {}
+        for _ in range(12):
+            answer = self.scene.frame(budget_ms=40)
+            seen.setdefault(header(answer, "pelage-error")["correction"], set()).add(answer.headers["pelage-quality"])
+        self.assertTrue(all(len(knobs) == 1 for knobs in seen.values()), seen)
+
+    def test_what_goes_with_a_dial(self):
+        exr = self.scene.frame(budget_ms=50, format="exr", layers=["beauty", "normal"])
+        self.assertEqual(exr.headers["content-type"], "image/x-exr")
+        self.scene.frame(budget_ms=50, overlay="length")
+        trace = {"passes": 1, "strands": 2000}
+        refined = self.scene.frame(max_error=0.1, refine=trace, view="dial")
+        self.assertIn("pelage-trace", refined.headers)
+        self.assertIn("pelage-error", refined.headers)
+        better = self.scene.post(f"frames?after={refined.headers['pelage-revision']}&after_pass=0&wait=25",
+                                 {"width": 128, "height": 128, "max_error": 0.1, "refine": trace, "view": "dial"})
+        self.assertEqual(better.status, 200, better)
+        self.assertEqual(header(better, "pelage-quality")["method"], "strands")
+
+    def test_extremes(self):
+        bald = self.server.new_scene("plane", 2, fur={"length": 0})
+        long = self.server.new_scene("sphere", 100, fur={"length": 10})
+        for scene in (bald, long):
+            for goal in ({"budget_ms": 1}, {"max_error": 1}):
+                for size in ({"width": 1, "height": 1}, {"width": 8192, "height": 1}):
+                    estimate = header(scene.frame(**goal, **size), "pelage-error")
+                    self.assertTrue(0 < estimate["error"] <= 1 and 0 < estimate["cost_ms"] < 1e9, estimate)
+
+    def test_the_client_asks_for_it(self):
+        path = self.server.folder / "dial.png"
+        said = json.loads(self.pelage("--json", "frame", self.scene.id, "-o", path, "--width", 64, "--height", 64,
+                                      "--max-error", 0.1).stdout)
+        self.assertEqual(said["estimate"]["end"], "error")
+        self.pelage("frame", self.scene.id, "--budget-ms", 0, code=3)
+        self.pelage("frame", self.scene.id, "--budget-ms", 40, "--quality", "draft", code=3)
+
+
+class StoredCalibration(unittest.TestCase):
+    def calibration_of(self, server):
+        estimate = header(server.new_scene("plane", 2).frame(budget_ms=50, width=32, height=32), "pelage-error")
+        return estimate["calibration"]
+
+    def test_a_broken_file_is_said_and_the_defaults_count(self):
+        server = Server()
+        self.addCleanup(server.close)
+        self.assertEqual(self.calibration_of(server), "defaults")
+        file = server.data / "calibration.json"
+        for text, said in (("{", "is no calibration"), ('{"version": 99}', "/version"), ("", "is no calibration")):
+            server.terminate()
+            file.write_text(text)
+            server.start()
+            self.assertIn(said, server.printed())
+            self.assertIn("pelage calibrate", server.printed())
+            self.assertEqual(self.calibration_of(server), "defaults")
+
+    def test_a_calibration_counts_for_the_machine_that_it_was_measured_on(self):
+        server = Server()
+        self.addCleanup(server.close)
+        defaults = json.loads((BIN.parents[2] / "server" / "scene" / "defaults.json").read_text())
+        description = server.printed().split(" with ", 1)[1].splitlines()[0]
+        file = server.data / "calibration.json"
+        for threads, name in ((server.threads, "2001-01-01"), (server.threads + 1, "defaults")):
+            server.terminate()
+            file.write_text(json.dumps({**defaults, "name": "2001-01-01", "machine": description, "threads": threads}))
+            server.start()
+            self.assertEqual(self.calibration_of(server), name)
+        self.assertIn(f"measured with {server.threads + 1} threads", server.printed())
+
+    def test_calibrating_needs_a_gl(self):
+        run = subprocess.run([BIN / "pelage", "calibrate", "--gl", "none"], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 2, run)
+
+
+if __name__ == "__main__":
+    unittest.main()

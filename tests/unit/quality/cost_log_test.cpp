@@ -1,0 +1,64 @@
+// Corrections move late and in steps.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "renderer/quality/cost_log.h"
+
+namespace pelage {
+namespace {
+
+Knobs sorted() {
+  Knobs knobs;
+  knobs.order = FragmentOrder::sorted;
+  return knobs;
+}
+
+void add_often(CostLog& log, std::uint64_t scene, const Knobs& knobs, double ratio, int times) {
+  for (int i = 0; i < times; ++i) log.add(scene, knobs, 10, 10 * ratio);
+}
+
+TEST(CostLog, NothingIsCorrectedBeforeThreeFrames) {
+  CostLog log;
+  add_often(log, 1, {}, 3, 2);
+  EXPECT_EQ(log.correction(1), CostCorrection{});
+  add_often(log, 1, {}, 3, 1);
+  EXPECT_NEAR(log.correction(1).layers, 3, 3 * 0.05);
+  EXPECT_EQ(log.correction(1).sorted, 1);
+  EXPECT_EQ(log.correction(2), CostCorrection{});
+}
+
+TEST(CostLog, SmallChangesChangeNothing) {
+  CostLog log;
+  add_often(log, 1, {}, 1.15, 20), add_often(log, 1, sorted(), 0.87, 20);
+  EXPECT_EQ(log.correction(1), CostCorrection{});
+  add_often(log, 1, {}, 2, 20);
+  const double once = log.correction(1).layers;
+  add_often(log, 1, {}, 2.2, 20), add_often(log, 1, {}, 1.8, 20);
+  EXPECT_EQ(log.correction(1).layers, once);
+}
+
+TEST(CostLog, OneSlowFrameIsNothing) {
+  CostLog log;
+  add_often(log, 1, {}, 1, 3), add_often(log, 1, {}, 50, 2), add_often(log, 1, {}, 1, 3);
+  EXPECT_EQ(log.correction(1), CostCorrection{});
+}
+
+TEST(CostLog, CorrectionsAreBoundedAndFinite) {
+  CostLog log;
+  add_often(log, 1, {}, 1e12, 5), add_often(log, 2, {}, 1e-12, 5);
+  EXPECT_LE(log.correction(1).layers, CostLog::most * CostLog::step);
+  EXPECT_GE(log.correction(2).layers, 1 / (CostLog::most * CostLog::step));
+  log.add(3, {}, 0, 1), log.add(3, {}, 1, 0), log.add(3, {}, 1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(log.correction(3), CostCorrection{});
+}
+
+TEST(CostLog, OldScenesAreForgotten) {
+  CostLog log;
+  add_often(log, 1, {}, 3, 3);
+  for (std::uint64_t scene = 2; scene < 2 + CostLog::kept_scenes; ++scene) log.add(scene, {}, 1, 1);
+  EXPECT_EQ(log.correction(1), CostCorrection{});
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,150 @@
+// The planner keeps what it promises, whatever the calibration says.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "protocol/base/limits.h"
+#include "renderer/quality/cost_model.h"
+#include "tests/unit/quality/views.h"
+
+namespace pelage {
+namespace {
+
+using testing::frame_of;
+using testing::Patch;
+using testing::plain_calibration;
+
+const ViewFeatures& square() {
+  static const ViewFeatures view = view_features(frame_of(512, 512), Patch().skin());
+  return view;
+}
+
+PlannedFrame with_budget(const Calibration& calibration, double budget, const CostCorrection& correction = {}) {
+  return plan(calibration, square(), frame_of(512, 512), correction, {budget, {}});
+}
+
+PlannedFrame with_error(const Calibration& calibration, double error) {
+  return plan(calibration, square(), frame_of(512, 512), {}, {{}, error});
+}
+
+double number(int low, int high, double unit) { return unit * *rc::gen::inRange(low, high); }
+
+/// Any prices and any errors, monotone in nothing.
+Calibration any_calibration() {
+  Calibration calibration = plain_calibration();
+  for (double& price : calibration.cost) price = number(0, 1000, 0.1);
+  calibration.cost_safety = number(100, 300, 0.01);
+  for (CalibratedKnobs& row : calibration.ladder) {
+    row.log_error = number(-900, 100, 0.01), row.error_safety = number(100, 400, 0.01);
+    row.knobs.shells = *rc::gen::inRange(1, 1025), row.knobs.steps = *rc::gen::inRange(1, 17);
+    for (double& slope : row.slopes) slope = number(-300, 300, 0.01);
+  }
+  return calibration;
+}
+
+RC_GTEST_PROP(Planner, MoreBudgetNeverGivesALargerError, ()) {
+  const Calibration calibration = any_calibration();
+  const double less = number(1, 5000, 1), more = less * number(100, 1000, 0.01);
+  RC_ASSERT(with_budget(calibration, more).estimate.error <= with_budget(calibration, less).estimate.error);
+}
+
+RC_GTEST_PROP(Planner, ASmallerErrorIsNeverCheaper, ()) {
+  const Calibration calibration = any_calibration();
+  const double large = number(1, 1000, 1e-3), small = large * number(1, 1000, 1e-3);
+  RC_ASSERT(with_error(calibration, small).estimate.cost_ms >= with_error(calibration, large).estimate.cost_ms);
+}
+
+RC_GTEST_PROP(Planner, TheSameRequestHasTheSameKnobs, ()) {
+  const Calibration calibration = any_calibration();
+  const double budget = number(1, 600'000, 1);
+  RC_ASSERT(with_budget(calibration, budget).knobs == with_budget(calibration, budget).knobs);
+}
+
+RC_GTEST_PROP(Planner, WhatItSaysIsWhatItChose, ()) {
+  const Calibration calibration = any_calibration();
+  const PlannedFrame planned = with_budget(calibration, number(1, 5000, 1));
+  const FrameEstimate& e = planned.estimate;
+  RC_ASSERT(e.cost_ms == predicted_cost(calibration, square(), planned.knobs));
+  RC_ASSERT(e.error > 0 && e.error <= 1 && std::isfinite(e.cost_ms));
+}
+
+TEST(Planner, TheEndSaysWhy) {
+  const Calibration calibration = plain_calibration();
+  EXPECT_EQ(with_budget(calibration, 600'000).estimate.end, PlanEnd::best);
+  EXPECT_EQ(with_budget(calibration, 600'000).knobs.order, FragmentOrder::sorted);
+  EXPECT_EQ(with_budget(calibration, 600'000).knobs.shells, 64);
+  EXPECT_EQ(with_error(calibration, 1).estimate.end, PlanEnd::error);
+  EXPECT_EQ(with_error(calibration, 1).knobs.shells, 4);
+  EXPECT_EQ(with_error(calibration, 1e-6).estimate.end, PlanEnd::best);
+  const double least = with_error(calibration, 1).estimate.cost_ms;
+  EXPECT_EQ(with_budget(calibration, least * 0.9).estimate.end, PlanEnd::least);
+  EXPECT_EQ(with_budget(calibration, least * 2).estimate.end, PlanEnd::budget);
+  EXPECT_EQ(with_budget(calibration, 100).estimate.calibration, "by hand");
+}
+
+TEST(Planner, SafetyIsKept) {
+  Calibration calibration = plain_calibration();
+  for (double budget = 5; budget < 500; budget *= 1.1) {
+    const FrameEstimate e = with_budget(calibration, budget).estimate;
+    if (e.end != PlanEnd::least) {
+      EXPECT_LE(e.cost_ms * e.cost_safety, budget * budget_margin);
+    }
+  }
+  for (double error = 0.5; error > 0.05; error /= 1.1) {
+    const FrameEstimate e = with_error(calibration, error).estimate;
+    if (e.end == PlanEnd::error) {
+      EXPECT_LE(e.error * e.error_safety, error);
+    }
+  }
+}
+
+TEST(Planner, ACorrectionCountsForItsOrder) {
+  const Calibration calibration = plain_calibration();
+  const PlannedFrame plain = with_budget(calibration, 50), dear = with_budget(calibration, 50, {4, 4});
+  EXPECT_LT(dear.knobs.shells, plain.knobs.shells);
+  EXPECT_EQ(dear.estimate.correction, 4);
+  EXPECT_EQ(with_budget(calibration, 600'000, {1, 3}).estimate.correction, 3);
+  EXPECT_EQ(with_budget(calibration, 600'000, {3, 1}).estimate.correction, 1);
+}
+
+TEST(Planner, WhatIsTooLargeToSortIsLeftOut) {
+  const Calibration calibration = plain_calibration();
+  const FurFrame frame = frame_of(8192, 8192);
+  const ViewFeatures view = view_features(frame, Patch().skin());
+  const PlannedFrame planned = plan(calibration, view, frame, {}, {600'000.0, {}});
+  EXPECT_TRUE(fits(planned.knobs, 8192, 8192));
+  EXPECT_FALSE(planned.knobs.order == FragmentOrder::sorted && planned.knobs.shells > 16);
+  Knobs twice;
+  twice.scale = 2;
+  EXPECT_FALSE(fits(twice, 8192, 8));
+  EXPECT_TRUE(fits(twice, 4096, 4096));
+}
+
+TEST(Planner, KnobsOfTheLadderAreEstimated) {
+  const Calibration calibration = plain_calibration();
+  const auto known = estimate_of(calibration, square(), calibration.ladder[3].knobs, {});
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->end, PlanEnd::asked);
+  Knobs other = calibration.ladder[3].knobs;
+  other.fins = true;
+  EXPECT_FALSE(estimate_of(calibration, square(), other, {}));
+}
+
+TEST(Planner, ExtremesAreFinite) {
+  const Calibration calibration = plain_calibration();
+  const Patch patch, bald(8, 0.25f, 0.0f);
+  for (const FurredSkin& skin : {patch.skin(), bald.skin(), FurredSkin{}}) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {8192, 8192}}) {
+      const FurFrame frame = frame_of(width, height);
+      for (const PlanGoal& goal : {PlanGoal{1.0, {}}, {600'000.0, {}}, {{}, 1e-6}, {{}, 1.0}}) {
+        const FrameEstimate e = plan(calibration, view_features(frame, skin), frame, {}, goal).estimate;
+        EXPECT_TRUE(std::isfinite(e.cost_ms) && e.cost_ms > 0);
+        EXPECT_TRUE(e.error > 0 && e.error <= 1);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pelage

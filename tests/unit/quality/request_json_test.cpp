@@ -1,0 +1,61 @@
+// Budgets and errors in requests, and estimates in answers.
+#include <gtest/gtest.h>
+
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+
+namespace pelage {
+namespace {
+
+void expect_refusal(const std::string& text, const std::string& pointer) {
+  const auto decoded = decode_frame_request(text);
+  ASSERT_FALSE(decoded.ok()) << text;
+  EXPECT_EQ(decoded.status().code, Code::invalid) << text;
+  EXPECT_EQ(decoded.status().pointer, pointer) << text;
+  EXPECT_NE(decoded.status().limit, "") << text;
+}
+
+TEST(DialJson, OneGoalAtMost) {
+  expect_refusal(R"({"budget_ms": 40, "quality": "draft"})", "/budget_ms");
+  expect_refusal(R"({"max_error": 0.1, "quality": "draft"})", "/max_error");
+  expect_refusal(R"({"budget_ms": 40, "max_error": 0.1})", "/max_error");
+}
+
+TEST(DialJson, Ranges) {
+  for (const char* budget : {"0.99", "600001", "-1"}) expect_refusal(std::string(R"({"budget_ms": )") + budget + "}", "/budget_ms");
+  for (const char* error : {"0", "1.01", "-1"}) expect_refusal(std::string(R"({"max_error": )") + error + "}", "/max_error");
+  EXPECT_TRUE(decode_frame_request(R"({"budget_ms": 1})").ok());
+  EXPECT_TRUE(decode_frame_request(R"({"budget_ms": 600000})").ok());
+  EXPECT_TRUE(decode_frame_request(R"({"max_error": 1})").ok());
+}
+
+TEST(DialJson, ComesBack) {
+  FrameRequest request;
+  request.budget_ms = 33.25;
+  const auto budget = decode_frame_request(encode(request));
+  ASSERT_TRUE(budget.ok()) << budget.status().message;
+  EXPECT_EQ(budget->budget_ms, 33.25);
+  EXPECT_FALSE(budget->max_error);
+  request.budget_ms.reset(), request.max_error = 0.02;
+  const auto error = decode_frame_request(encode(request));
+  ASSERT_TRUE(error.ok()) << error.status().message;
+  EXPECT_EQ(error->max_error, 0.02);
+  EXPECT_TRUE(error->plans());
+}
+
+TEST(DialJson, AddressesSayTheSame) {
+  const auto request = decode_frame_query({{"budget_ms", "40"}});
+  ASSERT_TRUE(request.ok());
+  EXPECT_EQ(request->budget_ms, 40);
+  EXPECT_EQ(decode_frame_query({{"max_error", "x"}}).status().pointer, "/max_error");
+  EXPECT_EQ(decode_frame_query({{"budget_ms", "40"}, {"shells", "8"}}).status().pointer, "/budget_ms");
+}
+
+TEST(DialJson, EstimatesNameTheirReference) {
+  const std::string text = encode(FrameEstimate{.error = 0.5, .end = PlanEnd::least, .calibration = "defaults"});
+  EXPECT_NE(text.find(R"("reference":"sorted_shells")"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("end":"least")"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,94 @@
+// What is told of a view without drawing it, against what can be counted by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/quality/views.h"
+
+namespace pelage {
+namespace {
+
+using testing::frame_of;
+using testing::Patch;
+
+TEST(ViewFeatures, ASquareCoversWhatItProjectsTo) {
+  const Patch patch(8, 0.25f, 0.0f);
+  const ViewFeatures view = view_features(frame_of(400, 400), patch.skin());
+  EXPECT_NEAR(view.area, 200 * 200, 1);  // half of the height, squared
+  EXPECT_NEAR(view.covered, 200 * 200, 0.15 * 200 * 200);
+  EXPECT_EQ(view.triangles, 128);
+  EXPECT_EQ(view.visible, 128);
+  EXPECT_NEAR(view.edges, 128 * 25 * (2 + std::sqrt(2.0)), 1);
+  EXPECT_EQ(view.behind, 0);
+  EXPECT_NEAR(view.bending, 0, 1e-12);
+  EXPECT_EQ(view.lights, 3);
+}
+
+TEST(ViewFeatures, LengthsAreInPixels) {
+  const Patch patch(8, 0.25f, 0.02f);
+  FurFrame frame = frame_of(400, 400);
+  frame.coat.width_root = 0.001;
+  const ViewFeatures near = view_features(frame, patch.skin());
+  EXPECT_NEAR(near.fur_pixels, 8, 0.2);
+  EXPECT_NEAR(near.strand_pixels, 0.4, 0.01);
+  frame.camera.eye.z = 2;
+  const ViewFeatures far = view_features(frame, patch.skin());
+  EXPECT_NEAR(far.fur_pixels / near.fur_pixels, 0.5, 0.01);
+  EXPECT_NEAR(far.area / near.area, 0.25, 0.01);
+}
+
+TEST(ViewFeatures, WhatIsTurnedAwayOrOutsideIsNotSeen) {
+  const Patch patch;
+  FurFrame behind = frame_of(64, 64);
+  behind.camera.eye = {0, 0, -1}, behind.camera.forward = {0, 0, 1};
+  EXPECT_EQ(view_features(behind, patch.skin()).visible, 0);
+  FurFrame past = frame_of(64, 64);
+  past.camera.eye = {5, 0, 1};
+  EXPECT_EQ(view_features(past, patch.skin()).area, 0);
+}
+
+TEST(ViewFeatures, FurBehindOtherFurIsToldApart) {
+  Patch front(8, 0.25f), back(8, 0.25f);
+  const auto first = static_cast<std::uint32_t>(front.positions.size());
+  for (const glm::vec3& p : back.positions) front.positions.push_back(p - glm::vec3(0, 0, 0.5f));
+  front.normals.insert(front.normals.end(), back.normals.begin(), back.normals.end());
+  front.length.insert(front.length.end(), back.length.begin(), back.length.end());
+  for (const glm::uvec3& t : back.triangles) front.triangles.push_back(t + first);
+  const ViewFeatures view = view_features(frame_of(256, 256), front.skin());
+  EXPECT_NEAR(view.behind, 0.31, 0.05);  // (1 / 1.5)^2 over 1 + (1 / 1.5)^2
+}
+
+TEST(ViewFeatures, PiecesCountAsTriangles) {
+  const Patch patch;
+  FurredSkin skin = patch.skin();
+  skin.pieces = 1.5;
+  const ViewFeatures view = view_features(frame_of(256, 256), skin), plain = view_features(frame_of(256, 256), patch.skin());
+  EXPECT_NEAR(view.area / plain.area, 1.5, 1e-9);
+  EXPECT_NEAR(view.triangles / plain.triangles, 1.5, 1e-9);
+}
+
+TEST(ViewFeatures, ManyTrianglesAreLookedAtInPart) {
+  const Patch coarse(16), fine(256);
+  const ViewFeatures a = view_features(frame_of(256, 256), coarse.skin()), b = view_features(frame_of(256, 256), fine.skin());
+  EXPECT_EQ(b.triangles, 2.0 * 256 * 256);
+  EXPECT_NEAR(b.area / a.area, 1, 0.02);
+}
+
+TEST(ViewFeatures, ExtremesAreFinite) {
+  const Patch patch, bald(8, 0.25f, 0.0f), long_fur(8, 0.25f, 10.0f);
+  for (const Patch* skin : {&patch, &bald, &long_fur}) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {8192, 8192}, {8192, 1}}) {
+      for (const float distance : {0.0f, 1e-9f, 0.01f, 1e20f}) {
+        const ViewFeatures view = view_features(frame_of(width, height, distance), skin->skin());
+        for (const double value : {view.area, view.edges, view.covered, view.behind, view.fur_pixels, view.strand_pixels,
+                                   view.bending, view.visible}) {
+          EXPECT_TRUE(std::isfinite(value) && value >= 0) << width << " x " << height << " from " << distance;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(view_features(frame_of(64, 64), FurredSkin{}).area, 0);
+}
+
+}  // namespace
+}  // namespace pelage
