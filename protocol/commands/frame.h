@@ -68,7 +68,7 @@ struct Tracing {
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
   int shells = 16;                                // [1, 1024], where the view needs most
-  ShellPolicy shell_policy = ShellPolicy::adaptive;
+  ShellPolicy shell_policy = ShellPolicy::uniform;
   int samples = 1;                                // on outlines: 1 or 4
   int steps = 2;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]

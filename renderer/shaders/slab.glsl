@@ -43,7 +43,7 @@ void shift_to_strand(vec3 normal, vec3 tile_u) {
 #include "paint_form.glsl"
 
 struct Slab {
-  float opacity, height, light;  // the last two weighted by opacity
+  float opacity, height, light;  // the last two weighted by opacity; light to the fourth: what dark strands let through
   vec2 slope;
 };
 
@@ -89,7 +89,8 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
     float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));
     slab.opacity += weight;
     slab.height += weight * s;
-    slab.light += weight * shape.b;
+    float fourth = shape.b * shape.b;
+    slab.light += weight * fourth * fourth;
     slab.slope += weight * shape.xy;
     if (slab.opacity > 0.985) break;
   }

@@ -1,9 +1,11 @@
 // Frames against the naive version at equal error: masked LDR-FLIP against the converged picture (sorted fragments) of
 // the creature, spot and the torus, from three cameras each, and what the tiers cost there.
-// usage: bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N]
+// usage: bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N] [--try SHELLS,STEPS,SCALE,BANDS,ADAPTIVE]
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <string>
 
 #include "renderer/compare/compare.h"
 #include "server/scene/fur_view.h"
@@ -18,6 +20,7 @@ constexpr std::array naive_shells{4, 6, 8, 12, 16, 24, 32, 64};
 
 struct Setup {
   int repetitions, size, truth;
+  const char* tried;
 };
 
 struct Point {
@@ -60,7 +63,15 @@ double cost_at(const std::vector<Point>& curve, double error) {
   return NAN;
 }
 
-std::vector<Named> tiers() {
+/// The tiers, or knobs as --try has them.
+std::vector<Named> frames_of(const char* tried) {
+  if (tried) {
+    Knobs knobs;
+    int adaptive = 0;
+    std::sscanf(tried, "%d,%d,%lf,%d,%d", &knobs.shells, &knobs.steps, &knobs.scale, &knobs.bands, &adaptive);
+    knobs.shell_policy = adaptive ? ShellPolicy::adaptive : ShellPolicy::uniform;
+    return {{tried, knobs}};
+  }
   return {{"draft", knobs_of(Tier::draft)}, {"interactive", knobs_of(Tier::interactive)}, {"detailed", knobs_of(Tier::detailed)}};
 }
 
@@ -75,7 +86,7 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
   };
   const Image truth = draw(renderer, with(sorted(setup.truth, false))), mapped = draw(renderer, with(sorted(setup.truth, true)));
   std::vector<FurFrame> frames;
-  for (const Named& named : tiers()) frames.push_back(with(named.knobs));
+  for (const Named& named : frames_of(setup.tried)) frames.push_back(with(named.knobs));
   std::vector<NaiveRenderer> naive;
   std::vector<Point> points;
   std::vector<std::function<void()>> works;
@@ -84,7 +95,7 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
     works.emplace_back([&renderer, &each] { draw(renderer, each); });
   }
   naive.reserve(naive_shells.size());
-  for (const int shells : naive_shells) {
+  for (const int shells : setup.tried ? std::span<const int>() : std::span(naive_shells)) {
     Knobs knobs;
     knobs.shells = shells, knobs.shell_policy = ShellPolicy::uniform;
     NaiveRenderer& one = naive.emplace_back(gl, model, with(knobs));
@@ -98,7 +109,7 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
     std::printf("  naive %3d    FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms\n", naive_shells[i], curve[i].error,
                 curve[i].outline, curve[i].cost.wall, curve[i].cost.cpu);
   }
-  const std::vector<Named> names = tiers();
+  const std::vector<Named> names = frames_of(setup.tried);
   for (std::size_t i = 0; i < names.size(); ++i) {
     std::printf("  %-12s FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms  naive at equal FLIP costs %.2f times\n", names[i].name,
                 points[i].error, points[i].outline, points[i].cost.wall, points[i].cost.cpu,
@@ -107,9 +118,16 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
   std::fflush(stdout);
 }
 
+const char* text(int count, char** arguments, const std::string& name) {
+  for (int i = 1; i + 1 < count; ++i) {
+    if (arguments[i] == name) return arguments[i + 1];
+  }
+  return nullptr;
+}
+
 int main(int count, char** arguments) {
   const Setup setup{argument(count, arguments, "--repetitions", 5), argument(count, arguments, "--size", 512),
-                    argument(count, arguments, "--truth", 512)};
+                    argument(count, arguments, "--truth", 512), text(count, arguments, "--try")};
   const int only_model = argument(count, arguments, "--model", -1), only_camera = argument(count, arguments, "--camera", -1);
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;

@@ -7,7 +7,7 @@ import unittest
 
 from support.server import Server, ServedTest, comb, flood
 
-BLUE, RED = ({"op": "paint", "field": "root_colour", "colour": colour, "flood": True} for colour in ("#0000ff", "#ff0000"))
+BLUE, RED = ({"op": "paint", "field": "tip_colour", "colour": colour, "flood": True} for colour in ("#0000ff", "#ff0000"))
 
 
 def steps_of(scene):

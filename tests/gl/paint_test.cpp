@@ -101,7 +101,7 @@ TEST_P(PaintedFrames, DensityTakesStrandsAway) {
   const double some = sum_of_alpha(drawn(model));
   flood(model, Field::density, 0.0f);
   const Image none = drawn(model);
-  EXPECT_LT(some, 0.97 * whole);
+  EXPECT_LT(some, 0.99 * whole);  // of the rim alone: the skin below is opaque
   EXPECT_LT(sum_of_alpha(none), 0.97 * some);
   EXPECT_NEAR(sum_of_alpha(none), sum_of_alpha(drawn(ball(0))), 1) << "the ball alone";
   EXPECT_LE(largest_difference(none, drawn(ball(0))), 1);

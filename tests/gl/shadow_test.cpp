@@ -193,7 +193,7 @@ double light_between_strands(Renderer& renderer, Coat coat) {
     if ((*layers)[1].rgba[i] < 0.9f) continue;
     sum += double{(*layers)[0].rgba[i]}, ++count;
   }
-  EXPECT_GT(count, 200);
+  EXPECT_GT(count, 100);
   return sum / count;
 }
 

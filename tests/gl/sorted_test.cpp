@@ -223,7 +223,7 @@ TEST_P(Sorted, IsWhatLayersAreOnOneConvexPieceSeenHeadOn) {
   double seen = 0;
   for (std::size_t i = 3; i < layers.rgba.size(); i += 4) seen += double{layers.rgba[i]};
   EXPECT_GT(seen, 500);
-  EXPECT_LT(largest(sorted, layers), 1e-4);
+  EXPECT_LT(largest(sorted, layers), 1e-3);  // layers leave out what lies well below dense fur
 }
 
 TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {

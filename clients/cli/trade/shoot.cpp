@@ -72,7 +72,7 @@ Result<FrameCost> cost_of_frame(Session& session, const Place& place, const Knob
     if (!answer) return answer.status();
     const std::string timing = header(*answer, "server-timing");
     least.draw = std::min(least.draw, timing_of(timing, "draw") + timing_of(timing, "shadow"));
-    least.cpu = std::min(least.cpu, timing_of(timing, "cpu"));
+    least.cpu = std::min(least.cpu, timing_of(timing, "cost"));
   }
   return least;
 }

@@ -68,7 +68,7 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
 #ifdef TUFTS
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
 #endif
-  float above = -stored_light * log(max(slab.light * share, 0.004)) * length_share;
+  float above = -0.25 * stored_light * log(max(slab.light * share, 1e-9)) * length_share;
   vec3 colour = fur_colour(strand, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
