@@ -173,7 +173,7 @@ class Checkpoints(ServedTest):
         anew.run(other)
         self.assertEqual(erased.json["fields_hash"], anew.info()["fields_hash"])
         comparison = self.server.get(f"{scene.path}/compare?from=3&to={erased.json['revision']}").json
-        self.assertIn("root_colour", [field["field"] for field in comparison["fields"]])
+        self.assertIn("tip_colour", [field["field"] for field in comparison["fields"]])
 
 
 class Restart(unittest.TestCase):
