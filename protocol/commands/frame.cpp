@@ -16,8 +16,6 @@ Knobs knobs_of(Tier tier) {
               .eye_steps = 16,
               .shadow_maps = true,
               .shadow_resolution = 1024,
-              .accumulation = Accumulation::full,
-              .order = FragmentOrder::sorted,
               .fins = true,
               .guard_hairs = 20000};
     case Tier::reference: return {.eye_steps = 16, .method = Method::strands};
