@@ -1,4 +1,5 @@
 // Where a fragment goes: into the picture, or, with SORTED, into the list of its pixel.
+#include "known.glsl"
 #ifdef SORTED
 #include "fragment_lists.glsl"
 
@@ -10,7 +11,7 @@ void put_fragment(vec4 colour) {
   if (no_room()) return;
   uint at = atomicAdd(lists.count, 1u);
   if (at >= lists.capacity) return;
-  fragment_colours[at] = colour;
+  fragment_colours[at] = known(colour);
   links[at] = uvec2(floatBitsToUint(gl_FragCoord.z), atomicExchange(lists.firsts[pixel_of_list()], at + 1u));
 }
 #else
@@ -18,5 +19,5 @@ layout(location = 0) out vec4 result;  // premultiplied
 
 bool no_room() { return false; }
 
-void put_fragment(vec4 colour) { result = colour; }
+void put_fragment(vec4 colour) { result = known(colour); }
 #endif

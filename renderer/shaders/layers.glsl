@@ -8,8 +8,7 @@ layout(location = 5) out vec4 layer_direct;
 layout(location = 6) out vec4 layer_light;  // light that is left, light without shadows
 layout(location = 7) out vec4 layer_count;
 
-// What is interpolated over a triangle that is all but a line on the screen may not be a number.
-vec3 known(vec3 value) { return any(isnan(value)) || any(isinf(value)) ? vec3(0.0) : value; }
+#include "known.glsl"
 
 // Takes direct_light and light_share from lighting.glsl. `shells` is 1 for fur, 0 for skin.
 void write_layers(vec3 place, vec3 normal, vec3 tangent, vec3 albedo, float shells, float opacity) {

@@ -1,5 +1,6 @@
 #version 450 core
 #include "frame.glsl"
+#include "known.glsl"
 #include "lighting.glsl"
 #include "base_colour.glsl"
 #ifdef PATTERN
@@ -97,5 +98,5 @@ void main() {
 #ifdef LAYERS
   write_layers(place, normal, root_tangent, colour, 0.0, 1.0);
 #endif
-  result = vec4(sum, 1.0);
+  result = known(vec4(sum, 1.0));
 }

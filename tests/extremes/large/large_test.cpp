@@ -1,8 +1,7 @@
-// The largest picture and the largest model. They take gigabytes and minutes of software GL, so they run where
-// PELAGE_EXTREMES_LARGE is set.
+// The largest picture and the largest model. They take gigabytes and minutes of software GL, so they run by hand:
+// tests/extremes/large.sh.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
 
 #include "tests/extremes/both_ways.h"
@@ -15,7 +14,6 @@ namespace {
 class Large : public ::testing::TestWithParam<Backend> {
  protected:
   void SetUp() override {
-    if (!std::getenv("PELAGE_EXTREMES_LARGE")) GTEST_SKIP() << "PELAGE_EXTREMES_LARGE is not set";
     Result<std::unique_ptr<Context>> opened = open(GetParam());
     ASSERT_TRUE(opened.ok()) << opened.status().message;
     context_ = std::move(opened).value();

@@ -1,0 +1,6 @@
+#!/usr/bin/env bash
+# A picture of 8192 x 8192 and a model of a million triangles on both backends: minutes and gigabytes.
+# usage: tests/extremes/large.sh [PRESET]
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+"build/${1:-tests}/bin/extremes_large"
