@@ -32,6 +32,7 @@ struct FrameCounters {
   std::uint64_t fragments = 0;  // runs of fragment shaders, but for the pass that writes the picture's pixels
   std::size_t objects = 0;    // buffers, textures, targets and programs that were made
   std::size_t allocated = 0;  // bytes of storage that was asked for, without mip levels
+  double redrawn = 1;         // share of the picture, [0, 1]; after a stroke only what it changed is drawn
   bool operator==(const FrameCounters&) const = default;
 };
 

@@ -98,6 +98,8 @@ struct Environment {
   std::optional<SphericalHarmonics> harmonics;  // radiance; each number finite, in [-1e6, 1e6]
   double turn_degrees = 0;  // of the harmonics about +y, counter-clockwise seen from above, [-360, 360]
   double intensity = 1;     // [0, 100]
+
+  bool operator==(const Environment&) const = default;
 };
 
 /// A level ground that catches the shadow of the model. It shows nothing else: the background stays what it is.

@@ -189,7 +189,8 @@ std::string encode(const FrameCounters& counters) {
                {"bytes", counters.bytes},
                {"fragments", counters.fragments},
                {"objects", counters.objects},
-               {"allocated", counters.allocated}});
+               {"allocated", counters.allocated},
+               {"redrawn", counters.redrawn}});
 }
 
 }  // namespace pelage

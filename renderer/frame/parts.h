@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "renderer/frame/renderer.h"
@@ -34,12 +35,32 @@ class CpuStopwatch {
   double start_ = now();
 };
 
+/// Draws and clears touch an area alone while it lives; nothing is set where there is none.
+class ScissorTest {
+ public:
+  ScissorTest(const Gl& gl, const std::optional<PicturePart>& part) : gl_(gl), on_(part) {
+    if (!on_) return;
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(part->area.left, part->area.top, part->area.width, part->area.height);
+  }
+  ~ScissorTest() {
+    if (on_) gl_.Disable(GL_SCISSOR_TEST);
+  }
+  ScissorTest(const ScissorTest&) = delete;
+  ScissorTest& operator=(const ScissorTest&) = delete;
+
+ private:
+  const Gl& gl_;
+  bool on_;
+};
+
 struct Renderer::Prepared {
   const CoatTextures& coat;
   ModelBuffers& model;
   ModelBuffers::DrawLists lists;
   std::string variant;
   FrameBlock block;
+  std::optional<PicturePart> part;  // that is drawn; all where there is none
 
   FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
 };

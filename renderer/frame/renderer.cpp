@@ -116,6 +116,7 @@ Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
   const GLenum colour = frame.knobs.accumulation == Accumulation::half ? GL_RGBA16F : GL_RGBA32F;
   const int samples = frame.knobs.samples;
+  kept_.forget();
   bool complete = fit(drawn_, colour, width, height, samples, true);
   if (samples > 1) complete = complete && fit(single_, colour, width, height, 1, false);
   complete = complete && fit(picture_, picture, frame.width, frame.height, 1, false);
@@ -131,13 +132,17 @@ bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, i
   return target.complete();
 }
 
-void Renderer::give_back_targets() { drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget(); }
+void Renderer::give_back_targets() {
+  kept_.forget();
+  drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
+}
 
 void Renderer::give_back_large_targets() {
   if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
 }
 
-Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& times) {
+Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<FurFrame>& shown,
+                                           DrawTimes& times) {
   const auto found = models_.find(frame.model);
   assert(found != models_.end());
   ModelBuffers& model = found->second;
@@ -145,8 +150,18 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   const Stopwatch making;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
   const float furthest = frame.knobs.order == FragmentOrder::sorted ? -2.0f : furthest_averted;
-  const auto lists = model.sort_for(
-      gl_, {frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest, block.world_to_clip});
+  const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
+  LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest,
+                 block.world_to_clip, stretch};
+  std::optional<PicturePart> part;
+  if (shown) {
+    std::optional<CellBox> changed = model.changed_cells(view.to_clip, stretch);
+    if (const std::optional<CellBox> curves = changed_curves(*shown, frame, view.to_clip))
+      changed = union_of(changed, *curves);
+    part = part_of(changed, drawn_.width(), drawn_.height());
+    view.part = part->cells;
+  }
+  const auto lists = model.sort_for(gl_, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);
@@ -157,7 +172,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, DrawTimes& tim
   }
   if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
   bind_blocks(frame, block);
-  return {coat, model, lists, variant_of(frame, model), block};
+  return {coat, model, lists, variant_of(frame, model), block, part};
 }
 
 void Renderer::prepare_colours(const FurFrame& frame, ModelBuffers& model) {
@@ -190,7 +205,9 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
 }
 
 Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
+  if (scene.part && scene.part->area.pixels() == 0) return {};  // what the target shows is the frame
   set_draw_state(gl_, drawn_);
+  const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, drawn_, {});
   fur_.mark_sets(gl_, scene.drawing(frame), drawn_.framebuffer());
@@ -273,12 +290,13 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times) {
 template <class Picture>
 Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
                                        DrawTimes* times) {
+  const std::optional<FurFrame> shown = kept_.take(frame);
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const Stopwatch drawing;
   const CpuStopwatch working;
   DrawTimes taken;
   fragments_.begin();
-  const Prepared scene = prepare_scene(frame, taken);
+  const Prepared scene = prepare_scene(frame, shown, taken);
   const Status drawn = draw_light(frame, scene);
   fragments_.end();
   if (!drawn.ok()) return drawn;
@@ -293,7 +311,10 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   Result<Picture> image = read_back<Picture>(frame, type);
   taken.read = reading.milliseconds();
   taken.counters = take_counters();
+  if (scene.part) taken.counters.redrawn = scene.part->area.pixels() / Area{0, 0, drawn_.width(), drawn_.height()}.pixels();
   if (times) *times = taken;
+  kept_.keep(frame);
+  scene.model.settle();
   give_back_large_targets();
   return image;
 }

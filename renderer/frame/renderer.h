@@ -10,6 +10,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
+#include "renderer/frame/kept_light.h"
 #include "renderer/frame/shadow_maps.h"
 #include "renderer/gl/fragment_counter.h"
 #include "renderer/gl/render_target.h"
@@ -56,9 +57,12 @@ class Renderer {
   /// Sends the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws a model that it has. Fails with unavailable when the GL does not answer within a minute,
+  /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch, with
+  /// the same bits. Fails with unavailable when the GL does not answer within a minute,
   /// with too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// Makes the next frame be drawn whole, for who measures or doubts.
+  void forget_kept() { kept_.forget(); }
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr);
   /// Light and what is asked for beside it, one picture for each layer, in internal coordinates: without exposure, tone
@@ -92,7 +96,8 @@ class Renderer {
   FrameCounters take_counters() const;
   /// What a frame draws, with its blocks and maps bound.
   struct Prepared;
-  Prepared prepare_scene(const FurFrame& frame, DrawTimes& times);
+  /// `shown` is what the target shows; a frame is drawn whole without it.
+  Prepared prepare_scene(const FurFrame& frame, const std::optional<FurFrame>& shown, DrawTimes& times);
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
@@ -140,6 +145,7 @@ class Renderer {
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
   RenderTarget drawn_, single_, picture_;
+  KeptLight kept_;  // what `drawn_` shows, and `single_` with it
 };
 
 }  // namespace pelage

@@ -99,6 +99,8 @@ struct FurLids {
   glm::mat3 frame{1};    // right, up and the middle of the opening, unit and orthogonal
   glm::vec3 opening{1};  // radians to a corner, to the upper and to the lower lid
   glm::vec3 colour{0};   // linear
+
+  bool operator==(const FurLids&) const = default;
 };
 
 /// An eye. Iris and pupil are as in the command; their lengths are in radii of the eye.
@@ -111,6 +113,8 @@ struct FurEye {
   std::optional<FurLids> lids;
   glm::vec3 sclera{1};  // linear
   double bulge = 0.5, refraction = 1.376, wetness = 1;
+
+  bool operator==(const FurEye&) const = default;
 };
 
 /// A curve that is given: where it goes, and the fur that its root stands in.
@@ -138,12 +142,16 @@ struct FurCurves {
 struct FurCamera {
   glm::vec3 eye{0, 0, 1}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // unit and orthogonal
   float tan_half_fov = 0.3f;                                               // vertical
+
+  bool operator==(const FurCamera&) const = default;
 };
 
 /// A level that catches the shadow of the model, sizes.
 struct FurGround {
   float height = 0;
   float shadow = 0, contact = 0;  // [0, 1]
+
+  bool operator==(const FurGround&) const = default;
 };
 
 /// Everything a frame needs beside the model: copied, so that the scene may go on changing while it is drawn.
@@ -166,6 +174,8 @@ struct FurFrame {
   ToneMap tone_map = ToneMap::filmic;
   Overlay overlay = Overlay::none;
   std::vector<float> difference;  // of each vertex, [0, 1], 0 for none; what Overlay::difference shows
+
+  bool operator==(const FurFrame&) const = default;
 };
 
 }  // namespace pelage

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/upload/set_cells.h"
 
 namespace pelage {
 
@@ -104,19 +103,18 @@ struct Seen {
 LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view) {
   const int sets = sets_of(view.shells, view.policy);
   LayerLists lists;
-  std::vector<CellBox> boxes;
-  if (sets > 1) boxes = cells_of_fur(view.to_clip, mesh.positions, mesh.lengths);
   SetCells cells;
   std::vector<Seen> seen;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const float cosine = cosine_to_eye(mesh, i, view.eye);
     if (cosine <= view.furthest) continue;
     const glm::uvec3 t = mesh.triangles[i];
+    const CellBox box = cells_of(mesh, t);
+    if (!touch(box, view.part)) continue;
     if (sets == 1) {
       (cosine >= 0 ? lists.facing : lists.averted)[0].push_back(t);
       continue;
     }
-    const CellBox box = union_of(boxes[t.x], boxes[t.y], boxes[t.z]);
     seen.push_back({t, box, cosine >= 0});
     if (cosine < 0 && cosine > near_outline) cells.show(box, 0);
     if (cosine < 0) continue;
@@ -135,12 +133,17 @@ LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view) {
   return lists;
 }
 
-std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, glm::vec3 eye) {
+std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, const LayerView& view) {
   std::vector<glm::uvec3> shown;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (cosine_to_eye(mesh, i, eye) > furthest_averted) shown.push_back(mesh.triangles[i]);
+    const glm::uvec3& t = mesh.triangles[i];
+    if (cosine_to_eye(mesh, i, view.eye) > furthest_averted && touch(cells_of(mesh, t), view.part)) shown.push_back(t);
   }
   return shown;
+}
+
+CellBox cells_of(const LayerMesh& mesh, const glm::uvec3& triangle) {
+  return union_of(mesh.cells[triangle.x], mesh.cells[triangle.y], mesh.cells[triangle.z]);
 }
 
 }  // namespace pelage

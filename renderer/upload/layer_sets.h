@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "protocol/commands/frame.h"
+#include "renderer/upload/set_cells.h"
 
 namespace pelage {
 
@@ -45,6 +46,8 @@ struct LayerView {
   ShellPolicy policy = ShellPolicy::adaptive;
   float furthest = furthest_averted;  // cosine from which on triangles are drawn; -2 draws all
   glm::mat4 to_clip{1};
+  float stretch = 1;  // fur is up to so many times as long as its field says
+  CellBox part{};     // of the picture that is drawn
 };
 
 /// What a vertex brings: `length` of its fur in sizes, `curvature` of the skin in 1 / sizes.
@@ -77,12 +80,17 @@ struct LayerMesh {
   std::span<const glm::vec3> centroids, normals;  // of triangles; normals of any length
   std::span<const glm::vec3> positions;           // of vertices
   std::span<const float> lengths, levels;
+  std::span<const CellBox> cells;  // that the fur of a vertex may reach
 };
 
+/// Triangles that do not reach the view's part are left out.
 LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view);
 
 /// The triangles of both lists. Nothing else may write the depth of dense fur, or thin parts show holes where
 /// fur that is not drawn hides what is.
-std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, glm::vec3 eye);
+std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, const LayerView& view);
+
+/// The cells that the fur of a triangle may reach.
+CellBox cells_of(const LayerMesh& mesh, const glm::uvec3& triangle);
 
 }  // namespace pelage

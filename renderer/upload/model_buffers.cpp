@@ -47,6 +47,18 @@ std::vector<std::uint8_t> resized(const ImageView& image, int width, int height)
   return result;
 }
 
+constexpr std::uint32_t sent_gap = 64;  // vertices between ranges that are sent as one
+
+std::vector<DirtyRange> sent_as_one(std::span<const DirtyRange> dirty) {
+  std::vector<DirtyRange> joined;
+  for (const DirtyRange& range : dirty) {
+    const bool near = !joined.empty() && range.begin >= joined.back().begin && range.begin < joined.back().end + sent_gap;
+    if (near) joined.back().end = std::max(joined.back().end, range.end);
+    else joined.push_back(range);
+  }
+  return joined;
+}
+
 }  // namespace
 
 ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count)
@@ -191,8 +203,9 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
   const bool other_paint = paint_.prepare(gl, fields.paint, vertex_array_.id(), positions_.size());
   const std::span<const DirtyRange> dirty = other_skin || other_paint ? std::span(&all, 1) : fields.dirty;
   if (!dirty.empty()) ++version_;
+  for (const DirtyRange& range : dirty) note_change(first_[range.begin], first_[range.end]);
   std::vector<glm::vec3> values;
-  for (const DirtyRange& range : dirty) {
+  for (const DirtyRange& range : sent_as_one(dirty)) {
     assert(range.begin <= range.end && range.end < first_.size());
     const std::uint32_t begin = first_[range.begin], end = first_[range.end];
     if (begin == end) continue;
@@ -206,6 +219,25 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
     count.bytes += static_cast<std::size_t>(bytes), count.buffers += 1;
     paint_.send(gl, fields.paint, begin, std::span(welded_).subspan(begin, end - begin), count);
   }
+  for (const DirtyRange& range : dirty) note_change(first_[range.begin], first_[range.end]);
+}
+
+void ModelBuffers::note_change(std::uint32_t begin, std::uint32_t end) {
+  if (reached_.empty()) reached_.assign(lengths_.size(), -1);
+  for (std::uint32_t i = begin; i < end; ++i) reached_[i] = std::max(reached_[i], lengths_[i]);
+}
+
+std::optional<CellBox> ModelBuffers::changed_cells(const glm::mat4& to_clip, float stretch) const {
+  if (reached_.empty()) return {};
+  std::vector<float> reach(lengths_);
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = std::max(reach[i], reached_[i]);
+  const std::vector<CellBox> cells = cells_of_fur(to_clip, positions_, reach, stretch);
+  std::optional<CellBox> all;
+  for (const glm::uvec3& t : triangles_) {
+    if (reached_[t.x] < 0 && reached_[t.y] < 0 && reached_[t.z] < 0) continue;
+    all = union_of(all, union_of(cells[t.x], cells[t.y], cells[t.z]));
+  }
+  return all;
 }
 
 void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> values) {
@@ -239,7 +271,8 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
     levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
-  const LayerMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_};
+  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
+  const LayerMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
   const LayerLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements(skin_elements());
@@ -249,7 +282,7 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
     return list;
   };
   DrawLists result = lists_of_skin();
-  result.shown = append(shown_triangles(mesh, view.eye));
+  result.shown = append(shown_triangles(mesh, view));
   for (std::size_t set = 0; set < most_layer_sets; ++set) {
     result.facing[set] = append(lists.facing[set]);
     result.averted[set] = append(lists.averted[set]);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -81,9 +82,14 @@ class ModelBuffers {
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);
 
+  /// The cells of a picture that fur which has changed since `settle` may reach or have reached; none where none has.
+  std::optional<CellBox> changed_cells(const glm::mat4& to_clip, float stretch) const;
+  void settle() { reached_.clear(); }
+
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
   const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
+  void note_change(std::uint32_t begin, std::uint32_t end);
   DrawLists lists_of_skin() const;
   bool touched_by_skin(const glm::uvec3& triangle) const;
   bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
@@ -104,6 +110,7 @@ class ModelBuffers {
   std::vector<glm::vec3> centroids_, face_normals_;
   std::vector<glm::vec3> positions_, normals_;  // of render vertices
   std::vector<float> lengths_;                  // of render vertices
+  std::vector<float> reached_;  // the longest that changed fur was or is, -1 where it has not changed; empty: none has
   std::vector<FurSkinRegion> skin_;             // bare regions
   std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;

@@ -7,10 +7,10 @@ namespace pelage {
 
 namespace {
 
-constexpr CellBox everywhere{0, 0, SetCells::side - 1, SetCells::side - 1};
+constexpr CellBox everywhere;
 
 int cell_of(float clip) {
-  return static_cast<int>(std::clamp((clip * 0.5f + 0.5f) * SetCells::side, 0.0f, SetCells::side - 1.0f));
+  return static_cast<int>(std::clamp((clip * 0.5f + 0.5f) * cells_a_side, 0.0f, cells_a_side - 1.0f));
 }
 
 /// `scale` is how far a unit across the view moves on the picture at distance 1.
@@ -27,35 +27,42 @@ CellBox cells_of_ball(const glm::vec4& clip, glm::vec2 scale, float radius) {
 }  // namespace
 
 void SetCells::show(const CellBox& box, int set) {
-  for (int y = box.top; y <= box.bottom; ++y) {
+  for (int y = box.low; y <= box.high; ++y) {
     for (int x = box.left; x <= box.right; ++x)
-      sets_[static_cast<std::size_t>(y * side + x)] |= static_cast<std::uint8_t>(1 << set);
+      sets_[static_cast<std::size_t>(y * cells_a_side + x)] |= static_cast<std::uint8_t>(1 << set);
   }
 }
 
 bool SetCells::may_show(const CellBox& box, int set) const {
-  for (int y = box.top; y <= box.bottom; ++y) {
+  for (int y = box.low; y <= box.high; ++y) {
     for (int x = box.left; x <= box.right; ++x) {
-      if (sets_[static_cast<std::size_t>(y * side + x)] >> set & 1) return true;
+      if (sets_[static_cast<std::size_t>(y * cells_a_side + x)] >> set & 1) return true;
     }
   }
   return false;
 }
 
 std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
-                                  std::span<const float> lengths) {
+                                  std::span<const float> lengths, float stretch) {
   const glm::mat4 rows = glm::transpose(to_clip);
   const glm::vec2 scale(glm::length(glm::vec3(rows[0])), glm::length(glm::vec3(rows[1])));
   std::vector<CellBox> boxes;
   boxes.reserve(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
-    boxes.push_back(cells_of_ball(to_clip * glm::vec4(positions[i], 1), scale, lengths[i]));
+    boxes.push_back(cells_of_ball(to_clip * glm::vec4(positions[i], 1), scale, stretch * lengths[i]));
   return boxes;
 }
 
-CellBox union_of(const CellBox& a, const CellBox& b, const CellBox& c) {
-  return {std::min({a.left, b.left, c.left}), std::min({a.top, b.top, c.top}), std::max({a.right, b.right, c.right}),
-          std::max({a.bottom, b.bottom, c.bottom})};
+CellBox union_of(const CellBox& a, const CellBox& b) {
+  return {std::min(a.left, b.left), std::min(a.low, b.low), std::max(a.right, b.right), std::max(a.high, b.high)};
+}
+
+CellBox union_of(const std::optional<CellBox>& a, const CellBox& b) { return a ? union_of(*a, b) : b; }
+
+CellBox union_of(const CellBox& a, const CellBox& b, const CellBox& c) { return union_of(union_of(a, b), c); }
+
+bool touch(const CellBox& a, const CellBox& b) {
+  return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
 }
 
 }  // namespace pelage

@@ -4,31 +4,39 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace pelage {
 
-/// Cells of the picture, last ones included. Empty never: what lies behind the eye counts as everywhere.
+inline constexpr int cells_a_side = 48;  // of the picture
+
+/// Cells of the picture from the left and from below, last ones included. Empty never: what lies behind the eye counts
+/// as everywhere.
 struct CellBox {
-  int left = 0, top = 0, right = 0, bottom = 0;
+  int left = 0, low = 0, right = cells_a_side - 1, high = cells_a_side - 1;
+
+  bool operator==(const CellBox&) const = default;
 };
 
 class SetCells {
  public:
-  static constexpr int side = 48;  // cells along each side of the picture
-
   void show(const CellBox& box, int set);
   bool may_show(const CellBox& box, int set) const;
 
  private:
-  std::array<std::uint8_t, side * side> sets_{};  // a bit for each
+  std::array<std::uint8_t, cells_a_side * cells_a_side> sets_{};  // a bit for each
 };
 
-/// For each vertex the cells that its fur may reach: a ball about the root. Lengths in the unit of the positions.
+/// For each vertex the cells that its fur may reach: a ball about the root. Lengths in the unit of the positions; fur is
+/// up to `stretch` times as long.
 std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
-                                  std::span<const float> lengths);
+                                  std::span<const float> lengths, float stretch = 1);
 
+CellBox union_of(const CellBox& a, const CellBox& b);
+CellBox union_of(const std::optional<CellBox>& a, const CellBox& b);
 CellBox union_of(const CellBox& a, const CellBox& b, const CellBox& c);
+bool touch(const CellBox& a, const CellBox& b);
 
 }  // namespace pelage

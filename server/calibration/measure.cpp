@@ -44,6 +44,7 @@ Result<Image> draw_often(Renderer& renderer, const CostUnit& unit, const FurFram
   cost = 1e30;
   for (int i = 0; i < repetitions; ++i) {
     DrawTimes times;
+    renderer.forget_kept();
     Result<Image> image = renderer.draw(frame, &times);
     if (!image) return image;
     cost = std::min(cost, std::max(unit.of(times), 1e-3));

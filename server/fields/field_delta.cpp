@@ -10,7 +10,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint32_t dirty_gap = 64;
 
 /// Merges two rising lists; at a vertex of both the bits that turn over twice stay.
 FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& second) {
@@ -65,7 +64,7 @@ std::vector<VertexRange> FieldDelta::dirty_ranges() const {
   const auto seen_end = std::find_if(parts.begin(), parts.end(), [](const Part& p) { return p.sheet != seen_sheet; });
   std::vector<VertexRange> ranges;
   for (const std::uint32_t v : united({parts.begin(), seen_end})) {
-    if (!ranges.empty() && v < std::uint64_t{ranges.back().end} + dirty_gap) {
+    if (!ranges.empty() && v == ranges.back().end) {
       ranges.back().end = v + 1;
     } else {
       ranges.push_back({v, v + 1});
@@ -93,11 +92,11 @@ FieldDelta compose(const FieldDelta& first, const FieldDelta& second) {
   return both;
 }
 
-std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges, std::uint32_t gap) {
+std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges) {
   std::sort(ranges.begin(), ranges.end(), [](VertexRange a, VertexRange b) { return a.begin < b.begin; });
   std::vector<VertexRange> merged;
   for (const VertexRange range : ranges) {
-    if (!merged.empty() && range.begin < std::uint64_t{merged.back().end} + gap) {
+    if (!merged.empty() && range.begin <= merged.back().end) {
       merged.back().end = std::max(merged.back().end, range.end);
     } else {
       merged.push_back(range);

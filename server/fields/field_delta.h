@@ -40,7 +40,7 @@ struct FieldDelta {
   const Part* part(Field field, Sheet sheet = seen_sheet) const;
   /// The vertices at which any field changes on any sheet, rising.
   std::vector<std::uint32_t> vertices() const;
-  /// Runs of vertices at which something changes that is seen, merged where gaps are under 64.
+  /// Runs of vertices at which something changes that is seen, and of no others.
   std::vector<VertexRange> dirty_ranges() const;
   /// What it takes in memory.
   std::size_t bytes() const;
@@ -66,7 +66,7 @@ bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second)
 /// Both, one after the other, in either order; what turns over twice is dropped.
 FieldDelta compose(const FieldDelta& first, const FieldDelta& second);
 
-/// Sorts, and joins ranges with fewer than `gap` vertices between them.
-std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges, std::uint32_t gap);
+/// Sorts, and joins ranges that touch.
+std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges);
 
 }  // namespace pelage

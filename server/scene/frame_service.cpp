@@ -184,7 +184,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.timings.cost = unit.of(times);
-  if (frame.estimate) planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
+  if (frame.estimate && times.counters.redrawn == 1) planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   return frame;

@@ -20,7 +20,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint32_t dirty_gap = 64;       // vertices between ranges that are sent as one
 constexpr std::size_t many_ranges = 1 << 12;  // when nobody draws, ranges are merged now and then
 
 std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_cast<std::uint32_t>(vertices)}}; }
@@ -180,7 +179,7 @@ Status Scene::commit_all(std::span<const Entry> entries) {
     const std::vector<VertexRange> dirty = entry.delta.dirty_ranges();
     dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
   }
-  if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_), dirty_gap);
+  if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_));
   announce();
   return take_up_picture();
 }
@@ -344,7 +343,7 @@ void Scene::read(const std::function<void(const SceneView&)>& use) const {
 
 void Scene::read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use) {
   const std::lock_guard lock(mutex_);
-  const std::vector<VertexRange> dirty = merge_ranges(std::exchange(dirty_, {}), dirty_gap);
+  const std::vector<VertexRange> dirty = merge_ranges(std::exchange(dirty_, {}));
   use(view(), dirty);
 }
 

@@ -30,9 +30,9 @@ double run(const Gl& gl, Renderer& renderer, const char* name, const testing::Fu
   Cost ours, ours_single, ours_draft, theirs;
   for (int i = 0; i < repetitions; ++i) {
     theirs.least(measure([&] { naive.draw(); }));
-    ours.least(measure([&] { (void)renderer.draw(frame).ok(); }));
-    ours_single.least(measure([&] { (void)renderer.draw(single).ok(); }));
-    ours_draft.least(measure([&] { (void)renderer.draw(draft).ok(); }));
+    ours.least(measure([&] { draw(renderer, frame); }));
+    ours_single.least(measure([&] { draw(renderer, single); }));
+    ours_draft.least(measure([&] { draw(renderer, draft); }));
   }
   std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
               model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours_single.wall, ours_single.cpu,

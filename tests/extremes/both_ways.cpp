@@ -70,6 +70,7 @@ FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
     sync_scene(renderer_, view, dirty);
     frame = make_frame(view, request);
   });
+  renderer_.forget_kept();
   return *frame;
 }
 

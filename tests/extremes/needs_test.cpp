@@ -54,6 +54,7 @@ class Needs : public ::testing::TestWithParam<Backend> {
       frame = make_frame(view, request);
     });
     DrawTimes times;
+    renderer_->forget_kept();
     const bool exr = request.format == FrameFormat::exr;
     const Status drawn = exr ? status_of(renderer_->draw_layers(*frame, request.layers, &times))
                              : status_of(renderer_->draw(*frame, &times));

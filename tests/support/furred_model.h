@@ -32,7 +32,7 @@ FurredModel furred_ply(const std::string& path, FirstGroom fur = {});
 /// Small frames, no tone map, so that values can be compared.
 FrameRequest small_frame(AutoView view = AutoView::front, int size = 128);
 
-/// Sends the model if the renderer lacks it, and draws.
+/// Sends the model if the renderer lacks it, and draws all of the picture.
 Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request);
 
 /// Share of pixels whose alpha is over half.
