@@ -72,13 +72,13 @@ TEST_P(KeptFrames, AStrokeDrawsItsPart) {
 }
 
 TEST_P(KeptFrames, FurThatWasLongIsTakenAway) {
-  FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.01});
-  const VertexRange some{0, 20};
+  FurredModel model = furred({Builtin::sphere, 2000}, {.length = 0.01});
+  const VertexRange some{0, 4};
   const auto drawn_with = [&](float length) {
     for (std::uint32_t v = some.begin; v < some.end; ++v) model.fields.set(Field::length, v, {length, 0, 0, 0});
     return drawn(model, {some});
   };
-  drawn_with(0.3f);
+  drawn_with(0.12f);
   const Drawn part = drawn_with(0.01f);
   EXPECT_LT(part.redrawn, 1);
   renderer->forget_kept();
