@@ -1,6 +1,7 @@
 #include "renderer/frame/kept_light.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -48,11 +49,17 @@ void add_curves(const FurCurves& group, Balls& balls) {
   }
 }
 
-// Integers, so that the cells cover the pixels and the other way round; one more on each side for what was rounded.
-int first_pixel(int cell, int pixels) { return std::max(0, cell * pixels / cells_a_side - 1); }
-int end_pixel(int cell, int pixels) { return std::min(pixels, (cell + 1) * pixels / cells_a_side + 2); }
-int first_cell(int pixel, int pixels) { return std::max(0, pixel * cells_a_side / pixels - 1); }
-int last_cell(int end, int pixels) { return std::min(cells_a_side - 1, end * cells_a_side / pixels + 1); }
+/// One pixel more on each side for what was rounded.
+glm::ivec2 pixels_of(float low, float high, int pixels) {
+  const auto pixel = [&](float clip) { return std::clamp((clip * 0.5f + 0.5f), 0.0f, 1.0f) * static_cast<float>(pixels); };
+  return {std::max(0, static_cast<int>(pixel(low)) - 1), std::min(pixels, static_cast<int>(pixel(high)) + 2)};
+}
+
+/// All that hold one of the pixels, and one more on each side.
+glm::ivec2 cells_of(glm::ivec2 range, int pixels) {
+  const auto cell = [&](int pixel) { return static_cast<int>(std::int64_t{pixel} * cells_a_side / pixels); };
+  return {std::max(0, cell(range.x) - 1), std::min(cells_a_side - 1, cell(range.y) + 1)};
+}
 
 }  // namespace
 
@@ -66,7 +73,7 @@ std::optional<FurFrame> KeptLight::take(const FurFrame& frame) {
   return {};
 }
 
-std::optional<CellBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
+std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
   Balls balls;
   for (std::size_t i = 0; i < std::max(before.curves.size(), now.curves.size()); ++i) {
     const FurCurves* old = i < before.curves.size() ? &before.curves[i] : nullptr;
@@ -75,17 +82,17 @@ std::optional<CellBox> changed_curves(const FurFrame& before, const FurFrame& no
     if (old) add_curves(*old, balls);
     if (other) add_curves(*other, balls);
   }
-  std::optional<CellBox> all;
-  for (const CellBox& box : cells_of_fur(to_clip, balls.middles, balls.radii)) all = union_of(all, box);
+  const BallBoxes boxes(to_clip);
+  std::optional<ClipBox> all;
+  for (std::size_t i = 0; i < balls.middles.size(); ++i) all = union_of(all, boxes.of(balls.middles[i], balls.radii[i]));
   return all;
 }
 
-PicturePart part_of(const std::optional<CellBox>& cells, int width, int height) {
-  if (!cells) return {{}, {0, 0, -1, -1}};
-  const int left = first_pixel(cells->left, width), right = end_pixel(cells->right, width);
-  const int low = first_pixel(cells->low, height), high = end_pixel(cells->high, height);  // from below
-  return {{left, height - high, right - left, high - low},
-          {first_cell(left, width), first_cell(low, height), last_cell(right, width), last_cell(high, height)}};
+PicturePart part_of(const std::optional<ClipBox>& box, int width, int height) {
+  if (!box) return {{}, {0, 0, -1, -1}};
+  const glm::ivec2 across = pixels_of(box->low.x, box->high.x, width), up = pixels_of(box->low.y, box->high.y, height);
+  const glm::ivec2 columns = cells_of(across, width), rows = cells_of(up, height);
+  return {{across.x, height - up.y, across.y - across.x, up.y - up.x}, {columns.x, rows.x, columns.y, rows.y}};
 }
 
 }  // namespace pelage

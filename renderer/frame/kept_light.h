@@ -24,8 +24,8 @@ class KeptLight {
   std::optional<FurFrame> frame_;
 };
 
-/// The cells that groups of curves reach, before or now, which are not the same in both frames.
-std::optional<CellBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip);
+/// The part of the picture that groups of curves reach, before or now, which are not the same in both frames.
+std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip);
 
 /// A part of a picture that is drawn on its own, and all cells that it touches.
 struct PicturePart {
@@ -33,7 +33,7 @@ struct PicturePart {
   CellBox cells;
 };
 
-/// The pixels that the cells touch; no pixels for no cells.
-PicturePart part_of(const std::optional<CellBox>& cells, int width, int height);
+/// The pixels that the box touches; no pixels for no box.
+PicturePart part_of(const std::optional<ClipBox>& box, int width, int height);
 
 }  // namespace pelage

@@ -155,8 +155,8 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
                  block.world_to_clip, stretch};
   std::optional<PicturePart> part;
   if (shown) {
-    std::optional<CellBox> changed = model.changed_cells(view.to_clip, stretch);
-    if (const std::optional<CellBox> curves = changed_curves(*shown, frame, view.to_clip))
+    std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip);
+    if (const std::optional<ClipBox> curves = changed_curves(*shown, frame, view.to_clip))
       changed = union_of(changed, *curves);
     part = part_of(changed, drawn_.width(), drawn_.height());
     view.part = part->cells;

@@ -111,8 +111,10 @@ void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& verti
 
   vertices.reserve(chosen.size());
   for (const std::uint32_t c : chosen) vertices.push_back(make_vertex(model, vertex_of(c), corner_of(c)));
-  for (const RenderVertex& vertex : vertices) positions_.push_back(vertex.position), normals_.push_back(vertex.normal);
-  lengths_.resize(vertices.size()), levels_.resize(vertices.size());
+  for (const RenderVertex& vertex : vertices) {
+    positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);
+  }
+  lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), levels_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
   for (const glm::uvec3& t : model.triangles) {
     const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
@@ -203,41 +205,25 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
   const bool other_paint = paint_.prepare(gl, fields.paint, vertex_array_.id(), positions_.size());
   const std::span<const DirtyRange> dirty = other_skin || other_paint ? std::span(&all, 1) : fields.dirty;
   if (!dirty.empty()) ++version_;
-  for (const DirtyRange& range : dirty) note_change(first_[range.begin], first_[range.end]);
-  std::vector<glm::vec3> values;
+  for (const DirtyRange& range : dirty) change_groom(fields, first_[range.begin], first_[range.end]);
   for (const DirtyRange& range : sent_as_one(dirty)) {
-    assert(range.begin <= range.end && range.end < first_.size());
     const std::uint32_t begin = first_[range.begin], end = first_[range.end];
     if (begin == end) continue;
-    values.clear();
-    for (std::uint32_t i = begin; i < end; ++i) {
-      lengths_[i] = length_at(fields, i);
-      values.emplace_back(fields.direction[welded_[i]], lengths_[i]);
-    }
-    const auto bytes = static_cast<GLsizeiptr>(values.size() * sizeof(glm::vec3));
-    gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, values.data());
+    const auto bytes = static_cast<GLsizeiptr>((end - begin) * sizeof(glm::vec3));
+    gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, &groom_values_[begin]);
     count.bytes += static_cast<std::size_t>(bytes), count.buffers += 1;
     paint_.send(gl, fields.paint, begin, std::span(welded_).subspan(begin, end - begin), count);
   }
-  for (const DirtyRange& range : dirty) note_change(first_[range.begin], first_[range.end]);
 }
 
-void ModelBuffers::note_change(std::uint32_t begin, std::uint32_t end) {
-  if (reached_.empty()) reached_.assign(lengths_.size(), -1);
-  for (std::uint32_t i = begin; i < end; ++i) reached_[i] = std::max(reached_[i], lengths_[i]);
-}
-
-std::optional<CellBox> ModelBuffers::changed_cells(const glm::mat4& to_clip, float stretch) const {
-  if (reached_.empty()) return {};
-  std::vector<float> reach(lengths_);
-  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = std::max(reach[i], reached_[i]);
-  const std::vector<CellBox> cells = cells_of_fur(to_clip, positions_, reach, stretch);
-  std::optional<CellBox> all;
-  for (const glm::uvec3& t : triangles_) {
-    if (reached_[t.x] < 0 && reached_[t.y] < 0 && reached_[t.z] < 0) continue;
-    all = union_of(all, union_of(cells[t.x], cells[t.y], cells[t.z]));
+void ModelBuffers::change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end) {
+  assert(begin <= end && end <= lengths_.size());
+  for (std::uint32_t i = begin; i < end; ++i) {
+    changed_.note(i, groom_values_[i]);
+    lengths_[i] = length_at(fields, i);
+    groom_values_[i] = {fields.direction[welded_[i]], lengths_[i]};
+    changed_.note(i, groom_values_[i]);
   }
-  return all;
 }
 
 void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> values) {

@@ -9,6 +9,7 @@
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/upload/changed_fur.h"
 #include "renderer/upload/layer_sets.h"
 #include "renderer/upload/paint_buffers.h"
 
@@ -82,17 +83,19 @@ class ModelBuffers {
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);
 
-  /// The cells of a picture that fur which has changed since `settle` may reach or have reached; none where none has.
-  std::optional<CellBox> changed_cells(const glm::mat4& to_clip, float stretch) const;
-  void settle() { reached_.clear(); }
+  /// Where on a picture fur has changed since `settle`; none where none has.
+  std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip) const {
+    return changed_.box({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip);
+  }
+  void settle() { changed_.settle(); }
 
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);
   const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
-  void note_change(std::uint32_t begin, std::uint32_t end);
   DrawLists lists_of_skin() const;
   bool touched_by_skin(const glm::uvec3& triangle) const;
   bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
+  void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
@@ -108,9 +111,10 @@ class ModelBuffers {
   std::vector<std::uint32_t> first_;   // of each model's vertex, its first render vertex; one more at the end
   std::vector<glm::uvec3> triangles_;  // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
-  std::vector<glm::vec3> positions_, normals_;  // of render vertices
+  std::vector<glm::vec3> positions_, normals_, tangents_;  // of render vertices
   std::vector<float> lengths_;                  // of render vertices
-  std::vector<float> reached_;  // the longest that changed fur was or is, -1 where it has not changed; empty: none has
+  std::vector<glm::vec3> groom_values_;         // as in groom_: direction, length
+  ChangedFur changed_;
   std::vector<FurSkinRegion> skin_;             // bare regions
   std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;

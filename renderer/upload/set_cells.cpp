@@ -7,21 +7,8 @@ namespace pelage {
 
 namespace {
 
-constexpr CellBox everywhere;
-
 int cell_of(float clip) {
   return static_cast<int>(std::clamp((clip * 0.5f + 0.5f) * cells_a_side, 0.0f, cells_a_side - 1.0f));
-}
-
-/// `scale` is how far a unit across the view moves on the picture at distance 1.
-CellBox cells_of_ball(const glm::vec4& clip, glm::vec2 scale, float radius) {
-  const float nearest = clip.w - radius;
-  if (!(nearest > 0)) return everywhere;
-  const glm::vec2 middle = glm::vec2(clip) / clip.w;
-  const glm::vec2 reach = (scale + glm::abs(middle)) * (radius / nearest);
-  const glm::vec2 low = middle - reach, high = middle + reach;
-  if (!std::isfinite(low.x + low.y + high.x + high.y)) return everywhere;
-  return {cell_of(low.x), cell_of(low.y), cell_of(high.x), cell_of(high.y)};
 }
 
 }  // namespace
@@ -44,20 +31,39 @@ bool SetCells::may_show(const CellBox& box, int set) const {
 
 std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
                                   std::span<const float> lengths, float stretch) {
-  const glm::mat4 rows = glm::transpose(to_clip);
-  const glm::vec2 scale(glm::length(glm::vec3(rows[0])), glm::length(glm::vec3(rows[1])));
+  const BallBoxes balls(to_clip);
   std::vector<CellBox> boxes;
   boxes.reserve(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    boxes.push_back(cells_of_ball(to_clip * glm::vec4(positions[i], 1), scale, stretch * lengths[i]));
+  for (std::size_t i = 0; i < positions.size(); ++i) boxes.push_back(cells_of(balls.of(positions[i], stretch * lengths[i])));
   return boxes;
+}
+
+BallBoxes::BallBoxes(const glm::mat4& to_clip) : to_clip_(to_clip) {
+  const glm::mat4 rows = glm::transpose(to_clip);
+  scale_ = {glm::length(glm::vec3(rows[0])), glm::length(glm::vec3(rows[1]))};
+}
+
+ClipBox BallBoxes::of(glm::vec3 centre, float radius) const {
+  const glm::vec4 clip = to_clip_ * glm::vec4(centre, 1);
+  const float nearest = clip.w - radius;
+  if (!(nearest > 0)) return {};
+  const glm::vec2 middle = glm::vec2(clip) / clip.w;
+  const glm::vec2 reach = (scale_ + glm::abs(middle)) * (radius / nearest);
+  const ClipBox box{middle - reach, middle + reach};
+  return std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y) ? box : ClipBox{};
+}
+
+ClipBox union_of(const ClipBox& a, const ClipBox& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+ClipBox union_of(const std::optional<ClipBox>& a, const ClipBox& b) { return a ? union_of(*a, b) : b; }
+
+CellBox cells_of(const ClipBox& box) {
+  return {cell_of(box.low.x), cell_of(box.low.y), cell_of(box.high.x), cell_of(box.high.y)};
 }
 
 CellBox union_of(const CellBox& a, const CellBox& b) {
   return {std::min(a.left, b.left), std::min(a.low, b.low), std::max(a.right, b.right), std::max(a.high, b.high)};
 }
-
-CellBox union_of(const std::optional<CellBox>& a, const CellBox& b) { return a ? union_of(*a, b) : b; }
 
 CellBox union_of(const CellBox& a, const CellBox& b, const CellBox& c) { return union_of(union_of(a, b), c); }
 

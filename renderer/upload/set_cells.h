@@ -29,13 +29,33 @@ class SetCells {
   std::array<std::uint8_t, cells_a_side * cells_a_side> sets_{};  // a bit for each
 };
 
+/// A part of the picture in [-1, 1], from the left and from below; all of it at first.
+struct ClipBox {
+  glm::vec2 low{-1}, high{1};
+};
+
+/// Of balls, as a camera sees them.
+class BallBoxes {
+ public:
+  explicit BallBoxes(const glm::mat4& to_clip);
+  /// All of the picture for a ball that reaches behind the eye.
+  ClipBox of(glm::vec3 middle, float radius) const;
+
+ private:
+  glm::mat4 to_clip_;
+  glm::vec2 scale_;  // how far a unit across the view moves on the picture at distance 1
+};
+
+ClipBox union_of(const ClipBox& a, const ClipBox& b);
+ClipBox union_of(const std::optional<ClipBox>& a, const ClipBox& b);
+CellBox cells_of(const ClipBox& box);
+
 /// For each vertex the cells that its fur may reach: a ball about the root. Lengths in the unit of the positions; fur is
 /// up to `stretch` times as long.
 std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
                                   std::span<const float> lengths, float stretch = 1);
 
 CellBox union_of(const CellBox& a, const CellBox& b);
-CellBox union_of(const std::optional<CellBox>& a, const CellBox& b);
 CellBox union_of(const CellBox& a, const CellBox& b, const CellBox& c);
 bool touch(const CellBox& a, const CellBox& b);
 

@@ -1,0 +1,41 @@
+// Where on a picture fur has changed since it was drawn.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/upload/set_cells.h"
+
+namespace pelage {
+
+struct Coat;
+
+/// The skin that fur grows on: of each vertex its place, frame (unit) and groom (direction in tangent and bitangent,
+/// length in sizes).
+struct GroomedMesh {
+  std::span<const glm::vec3> positions, normals, tangents, groom;
+  std::span<const glm::uvec3> triangles;
+};
+
+class ChangedFur {
+ public:
+  /// To be told of each vertex that changes, with its groom before and after.
+  void note(std::uint32_t vertex, glm::vec3 groom);
+  void settle() { noted_.clear(), everywhere_ = false; }
+
+  /// What the fur of changed vertices and of the triangles around them reaches or reached; none where none has changed.
+  std::optional<ClipBox> box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const;
+
+ private:
+  struct Noted {
+    std::uint32_t vertex;
+    glm::vec3 groom;
+  };
+  std::vector<Noted> noted_;
+  bool everywhere_ = false;  // nobody has drawn for so long that it is no use to know
+};
+
+}  // namespace pelage
