@@ -104,6 +104,7 @@ Result<Picture> Renderer::finish_picture(const FurFrame& frame, const FloatImage
                                          int largest, DrawTimes* times) {
   assert(light.width == frame.width && light.height == frame.height);
   const Stopwatch drawing;
+  kept_.forget_picture();
   const RenderTarget traced(gl_, GL_RGBA32F, frame.width, frame.height, 1, false);
   if (!traced.complete() || !fit(picture_, format, frame.width, frame.height, 1, false)) return no_memory();
   gl_.TextureSubImage2D(traced.texture(), 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_FLOAT, light.rgba.data());

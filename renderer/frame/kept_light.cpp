@@ -1,10 +1,12 @@
 #include "renderer/frame/kept_light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "renderer/curves/curve_strips.h"
 #include "renderer/frame/shadow_maps.h"
 
 namespace pelage {
@@ -27,25 +29,25 @@ FurFrame light_of(const FurFrame& frame) {
   return light;
 }
 
-/// Balls that hold all curves of a group.
-struct Balls {
-  std::vector<glm::vec3> middles;
-  std::vector<float> radii;
-};
+bool same_finish(const FurFrame& a, const FurFrame& b) {
+  return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
+         a.tone_map == b.tone_map;
+}
 
-// Guides leave the line between two of their points by less than a third of what lies between points (Catmull and Rom
-// 1974); what is filled in strays around its root (renderer/curves/curve_strips.h).
-void add_curves(const FurCurves& group, Balls& balls) {
-  const double width = std::max(group.width_root, group.width_tip);
-  for (const FurGuide& guide : group.guides) {
-    double length = 0;
-    for (std::size_t i = 1; i < guide.points.size(); ++i)
-      length = std::max(length, glm::distance(guide.points[i], guide.points[group.spread > 0 ? 0 : i - 1]));
-    const double strayed = group.spread > 0 ? 2 : 1.0 / 3;
-    for (const glm::dvec3& point : guide.points) {
-      balls.middles.emplace_back(point);
-      balls.radii.push_back(static_cast<float>(strayed * length + width));
-    }
+/// Adds the places of one group's curves that are not as in the other's, with what lies next to them.
+void add_changes(const CurveStrips& strips, const CurveStrips& other, const BallBoxes& boxes, std::optional<ClipBox>& all) {
+  constexpr std::size_t each = curve_segments + 1;
+  for (std::size_t i = 0; i < strips.points.size(); ++i) {
+    const std::size_t curve = i / each;
+    const bool same = i < other.points.size() && strips.points[i] == other.points[i] &&
+                      strips.styles[curve] == other.styles[curve];
+    if (same) continue;
+    const glm::vec3 place = strips.points[i].place;
+    float reach = 0;
+    if (i % each > 0) reach = glm::distance(place, strips.points[i - 1].place);
+    if (i % each < curve_segments) reach = std::max(reach, glm::distance(place, strips.points[i + 1].place));
+    const float width = std::max(strips.styles[curve].root.w, strips.styles[curve].tip.w);
+    all = union_of(all, boxes.of(place, reach + width));
   }
 }
 
@@ -61,30 +63,33 @@ glm::ivec2 cells_of(glm::ivec2 range, int pixels) {
   return {std::max(0, cell(range.x) - 1), std::min(cells_a_side - 1, cell(range.y) + 1)};
 }
 
-}  // namespace
-
-void KeptLight::keep(const FurFrame& frame) {
-  if (changes_stay_near(frame)) frame_ = frame;
+// The cubic of Catmull and Rom reads two pixels to each side.
+glm::ivec2 finished_range(int begin, int length, int light, int picture) {
+  const double scale = static_cast<double>(picture) / light;
+  return {std::max(0, static_cast<int>(std::floor((begin - 2) * scale)) - 1),
+          std::min(picture, static_cast<int>(std::ceil((begin + length + 2) * scale)) + 1)};
 }
 
-std::optional<FurFrame> KeptLight::take(const FurFrame& frame) {
-  std::optional<FurFrame> kept = std::exchange(frame_, {});
-  if (kept && changes_stay_near(frame) && light_of(*kept) == light_of(frame)) return kept;
-  return {};
+}  // namespace
+
+void KeptLight::keep(const FurFrame& frame, GLenum picture) {
+  if (changes_stay_near(frame)) shown_ = {frame, picture};
+}
+
+std::optional<ShownFrame> KeptLight::take(const FurFrame& frame, GLenum picture) {
+  std::optional<ShownFrame> shown = std::exchange(shown_, {});
+  if (!shown || !changes_stay_near(frame) || light_of(shown->frame) != light_of(frame)) return {};
+  if (shown->picture != picture || !same_finish(shown->frame, frame)) shown->picture = 0;
+  return shown;
 }
 
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
-  Balls balls;
-  for (std::size_t i = 0; i < std::max(before.curves.size(), now.curves.size()); ++i) {
-    const FurCurves* old = i < before.curves.size() ? &before.curves[i] : nullptr;
-    const FurCurves* other = i < now.curves.size() ? &now.curves[i] : nullptr;
-    if (old && other && *old == *other) continue;
-    if (old) add_curves(*old, balls);
-    if (other) add_curves(*other, balls);
-  }
+  if (before.curves == now.curves) return {};
+  const CurveStrips old = make_strips(before.curves), other = make_strips(now.curves);
   const BallBoxes boxes(to_clip);
   std::optional<ClipBox> all;
-  for (std::size_t i = 0; i < balls.middles.size(); ++i) all = union_of(all, boxes.of(balls.middles[i], balls.radii[i]));
+  add_changes(old, other, boxes, all);
+  add_changes(other, old, boxes, all);
   return all;
 }
 
@@ -93,6 +98,12 @@ PicturePart part_of(const std::optional<ClipBox>& box, int width, int height) {
   const glm::ivec2 across = pixels_of(box->low.x, box->high.x, width), up = pixels_of(box->low.y, box->high.y, height);
   const glm::ivec2 columns = cells_of(across, width), rows = cells_of(up, height);
   return {{across.x, height - up.y, across.y - across.x, up.y - up.x}, {columns.x, rows.x, columns.y, rows.y}};
+}
+
+Area finished_area(const Area& area, const RenderTarget& light, const RenderTarget& picture) {
+  const glm::ivec2 across = finished_range(area.left, area.width, light.width(), picture.width());
+  const glm::ivec2 down = finished_range(area.top, area.height, light.height(), picture.height());
+  return {across.x, down.x, across.y - across.x, down.y - down.x};
 }
 
 }  // namespace pelage

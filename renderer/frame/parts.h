@@ -38,10 +38,10 @@ class CpuStopwatch {
 /// Draws and clears touch an area alone while it lives; nothing is set where there is none.
 class ScissorTest {
  public:
-  ScissorTest(const Gl& gl, const std::optional<PicturePart>& part) : gl_(gl), on_(part) {
+  ScissorTest(const Gl& gl, const std::optional<Area>& area) : gl_(gl), on_(area) {
     if (!on_) return;
     gl.Enable(GL_SCISSOR_TEST);
-    gl.Scissor(part->area.left, part->area.top, part->area.width, part->area.height);
+    gl.Scissor(area->left, area->top, area->width, area->height);
   }
   ~ScissorTest() {
     if (on_) gl_.Disable(GL_SCISSOR_TEST);
@@ -60,7 +60,7 @@ struct Renderer::Prepared {
   ModelBuffers::DrawLists lists;
   std::string variant;
   FrameBlock block;
-  std::optional<PicturePart> part;  // that is drawn; all where there is none
+  std::optional<Area> part;  // that is drawn; all where there is none
 
   FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
 };

@@ -141,7 +141,7 @@ void Renderer::give_back_large_targets() {
   if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
 }
 
-Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<FurFrame>& shown,
+Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                            DrawTimes& times) {
   const auto found = models_.find(frame.model);
   assert(found != models_.end());
@@ -153,13 +153,13 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
   LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest,
                  block.world_to_clip, stretch};
-  std::optional<PicturePart> part;
+  std::optional<Area> part;
   if (shown) {
     std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip);
-    if (const std::optional<ClipBox> curves = changed_curves(*shown, frame, view.to_clip))
+    if (const std::optional<ClipBox> curves = changed_curves(shown->frame, frame, view.to_clip))
       changed = union_of(changed, *curves);
-    part = part_of(changed, drawn_.width(), drawn_.height());
-    view.part = part->cells;
+    const PicturePart touched = part_of(changed, drawn_.width(), drawn_.height());
+    part = touched.area, view.part = touched.cells;
   }
   const auto lists = model.sort_for(gl_, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
@@ -205,7 +205,7 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
 }
 
 Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
-  if (scene.part && scene.part->area.pixels() == 0) return {};  // what the target shows is the frame
+  if (scene.part && scene.part->pixels() == 0) return {};  // what the target shows is the frame
   set_draw_state(gl_, drawn_);
   const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
@@ -290,7 +290,7 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times) {
 template <class Picture>
 Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
                                        DrawTimes* times) {
-  const std::optional<FurFrame> shown = kept_.take(frame);
+  const std::optional<ShownFrame> shown = kept_.take(frame, format);
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const Stopwatch drawing;
   const CpuStopwatch working;
@@ -302,7 +302,12 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   if (!drawn.ok()) return drawn;
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();
-  resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay->texture());
+  std::optional<Area> finished;
+  if (shown && shown->picture) finished = finished_area(*scene.part, drawn_, picture_);
+  {
+    const ScissorTest part(gl_, finished);
+    resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay->texture());
+  }
   if (const Status built = programs(); !built.ok()) return built;
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   taken.draw = drawing.milliseconds() - taken.shadow;
@@ -311,9 +316,9 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   Result<Picture> image = read_back<Picture>(frame, type);
   taken.read = reading.milliseconds();
   taken.counters = take_counters();
-  if (scene.part) taken.counters.redrawn = scene.part->area.pixels() / Area{0, 0, drawn_.width(), drawn_.height()}.pixels();
+  if (scene.part) taken.counters.redrawn = scene.part->pixels() / Area{0, 0, drawn_.width(), drawn_.height()}.pixels();
   if (times) *times = taken;
-  kept_.keep(frame);
+  kept_.keep(frame, format);
   scene.model.settle();
   give_back_large_targets();
   return image;

@@ -97,7 +97,7 @@ class Renderer {
   /// What a frame draws, with its blocks and maps bound.
   struct Prepared;
   /// `shown` is what the target shows; a frame is drawn whole without it.
-  Prepared prepare_scene(const FurFrame& frame, const std::optional<FurFrame>& shown, DrawTimes& times);
+  Prepared prepare_scene(const FurFrame& frame, const std::optional<ShownFrame>& shown, DrawTimes& times);
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
@@ -145,7 +145,7 @@ class Renderer {
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
   RenderTarget drawn_, single_, picture_;
-  KeptLight kept_;  // what `drawn_` shows, and `single_` with it
+  KeptLight kept_;  // what `drawn_`, `single_` and `picture_` show
 };
 
 }  // namespace pelage
