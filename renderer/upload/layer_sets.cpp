@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 
 namespace pelage {
@@ -140,6 +141,13 @@ std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, const LayerView& 
     if (cosine_to_eye(mesh, i, view.eye) > furthest_averted && touch(cells_of(mesh, t), view.part)) shown.push_back(t);
   }
   return shown;
+}
+
+std::vector<glm::uvec3> triangles_in(const CellBox& part, const LayerMesh& mesh, std::span<const glm::uvec3> triangles) {
+  std::vector<glm::uvec3> inside;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(inside),
+               [&](const glm::uvec3& t) { return touch(cells_of(mesh, t), part); });
+  return inside;
 }
 
 CellBox cells_of(const LayerMesh& mesh, const glm::uvec3& triangle) {

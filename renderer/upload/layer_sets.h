@@ -90,6 +90,9 @@ LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view);
 /// fur that is not drawn hides what is.
 std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, const LayerView& view);
 
+/// Those that reach a part of the picture.
+std::vector<glm::uvec3> triangles_in(const CellBox& part, const LayerMesh& mesh, std::span<const glm::uvec3> triangles);
+
 /// The cells that the fur of a triangle may reach.
 CellBox cells_of(const LayerMesh& mesh, const glm::uvec3& triangle);
 

@@ -261,13 +261,17 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
   const LayerMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
   const LayerLists lists = sort_triangles(mesh, view);
 
-  std::vector<glm::uvec3> elements(skin_elements());
+  std::vector<glm::uvec3> elements;
   const auto append = [&](const std::vector<glm::uvec3>& triangles) {
     const DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
     elements.insert(elements.end(), triangles.begin(), triangles.end());
     return list;
   };
-  DrawLists result = lists_of_skin();
+  const std::span<const glm::uvec3> skin(skin_elements());
+  DrawLists result;
+  result.bare = append(triangles_in(view.part, mesh, skin.first(bare_count_)));
+  result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)));
+  result.all = {0, result.bare.count + result.furred.count};
   result.shown = append(shown_triangles(mesh, view));
   for (std::size_t set = 0; set < most_layer_sets; ++set) {
     result.facing[set] = append(lists.facing[set]);
