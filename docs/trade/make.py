@@ -18,7 +18,7 @@ from support.server import BIN, Server  # noqa: E402
 def report():
     server = Server()
     try:
-        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "160",
+        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "128",
                         "--truth", "256", "--passes", "24"], check=True)
     finally:
         server.close()
@@ -32,7 +32,7 @@ def table(script, name, *arguments):
 
 
 STEPS = {"report": report,
-         "animals": lambda: table("tiers.py", "tiers.md", "--size", "192", "--truth", "256", "--passes", "24",
+         "animals": lambda: table("tiers.py", "tiers.md", "--size", "160", "--truth", "256", "--passes", "24",
                                   "--pictures", str(FOLDER)),
          "flicker": lambda: table("flicker.py", "flicker.md", "--size", "160", "--frames", "5")}
 

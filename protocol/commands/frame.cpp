@@ -10,14 +10,13 @@ Knobs knobs_of(Tier tier) {
       return {.shells = 8, .steps = 4, .scale = 0.6, .eye_steps = 1};
     case Tier::interactive: return {};
     case Tier::detailed:
-      return {.shells = 48,
+      return {.shells = 24,
               .steps = 4,
               .scale = 2,
               .eye_steps = 16,
               .shadow_maps = true,
               .shadow_resolution = 1024,
-              .fins = true,
-              .guard_hairs = 20000};
+              .order = FragmentOrder::sorted};
     case Tier::reference: return {.eye_steps = 16, .method = Method::strands};
   }
   assert(false);

@@ -1,8 +1,8 @@
 // Frames against the naive version at equal error: masked LDR-FLIP against the converged picture (sorted fragments) of
-// the creature, spot and the torus, from three cameras each, and what the tiers cost there.
+// the creature, spot and the torus, from three cameras each: for each number of naive shells the cheapest of our settings
+// that is no further from the truth, at full and at part size; and what the tiers cost there.
 // usage: bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N] [--try SHELLS,STEPS,SCALE,BANDS,ADAPTIVE]
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::array cameras{AutoView::three_quarter, AutoView::back, AutoView::left};
 constexpr std::array naive_shells{4, 6, 8, 12, 16, 24, 32, 64};
+constexpr std::array scales{1.0, 0.6};
+constexpr std::array<std::array<int, 2>, 7> few_shells{{{2, 8}, {3, 8}, {4, 4}, {4, 8}, {6, 4}, {8, 2}, {8, 4}}};
 
 struct Setup {
   int repetitions, size, truth;
@@ -29,17 +31,13 @@ struct Point {
 };
 
 struct Named {
-  const char* name;
+  std::string name;
   Knobs knobs;
 };
 
-/// The converged picture with shadows of its own kind.
-Knobs sorted(int shells, bool shadow_maps) {
+Knobs converged(int shells) {
   Knobs knobs;
-  knobs.shadow_maps = shadow_maps;
-  if (shadow_maps) knobs.shadow_resolution = knobs_of(Tier::detailed).shadow_resolution;
-  knobs.shells = shells, knobs.shell_policy = ShellPolicy::uniform;
-  knobs.accumulation = Accumulation::full, knobs.order = FragmentOrder::sorted;
+  knobs.shells = shells, knobs.order = FragmentOrder::sorted;
   return knobs;
 }
 
@@ -51,18 +49,6 @@ void set_error(Point& point, const Image& truth, const Image& image) {
   point.outline = error->figures->outline.value_or(FlipFigures{}).mean;
 }
 
-/// The cost at which the curve first has this error: linear between logarithms; NAN where it never does.
-double cost_at(const std::vector<Point>& curve, double error) {
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (curve[i].error > error) continue;
-    if (i == 0) return curve[0].cost.cpu;
-    const Point &a = curve[i - 1], &b = curve[i];
-    const double t = std::log(a.error / error) / std::log(a.error / b.error);
-    return a.cost.cpu * std::pow(b.cost.cpu / a.cost.cpu, t);
-  }
-  return NAN;
-}
-
 /// The tiers, or knobs as --try has them.
 std::vector<Named> frames_of(const char* tried) {
   if (tried) {
@@ -72,7 +58,27 @@ std::vector<Named> frames_of(const char* tried) {
     knobs.shell_policy = adaptive ? ShellPolicy::adaptive : ShellPolicy::uniform;
     return {{tried, knobs}};
   }
-  return {{"draft", knobs_of(Tier::draft)}, {"interactive", knobs_of(Tier::interactive)}, {"detailed", knobs_of(Tier::detailed)}};
+  std::vector<Named> frames{{"draft", knobs_of(Tier::draft)}, {"interactive", knobs_of(Tier::interactive)}};
+  for (const double scale : scales) {
+    for (const auto& [shells, steps] : few_shells) {
+      Knobs knobs;
+      knobs.shells = shells, knobs.steps = steps, knobs.scale = scale;
+      frames.push_back({std::to_string(shells) + " x " + std::to_string(steps) + (scale < 1 ? " at .6" : ""), knobs});
+    }
+  }
+  return frames;
+}
+
+/// The cheapest frame of a scale that is no further from the truth than `error`.
+void print_cheapest(const std::vector<Named>& frames, const std::vector<Point>& points, double scale, const Point& naive) {
+  std::size_t best = frames.size();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].knobs.scale != scale || points[i].error > naive.error) continue;
+    if (best == frames.size() || points[i].cost.cpu < points[best].cost.cpu) best = i;
+  }
+  if (best == frames.size()) return static_cast<void>(std::printf("  none"));
+  std::printf("  %s (%.4f) %.1f ms: %.2f times", frames[best].name.c_str(), points[best].error, points[best].cost.cpu,
+              naive.cost.cpu / points[best].cost.cpu);
 }
 
 void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, AutoView view, const Setup& setup) {
@@ -84,14 +90,15 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
     other.knobs = knobs;
     return other;
   };
-  const Image truth = draw(renderer, with(sorted(setup.truth, false))), mapped = draw(renderer, with(sorted(setup.truth, true)));
+  const Image truth = draw(renderer, with(converged(setup.truth)));
+  const std::vector<Named> named = frames_of(setup.tried);
   std::vector<FurFrame> frames;
-  for (const Named& named : frames_of(setup.tried)) frames.push_back(with(named.knobs));
+  for (const Named& each : named) frames.push_back(with(each.knobs));
   std::vector<NaiveRenderer> naive;
   std::vector<Point> points;
   std::vector<std::function<void()>> works;
   for (const FurFrame& each : frames) {
-    set_error(points.emplace_back(), each.knobs.shadow_maps ? mapped : truth, draw(renderer, each));
+    set_error(points.emplace_back(), truth, draw(renderer, each));
     works.emplace_back([&renderer, &each] { draw(renderer, each); });
   }
   naive.reserve(naive_shells.size());
@@ -105,15 +112,15 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
   const std::vector<Cost> costs = measure_alternating(works, setup.repetitions);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].cost = costs[i];
   const std::vector<Point> curve(points.begin() + static_cast<std::ptrdiff_t>(frames.size()), points.end());
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    std::printf("  naive %3d    FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms\n", naive_shells[i], curve[i].error,
-                curve[i].outline, curve[i].cost.wall, curve[i].cost.cpu);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    std::printf("  %-12s FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms\n", named[i].name.c_str(), points[i].error,
+                points[i].outline, points[i].cost.wall, points[i].cost.cpu);
   }
-  const std::vector<Named> names = frames_of(setup.tried);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::printf("  %-12s FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms  naive at equal FLIP costs %.2f times\n", names[i].name,
-                points[i].error, points[i].outline, points[i].cost.wall, points[i].cost.cpu,
-                cost_at(curve, points[i].error) / points[i].cost.cpu);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    std::printf("  naive %-6d FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms", naive_shells[i], curve[i].error,
+                curve[i].outline, curve[i].cost.wall, curve[i].cost.cpu);
+    for (const double scale : scales) print_cheapest(named, points, scale, curve[i]);
+    std::printf("\n");
   }
   std::fflush(stdout);
 }

@@ -1,4 +1,5 @@
-"""Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile.
+"""Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile over
+the strokes that touch fur.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY]
 """
@@ -33,25 +34,27 @@ def main():
     try:
         scene = server.new_scene(model, triangles)
         connection = http.client.HTTPConnection("127.0.0.1", server.port)
-        totals, stages, commands = [], {}, []
+        totals, stages, commands, shares = [], {}, [], []
         for i in range(count + 3):
             start = time.perf_counter()
             connection.request("POST", f"{scene.path}/commands", json.dumps(stroke(i)))
-            connection.getresponse().read()
+            touched = json.loads(connection.getresponse().read())["results"][0]["touched"]
             grown = time.perf_counter()
             connection.request("POST", f"{scene.path}/frames", json.dumps({"quality": quality}))
             answer = connection.getresponse()
             answer.read()
-            if i < 3:
+            if i < 3 or not touched:
                 continue  # the first frames make textures and programs
             totals.append(1e3 * (time.perf_counter() - start))
             commands.append(1e3 * (grown - start))
+            shares.append(json.loads(answer.headers["Pelage-Counters"])["redrawn"])
             for name, value in re.findall(r"(\w+);dur=([\d.]+)", answer.headers["Server-Timing"]):
                 stages.setdefault(name, []).append(float(value))
-        print(f"{model} {triangles} {quality}, {count} strokes, 512 x 512: "
+        print(f"{model} {triangles} {quality}, {len(totals)} strokes, 512 x 512: "
               f"median {milliseconds(totals, .5):.1f} ms, 95th percentile {milliseconds(totals, .95):.1f} ms")
         print(f"  command median {milliseconds(commands, .5):.2f} ms, " +
-              ", ".join(f"{name} {milliseconds(values, .5):.2f}" for name, values in stages.items()) + " (medians)")
+              ", ".join(f"{name} {milliseconds(values, .5):.2f}" for name, values in stages.items()) +
+              f"; redrawn {milliseconds(shares, .5):.3f} of the picture (medians)")
     finally:
         server.close()
 

@@ -117,12 +117,12 @@ class Truths:
         return self.drawn[key]
 
     def r1(self, knobs, shells=None):
-        """With the shadows of these knobs."""
+        """With the shadows of these knobs, and their scale where it is above 1: more samples make another picture."""
         shells = shells or self.options.truth
         shadows = {name: knobs[name] for name in ("self_shadow", "shadow_maps", "shadow_resolution")}
         quality = {**self.base, "shells": shells, "shell_policy": "uniform", "order": "sorted",
-                   "accumulation": "full", "samples": 1, "scale": 1, "fins": False, "guard_hairs": 0, **shadows}
-        return self.frame((shells, *shadows.values()), quality)
+                   "accumulation": "full", "samples": 1, "scale": max(1, knobs["scale"]), "fins": False, "guard_hairs": 0, **shadows}
+        return self.frame((shells, quality["scale"], *shadows.values()), quality)
 
     def r2(self):
         strands = {"method": "strands", "trace": {"passes": self.options.passes, "scattering": "look"}}

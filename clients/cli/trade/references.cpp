@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace pelage::trade {
 
 namespace {
@@ -9,19 +11,24 @@ namespace {
 /// Of the default knobs, which have the estimate.
 const std::string plain_name = "R1";
 
+/// More samples of a pixel make another picture: finer strands are told apart before they are averaged.
+double truth_scale(const Knobs& knobs) { return std::max(1.0, knobs.scale); }
+
 std::string name_of_shells(const Knobs& knobs) {
-  if (knobs.shadow_maps) return fmt::format("{} with maps of {}", plain_name, knobs.shadow_resolution);
-  return knobs.self_shadow ? plain_name : plain_name + " without self-shadow";
+  const std::string size = knobs.scale > 1 ? fmt::format("{} at {:g} times the size", plain_name, knobs.scale) : plain_name;
+  if (knobs.shadow_maps) return fmt::format("{} with maps of {}", size, knobs.shadow_resolution);
+  return knobs.self_shadow ? size : size + " without self-shadow";
 }
 
-Knobs converged(int shells, const Knobs& shadows) {
+/// The truth for these knobs: with their shadows, and their scale where it is above 1.
+Knobs converged(int shells, const Knobs& wanted) {
   Knobs knobs;
   knobs.shells = shells;
   knobs.shell_policy = ShellPolicy::uniform;
-  knobs.samples = 1, knobs.scale = 1, knobs.fins = false, knobs.guard_hairs = 0;
+  knobs.samples = 1, knobs.scale = truth_scale(wanted), knobs.fins = false, knobs.guard_hairs = 0;
   knobs.order = FragmentOrder::sorted, knobs.accumulation = Accumulation::full;
-  knobs.self_shadow = shadows.self_shadow, knobs.shadow_maps = shadows.shadow_maps;
-  knobs.shadow_resolution = shadows.shadow_resolution;
+  knobs.self_shadow = wanted.self_shadow, knobs.shadow_maps = wanted.shadow_maps;
+  knobs.shadow_resolution = wanted.shadow_resolution;
   return knobs;
 }
 
