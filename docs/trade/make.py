@@ -31,9 +31,13 @@ def table(script, name, *arguments):
     print(run.stdout)
 
 
+def animals():
+    table("tiers.py", "tiers.md", "--size", "160", "--truth", "256", "--passes", "24", "--pictures", str(FOLDER))
+    subprocess.run([sys.executable, FOLDER / "convergence.py"], check=True)
+
+
 STEPS = {"report": report,
-         "animals": lambda: table("tiers.py", "tiers.md", "--size", "160", "--truth", "256", "--passes", "24",
-                                  "--pictures", str(FOLDER)),
+         "animals": animals,
          "flicker": lambda: table("flicker.py", "flicker.md", "--size", "160", "--frames", "5")}
 
 
