@@ -153,9 +153,7 @@ TEST_P(BareSkinFrames, CostsOneBlockAndADrawWhereItIs) {
   FurredModel model = furred({Builtin::sphere, 300});
   const auto counters = [&] {
     drawn(model);
-    DrawTimes times;
-    EXPECT_TRUE(renderer->draw(make_frame(model.view(), small_frame()), &times).ok());
-    return times.counters;
+    return counters_of(*renderer, make_frame(model.view(), small_frame()));
   };
   const FrameCounters plain = counters();
   model.settings.skin = {everywhere(model)};

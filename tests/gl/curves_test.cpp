@@ -31,11 +31,7 @@ class Curves : public WithRenderer {
 
 TEST_P(Curves, LeaveNoTraceInFramesWithoutThem) {
   FurredModel model = furred({Builtin::sphere, 1000});
-  const auto counted = [&] {
-    DrawTimes times;
-    EXPECT_TRUE(renderer->draw(make_frame(model.view(), small_frame()), &times).ok());
-    return times.counters;
-  };
+  const auto counted = [&] { return counters_of(*renderer, make_frame(model.view(), small_frame())); };
   const Image before = draw(*renderer, model, small_frame());
   const FrameCounters plain = counted();
   model.settings.curves = {line(model, {0.28, 0, 0}, {0.45, 0.05, 0})};

@@ -296,8 +296,8 @@ TEST_P(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
   const FurredModel model = ball();
   drawn(model);
   FurFrame frame = make_frame(model.view(), request);
-  DrawTimes before;
-  const Image plain = *renderer->draw(frame, &before);
+  const Image plain = *renderer->draw(frame);
+  const FrameCounters before = counters_of(*renderer, frame);
   frame.overlay = Overlay::difference;
   const auto with = [&](float left, float right) {
     frame.difference.clear();
@@ -316,9 +316,8 @@ TEST_P(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
   EXPECT_LT(largest_difference(with(0, 0), with(0, 0)), 1);
 
   frame.overlay = Overlay::none;  // and costs later frames nothing
-  DrawTimes after;
-  EXPECT_EQ(renderer->draw(frame, &after)->rgba, plain.rgba);
-  EXPECT_EQ(after.counters, before.counters);
+  EXPECT_EQ(renderer->draw(frame)->rgba, plain.rgba);
+  EXPECT_EQ(counters_of(*renderer, frame), before);
 }
 
 TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {

@@ -225,11 +225,7 @@ TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   request.knobs.shells = 8;
   request.knobs.shell_policy = ShellPolicy::uniform;
   draw(*renderer, model, request);
-  const auto counters = [&](const FurFrame& frame) {
-    DrawTimes times;
-    EXPECT_TRUE(renderer->draw(frame, &times).ok());
-    return times.counters;
-  };
+  const auto counters = [&](const FurFrame& frame) { return counters_of(*renderer, frame); };
   FurFrame frame = make_frame(model.view(), request);
   const FrameCounters plain = counters(frame);
   EXPECT_EQ(plain.passes, 5u);

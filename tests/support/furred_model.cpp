@@ -53,6 +53,14 @@ Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& req
   return std::move(image).value();
 }
 
+FrameCounters counters_of(Renderer& renderer, const FurFrame& frame) {
+  renderer.forget_kept();
+  DrawTimes times;
+  const Result<Image> image = renderer.draw(frame, &times);
+  if (!image) throw std::runtime_error(image.status().message);
+  return times.counters;
+}
+
 double covered(const Image& image) {
   std::size_t count = 0;
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) count += image.rgba[i] > 127;

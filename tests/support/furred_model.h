@@ -35,6 +35,9 @@ FrameRequest small_frame(AutoView view = AutoView::front, int size = 128);
 /// Sends the model if the renderer lacks it, and draws all of the picture.
 Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request);
 
+/// What drawing all of a frame asks of the GL. The renderer has the model.
+FrameCounters counters_of(Renderer& renderer, const FurFrame& frame);
+
 /// Share of pixels whose alpha is over half.
 double covered(const Image& image);
 /// Mean absolute difference of all channels, in 1/255.
