@@ -228,6 +228,11 @@ int main(int count, char** arguments) {
     calibration = *own;
     std::printf("safety of cost %.2f\n", calibration.cost_safety);
   }
+  const std::vector<Knobs> candidates = candidate_ladder();
+  for (const CalibratedKnobs& row : calibration.ladder) {
+    if (std::find(candidates.begin(), candidates.end(), row.knobs) != candidates.end()) continue;
+    return std::fprintf(stderr, "the calibration has a row that is no candidate any more: run bench_dial fit\n"), 1;
+  }
   return judge(*opened.renderer, arguments[2], options, {number("--size", 384), number("--views", 3), number("--models", 3)},
                calibration);
 }

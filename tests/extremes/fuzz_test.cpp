@@ -66,15 +66,19 @@ class Worker {
     const std::optional<FrameRequest> traced = request_or_refusal(traced_frame(tracing));
     std::optional<Layers> shells, strands;
     if (asked) shells = fine("shells", ways_.draw(scene, *asked));
-    if (traced) strands = fine("strands", ways_.trace(scene, *traced));
+    if (traced) strands = fine_or_too_many(ways_.trace(scene, *traced));
     if (between) fine("shells between", ways_.draw(scene, *between));
     if (shells) RC_ASSERT(same_bits(*shells, *fine("shells", ways_.draw(scene, *asked))));
     if (strands) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
   }
 
-  /// None where there was no memory: the one refusal that only drawing can tell.
+  /// None where there are more strands than tracing may take, which only growing them can tell.
+  static std::optional<Layers> fine_or_too_many(Result<Layers> layers) {
+    if (!layers && layers.status().code == Code::too_large && layers.status().pointer == "/quality/trace/strands") return {};
+    return fine("strands", std::move(layers));
+  }
+
   static std::optional<Layers> fine(const std::string& way, Result<Layers> layers) {
-    if (!layers && layers.status().code == Code::too_large && !layers.status().pointer.empty()) return {};
     if (!layers) RC_FAIL(way + ": " + layers.status().message + " " + layers.status().pointer);
     const std::string complaint = complaint_about(*layers);
     if (!complaint.empty()) RC_FAIL(way + ": " + complaint);
