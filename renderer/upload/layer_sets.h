@@ -83,7 +83,7 @@ struct LayerMesh {
   std::span<const CellBox> cells;  // that the fur of a vertex may reach
 };
 
-/// Triangles that do not reach the view's part are left out.
+/// Triangles that do not reach the view's part, at most the picture, are left out.
 LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view);
 
 /// The triangles of both lists. Nothing else may write the depth of dense fur, or thin parts show holes where

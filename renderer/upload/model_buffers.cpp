@@ -268,9 +268,11 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
     return list;
   };
   const std::span<const glm::uvec3> skin(skin_elements());
+  // What lies outside the picture may throw a shadow into it.
+  const CellBox part = view.part == CellBox{} ? CellBox{-1, -1, cells_a_side, cells_a_side} : view.part;
   DrawLists result;
-  result.bare = append(triangles_in(view.part, mesh, skin.first(bare_count_)));
-  result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)));
+  result.bare = append(triangles_in(part, mesh, skin.first(bare_count_)));
+  result.furred = append(triangles_in(part, mesh, skin.subspan(bare_count_)));
   result.all = {0, result.bare.count + result.furred.count};
   result.shown = append(shown_triangles(mesh, view));
   for (std::size_t set = 0; set < most_layer_sets; ++set) {

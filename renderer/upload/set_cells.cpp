@@ -7,20 +7,34 @@ namespace pelage {
 
 namespace {
 
-int cell_of(float clip) {
-  return static_cast<int>(std::clamp((clip * 0.5f + 0.5f) * cells_a_side, 0.0f, cells_a_side - 1.0f));
+/// -1 and cells_a_side outside of the picture.
+float place_of(float clip) {
+  constexpr float side = cells_a_side;
+  return std::clamp((clip * 0.5f + 0.5f) * side, -1.0f, side + 1);
+}
+
+int cell_of(float clip) { return static_cast<int>(std::floor(std::min(place_of(clip), float{cells_a_side}))); }
+
+/// That a box ending here reaches.
+int last_cell_of(float clip) { return static_cast<int>(std::ceil(place_of(clip))) - 1; }
+
+CellBox inside(const CellBox& box) {
+  return {std::max(box.left, 0), std::max(box.low, 0), std::min(box.right, cells_a_side - 1),
+          std::min(box.high, cells_a_side - 1)};
 }
 
 }  // namespace
 
-void SetCells::show(const CellBox& box, int set) {
+void SetCells::show(const CellBox& reached, int set) {
+  const CellBox box = inside(reached);
   for (int y = box.low; y <= box.high; ++y) {
     for (int x = box.left; x <= box.right; ++x)
       sets_[static_cast<std::size_t>(y * cells_a_side + x)] |= static_cast<std::uint8_t>(1 << set);
   }
 }
 
-bool SetCells::may_show(const CellBox& box, int set) const {
+bool SetCells::may_show(const CellBox& reached, int set) const {
+  const CellBox box = inside(reached);
   for (int y = box.low; y <= box.high; ++y) {
     for (int x = box.left; x <= box.right; ++x) {
       if (sets_[static_cast<std::size_t>(y * cells_a_side + x)] >> set & 1) return true;
@@ -58,7 +72,8 @@ ClipBox union_of(const ClipBox& a, const ClipBox& b) { return {glm::min(a.low, b
 ClipBox union_of(const std::optional<ClipBox>& a, const ClipBox& b) { return a ? union_of(*a, b) : b; }
 
 CellBox cells_of(const ClipBox& box) {
-  return {cell_of(box.low.x), cell_of(box.low.y), cell_of(box.high.x), cell_of(box.high.y)};
+  const int left = cell_of(box.low.x), low = cell_of(box.low.y);
+  return {left, low, std::max(left, last_cell_of(box.high.x)), std::max(low, last_cell_of(box.high.y))};
 }
 
 CellBox union_of(const CellBox& a, const CellBox& b) {

@@ -12,8 +12,8 @@ namespace pelage {
 
 inline constexpr int cells_a_side = 48;  // of the picture
 
-/// Cells of the picture from the left and from below, last ones included. Empty never: what lies behind the eye counts
-/// as everywhere.
+/// Cells of the picture from the left and from below, last ones included; -1 and cells_a_side are all that lies outside.
+/// Empty never: what lies behind the eye counts as everywhere. All of the picture at first.
 struct CellBox {
   int left = 0, low = 0, right = cells_a_side - 1, high = cells_a_side - 1;
 
@@ -22,8 +22,8 @@ struct CellBox {
 
 class SetCells {
  public:
-  void show(const CellBox& box, int set);
-  bool may_show(const CellBox& box, int set) const;
+  void show(const CellBox& reached, int set);
+  bool may_show(const CellBox& reached, int set) const;
 
  private:
   std::array<std::uint8_t, cells_a_side * cells_a_side> sets_{};  // a bit for each

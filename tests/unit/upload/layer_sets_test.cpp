@@ -146,6 +146,33 @@ TEST(LayerSets, ASetIsDrawnWhereItMayBeAskedForAndNowhereElse) {
   EXPECT_EQ(one.averted[0].size(), 1u);
 }
 
+TEST(LayerSets, TrianglesOutsideThePictureAreNotDrawn) {
+  for (const int shells : {8, 32}) {  // one set, and three
+    ThreeTriangles mesh;
+    for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {12, 0, 0};  // 10 is the border
+    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 0u) << shells;
+    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).averted[0].size(), 1u) << shells;
+    mesh.positions[2] = {9, 0, 0};  // it reaches in
+    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
+    for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {10.005f, 0, 0};  // its fur, .01 long, reaches in
+    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
+  }
+}
+
+TEST(SetCells, WhatLiesBesideThePictureTouchesNothingOfIt) {
+  const CellBox picture;
+  for (const glm::vec2 away : {glm::vec2(-3, 0), glm::vec2(3, 0), glm::vec2(0, -3), glm::vec2(0, 3)}) {
+    const CellBox box = cells_of(ClipBox{away - 0.5f, away + 0.5f});
+    EXPECT_FALSE(touch(box, picture));
+    SetCells cells;
+    cells.show(box, 0);
+    EXPECT_FALSE(cells.may_show(picture, 0));
+    EXPECT_TRUE(touch(cells_of(ClipBox{away - 2.1f, away + 2.1f}), picture));
+  }
+  EXPECT_EQ(cells_of(ClipBox{}), picture);
+  EXPECT_EQ(cells_of(ClipBox{glm::vec2(-1e30f), glm::vec2(1e30f)}), (CellBox{-1, -1, cells_a_side, cells_a_side}));
+}
+
 TEST(SetCells, FurNearTheEyeMayBeEverywhere) {
   const glm::mat4 to_clip(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0);  // w = z
   const std::vector<glm::vec3> places = {{0, 0, 1}, {0, 0, 0.1f}, {0, 0, -1}, {1e20f, 0, 1e-20f}};
