@@ -43,8 +43,9 @@ Status SortedPass::draw(const Gl& gl, const RenderTarget& target, int expected,
                         const std::function<void()>& draw_fragments) {
   if (!FragmentLists::possible(gl)) return impossible();
   make_programs(gl);
-  const FragmentLists lists(gl, bytes_);
-  if (!lists.complete()) return no_memory();
+  if (!lists_) lists_.emplace(gl, bytes_);
+  if (!lists_->complete()) return lists_.reset(), no_memory();
+  const FragmentLists& lists = *lists_;
   const double fitting = lists.capacity() / (guessed_cover * std::max(expected, 1));
   std::vector<Area> areas =
       cut({0, 0, target.width(), target.height()}, std::min(fitting, FragmentLists::most_pixels));

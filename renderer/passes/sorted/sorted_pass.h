@@ -44,6 +44,7 @@ class SortedPass {
   void draw_whole(const Gl& gl, const Program& program) const;
 
   std::optional<Program> merge_, compose_;  // made when first used
+  std::optional<FragmentLists> lists_;      // made when first used and kept: new memory costs a software GL 50 ms
   VertexArray nothing_;
   std::size_t bytes_;
   std::string failure_;
