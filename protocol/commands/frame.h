@@ -29,7 +29,7 @@ enum class Background { colour, transparent, studio };  // studio: a soft gradie
 enum class FrameFormat { png, png16, jpeg, exr };
 enum class ExrType { half, single };
 /// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
-/// first light that casts a soft shadow, as the light sees the model (GPU fur 4).
+/// first light that casts a shadow, as the light sees the model (GPU fur 4).
 enum class Overlay {
   none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width,
   difference  // how much the fields have changed since overlay_from

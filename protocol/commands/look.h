@@ -60,8 +60,9 @@ struct Look {
 
 enum class LightKind { directional, point, spot, area };
 
-/// Shadow of one part of the body on another (GPU fur 4): from a depth map alone, or softened by the shadow width.
-enum class CastShadow { none, hard, soft };
+/// Shadow of one part of the body on another: from a depth map alone, softened by the shadow width (GPU fur 4), or
+/// blurred by the light's size as traced strands see it (Fernando 2005, percentage-closer soft shadows).
+enum class CastShadow { none, hard, soft, penumbra };
 
 /// Directional: `direction` is where the light goes, in the model's coordinates. Point: `position`, falling with the
 /// square of distance so that intensity 1 gives white at distance `size`. Spot: a point light inside a cone. Area: a
@@ -82,7 +83,7 @@ struct Light {
   double height = 0.5;           // sizes, [1e-3, 100]
   bool self_shadow_maps = false; // layer-wise shadow maps (GPU fur 3.1) in place of the estimate
   CastShadow cast_shadow = CastShadow::none;
-  double shadow_scale = 10;      // Cscale of GPU fur 4: larger is a narrower penumbra, [0, 1000]
+  double shadow_scale = 10;      // of a soft one, Cscale of GPU fur 4: larger is a narrower edge, [0, 1000]
 };
 
 /// Radiance from all directions in the nine real spherical harmonics of bands 0 to 2, in the order of Ramamoorthi and

@@ -101,8 +101,10 @@ inline constexpr std::array<Name<LightKind>, 4> light_kinds{{{"directional", Lig
                                                              {"point", LightKind::point},
                                                              {"spot", LightKind::spot},
                                                              {"area", LightKind::area}}};
-inline constexpr std::array<Name<CastShadow>, 3> cast_shadows{
-    {{"none", CastShadow::none}, {"hard", CastShadow::hard}, {"soft", CastShadow::soft}}};
+inline constexpr std::array<Name<CastShadow>, 4> cast_shadows{{{"none", CastShadow::none},
+                                                               {"hard", CastShadow::hard},
+                                                               {"soft", CastShadow::soft},
+                                                               {"penumbra", CastShadow::penumbra}}};
 inline constexpr std::array<Name<PupilShape>, 2> pupil_shapes{
     {{"round", PupilShape::round}, {"slit", PupilShape::slit}}};
 inline constexpr std::array<Name<Tier>, 4> tiers{{{"draft", Tier::draft},

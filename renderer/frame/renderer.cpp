@@ -239,7 +239,7 @@ Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
 Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
   const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
   if (!maps)
-    return failure(Code::invalid, "no light of this frame has shadow maps and casts a soft shadow", "/overlay");
+    return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
   if (!maps->complete()) return no_memory();
   const float middle = maps->view.axis.w;  // depth of the model's centre
   switch (frame.overlay) {

@@ -1,6 +1,8 @@
 #include "renderer/frame/shadow_maps.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "renderer/passes/draw/draw_state.h"
 
@@ -13,7 +15,29 @@ constexpr GLuint curves_unit = 12;     // as in shadow.glsl
 
 bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
 bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShadow::soft; }
+bool casts_penumbra(const FurLight& light) { return light.cast_shadow == CastShadow::penumbra; }
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
+
+/// Half of a lamp's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63 degrees.
+float spread_of(const FurLight& light) {
+  constexpr float widest = 2;
+  switch (light.kind) {
+    case LightKind::directional: return light.angle < std::atan(widest) ? std::tan(light.angle) : widest;
+    case LightKind::point:
+    case LightKind::spot: return light.radius;
+    case LightKind::area: return (light.extent.x + light.extent.y) / 4;
+  }
+  assert(false);
+  return 0;
+}
+
+/// The entry of ShadowBlock::slots of a light with maps, which begin at the two slots.
+glm::vec4 slots_of(const FurLight& light, float layers, float depth) {
+  const glm::vec2 maps{light.self_shadow_maps ? layers : -1.0f, depth};
+  if (!casts(light)) return {maps, 0, -1};
+  if (casts_penumbra(light)) return {maps, 2, spread_of(light)};
+  return {maps, casts_softly(light) ? 1 : 0, light.shadow_scale};
+}
 
 /// The paper reduces to a quarter at 512 x 512; the blur must not shrink with finer maps, so a texel is about .03 sizes
 /// wide (a quarter of what smaller maps have).
@@ -84,9 +108,8 @@ ShadowMaps::Counts ShadowMaps::place_slots(const FurFrame& frame, float radius, 
     if (!view) continue;
     slots_.to_light[i] = view->world_to_clip;
     slots_.axis[i] = view->axis;
-    slots_.slots[i] = {light.self_shadow_maps ? static_cast<float>(counts.layers++) : -1.0f,
-                       static_cast<float>(counts.casts++), casts_softly(light) ? 1.0f : 0.0f,
-                       casts(light) ? light.shadow_scale : -1.0f};
+    slots_.slots[i] = slots_of(light, static_cast<float>(counts.layers), static_cast<float>(counts.casts));
+    counts.layers += light.self_shadow_maps ? 1 : 0, ++counts.casts;
     views.push_back(*view);
   }
   return counts;
@@ -134,7 +157,7 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
 
 std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
                                                     const FurDrawing& drawing) {
-  const auto light = std::find_if(frame.lights.begin(), frame.lights.end(), casts_softly);
+  const auto light = std::find_if(frame.lights.begin(), frame.lights.end(), casts);
   if (!frame.knobs.shadow_maps || light == frame.lights.end()) return {};
   const int resolution = frame.knobs.shadow_resolution, reduced = width_texels(resolution);
   const float radius = radius_around(drawing.model);

@@ -50,7 +50,7 @@ class ShadowMaps {
     float radius = 0;  // of the ball that the view holds, sizes
     bool complete() const { return depth.complete() && occlusion.complete() && width.complete(); }
   };
-  /// Draws them for the first light that casts a soft shadow; none where the frame has no such light or no maps. Leaves
+  /// Draws them for the first light that casts a shadow; none where the frame has no such light or no maps. Leaves
   /// another block at binding 0.
   std::optional<Maps> maps_of(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing);
 

@@ -124,7 +124,7 @@ vec3 fibre_light(Fibre fibre) {
 #endif
 #ifdef SHADOW_MAPS
     strands = layer_depth(i, fibre.place, fibre.height, facing, strands);
-    radiance *= cast_light(i, fibre.place);
+    radiance *= cast_light(i, fibre.place, fibre.normal);
 #endif
     vec3 scattered = scatter(SHADING_MODEL, fibre.tangent, fibre.normal, to_light, fibre.to_eye, fibre.colour, fibre.strand);
     if (SHADING_MODEL == model_energy_conserving || SHADING_MODEL == model_marschner) {

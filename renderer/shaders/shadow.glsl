@@ -3,8 +3,8 @@
 layout(std140, binding = 2) uniform ShadowBlock {
   mat4 to_light[8];
   vec4 axis[8];   // linear depth: dot(xyz, place) + w, sizes
-  vec4 slots[8];  // slot of the layer maps (-1: none), slot of the depth map (-1: none), 1 where the cast shadow is soft,
-                  // its scale (-1: casts none)
+  vec4 slots[8];  // slot of the layer maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
+                  // 1 soft, 2 penumbra), its scale or the lamp's spread (-1: casts none)
 } shadow;
 
 layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
@@ -16,6 +16,10 @@ const float shadow_layers = 16.0;
 const float own_part = 0.5 / 32.0;  // of the height: what lies nearer is the strand itself, which does not shade itself
 const float cast_bias = 0.006;   // sizes
 const float shadow_width = 0.03; // sizes from the edge of a shadow to where its map is white
+
+const int search_taps = 8, penumbra_taps = 16;
+const float penumbra_bias = 0.003;   // sizes
+const float furthest_caster = 0.35;  // sizes: a penumbra grows no more behind what lies further from a place
 
 vec2 place_on_map(int i, vec3 place) {
   vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
@@ -68,10 +72,59 @@ float past_body(int i, vec3 place) {
   return 1.0 - fade * clamp(shadow.slots[i].w * width / below, 0.0, 1.0);
 }
 
-// Share of light i that other parts of the body and guided curves let through.
-float cast_light(int i, vec3 place) {
+// How a penumbra light's blocked share is looked for around a place: the map's plane, and the skin's slope on it.
+struct LampDisc {
+  vec2 at;
+  float depth;     // of the place, sizes
+  float spread;    // half of the lamp's width over its distance
+  float per_size;  // of the map's side
+  float texel;     // sizes
+  vec2 slope;      // of the skin: depth over distance across
+};
+
+LampDisc lamp_disc(int i, vec3 place, vec3 normal) {
+  mat4 to_clip = shadow.to_light[i];
+  vec4 clip = to_clip * vec4(place, 1.0);
+  clip.w = max(clip.w, 1e-4);  // beside a lamp that does not see the place
+  vec3 right = vec3(to_clip[0].x, to_clip[1].x, to_clip[2].x), up = vec3(to_clip[0].y, to_clip[1].y, to_clip[2].y);
+  float scale = length(right), facing = -dot(normal, shadow.axis[i].xyz), per_size = 0.5 * scale / clip.w;
+  vec2 slope = facing > 0.0 ? vec2(dot(normal, right), dot(normal, up)) / (scale * max(facing, 0.2)) : vec2(0.0);
+  return LampDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, place) + shadow.axis[i].w,
+                  shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope);
+}
+
+// How far in front of the skin's plane the body lies on `taps` places of a disc, even over it: the sum over those that lie
+// in front, and their count. A map's texel reaches past its middle, so slopes need more room.
+vec2 blockers(int i, LampDisc disc, float radius, int taps) {
+  const mat2 golden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);  // 137.5 degrees
+  float bias = penumbra_bias + disc.texel * length(disc.slope);
+  vec2 toward = vec2(1.0, 0.0), sum = vec2(0.0);
+  for (int tap = 0; tap < taps; ++tap) {
+    vec2 off = radius * sqrt((float(tap) + 0.5) / float(taps)) * toward;
+    float seen = texture(depth_maps, vec3(disc.at + disc.per_size * vec2(off.x, -off.y), shadow.slots[i].y)).r;
+    float before = disc.depth + dot(disc.slope, off) - seen;
+    if (before > bias) sum += vec2(before, 1.0);
+    toward = golden * toward;
+  }
+  return sum;
+}
+
+// What part of the lamp the body leaves in sight of a place: as wide as the lamp is seen, the map is looked at where its
+// rays pass what hides it (Fernando 2005).
+float past_body_in_penumbra(int i, vec3 place, vec3 normal) {
+  LampDisc disc = lamp_disc(i, place, normal);
+  float least = 1.5 * disc.texel, most = disc.spread * furthest_caster;
+  vec2 found = blockers(i, disc, max(most, least), search_taps);
+  float radius = clamp(disc.spread * found.x / max(found.y, 1.0), least, max(most, least));
+  int taps = found.y == 0.0 || found.y == float(search_taps) ? 0 : penumbra_taps;  // no tap where all agree
+  float hidden = taps == 0 ? found.y / float(search_taps) : blockers(i, disc, radius, taps).y / float(penumbra_taps);
+  return 1.0 - hidden;
+}
+
+// Share of light i that other parts of the body and guided curves let through to skin of that normal or fur on it.
+float cast_light(int i, vec3 place, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
-  float kept = past_body(i, place);
+  float kept = shadow.slots[i].z > 1.5 ? past_body_in_penumbra(i, place, normal) : past_body(i, place);
 #ifdef CURVE_SHADOWS
   kept *= past_curves(i, place);
 #endif

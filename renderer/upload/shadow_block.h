@@ -25,8 +25,9 @@ std::optional<LightView> view_of_light(const FurLight& light, float radius, int 
 struct ShadowBlock {
   std::array<glm::mat4, 8> to_light{};
   std::array<glm::vec4, 8> axis{};
-  std::array<glm::vec4, 8> slots{};  // slot of the layer maps or -1; slot of the depth map or -1; 1 where the cast
-                                     // shadow is soft; its scale or -1 where there is none
+  // Slot of the layer maps or -1; slot of the depth map or -1; the cast shadow's edge: 0 hard, 1 soft, 2 a penumbra; the
+  // soft one's scale, the penumbra's half width over the distance to what casts it times that to the lamp, -1 for none.
+  std::array<glm::vec4, 8> slots{};
 };
 static_assert(sizeof(ShadowBlock) == 8 * (64 + 16 + 16));
 

@@ -71,7 +71,7 @@ std::string any_lamp() {
                      {"position", places}, {"colour", colours}, {"intensity", {"0", "1e-3", "1", "1e8"}},
                      {"cone_degrees", {"0.1", "30", "90"}}, {"cone_softness", share}, {"angle_degrees", {"0", "90"}},
                      {"radius", {"0", "10"}}, {"width", {"0.001", "100"}}, {"height", {"0.001", "100"}},
-                     {"self_shadow_maps", truth}, {"cast_shadow", {"\"none\"", "\"hard\"", "\"soft\""}},
+                     {"self_shadow_maps", truth}, {"cast_shadow", {"\"none\"", "\"hard\"", "\"soft\"", "\"penumbra\""}},
                      {"shadow_scale", {"0", "10", "1000"}}},
                     60);
 }

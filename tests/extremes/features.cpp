@@ -46,6 +46,8 @@ std::vector<Feature> of_light() {
            lamp(R"(, "cast_shadow": "hard")")},
           {"soft shadow", lamp(R"(, "cast_shadow": "soft")"), quality(R"("shadow_maps": true)"), lamp(""),
            quality(R"("shadow_maps": true)")},
+          {"penumbra", lamp(R"(, "cast_shadow": "penumbra")"), quality(R"("shadow_maps": true)"),
+           lamp(R"(, "cast_shadow": "penumbra")")},
           {"light from all around", "", "", one("set_environment", R"("environment": {"intensity": 0.5})")},
           {"fibre scattering", one("set_look", shine), "",
            one("set_look", R"("look": {"shading": "kajiya", "fibre": {"refractive_index": 2, "eumelanin": 100}})")}};

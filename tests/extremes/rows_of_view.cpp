@@ -69,12 +69,20 @@ Rows light_rows() {
   for (const char* place : {"[0, 1.0000001, 0]", "[0, 1.05, 0]", "[0, 1.1733, 0]"}) {
     rows.push_back(of_light(std::string("a caster on the near plane: spot at ") + place, above + place + all_shadows,
                             R"(, "shadow_resolution": 64)"));
-    rows.push_back(of_light(std::string("the same, hard: spot at ") + place, above + place + R"(, "cast_shadow": "hard")",
-                            R"(, "shadow_resolution": 64)"));
+    for (const std::string edge : {"hard", "penumbra"}) {
+      rows.push_back(of_light("the same, " + edge + ": spot at " + place,
+                              above + place + R"(, "cast_shadow": ")" + edge + '"', R"(, "shadow_resolution": 64)"));
+    }
   }
   rows.push_back(of_light("a spot of 0.1 degrees", above + R"([0, 3, 0], "cone_degrees": 0.1)" + all_shadows));
   rows.push_back(of_light("shadow scale 0", sun + all_shadows + R"(, "shadow_scale": 0)"));
   rows.push_back(of_light("shadow scale 1000", sun + all_shadows + R"(, "shadow_scale": 1000)"));
+  const std::string penumbra = R"(, "cast_shadow": "penumbra")";
+  rows.push_back(of_light("shadow map of 1 x 1, penumbra", sun + penumbra, R"(, "shadow_resolution": 1)"));
+  for (const char* angle : {"0", "90"})
+    rows.push_back(of_light(std::string("penumbra of a sun that spans ") + angle + " degrees", sun + penumbra + R"(, "angle_degrees": )" + angle));
+  for (const char* radius : {"0", "10"})
+    rows.push_back(of_light(std::string("penumbra of a spot of radius ") + radius, above + R"([0, 3, 0], "radius": )" + radius + penumbra));
   rows.push_back(of_light("a sun that spans 90 degrees, intensity 1e8", sun + R"(, "angle_degrees": 90, "intensity": 1e8)"));
   rows.push_back(of_light("intensity over 1e8", R"("intensity": 1.1e8)", "", "/lights/0/intensity"));
   rows.push_back(of_light("intensity below 0", R"("intensity": -1)", "", "/lights/0/intensity"));

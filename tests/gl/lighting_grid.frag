@@ -30,7 +30,7 @@ void main() {
 #endif
 #ifdef SHADOW_MAPS
   if (asked == 6) {
-    result.r = cast_light(lamp, fibre.place);
+    result.r = cast_light(lamp, fibre.place, fibre.normal);
     result.g = layer_depth(lamp, fibre.place, fibre.height, 1.0, 7.0);
   }
 #endif

@@ -83,6 +83,8 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
     ASSERT_LE(hard.rgba[i], soft.rgba[i] + 1);
     ASSERT_LE(soft.rgba[i], open.rgba[i] + 1);
   }
+  light.cast_shadow = CastShadow::penumbra;
+  EXPECT_NEAR(mean(picture(model, light, true, AutoView::front)), mean(hard), 0.02 * mean(open));
   EXPECT_LT(mean(hard), 0.95 * mean(open));
   EXPECT_LT(mean(soft), 0.98 * mean(open));
   EXPECT_GT(mean(soft), 1.002 * mean(hard));
@@ -111,6 +113,45 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
     EXPECT_GT(blocked, 100);
     EXPECT_GT(open, 500);
     EXPECT_LT(wrong, 0.05 * (blocked + open));
+  }
+}
+
+/// Directions to a lamp, even over the disc that it is seen as.
+std::vector<glm::dvec3> rays_to(const FurLight& lamp, int count) {
+  const glm::dvec3 axis = -glm::dvec3(lamp.direction);
+  const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(0.1, 0.2, 0.97))), up = glm::cross(axis, right);
+  std::vector<glm::dvec3> rays;
+  for (int i = 0; i < count; ++i) {
+    const double radius = std::tan(double{lamp.angle}) * std::sqrt((i + 0.5) / count), angle = 2.399963 * i;
+    rays.push_back(glm::normalize(axis + radius * (std::cos(angle) * right + std::sin(angle) * up)));
+  }
+  return rays;
+}
+
+/// On bare skin a penumbra is the share of a lamp's disc that rays do not reach.
+TEST_P(Shadows, PenumbrasAreTheShareOfTheLampThatRaysMiss) {
+  FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
+  FrameRequest request = small_frame(AutoView::front, 96);
+  request.knobs.shadow_maps = true, request.knobs.shadow_resolution = 1024;
+  for (const double degrees : {3.0, 12.0}) {
+    model.settings.lights = {{.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const FurFrame frame = make_frame(model.view(), request);
+    const std::vector<FrameLayer> asked{FrameLayer::position, FrameLayer::normal, FrameLayer::shadow};
+    const std::vector<FloatImage> layers = renderer->draw_layers(frame, asked).value();
+    const std::vector<glm::dvec3> rays = rays_to(frame.lights[0], 64);
+    double error = 0, bias = 0, count = 0, between = 0;
+    for (std::size_t i = 0; i < layers[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&layers[layer].rgba[i])); };
+      if (layers[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
+      double open = 0;
+      for (const glm::dvec3& ray : rays) open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
+      error += std::abs(value(2).r - open), bias += value(2).r - open, ++count;
+      between += open > 0.1 && open < 0.9;
+    }
+    EXPECT_GT(between, 0.01 * degrees * count) << degrees;  // so there is a penumbra to be right about
+    EXPECT_LT(error, 0.05 * count) << degrees;
+    EXPECT_LT(std::abs(bias), 0.02 * count) << degrees;
   }
 }
 

@@ -72,7 +72,7 @@ void main() {
 #endif
 #ifdef SHADOW_MAPS
     to_skin = layer_depth(i, place, 0.0, facing, to_skin);
-    radiance *= cast_light(i, place);
+    radiance *= cast_light(i, place, normal);
 #endif
     sum += radiance * colour * lit * transmittance(to_skin, crossed);
 #ifdef LAYERS

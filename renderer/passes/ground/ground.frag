@@ -50,7 +50,10 @@ float past_body_softly(int i) {
     if (d < depth - cast_bias) blocked += 1.0, blocker += d;
   }
   if (blocked == 0.0) return 1.0;
-  float radius = shadow.slots[i].z < 0.5 ? 0.0 : clamp(0.09 * (depth - blocker / blocked), 0.004, 0.05);
+  float before = depth - blocker / blocked, radius = clamp(0.09 * before, 0.004, 0.05);
+  if (shadow.slots[i].z < 0.5) radius = 0.0;
+  LampDisc disc = lamp_disc(i, place, vec3(0.0, 1.0, 0.0));
+  if (shadow.slots[i].z > 1.5) radius = disc.spread * disc.per_size * before;
   float sum = 0.0;
   for (int i2 = 0; i2 < taps; ++i2) {
     vec2 at = middle + radius * spiral(i2);

@@ -222,7 +222,7 @@ static Command set_lights() {
                              .width = number(1e-3, 100),
                              .height = number(1e-3, 100),
                              .self_shadow_maps = *rc::gen::arbitrary<bool>(),
-                             .cast_shadow = one_of(CastShadow::soft),
+                             .cast_shadow = one_of(CastShadow::penumbra),
                              .shadow_scale = number(0, 1000)});
   }
   return result;
