@@ -13,9 +13,9 @@ REFERENCE_LIGHT = [
     {"op": "set_environment", "environment": {"sky": [1, 1, 1], "horizon": [0.8, 0.82, 0.85], "ground": [0.45, 0.44, 0.43],
                                               "intensity": 0.9}},
     {"op": "set_lights", "lights": [
-        {"direction": [0.2, -0.9, 0.35], "colour": [1, 0.96, 0.9], "intensity": 1.7, "self_shadow_maps": True, "cast_shadow": "soft"},
-        {"direction": [-0.7, -0.3, -0.6], "colour": [0.85, 0.92, 1], "intensity": 0.45},
-        {"direction": [0.6, -0.4, 0.5], "colour": [1, 0.98, 0.95], "intensity": 0.25}]}]
+        {"direction": [0.2, -0.9, 0.35], "colour": [1, 0.96, 0.9], "intensity": 1.7, "self_shadow_maps": True, "cast_shadow": "penumbra"},
+        {"direction": [-0.7, -0.3, -0.6], "colour": [0.85, 0.92, 1], "intensity": 0.45, "cast_shadow": "penumbra"},
+        {"direction": [0.6, -0.4, 0.5], "colour": [1, 0.98, 0.95], "intensity": 0.25, "cast_shadow": "penumbra"}]}]
 FINE = {"shells": 24, "shadow_maps": True, "shadow_resolution": 1024, "scale": 1.5}
 SIMPLE = {"shells": 24, "scale": 1.5}
 ONE_LIGHT = {"direction": [-0.5, -0.8, -0.45], "intensity": 1.7}
@@ -130,9 +130,9 @@ FIGURES = [
                           quality={**FINE, "self_shadow": shadow, "shadow_maps": maps})
                   for title, shadow, maps in (("none", False, False), ("estimate", True, False), ("maps", True, True))]},
     {"name": "cast_shadow", "title": "Shadow of the body on itself (GPU fur, figure 8)",
-     "text": "No shadow, a hard one from the depth map, a soft one with the shadow width.",
-     "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "cast_shadow": kind}),
-                          fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft")]},
+     "text": "No shadow, a hard one from the depth map, a soft one with the shadow width (the paper's), and the penumbra of a lamp of 8 degrees.",
+     "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "angle_degrees": 8, "cast_shadow": kind}),
+                          fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft", "penumbra")]},
     {"name": "light_maps", "title": "The three maps of a soft shadow (GPU fur, figure 9)",
      "text": "What the light sees from above: the depth map (nearer is lighter), the inverted occlusion map (white where skin that faces "
              "the light is hidden from it), the shadow-width map (that one reduced and enlarged again); and the knot with hard and soft "

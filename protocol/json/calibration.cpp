@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int version = 1;  // of the cost terms and error traits
+constexpr int version = 2;  // of the cost terms and error traits
 constexpr Range price{0, 1e9};
 constexpr Range safety{1, 100};
 constexpr Range exponent{-100, 100};
@@ -46,6 +46,8 @@ Calibration calibration_of(const Value& value) {
   object.required("threads", [&](const Value& v) { result.threads = static_cast<int>(v.integer({0, 65536})); });
   object.required("cost", [&](const Value& v) { read_numbers(v, price, result.cost); });
   object.required("cost_safety", [&](const Value& v) { result.cost_safety = v.number(safety); });
+  object.required("learnt_safety", [&](const Value& v) { result.learnt_safety = v.number(safety); });
+  object.required("probe_safety", [&](const Value& v) { result.probe_safety = v.number(safety); });
   object.required("low", [&](const Value& v) { read_numbers(v, {-1e6, 1e6}, result.low); });
   object.required("high", [&](const Value& v) { read_numbers(v, {-1e6, 1e6}, result.high); });
   object.required("ladder", [&](const Value& v) {
@@ -78,6 +80,8 @@ std::string encode(const Calibration& calibration) {
                                        {"threads", calibration.threads},
                                        {"cost", rounded(calibration.cost)},
                                        {"cost_safety", rounded(calibration.cost_safety)},
+                                       {"learnt_safety", rounded(calibration.learnt_safety)},
+                                       {"probe_safety", rounded(calibration.probe_safety)},
                                        {"low", rounded(calibration.low)},
                                        {"high", rounded(calibration.high)}};
   std::string text = head.dump(-1, ' ', false, json::error_handler_t::replace);

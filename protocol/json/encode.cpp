@@ -174,6 +174,7 @@ std::string encode(const TraceReport& report) {
 std::string encode(const FrameEstimate& estimate) {
   return line({{"error", estimate.error},
                {"error_safety", estimate.error_safety},
+               {"measured", estimate.measured},
                {"reference", "sorted_shells"},
                {"cost_ms", estimate.cost_ms},
                {"cost_safety", estimate.cost_safety},

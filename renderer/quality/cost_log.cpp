@@ -22,7 +22,8 @@ void CostLog::Record::add(double ratio) {
 CostCorrection CostLog::correction(std::uint64_t scene) const {
   const auto found = scenes_.find(scene);
   if (found == scenes_.end()) return {};
-  return {found->second.layers.correction, found->second.sorted.correction};
+  const Record &layers = found->second.layers, &sorted = found->second.sorted;
+  return {layers.correction, sorted.correction, layers.learnt(), sorted.learnt()};
 }
 
 void CostLog::add(std::uint64_t scene, const Knobs& knobs, double predicted, double measured) {

@@ -31,6 +31,7 @@ class CostLog {
     double correction = 1;
 
     void add(double ratio);
+    bool learnt() const { return ratios.size() >= least_frames; }
   };
   struct Scene {
     Record layers, sorted;

@@ -106,16 +106,39 @@ void leave_out_each(std::span<const MeasuredView> views, Judge judge) {
   }
 }
 
-double safety_of_cost(std::span<const Knobs> ladder, std::span<const MeasuredView> views) {
-  std::vector<double> ratios{1};
+/// What 95% are not above.
+double safe(std::vector<double> ratios) {
+  std::sort(ratios.begin(), ratios.end());
+  return std::clamp(ratios[ratios.size() * 95 / 100], 1.0, most_safety);
+}
+
+/// The ratios of an order's rows over their geometric mean.
+void add_about_mean(std::span<const Knobs> ladder, std::span<const double> ratios, FragmentOrder order,
+                    std::vector<double>& about) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t row = 0; row < ladder.size(); ++row) {
+    if (ladder[row].order == order) sum += std::log(ratios[row]), ++count;
+  }
+  for (std::size_t row = 0; row < ladder.size(); ++row) {
+    if (ladder[row].order == order) about.push_back(ratios[row] / std::exp(sum / count));
+  }
+}
+
+/// Of scenes of which nothing is learnt, and of those of which it is.
+void set_cost_safety(Calibration& calibration, std::span<const Knobs> ladder, std::span<const MeasuredView> views) {
+  std::vector<double> all{1}, about{1};
   leave_out_each(views, [&](const Chosen& chosen, const MeasuredView& left_out) {
     Calibration fitted;
     fitted.cost = fit_cost(ladder, views, chosen);
+    std::vector<double> ratios;
     for (std::size_t row = 0; row < ladder.size(); ++row)
       ratios.push_back(left_out.cost_ms[row] / predicted_cost(fitted, left_out.features, ladder[row]));
+    all.insert(all.end(), ratios.begin(), ratios.end());
+    for (const FragmentOrder order : {FragmentOrder::layers, FragmentOrder::sorted}) add_about_mean(ladder, ratios, order, about);
   });
-  std::sort(ratios.begin(), ratios.end());
-  return std::clamp(ratios[ratios.size() * 95 / 100], 1.0, most_safety);
+  calibration.cost_safety = safe(std::move(all));
+  calibration.learnt_safety = std::min(safe(std::move(about)), calibration.cost_safety);
 }
 
 /// Mean square of what is left of the logarithm of each row's error.
@@ -140,6 +163,16 @@ void set_error_safety(Calibration& calibration, std::span<const MeasuredView> vi
     const double spread = (squares[row] * count + pooled * pooled_views) / (count + pooled_views);
     calibration.ladder[row].error_safety = std::clamp(std::exp(normal_95 * std::sqrt(spread)), 1.0, most_safety);
   }
+}
+
+double safety_of_parts(std::span<const MeasuredView> views) {
+  std::vector<double> ratios{1};
+  for (const MeasuredView& view : views) {
+    for (std::size_t row = 0; row < view.error_of_parts.size(); ++row) {
+      if (view.error_of_parts[row] > 0) ratios.push_back(view.error[row] / view.error_of_parts[row]);
+    }
+  }
+  return safe(std::move(ratios));
 }
 
 }  // namespace
@@ -174,7 +207,8 @@ Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const Measu
   calibration.cost = fit_cost(ladder, views, all);
   for (std::size_t row = 0; row < ladder.size(); ++row)
     calibration.ladder.push_back(fit_row(calibration, ladder[row], row, views, all));
-  calibration.cost_safety = safety_of_cost(ladder, views);
+  set_cost_safety(calibration, ladder, views);
+  calibration.probe_safety = safety_of_parts(views);
   set_error_safety(calibration, views);
   return calibration;
 }
@@ -185,8 +219,10 @@ Calibration fit_costs(const Calibration& errors, std::span<const MeasuredView> v
   for (const CalibratedKnobs& row : errors.ladder) ladder.push_back(row.knobs);
   Calibration calibration = errors;
   calibration.cost = fit_cost(ladder, views, [](const MeasuredView&) { return true; });
-  calibration.cost_safety = safety_of_cost(ladder, views);
-  if (views.size() < enough_views) calibration.cost_safety = std::max(calibration.cost_safety, errors.cost_safety);
+  set_cost_safety(calibration, ladder, views);
+  if (views.size() >= enough_views) return calibration;
+  calibration.cost_safety = std::max(calibration.cost_safety, errors.cost_safety);
+  calibration.learnt_safety = std::max(calibration.learnt_safety, errors.learnt_safety);
   return calibration;
 }
 

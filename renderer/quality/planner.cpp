@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <vector>
 
 #include "protocol/base/limits.h"
@@ -21,13 +22,17 @@ struct Option {
   double safe_error() const { return std::min(1.0, estimate.error * estimate.error_safety); }
 };
 
+/// Once anything was measured, the others are expected to be as far from their prediction, and as sure.
 FrameEstimate estimate(const Calibration& calibration, const CalibratedKnobs& row, const ViewFeatures& view,
-                       const CostCorrection& correction) {
+                       const CostCorrection& correction, const MeasuredErrors& errors = {}) {
   const double factor = correction.of(row.knobs);
-  return {.error = predicted_error(row, in_range(calibration, error_traits_of(view))),
-          .error_safety = row.error_safety,
+  const auto index = static_cast<std::size_t>(&row - calibration.ladder.data());
+  const double error = predicted_error(row, in_range(calibration, error_traits_of(view)));
+  return {.error = std::min(1.0, error * errors.ratio(index, calibration)),
+          .error_safety = errors.empty() ? row.error_safety : calibration.probe_safety,
+          .measured = errors.has(index),
           .cost_ms = predicted_cost(calibration, view, row.knobs) * factor,
-          .cost_safety = calibration.cost_safety,
+          .cost_safety = correction.learnt(row.knobs) ? calibration.learnt_safety : calibration.cost_safety,
           .correction = factor,
           .end = PlanEnd::asked,
           .calibration = calibration.name};
@@ -41,6 +46,13 @@ const Option* least(const std::vector<Option>& options, Measure measure, Pass pa
     if (pass(option) && (!best || measure(option) < measure(*best))) best = &option;
   }
   return best;
+}
+
+std::size_t row_of(const Calibration& calibration, const Knobs& knobs) {
+  const auto found = std::find_if(calibration.ladder.begin(), calibration.ladder.end(),
+                                  [&](const CalibratedKnobs& row) { return row.knobs == knobs; });
+  assert(found != calibration.ladder.end());
+  return static_cast<std::size_t>(found - calibration.ladder.begin());
 }
 
 const auto any = [](const Option&) { return true; };
@@ -69,6 +81,25 @@ PlannedFrame within_error(const std::vector<Option>& options, double max_error) 
 
 }  // namespace
 
+void MeasuredErrors::note(std::size_t row, double error, double predicted) {
+  assert(error > 0 && predicted > 0);
+  ratios_.resize(std::max(ratios_.size(), row + 1));
+  ratios_[row] = std::clamp(error / predicted, 1 / furthest, furthest);
+}
+
+double MeasuredErrors::ratio(std::size_t row, const Calibration& calibration) const {
+  if (has(row)) return ratios_[row];
+  double same = 0, all = 0;
+  int same_count = 0, count = 0;
+  for (std::size_t i = 0; i < ratios_.size(); ++i) {
+    if (!has(i)) continue;
+    all += std::log(ratios_[i]), ++count;
+    if (calibration.ladder[i].knobs.order == calibration.ladder[row].knobs.order) same += std::log(ratios_[i]), ++same_count;
+  }
+  if (same_count) return std::exp(same / same_count);
+  return count ? std::exp(all / count) : 1;
+}
+
 bool fits(const Knobs& knobs, int width, int height) {
   const double drawn_width = width * knobs.scale, drawn_height = height * knobs.scale;
   if (std::max(drawn_width, drawn_height) > limits::frame_pixels) return false;
@@ -77,15 +108,29 @@ bool fits(const Knobs& knobs, int width, int height) {
 }
 
 PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
-                  const CostCorrection& correction, const PlanGoal& goal) {
+                  const CostCorrection& correction, const PlanGoal& goal, const MeasuredErrors& errors) {
   assert(!calibration.ladder.empty() && goal.budget_ms.has_value() != goal.max_error.has_value());
   std::vector<Option> options;
   for (const CalibratedKnobs& row : calibration.ladder) {
     if (fits(row.knobs, frame.width, frame.height))
-      options.push_back({&row, estimate(calibration, row, view, correction)});
+      options.push_back({&row, estimate(calibration, row, view, correction, errors)});
   }
   if (options.empty()) options.push_back({&calibration.ladder.front(), estimate(calibration, calibration.ladder.front(), view, correction)});
   return goal.budget_ms ? within_budget(options, *goal.budget_ms) : within_error(options, *goal.max_error);
+}
+
+PlannedFrame plan_measured(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
+                           const CostCorrection& correction, double max_error, MeasuredErrors& errors,
+                           const MeasureError& measure) {
+  for (std::size_t tried = 0; tried < calibration.ladder.size(); ++tried) {
+    const PlannedFrame planned = plan(calibration, view, frame, correction, {{}, max_error}, errors);
+    if (planned.estimate.measured) return planned;
+    const std::size_t row = row_of(calibration, planned.knobs);
+    const std::optional<double> error = measure(planned.knobs);
+    if (!error || !(*error > 0)) return plan(calibration, view, frame, correction, {{}, max_error});
+    errors.note(row, *error, predicted_error(calibration.ladder[row], in_range(calibration, error_traits_of(view))));
+  }
+  return plan(calibration, view, frame, correction, {{}, max_error}, errors);
 }
 
 std::optional<FrameEstimate> estimate_of(const Calibration& calibration, const ViewFeatures& view, const Knobs& knobs,

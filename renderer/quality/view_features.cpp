@@ -16,6 +16,7 @@ constexpr int cells = 32;                      // of the picture, along each sid
 constexpr int most_places = 16;                // along a triangle's side
 constexpr double near_fur = 0.05;              // depth that still counts as the same part of a body, sizes
 constexpr double most_layers = 16;             // of skin over the picture
+constexpr std::size_t most_parts = 6;          // of ViewFeatures::places
 
 /// A place on a triangle inside the picture.
 struct Place {
@@ -38,6 +39,7 @@ class Looker {
   glm::dvec3 seen(std::uint32_t vertex, double length) const;
   void spread(const std::array<glm::dvec3, 3>& corners, double area, double side, double reach, double bending);
   double share_behind() const;
+  std::vector<glm::vec2> spread_places(std::span<const bool> touched) const;
 
   const FurFrame& frame_;
   const FurredSkin& skin_;
@@ -103,6 +105,34 @@ double Looker::share_behind() const {
   return area_ > 0 ? behind / area_ : 0;
 }
 
+/// Along a curve that fills the picture (Morton 1966), so that neighbours in a list of cells are neighbours in the picture.
+std::size_t along_curve(std::size_t cell) {
+  std::size_t place = 0;
+  for (int bit = 0; (1 << bit) < cells; ++bit) {
+    place |= (cell % cells >> bit & 1) << (2 * bit);
+    place |= (cell / cells >> bit & 1) << (2 * bit + 1);
+  }
+  return place;
+}
+
+std::vector<glm::vec2> Looker::spread_places(std::span<const bool> touched) const {
+  std::vector<std::size_t> seen;
+  for (std::size_t cell = 0; cell < touched.size(); ++cell) {
+    if (touched[cell]) seen.push_back(cell);
+  }
+  std::sort(seen.begin(), seen.end(), [](std::size_t a, std::size_t b) { return along_curve(a) < along_curve(b); });
+  std::vector<glm::vec2> places;
+  const std::size_t count = std::min(most_parts, seen.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const double in_share = std::fmod(0.3 + 0.618034 * static_cast<double>(i), 1.0);  // middles would line up on the curve
+    const auto at = static_cast<std::size_t>((static_cast<double>(i) + in_share) * static_cast<double>(seen.size()) / static_cast<double>(count));
+    const std::size_t cell = seen[std::min(at, seen.size() - 1)];
+    const glm::vec2 middle(static_cast<float>(cell % cells) + 0.5f, static_cast<float>(cell / cells) + 0.5f);
+    places.push_back(middle / float{cells} * glm::vec2(frame_.width, frame_.height));
+  }
+  return places;
+}
+
 double lightness_of(const Coat& coat) {
   double sum = 0;
   for (const RampStop& stop : coat.ramp) sum += double{glm::dot(stop.colour, {0.2126f, 0.7152f, 0.0722f})};
@@ -121,6 +151,7 @@ ViewFeatures Looker::features(double stride) const {
   const double touched_share = static_cast<double>(std::count(touched.begin(), touched.end(), true)) / (cells * cells);
   view.covered = std::min(touched_share * view.pixels, area_ * stride);
   view.behind = share_behind();
+  view.places = spread_places(touched);
   const double weight = area_ > 0 ? 1 / area_ : 0;
   view.fur_pixels = std::min(fur_ * weight, 1e6), view.strand_pixels = std::min(strand_ * weight, 1e6);
   view.bending = bending_ * weight;

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "renderer/input/fur_scene.h"
 
@@ -33,6 +34,7 @@ struct ViewFeatures {
   double lights = 0;
   bool scatters = false;  // shading by a model of fibres
   bool varies = false;    // pattern, tufts or paint
+  std::vector<glm::vec2> places = {};  // pixels from the left and the top, at most six: fur, evenly over all that is seen
 };
 
 /// At most some ten thousand triangles are looked at, evenly through the list. Deterministic.

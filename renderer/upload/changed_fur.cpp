@@ -50,21 +50,19 @@ void ChangedFur::note(std::uint32_t vertex, glm::vec3 groom) {
   if (noted_.size() > most_noted) settle(), everywhere_ = true;
 }
 
-std::optional<ClipBox> ChangedFur::box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const {
-  if (everywhere_) return ClipBox{};
+std::vector<ClipBox> ChangedFur::boxes(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const {
+  if (everywhere_) return {ClipBox{}};
   if (noted_.empty()) return {};
   const StrandBoxes strands(mesh, coat, to_clip);
   std::vector<std::optional<ClipBox>> reached(mesh.positions.size());
   for (const Noted& each : noted_) reached[each.vertex] = union_of(reached[each.vertex], strands.of(each.vertex, each.groom));
-  std::optional<ClipBox> all;
+  const auto reach_of = [&](std::uint32_t v) { return reached[v] ? *reached[v] : strands.of(v, mesh.groom[v]); };
+  std::vector<ClipBox> boxes;
   for (const glm::uvec3& t : mesh.triangles) {
     if (!reached[t.x] && !reached[t.y] && !reached[t.z]) continue;
-    for (int corner = 0; corner < 3; ++corner) {
-      const std::uint32_t v = t[corner];
-      all = union_of(all, reached[v] ? *reached[v] : strands.of(v, mesh.groom[v]));
-    }
+    boxes.push_back(union_of(union_of(reach_of(t.x), reach_of(t.y)), reach_of(t.z)));
   }
-  return all;
+  return boxes;
 }
 
 }  // namespace pelage

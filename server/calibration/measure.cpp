@@ -1,18 +1,12 @@
 #include "server/calibration/measure.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "renderer/compare/compare.h"
+#include "server/scene/error_probe.h"
 #include "server/scene/fur_view.h"
 
 namespace pelage {
-
-Knobs reference_knobs(int shells) {
-  Knobs knobs = knobs_of(Tier::interactive);
-  knobs.shells = shells, knobs.shell_policy = ShellPolicy::uniform, knobs.order = FragmentOrder::sorted;
-  knobs.accumulation = Accumulation::full;
-  return knobs;
-}
 
 FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& view) {
   FrameRequest request;
@@ -22,13 +16,6 @@ FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& vi
   FurFrame frame = make_frame(scene, request);
   frame.camera.eye *= view.distance;
   return frame;
-}
-
-std::optional<double> fur_error(const Image& truth, const Image& test) {
-  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(test)));
-  const Result<PictureError> error = compare(truth, test, mask);
-  if (!error || !error->figures) return {};
-  return error->figures->flip.mean;
 }
 
 namespace {
@@ -71,10 +58,14 @@ Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, cons
     if (!image) return image.status();
     measured.cost_ms.push_back(cost);
     if (!truth) continue;
-    const std::optional<double> error = fur_error(*truth, *image);
+    const std::optional<FurError> error = fur_error(*truth, *image);
     if (!error) return failure(Code::invalid, "nothing is seen in a view that was to be measured");
-    measured.error.push_back(*error);
+    measured.error.push_back(error->mean);
   }
+  measured.error_of_parts.resize(ladder.size());
+  ErrorProbe probe(renderer, frame, measured.features.places, std::max(options.truth_shells, 1));
+  for (std::size_t row = 0; options.probed > 0 && row < ladder.size(); row += static_cast<std::size_t>(options.probed))
+    measured.error_of_parts[row] = probe.error(ladder[row]).value_or(0);
   return measured;
 }
 

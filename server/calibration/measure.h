@@ -1,8 +1,6 @@
 // Drawing a view with every knob set of a ladder: what each costs, and how far it is from the reference.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <span>
 
 #include "protocol/base/status.h"
@@ -16,10 +14,8 @@ namespace pelage {
 struct MeasureOptions {
   int truth_shells = 256;  // sorted, of the reference; 0 measures no errors
   int repetitions = 2;     // draws of each knob set, of which the least cost counts
+  int probed = 0;          // measures parts of the view too with each so many'th knob set; 0 none
 };
-
-/// The knobs of the reference (R1): sorted layers, full accumulation, every pixel drawn.
-Knobs reference_knobs(int shells);
 
 /// A frame with a transparent background, of a scene that the renderer has.
 FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& view);
@@ -29,8 +25,5 @@ FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& vi
 Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, const SceneView& scene,
                                   const FurFrame& frame, std::span<const Knobs> ladder,
                                   const MeasureOptions& options = {});
-
-/// Mean FLIP over the fur of both pictures; none where nothing is seen.
-std::optional<double> fur_error(const Image& truth, const Image& test);
 
 }  // namespace pelage

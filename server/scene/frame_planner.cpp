@@ -16,7 +16,7 @@ void FramePlanner::use(Calibration calibration) {
 bool FramePlanner::looks_at(const FrameRequest& request) {
   {
     const std::lock_guard lock(mutex_);
-    if (next_) calibration_ = std::move(*next_), costs_ = CostLog(), next_.reset();
+    if (next_) calibration_ = std::move(*next_), costs_ = CostLog(), errors_ = ErrorLog(), next_.reset();
   }
   const auto& ladder = calibration_.ladder;
   return request.plans() ||
@@ -24,11 +24,14 @@ bool FramePlanner::looks_at(const FrameRequest& request) {
 }
 
 std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view,
-                                                FurFrame& frame) const {
+                                                FurFrame& frame, const MeasureError& measure) {
   const CostCorrection correction = costs_.correction(frame.model);
   if (!request.plans()) return estimate_of(calibration_, view, frame.knobs, correction);
   const PlannedFrame planned =
-      pelage::plan(calibration_, view, frame, correction, {request.budget_ms, request.max_error});
+      request.max_error
+          ? plan_measured(calibration_, view, frame, correction, *request.max_error,
+                          errors_.of(frame, in_range(calibration_, error_traits_of(view))), measure)
+          : pelage::plan(calibration_, view, frame, correction, {request.budget_ms, {}});
   frame.knobs = planned.knobs;
   return planned.estimate;
 }

@@ -7,6 +7,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/quality/cost_log.h"
+#include "renderer/quality/error_log.h"
 
 namespace pelage {
 
@@ -20,8 +21,10 @@ class FramePlanner {
 
   /// Whether the request's frame is planned or can be estimated, and its view has to be looked at.
   bool looks_at(const FrameRequest& request);
-  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame.
-  std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame) const;
+  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame. Where an error
+  /// is asked for, `measure` is called for what is not known of the scene as it is seen.
+  std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame,
+                                    const MeasureError& measure);
   /// What the frame has cost. Frames that draw more than shells in light are not counted.
   void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 
@@ -30,6 +33,7 @@ class FramePlanner {
   std::optional<Calibration> next_;
   Calibration calibration_;
   CostLog costs_;
+  ErrorLog errors_;
 };
 
 }  // namespace pelage

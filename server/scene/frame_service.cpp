@@ -13,6 +13,7 @@
 
 #include "renderer/frame/renderer.h"
 #include "server/scene/difference_view.h"
+#include "server/scene/error_probe.h"
 #include "server/scene/frame_cost.h"
 #include "server/scene/frame_file.h"
 #include "server/scene/frame_planner.h"
@@ -89,6 +90,8 @@ struct FrameService::Impl {
   void run(GlChoice choice, int threads, std::promise<Status>& started);
   void serve(Renderer& renderer);
   Result<DrawnFrame> draw(Renderer& renderer, Job& job);
+  /// Gives the frame its knobs; `probed` says how long parts of it were drawn for that.
+  std::optional<FrameEstimate> plan(Renderer& renderer, const FrameRequest& request, Shown& shown, double& probed);
   void count(Clock::time_point start, const Status& outcome);
   void add(std::unique_ptr<Job> job);
   /// Runs `work` on the render thread and waits for it.
@@ -173,7 +176,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   const Clock::time_point start = Clock::now();
   Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false, planner.looks_at(job.request));
   if (!shown) return shown.status();
-  if (shown->features) frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
+  if (shown->features) frame.estimate = plan(renderer, job.request, *shown, frame.timings.probe);
   frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = milliseconds_since(start);
@@ -188,6 +191,19 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   return frame;
+}
+
+std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, const FrameRequest& request, Shown& shown,
+                                                      double& probed) {
+  const Clock::time_point start = Clock::now();
+  std::optional<ErrorProbe> probe;
+  const MeasureError measure = [&](const Knobs& knobs) {
+    if (!probe) probe.emplace(renderer, shown.fur, shown.features->places, truth_shells(*request.max_error));
+    return probe->error(knobs);
+  };
+  std::optional<FrameEstimate> estimate = planner.plan(request, *shown.features, shown.fur, measure);
+  if (probe) probed = milliseconds_since(start);
+  return estimate;
 }
 
 template <class T>

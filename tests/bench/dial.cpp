@@ -46,7 +46,10 @@ void print_view(const char* name, const MeasuredView& view, std::span<const Knob
               "bending %.3f lightness %.3f lights %.0f scatters %d varies %d\n",
               name, f.pixels, f.triangles, f.visible, f.area, f.edges, f.covered, f.behind, f.fur_pixels, f.strand_pixels,
               f.bending, f.lightness, f.lights, f.scatters, f.varies);
-  for (std::size_t row = 0; row < ladder.size(); ++row) print_row(ladder[row], view.cost_ms[row], view.error[row]);
+  for (std::size_t row = 0; row < ladder.size(); ++row) {
+    const std::string parts = view.error_of_parts[row] > 0 ? "parts " + std::to_string(view.error_of_parts[row]) : "";
+    print_row(ladder[row], view.cost_ms[row], view.error[row], parts.c_str());
+  }
   std::fflush(stdout);
 }
 
@@ -87,11 +90,13 @@ int fit(Renderer& renderer, const std::string& file, const MeasureOptions& optio
   std::vector<std::size_t> rows = pareto_rows(views);
   if (rows.front() != 0) rows.insert(rows.begin(), 0);  // the tier has an estimate whether or not it is among the best
   for (const std::size_t row : rows) ladder.push_back(candidates[row]);
-  for (MeasuredView& view : views) view.cost_ms = picked(view.cost_ms, rows), view.error = picked(view.error, rows);
+  for (MeasuredView& view : views) view.cost_ms = picked(view.cost_ms, rows), view.error = picked(view.error, rows),
+                                  view.error_of_parts = picked(view.error_of_parts, rows);
   Calibration calibration = fit_calibration(ladder, views);
   calibration.name = "defaults";
   print_ladder(calibration, views);
-  std::printf("%zu of %zu candidates; safety of cost %.2f\nprices:", ladder.size(), candidates.size(), calibration.cost_safety);
+  std::printf("%zu of %zu candidates; safety of cost %.2f, once learnt %.2f, of an error of parts %.2f\nprices:", ladder.size(), candidates.size(),
+              calibration.cost_safety, calibration.learnt_safety, calibration.probe_safety);
   for (const double price : calibration.cost) std::printf(" %.4g", price);
   std::printf("\n");
   std::ofstream(file) << encode(calibration);
@@ -119,13 +124,14 @@ struct Tally {
 struct Judged {
   const Calibration& calibration;
   std::vector<Knobs> candidates;
-  Tally first, later, errors, errors_later;
+  Tally first = {}, later = {}, told = {}, measured = {};
+  int requests = 0, parts = 0;  // knob sets that were measured on parts of a view
 
   std::size_t index_of(const Knobs& knobs) const {
     return static_cast<std::size_t>(std::find(candidates.begin(), candidates.end(), knobs) - candidates.begin());
   }
   void budgets(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, Tally& tally);
-  void max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, Tally& tally);
+  void max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool by_parts, Tally& tally);
   CostCorrection learnt(const MeasuredView& view) const;
   void judge(const MeasuredView& view, const FurFrame& frame);
 };
@@ -144,14 +150,21 @@ void Judged::budgets(const MeasuredView& view, const FurFrame& frame, const Cost
   }
 }
 
-void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, Tally& tally) {
+/// By parts of the view, as the first request of its scene; or told from its features alone.
+void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool by_parts,
+                        Tally& tally) {
   for (double most = 0.008; most <= 0.12; most *= 1.2) {
     double cheapest = 1e30;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (view.error[i] <= most) cheapest = std::min(cheapest, view.cost_ms[i]);
     }
     if (cheapest > 1e29) continue;
-    const PlannedFrame planned = plan(calibration, view.features, frame, correction, {{}, most});
+    MeasuredErrors errors;
+    const MeasureError measure = [&](const Knobs& knobs) { return ++parts, std::optional(view.error_of_parts[index_of(knobs)]); };
+    requests += by_parts;
+    const PlannedFrame planned =
+        by_parts ? plan_measured(calibration, view.features, frame, correction, most, errors, measure)
+                 : plan(calibration, view.features, frame, correction, {{}, most});
     const std::size_t row = index_of(planned.knobs);
     tally.add(view.error[row] <= most, view.cost_ms[row] / cheapest, 1.5);
   }
@@ -181,7 +194,7 @@ void Judged::judge(const MeasuredView& view, const FurFrame& frame) {
               f.behind, f.area);
   std::fflush(stdout);
   budgets(view, frame, {}, first), budgets(view, frame, correction, later);
-  max_errors(view, frame, {}, errors), max_errors(view, frame, correction, errors_later);
+  max_errors(view, frame, correction, false, told), max_errors(view, frame, correction, true, measured);
 }
 
 struct JudgeOptions {
@@ -191,7 +204,7 @@ struct JudgeOptions {
 int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& options, const JudgeOptions& extent,
           const Calibration& calibration) {
   const int size = extent.size;
-  Judged judged{calibration, candidate_ladder(), {}, {}, {}, {}};
+  Judged judged{calibration, candidate_ladder()};
   const CalibrationScene::View views[] = {{AutoView::three_quarter, 1, size}, {AutoView::back, 1.5f, size}, {AutoView::left, 0.6f, size}};
   const std::pair<const char*, FirstGroom> models[] = {{"spot.ply", {.length = 0.03}}, {"cat_ascii.ply", {.length = 0.02}}, {"koala.ply", {.length = 0.03}}};
   for (const auto& [file, fur] : std::span(models).first(static_cast<std::size_t>(std::clamp(extent.models, 1, 3)))) {
@@ -208,8 +221,9 @@ int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& o
   }
   judged.first.print("budgets, first frames", "FLIP over the best");
   judged.later.print("budgets, later frames", "FLIP over the best");
-  judged.errors.print("errors, first frames", "cost over the cheapest");
-  judged.errors_later.print("errors, later frames", "cost over the cheapest");
+  judged.told.print("errors told from the view", "cost over the cheapest");
+  judged.measured.print("errors measured on parts", "cost over the cheapest");
+  std::printf("%.1f knob sets were measured for a request\n", double(judged.parts) / std::max(judged.requests, 1));
   return 0;
 }
 
@@ -219,7 +233,7 @@ int main(int count, char** arguments) {
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
   const auto number = [&](const char* name, int fallback) { return argument(count - 2, arguments + 2, name, fallback); };
-  const MeasureOptions options{number("--truth", 256), number("--repetitions", 2)};
+  const MeasureOptions options{number("--truth", 256), number("--repetitions", 2), mode == "fit" ? 3 : 1};
   if (mode == "fit") return fit(*opened.renderer, arguments[2], options, number("--scenes", 100));
   Calibration calibration = default_calibration();
   if (number("--own-costs", 0)) {

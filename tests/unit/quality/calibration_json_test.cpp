@@ -41,9 +41,11 @@ TEST(CalibrationJson, WhatIsBrokenIsRefused) {
   EXPECT_FALSE(decode_calibration("").ok());
   EXPECT_FALSE(decode_calibration("{\"version\": 1").ok());
   expect_refusal("{}", "/version");
-  expect_refusal(changed("\"version\":1", "\"version\":2"), "/version");
+  expect_refusal(changed("\"version\":2", "\"version\":1"), "/version");
   expect_refusal(changed("\"cost\":[1.0,", "\"cost\":["), "/cost");
   expect_refusal(changed("\"cost\":[1.0,", "\"cost\":[-1.0,"), "/cost/0");
+  expect_refusal(changed("\"learnt_safety\":1.0", "\"learnt_safety\":0"), "/learnt_safety");
+  expect_refusal(changed("\"probe_safety\":1.0", "\"probe_safety\":0.9"), "/probe_safety");
   expect_refusal(changed("\"error_safety\":1.6", "\"error_safety\":0"), "/ladder/0/error_safety");
   expect_refusal(changed("\"shells\":4", "\"shells\":0"), "/ladder/0/knobs/shells");
   expect_refusal(changed("\"name\"", "\"nome\""), "/name");

@@ -31,7 +31,7 @@ TEST(CostLog, NothingIsCorrectedBeforeThreeFrames) {
 TEST(CostLog, SmallChangesChangeNothing) {
   CostLog log;
   add_often(log, 1, {}, 1.15, 20), add_often(log, 1, sorted(), 0.87, 20);
-  EXPECT_EQ(log.correction(1), CostCorrection{});
+  EXPECT_EQ(log.correction(1), (CostCorrection{1, 1, true, true}));
   add_often(log, 1, {}, 2, 20);
   const double once = log.correction(1).layers;
   add_often(log, 1, {}, 2.2, 20), add_often(log, 1, {}, 1.8, 20);
@@ -41,7 +41,7 @@ TEST(CostLog, SmallChangesChangeNothing) {
 TEST(CostLog, OneSlowFrameIsNothing) {
   CostLog log;
   add_often(log, 1, {}, 1, 3), add_often(log, 1, {}, 50, 2), add_often(log, 1, {}, 1, 3);
-  EXPECT_EQ(log.correction(1), CostCorrection{});
+  EXPECT_EQ(log.correction(1), (CostCorrection{1, 1, true, false}));
 }
 
 TEST(CostLog, CorrectionsAreBoundedAndFinite) {

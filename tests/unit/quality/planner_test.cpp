@@ -3,9 +3,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "protocol/base/limits.h"
 #include "renderer/quality/cost_model.h"
+#include "renderer/quality/error_log.h"
+#include "renderer/quality/error_model.h"
 #include "tests/unit/quality/views.h"
 
 namespace pelage {
@@ -67,6 +71,62 @@ RC_GTEST_PROP(Planner, WhatItSaysIsWhatItChose, ()) {
   const FrameEstimate& e = planned.estimate;
   RC_ASSERT(e.cost_ms == predicted_cost(calibration, square(), planned.knobs));
   RC_ASSERT(e.error > 0 && e.error <= 1 && std::isfinite(e.cost_ms));
+}
+
+/// What is measured is `factor` times what is predicted, but for rows whose number `odd` divides: those are twice as far off.
+MeasureError off_by(const Calibration& calibration, double factor, std::size_t odd, std::vector<std::size_t>& asked) {
+  return [&calibration, factor, odd, &asked](const Knobs& knobs) -> std::optional<double> {
+    std::size_t row = 0;
+    while (!(calibration.ladder[row].knobs == knobs)) ++row;
+    asked.push_back(row);
+    const double predicted = predicted_error(calibration.ladder[row], in_range(calibration, error_traits_of(square())));
+    return predicted * factor * (row % odd == 0 ? 2 : 1);
+  };
+}
+
+RC_GTEST_PROP(Planner, WhatWasMeasuredKeepsTheErrorAndNothingCheaperIsExpectedTo, ()) {
+  Calibration calibration = any_calibration();
+  calibration.probe_safety = number(100, 200, 0.01);
+  for (std::size_t i = 0; i < calibration.ladder.size(); ++i) calibration.ladder[i].knobs.steps = static_cast<int>(i) + 1;
+  const double most = number(1, 1000, 1e-3), factor = number(10, 500, 0.01);
+  std::vector<std::size_t> asked;
+  MeasuredErrors errors;
+  const MeasureError measure = off_by(calibration, factor, 3, asked);
+  const PlannedFrame planned = plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure);
+  const FrameEstimate& e = planned.estimate;
+  RC_ASSERT(e.measured && e.error_safety == calibration.probe_safety);
+  RC_ASSERT(std::set(asked.begin(), asked.end()).size() == asked.size());  // nothing is measured twice
+  if (e.end == PlanEnd::error) RC_ASSERT(e.error * e.error_safety <= most);
+  asked.clear();
+  RC_ASSERT(plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure).knobs == planned.knobs);
+  RC_ASSERT(asked.empty());  // the same request asks for nothing more
+  const PlannedFrame again = plan(calibration, square(), frame_of(512, 512), {}, {{}, most}, errors);
+  RC_ASSERT(again.knobs == planned.knobs);
+}
+
+TEST(Planner, WithoutAMeasurementErrorsAreToldFromTheView) {
+  const Calibration calibration = plain_calibration();
+  MeasuredErrors errors;
+  const MeasureError nothing = [](const Knobs&) { return std::optional<double>(); };
+  const PlannedFrame planned = plan_measured(calibration, square(), frame_of(512, 512), {}, 0.05, errors, nothing);
+  EXPECT_EQ(planned.knobs, with_error(calibration, 0.05).knobs);
+  EXPECT_FALSE(planned.estimate.measured);
+}
+
+TEST(ErrorLog, KeepsWhatWasMeasuredForLikeViewsOfAScene) {
+  ErrorLog log;
+  FurFrame frame = frame_of(512, 512);
+  frame.model = 7;
+  log.of(frame, {}).note(2, 0.1, 0.2);
+  EXPECT_TRUE(log.of(frame, {0.1}).has(2));
+  FurFrame other = frame;
+  other.model = 8;
+  EXPECT_FALSE(log.of(other, {}).has(2));
+  EXPECT_TRUE(log.of(frame, {}).has(2));
+  EXPECT_FALSE(log.of(frame, {0.3}).has(2)) << "seen from elsewhere";
+  log.of(frame, {0.3}).note(2, 0.1, 0.2);
+  frame.coat.count = 1234;
+  EXPECT_FALSE(log.of(frame, {0.3}).has(2)) << "another coat";
 }
 
 TEST(Planner, TheEndSaysWhy) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/quality/windows.h"
 #include "tests/unit/quality/views.h"
 
 namespace pelage {
@@ -22,6 +23,38 @@ TEST(ViewFeatures, ASquareCoversWhatItProjectsTo) {
   EXPECT_EQ(view.behind, 0);
   EXPECT_NEAR(view.bending, 0, 1e-12);
   EXPECT_EQ(view.lights, 3);
+}
+
+TEST(ViewFeatures, PlacesAreSpreadOverTheFur) {
+  const Patch patch(8, 0.25f, 0.0f);
+  const std::vector<glm::vec2> places = view_features(frame_of(400, 400), patch.skin()).places;
+  ASSERT_EQ(places.size(), 6u);
+  glm::vec2 low(400), high(0);
+  for (const glm::vec2& place : places) low = glm::min(low, place), high = glm::max(high, place);
+  EXPECT_GT(std::min(low.x, low.y), 90);  // the square is 200 pixels wide
+  EXPECT_LT(std::max(high.x, high.y), 310);
+  EXPECT_GT(std::min(high.x - low.x, high.y - low.y), 90);
+}
+
+TEST(Windows, ShowAPlaceOfThePictureWithItsPixels) {
+  const FurFrame frame = frame_of(400, 300);
+  const FurFrame middle = window_of(frame, {200, 150}, 60);
+  EXPECT_EQ(middle.camera.forward, frame.camera.forward);
+  EXPECT_FLOAT_EQ(middle.camera.tan_half_fov / frame.camera.tan_half_fov, 60.0f / 300);
+  const FurFrame corner = window_of(frame, {360, 30}, 60);
+  const auto pixel_of = [&](const FurFrame& seen, const glm::vec3& at) {
+    const glm::vec3 off = at - seen.camera.eye;
+    const float focal = static_cast<float>(seen.height) / (2 * seen.camera.tan_half_fov) / glm::dot(off, seen.camera.forward);
+    return glm::vec2(seen.width, seen.height) * 0.5f +
+           focal * glm::vec2(glm::dot(off, seen.camera.right), -glm::dot(off, seen.camera.up));
+  };
+  const FurCamera& camera = frame.camera;
+  const float half = camera.tan_half_fov / 150;  // a pixel at distance 1
+  for (const glm::vec2 off : {glm::vec2(0), glm::vec2(20, 0), glm::vec2(0, 20), glm::vec2(-15, 10)}) {
+    const glm::vec2 pixel = glm::vec2(360, 30) + off - glm::vec2(200, 150);
+    const glm::vec3 at = camera.eye + camera.forward + half * (pixel.x * camera.right - pixel.y * camera.up);
+    EXPECT_LT(glm::distance(pixel_of(corner, at) - glm::vec2(30), off), 0.2f * glm::length(off) + 1e-3f);
+  }
 }
 
 TEST(ViewFeatures, LengthsAreInPixels) {

@@ -1,0 +1,52 @@
+// Parts of a view tell how far knobs are from the truth in all of it.
+#include "renderer/quality/view_features.h"
+#include "server/scene/error_probe.h"
+#include "server/scene/frame_cost.h"
+#include "server/scene/fur_view.h"
+#include "tests/gl/with_renderer.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+namespace {
+
+class Probe : public WithRenderer {};
+
+TEST_P(Probe, PartsAreAboutAsFarFromTheTruthAsTheWhole) {
+  FurredModel model = furred({Builtin::creature, 3000}, {.length = 0.03});
+  FrameRequest request = small_frame(AutoView::three_quarter, 224);
+  request.background = Background::transparent;
+  sync_scene(*renderer, model.view(), {});
+  const FurFrame frame = make_frame(model.view(), request);
+  const ViewFeatures view = view_features(frame, furred_skin(model.view()));
+  ASSERT_EQ(view.places.size(), 6u);
+  const auto whole = [&](const Knobs& knobs) {
+    FurFrame drawn = frame;
+    drawn.knobs = knobs;
+    return renderer->draw(drawn).value();
+  };
+  const Image truth = whole(reference_knobs(128));
+  ErrorProbe probe(*renderer, frame, view.places, 128);
+  double before = 1;
+  for (const int shells : {4, 8, 16}) {
+    Knobs knobs = knobs_of(Tier::interactive);
+    knobs.shells = shells;
+    const double error = fur_error(truth, whole(knobs))->mean, parts = probe.error(knobs).value();
+    EXPECT_GT(parts, 0.6 * error) << shells;
+    EXPECT_LT(parts, 1.6 * error) << shells;
+    EXPECT_LT(parts, before);
+    before = parts;
+  }
+  EXPECT_LT(probe.error(reference_knobs(128)).value(), 1e-4);
+}
+
+TEST_P(Probe, NothingSeenTellsNothing) {
+  FurredModel model = furred({Builtin::sphere, 300});
+  sync_scene(*renderer, model.view(), {});
+  const FurFrame frame = make_frame(model.view(), small_frame(AutoView::front, 64));
+  EXPECT_FALSE(ErrorProbe(*renderer, frame, {}, 128).error(knobs_of(Tier::draft)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Probe, all_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing
