@@ -1,7 +1,7 @@
 """Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile over
 the strokes that touch fur.
 
-usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY]
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY] [DABS]
 """
 import http.client
 import json
@@ -14,10 +14,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end
 from support.server import Server  # noqa: E402
 
 
-def stroke(i):
+def stroke(i, dabs):
     view = {"camera": {"auto": "three_quarter"}, "width": 512, "height": 512}
     x, y = 180 + (i * 37) % 160, 190 + (i * 53) % 130
-    samples = [{"screen": [x + 8 * k, y + 4 * k], "time": 0.02 * k} for k in range(6)]
+    samples = [{"screen": [x + 8 * k, y + 4 * k], "time": 0.02 * k} for k in range(dabs)]
     return {"op": "comb", "brush": {"radius": 0.06}, "stroke": {"view": view, "samples": samples}}
 
 
@@ -30,6 +30,7 @@ def main():
     model = sys.argv[2] if len(sys.argv) > 2 else "creature"
     triangles = int(sys.argv[3]) if len(sys.argv) > 3 else 5000
     quality = sys.argv[4] if len(sys.argv) > 4 else "interactive"
+    dabs = int(sys.argv[5]) if len(sys.argv) > 5 else 6
     server = Server(gl="auto")
     try:
         scene = server.new_scene(model, triangles)
@@ -37,7 +38,7 @@ def main():
         totals, stages, commands, shares = [], {}, [], []
         for i in range(count + 3):
             start = time.perf_counter()
-            connection.request("POST", f"{scene.path}/commands", json.dumps(stroke(i)))
+            connection.request("POST", f"{scene.path}/commands", json.dumps(stroke(i, dabs)))
             touched = json.loads(connection.getresponse().read())["results"][0]["touched"]
             grown = time.perf_counter()
             connection.request("POST", f"{scene.path}/frames", json.dumps({"quality": quality}))

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int most_rounds = 32;         // each halves the number of runs
 constexpr double guessed_cover = 0.25;  // share of a picture's pixels that fur covers
+constexpr double cautious = 0.8;        // of the room is used by areas as full as their neighbours
 
 Status impossible() {
   return failure(Code::invalid, "this server's GL cannot keep lists of fragments", "/quality/order", "layers");
@@ -56,20 +57,21 @@ Status SortedPass::draw(const Gl& gl, const RenderTarget& target, int expected,
     areas.pop_back();
     lists.begin(gl, area);
     gl.Scissor(area.left, area.top, area.width, area.height);
-    const Result<bool> fitted = draw_area(gl, lists, target, draw_fragments);
-    if (!fitted) {
-      status = fitted.status();
-    } else if (!*fitted && area.pixels() < 2) {
+    const Result<std::uint32_t> count = draw_area(gl, lists, target, draw_fragments);
+    if (!count) {
+      status = count.status();
+    } else if (*count > lists.capacity() && area.pixels() < 2) {
       status = no_memory();
-    } else if (!*fitted) {
-      for (const Area& half : halves(area)) areas.push_back(half);
+    } else if (*count > lists.capacity()) {
+      const double share = std::min(0.5, cautious * lists.capacity() / *count);
+      for (const Area& part : cut(area, std::max(1.0, share * area.pixels()))) areas.push_back(part);
     }
   }
   gl.Disable(GL_SCISSOR_TEST);
   return status;
 }
 
-Result<bool> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
+Result<std::uint32_t> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
                                    const std::function<void()>& draw_fragments) const {
   set_draw_state(gl, target);
   set_colour_writes(gl, GL_FALSE);
@@ -79,7 +81,8 @@ Result<bool> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, con
   gl.Disable(GL_DEPTH_TEST);
   gl.DepthMask(GL_FALSE);
   Status status = wait_for(gl);
-  const bool fitted = status.ok() && lists.header(gl).count <= lists.capacity();
+  const std::uint32_t count = status.ok() ? lists.header(gl).count : 0;
+  const bool fitted = status.ok() && count <= lists.capacity();
   if (fitted) status = sort(gl, lists);
   set_colour_writes(gl, GL_TRUE);
   if (fitted && status.ok()) {
@@ -91,7 +94,7 @@ Result<bool> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, con
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   if (!status.ok()) return status;
-  return fitted;
+  return count;
 }
 
 Status SortedPass::sort(const Gl& gl, const FragmentLists& lists) const {

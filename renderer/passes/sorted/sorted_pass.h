@@ -37,8 +37,8 @@ class SortedPass {
 
  private:
   void make_programs(const Gl& gl);
-  /// Whether the area's fragments did fit; if so they are in the target.
-  Result<bool> draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
+  /// How many fragments the area has; they are in the target if there was room for them.
+  Result<std::uint32_t> draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
                          const std::function<void()>& draw_fragments) const;
   Status sort(const Gl& gl, const FragmentLists& lists) const;
   void draw_whole(const Gl& gl, const Program& program) const;
