@@ -24,7 +24,7 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
   const CpuStopwatch working;
   DrawTimes taken;
   fragments_.begin();
-  Prepared scene = prepare_scene(frame, {}, taken);
+  const Prepared scene = prepare_scene(frame, {}, taken);
   const Status drawn = draw_light(frame, scene);
   fragments_.end();
   if (!drawn.ok()) return drawn;

@@ -93,8 +93,9 @@ std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& no
   return all;
 }
 
-PicturePart part_of(const ClipBox& box, int width, int height) {
-  const glm::ivec2 across = pixels_of(box.low.x, box.high.x, width), up = pixels_of(box.low.y, box.high.y, height);
+PicturePart part_of(const std::optional<ClipBox>& box, int width, int height) {
+  if (!box) return {{}, {0, 0, -2, -2}};
+  const glm::ivec2 across = pixels_of(box->low.x, box->high.x, width), up = pixels_of(box->low.y, box->high.y, height);
   const glm::ivec2 columns = cells_of(across, width), rows = cells_of(up, height);
   return {{across.x, height - up.y, across.y - across.x, up.y - up.x}, {columns.x, rows.x, columns.y, rows.y}};
 }

@@ -43,8 +43,8 @@ struct PicturePart {
   CellBox cells;
 };
 
-/// The pixels that the box touches.
-PicturePart part_of(const ClipBox& box, int width, int height);
+/// The pixels that the box touches; no pixels for no box.
+PicturePart part_of(const std::optional<ClipBox>& box, int width, int height);
 
 /// The pixels of a finished picture that an area of its light touches.
 Area finished_area(const Area& area, const RenderTarget& light, const RenderTarget& picture);

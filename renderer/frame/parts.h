@@ -6,7 +6,6 @@
 #include <chrono>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "renderer/frame/renderer.h"
 
@@ -36,33 +35,34 @@ class CpuStopwatch {
   double start_ = now();
 };
 
-/// Draws and clears touch an area alone while it lives.
+/// Draws and clears touch an area alone while it lives; nothing is set where there is none.
 class ScissorTest {
  public:
-  ScissorTest(const Gl& gl, const Area& area) : gl_(gl) {
+  ScissorTest(const Gl& gl, const std::optional<Area>& area) : gl_(gl), on_(area) {
+    if (!on_) return;
     gl.Enable(GL_SCISSOR_TEST);
-    gl.Scissor(area.left, area.top, area.width, area.height);
+    gl.Scissor(area->left, area->top, area->width, area->height);
   }
-  ~ScissorTest() { gl_.Disable(GL_SCISSOR_TEST); }
+  ~ScissorTest() {
+    if (on_) gl_.Disable(GL_SCISSOR_TEST);
+  }
   ScissorTest(const ScissorTest&) = delete;
   ScissorTest& operator=(const ScissorTest&) = delete;
 
  private:
   const Gl& gl_;
+  bool on_;
 };
 
 struct Renderer::Prepared {
   const CoatTextures& coat;
   ModelBuffers& model;
-  LayerView view;
-  ModelBuffers::DrawLists lists;  // of the view, or of the part that is drawn
+  ModelBuffers::DrawLists lists;
   std::string variant;
   FrameBlock block;
-  std::optional<std::vector<PicturePart>> parts;  // that are drawn; all where there is no list
+  std::optional<Area> part;  // that is drawn; all where there is none
 
   FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
-  /// Share of a target of that size that is drawn, [0, 1].
-  double redrawn(int width, int height) const;
 };
 
 Status no_memory();

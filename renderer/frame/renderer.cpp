@@ -11,7 +11,6 @@
 #include "renderer/gl/wait.h"
 #include "renderer/passes/draw/draw_state.h"
 #include "renderer/pattern/pattern_block.h"
-#include "renderer/upload/cover_boxes.h"
 #include "renderer/upload/skin_block.h"
 
 namespace pelage {
@@ -20,7 +19,6 @@ namespace {
 
 constexpr std::size_t kept_coats = 3;              // 90 MB each
 constexpr std::int64_t kept_pixels = 2048 * 2048;  // targets of a larger frame are given back after it
-constexpr std::size_t most_parts = 4;              // of a picture that are drawn on their own
 constexpr GLuint skin_binding = 5;                 // as in bare_skin.glsl
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
@@ -153,11 +151,17 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
   const float furthest = frame.knobs.order == FragmentOrder::sorted ? -2.0f : furthest_averted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
-  const LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest,
-                       block.world_to_clip, stretch};
-  std::optional<std::vector<PicturePart>> parts;
-  if (shown) parts = changed_parts(frame, shown->frame, model, view.to_clip);
-  const auto lists = parts ? ModelBuffers::DrawLists{} : model.sort_for(gl_, view);
+  LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest,
+                 block.world_to_clip, stretch};
+  std::optional<Area> part;
+  if (shown) {
+    std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip);
+    if (const std::optional<ClipBox> curves = changed_curves(shown->frame, frame, view.to_clip))
+      changed = union_of(changed, *curves);
+    const PicturePart touched = part_of(changed, drawn_.width(), drawn_.height());
+    part = touched.area, view.part = touched.cells;
+  }
+  const auto lists = model.sort_for(gl_, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);
@@ -168,26 +172,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   }
   if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
   bind_blocks(frame, block);
-  return {coat, model, view, lists, variant_of(frame, model), block, std::move(parts)};
-}
-
-std::vector<PicturePart> Renderer::changed_parts(const FurFrame& frame, const FurFrame& shown, const ModelBuffers& model,
-                                                 const glm::mat4& to_clip) const {
-  std::vector<ClipBox> boxes = model.changed_boxes(frame.coat, to_clip);
-  if (const std::optional<ClipBox> curves = changed_curves(shown, frame, to_clip)) boxes.push_back(*curves);
-  std::vector<PicturePart> parts;
-  for (const ClipBox& box : cover(std::move(boxes), most_parts)) {
-    const PicturePart part = part_of(box, drawn_.width(), drawn_.height());
-    if (part.area.width > 0 && part.area.height > 0) parts.push_back(part);
-  }
-  return parts;
-}
-
-double Renderer::Prepared::redrawn(int width, int height) const {
-  if (!parts) return 1;
-  double pixels = 0;
-  for (const PicturePart& part : *parts) pixels += part.area.pixels();
-  return std::min(1.0, pixels / (static_cast<double>(width) * height));
+  return {coat, model, lists, variant_of(frame, model), block, part};
 }
 
 void Renderer::prepare_colours(const FurFrame& frame, ModelBuffers& model) {
@@ -219,20 +204,10 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
   if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
 }
 
-Status Renderer::draw_light(const FurFrame& frame, Prepared& scene) {
-  if (!scene.parts) return draw_part(frame, scene);
-  for (const PicturePart& part : *scene.parts) {
-    LayerView view = scene.view;
-    view.part = part.cells;
-    scene.lists = scene.model.sort_for(gl_, view);
-    const ScissorTest scissor(gl_, part.area);
-    if (const Status status = draw_part(frame, scene); !status.ok()) return status;
-  }
-  return {};
-}
-
-Status Renderer::draw_part(const FurFrame& frame, const Prepared& scene) {
+Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
+  if (scene.part && scene.part->pixels() == 0) return {};  // what the target shows is the frame
   set_draw_state(gl_, drawn_);
+  const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, drawn_, {});
   fur_.mark_sets(gl_, scene.drawing(frame), drawn_.framebuffer());
@@ -321,13 +296,18 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   const CpuStopwatch working;
   DrawTimes taken;
   fragments_.begin();
-  Prepared scene = prepare_scene(frame, shown, taken);
+  const Prepared scene = prepare_scene(frame, shown, taken);
   const Status drawn = draw_light(frame, scene);
   fragments_.end();
   if (!drawn.ok()) return drawn;
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();
-  finish_light(frame, scene, shown && shown->picture, largest, overlay->texture());
+  std::optional<Area> finished;
+  if (shown && shown->picture) finished = finished_area(*scene.part, drawn_, picture_);
+  {
+    const ScissorTest part(gl_, finished);
+    resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay->texture());
+  }
   if (const Status built = programs(); !built.ok()) return built;
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   taken.draw = drawing.milliseconds() - taken.shadow;
@@ -336,20 +316,12 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   Result<Picture> image = read_back<Picture>(frame, type);
   taken.read = reading.milliseconds();
   taken.counters = take_counters();
-  taken.counters.redrawn = scene.redrawn(drawn_.width(), drawn_.height());
+  if (scene.part) taken.counters.redrawn = scene.part->pixels() / Area{0, 0, drawn_.width(), drawn_.height()}.pixels();
   if (times) *times = taken;
   kept_.keep(frame, format);
   scene.model.settle();
   give_back_large_targets();
   return image;
-}
-
-void Renderer::finish_light(const FurFrame& frame, const Prepared& scene, bool kept, int largest, GLuint overlay) {
-  if (!kept) return resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay);
-  for (const PicturePart& part : *scene.parts) {
-    const ScissorTest scissor(gl_, finished_area(part.area, drawn_, picture_));
-    resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay);
-  }
 }
 
 FrameCounters Renderer::take_counters() const {

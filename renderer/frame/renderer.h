@@ -98,17 +98,12 @@ class Renderer {
   struct Prepared;
   /// `shown` is what the target shows; a frame is drawn whole without it.
   Prepared prepare_scene(const FurFrame& frame, const std::optional<ShownFrame>& shown, DrawTimes& times);
-  /// Where the target does not show the frame yet, being the same but for fields and curves.
-  std::vector<PicturePart> changed_parts(const FurFrame& frame, const FurFrame& shown, const ModelBuffers& model,
-                                         const glm::mat4& to_clip) const;
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
   /// are the #define lines of what is written beside light.
   void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
-  Status draw_light(const FurFrame& frame, Prepared& scene);
-  /// All of the target, or what the scissor leaves of it.
-  Status draw_part(const FurFrame& frame, const Prepared& scene);
+  Status draw_light(const FurFrame& frame, const Prepared& scene);
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
   const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? single_ : drawn_; }
@@ -116,8 +111,6 @@ class Renderer {
   Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
                                          const ModelBuffers::DrawList& triangles);
   Result<RenderTarget> draw_light_map(const FurFrame& frame, const Prepared& scene);
-  /// The picture from its light; only the parts of it that were drawn where the rest was `kept`.
-  void finish_light(const FurFrame& frame, const Prepared& scene, bool kept, int largest, GLuint overlay);
   template <class Picture>
   Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times);
   Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,

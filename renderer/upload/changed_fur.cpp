@@ -50,19 +50,21 @@ void ChangedFur::note(std::uint32_t vertex, glm::vec3 groom) {
   if (noted_.size() > most_noted) settle(), everywhere_ = true;
 }
 
-std::vector<ClipBox> ChangedFur::boxes(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const {
-  if (everywhere_) return {ClipBox{}};
+std::optional<ClipBox> ChangedFur::box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const {
+  if (everywhere_) return ClipBox{};
   if (noted_.empty()) return {};
   const StrandBoxes strands(mesh, coat, to_clip);
   std::vector<std::optional<ClipBox>> reached(mesh.positions.size());
   for (const Noted& each : noted_) reached[each.vertex] = union_of(reached[each.vertex], strands.of(each.vertex, each.groom));
-  const auto reach_of = [&](std::uint32_t v) { return reached[v] ? *reached[v] : strands.of(v, mesh.groom[v]); };
-  std::vector<ClipBox> boxes;
+  std::optional<ClipBox> all;
   for (const glm::uvec3& t : mesh.triangles) {
     if (!reached[t.x] && !reached[t.y] && !reached[t.z]) continue;
-    boxes.push_back(union_of(union_of(reach_of(t.x), reach_of(t.y)), reach_of(t.z)));
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t v = t[corner];
+      all = union_of(all, reached[v] ? *reached[v] : strands.of(v, mesh.groom[v]));
+    }
   }
-  return boxes;
+  return all;
 }
 
 }  // namespace pelage

@@ -26,8 +26,8 @@ class ChangedFur {
   void note(std::uint32_t vertex, glm::vec3 groom);
   void settle() { noted_.clear(), everywhere_ = false; }
 
-  /// What the fur of triangles around changed vertices reaches or reached, a box for each; none where none has changed.
-  std::vector<ClipBox> boxes(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const;
+  /// What the fur of changed vertices and of the triangles around them reaches or reached; none where none has changed.
+  std::optional<ClipBox> box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const;
 
  private:
   struct Noted {

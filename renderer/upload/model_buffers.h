@@ -83,9 +83,9 @@ class ModelBuffers {
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);
 
-  /// Where on a picture fur has changed since `settle` (ChangedFur::boxes).
-  std::vector<ClipBox> changed_boxes(const Coat& coat, const glm::mat4& to_clip) const {
-    return changed_.boxes({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip);
+  /// Where on a picture fur has changed since `settle`; none where none has.
+  std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip) const {
+    return changed_.box({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip);
   }
   void settle() { changed_.settle(); }
 
