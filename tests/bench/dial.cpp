@@ -90,8 +90,9 @@ int fit(Renderer& renderer, const std::string& file, const MeasureOptions& optio
   std::vector<std::size_t> rows = pareto_rows(views);
   if (rows.front() != 0) rows.insert(rows.begin(), 0);  // the tier has an estimate whether or not it is among the best
   for (const std::size_t row : rows) ladder.push_back(candidates[row]);
-  for (MeasuredView& view : views) view.cost_ms = picked(view.cost_ms, rows), view.error = picked(view.error, rows),
-                                  view.error_of_parts = picked(view.error_of_parts, rows);
+  for (MeasuredView& view : views) {
+    for (std::vector<double>* column : {&view.cost_ms, &view.error, &view.error_of_parts}) *column = picked(*column, rows);
+  }
   Calibration calibration = fit_calibration(ladder, views);
   calibration.name = "defaults";
   print_ladder(calibration, views);
