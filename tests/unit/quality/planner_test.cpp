@@ -95,6 +95,9 @@ RC_GTEST_PROP(Planner, WhatWasMeasuredKeepsTheErrorAndNothingCheaperIsExpectedTo
   const PlannedFrame planned = plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure);
   const FrameEstimate& e = planned.estimate;
   RC_ASSERT(e.measured && e.error_safety == calibration.probe_safety);
+  const double told = std::min(1.0, *off_by(calibration, factor, 3, asked)(planned.knobs));
+  asked.pop_back();
+  RC_ASSERT(std::abs(e.error - told) <= 1e-9 * told);  // what was measured of it, not of others
   RC_ASSERT(std::set(asked.begin(), asked.end()).size() == asked.size());  // nothing is measured twice
   if (e.end == PlanEnd::error) RC_ASSERT(e.error * e.error_safety <= most);
   asked.clear();

@@ -147,15 +147,17 @@ TEST(LayerSets, ASetIsDrawnWhereItMayBeAskedForAndNowhereElse) {
 }
 
 TEST(LayerSets, TrianglesOutsideThePictureAreNotDrawn) {
-  for (const int shells : {8, 32}) {  // one set, and three
-    ThreeTriangles mesh;
-    for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {12, 0, 0};  // 10 is the border
-    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 0u) << shells;
-    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).averted[0].size(), 1u) << shells;
-    mesh.positions[2] = {9, 0, 0};  // it reaches in
-    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
-    for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {10.005f, 0, 0};  // its fur, .01 long, reaches in
-    EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
+  for (const float side : {-1.0f, 1.0f}) {
+    for (const int shells : {8, 32}) {  // one set, and three
+      ThreeTriangles mesh;
+      for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {12 * side, 0, 0};  // 10 is the border
+      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 0u) << shells;
+      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).averted[0].size(), 1u) << shells;
+      mesh.positions[2] = {9 * side, 0, 0};  // it reaches in
+      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
+      for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {10.005f * side, 0, 0};  // its fur, .01 long, reaches in
+      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
+    }
   }
 }
 
