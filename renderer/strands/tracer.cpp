@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "renderer/strands/film.h"
 #include "renderer/strands/paths.h"
@@ -22,19 +23,30 @@ double milliseconds_since(Clock::time_point start) {
 }
 
 constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
-constexpr double widest = 0.004;     // sizes that strands are widened to because they are thin in the picture, or twice
+constexpr double widest = 1.0 / 60;  // of the fur's length that strands are widened to because they are thin, or twice
 constexpr double widest_allowed = 0.05;   // sizes that they are widened to because they would be too many
 constexpr std::size_t base_pictures = 5;  // of a BasePicture
 constexpr int judged_passes = 8;          // before them no part of the picture is left for its little noise
 constexpr std::size_t film_part = 2;      // a film takes at most one over this of the memory
 
+/// Of the fur where there is any, sizes.
+double mean_length(std::span<const float> lengths) {
+  double sum = 0;
+  std::size_t furred = 0;
+  for (const float length : lengths) {
+    if (length > 0) sum += static_cast<double>(length), ++furred;
+  }
+  return furred > 0 ? sum / static_cast<double>(furred) : 0;
+}
+
 /// Thins strands out for a view and widens what is left. The share is a power of 1/2, so that a step of the camera
-/// seldom changes it. Wide strands would make a small animal larger than it is, so that from afar no more are left out.
-void thin_out(const FurFrame& frame, double expected, GrowRecipe& recipe) {
+/// seldom changes it. Wide strands stand out of short fur into the light: widened to a third of its height they make it a
+/// tenth too bright, and a small animal larger than it is. So from afar no more are left out.
+void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRecipe& recipe) {
   const double nearest = std::max(glm::length(glm::dvec3(frame.camera.eye)) - 0.5, 0.0);
   const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
   const double width = std::max({frame.coat.width_root, frame.coat.width_tip, 1e-6});
-  const double seen = width / std::clamp(least_width * pixel, 1e-9, widest);
+  const double seen = width / std::clamp(least_width * pixel, 1e-9, std::max(widest * fur_length, 1e-9));
   const double allowed = expected > 0 ? frame.knobs.trace.strands / expected : 1;
   recipe.share = std::exp2(std::floor(std::log2(std::min({seen, allowed, 1.0}))));
   recipe.widening = std::clamp(1 / recipe.share, 1.0, std::max(widest_allowed / width, 1.0));
@@ -97,7 +109,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
   const double expected = expected_strands(model, frame.coat);
   recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
-  thin_out(frame, expected, recipe);
+  thin_out(frame, expected, mean_length(fields.length), recipe);
   const Result<World::Change> change = tracer.world.update(model, fields, frame, recipe, tracer.workers, go_on);
   if (!change) return change.status();
   if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading.emplace(frame);

@@ -123,6 +123,21 @@ TEST(Trace, GroundDarkensWhereTheBodyStands) {
   EXPECT_LT(lit, 0.05 * shade);  // what is left are strands that no light reached
 }
 
+// Strands wider than a part of the fur's height would stand out of it into the light.
+TEST(Trace, ShortFurKeepsItsStrandsFromAfar) {
+  const auto share_from_afar = [](float length) {
+    const FurPatch ball = fur_ball(length);
+    FurFrame frame = frame_at(8, coat_of(glm::vec3(0.5f)), Transport::transmittance, 1);
+    frame.coat.width_root = 0.0004, frame.coat.width_tip = 0.0001;
+    const auto strands = [&] { return static_cast<double>(traced(ball, frame).report.strands); };
+    const double far = strands();
+    frame.camera.tan_half_fov *= 0.004f, frame.knobs.trace.strands = 8'000'000;
+    return far / static_cast<double>(traced(ball, frame).report.strands);
+  };
+  EXPECT_EQ(share_from_afar(0.02f), 1);
+  EXPECT_LT(share_from_afar(0.2f), 0.3);
+}
+
 TEST(Trace, EndsAtALevelOfNoise) {
   FurFrame frame = frame_at(48, coat_of(glm::vec3(0.5f)), Transport::transmittance, 4096);
   frame.lights = {lamp_from({1, -1, -1}, 1)};
