@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "renderer/coat/strand_cover.h"
 #include "renderer/coat/strand_tile.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Stack = std::vector<std::vector<SliceTexel>>;
 
-double mean_of(const std::vector<double>& values) {
+double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
@@ -22,6 +23,10 @@ std::size_t at(int x, int y, int texels) {
   return static_cast<std::size_t>((y & (texels - 1)) * texels + (x & (texels - 1)));
 }
 
+/// At 60 degrees to the stack.
+float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
+
+/// Light is that on what is seen: gaps between clumps are brighter than the clumps.
 Stack halve(const Stack& stack, int texels) {
   const int half = texels / 2;
   Stack result(stack.size(), std::vector<SliceTexel>(static_cast<std::size_t>(half * half)));
@@ -29,8 +34,14 @@ Stack halve(const Stack& stack, int texels) {
     for (int y = 0; y < half; ++y) {
       for (int x = 0; x < half; ++x) {
         SliceTexel sum;
-        for (int k = 0; k < 4; ++k) sum.add(stack[i][at(2 * x + k % 2, 2 * y + k / 2, texels)]);
-        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light /= 4;
+        float light = 0, seen = 0;
+        for (int k = 0; k < 4; ++k) {
+          const SliceTexel& part = stack[i][at(2 * x + k % 2, 2 * y + k / 2, texels)];
+          sum.add(part);
+          const float share = 1e-6f + opacity(part.depth);
+          light += part.light * share, seen += share;
+        }
+        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = light / seen;
         result[i][at(x, y, half)] = sum;
       }
     }
@@ -38,6 +49,7 @@ Stack halve(const Stack& stack, int texels) {
   return result;
 }
 
+constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
 constexpr int slanted_rays = 64;             // on a side, at most
 constexpr double least_let_through = 0.002;  // of rays: less says nothing about a slice
 constexpr float opaque_depth = 12;           // of a slice; more is not told apart
@@ -113,6 +125,22 @@ void match_slices(Stack& stack, int texels, double shift, const std::array<doubl
   }
 }
 
+/// The factor on the depths of matched slices for which rays at a slant reach as deep on average as they do between the
+/// strands: what they let through, averaged over the slices, is `wanted`.
+double reaching_scale(const Stack& stack, int texels, double shift, double wanted) {
+  std::vector<std::vector<double>> depths;
+  for (std::size_t i = 0; i < stack.size(); ++i) depths.push_back(depths_along(stack[i], texels, shift, i));
+  std::vector<double> reached;
+  return bisect(-12, 6, 20, wanted, [&](double scale) {
+    double sum = 0;
+    reached.assign(depths.front().size(), 0.0);
+    for (std::size_t i = depths.size(); i-- > 0;) {
+      for (std::size_t k = 0; k < reached.size(); ++k) sum += std::exp(-scale * (reached[k] += depths[i][k]));
+    }
+    return sum / static_cast<double>(reached.size() * depths.size());
+  });
+}
+
 /// Brings the largest depth to what an octet holds. Answers the factor that undoes it.
 double fit_to_octets(Stack& stack) {
   float largest = 1e-3f;
@@ -161,8 +189,8 @@ SliceLevel pack(const Stack& stack, int texels) {
   return level;
 }
 
-/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies half
-/// under what is straight above it and half under the mean.
+/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies a quarter
+/// under what is straight above it and the rest under the mean.
 void light_from_above(const CrossingGrid& crossings, Stack& stack) {
   constexpr int texels_of_cell = slice_texels / crossing_cells;
   std::vector<double> above(crossing_cells * crossing_cells, 0.0);
@@ -172,7 +200,7 @@ void light_from_above(const CrossingGrid& crossings, Stack& stack) {
     for (int y = 0; y < slice_texels; ++y) {
       for (int x = 0; x < slice_texels; ++x) {
         const double here = above[at(x / texels_of_cell, y / texels_of_cell, crossing_cells)];
-        stack[i][at(x, y, slice_texels)].light = static_cast<float>(std::exp(-(0.5 * mean + 0.5 * here) / stored_light));
+        stack[i][at(x, y, slice_texels)].light = static_cast<float>(std::exp(-(0.75 * mean + 0.25 * here) / stored_light));
       }
     }
     for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
@@ -198,16 +226,21 @@ Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack 
   light_from_above(crossings, stack);
   Slices slices;
   slices.depth_above = depth_above(crossings);
-  const double slant = std::sqrt(3.0), shift = slant * nominal_length / slice_count / coat.tile;  // in tiles
-  const std::array<double, slice_count> along = rays_let_through(coat, strands, 0);
-  const std::array<double, slice_count> slanted = rays_let_through(coat, strands, slant);
+  const double across = nominal_length / slice_count / coat.tile;  // for each slice of a ray at 45 degrees, in tiles
+  std::array<std::array<double, slice_count>, 4> open;
+  for (std::size_t k = 0; k < open.size(); ++k) open[k] = rays_let_through(coat, strands, slants[k]);
   for (int level = 0, texels = slice_texels; level < slice_levels; ++level, texels /= 2) {
     if (level > 0) stack = halve(stack, texels * 2);
     Stack matched = stack;
-    match_slices(matched, texels, shift * texels, slanted);
+    match_slices(matched, texels, slants[1] * across * texels, open[1]);
     const double scale = fit_to_octets(matched);
     slices.levels.push_back(pack(matched, texels));
-    slices.levels.back().depth_scale = {std::min(matching_scale(matched, texels, along[0]), 2 * scale), scale};
+    const auto at_slant = [&](std::size_t k) {
+      const double wanted = mean_of(open[k]);
+      return reaching_scale(matched, texels, slants[k] * across * texels, wanted) / std::hypot(1.0, slants[k]);
+    };
+    slices.levels.back().depth_scale = {std::min(matching_scale(matched, texels, open[0][0]), 2 * scale), scale,
+                                        at_slant(2), at_slant(3)};
   }
   return slices;
 }

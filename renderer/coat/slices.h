@@ -25,9 +25,10 @@ struct SliceLevel {
   int texels = 0;
   std::vector<std::uint8_t> shape;
   std::vector<std::uint8_t> colour;
-  /// Factors on the stored optical depth. At 60 degrees to the strands' stack the rays that get past each slice are then
-  /// those that opaque strands let past, and along the stack those that get past all slices.
-  std::array<double, 2> depth_scale{1, 1};
+  /// Factors on the stored optical depth, along the strands' stack and at 60, 30 and 75 degrees to it. At 60 the rays that
+  /// get past each slice are then those that opaque strands let past, along the stack those that get past all slices, and
+  /// at 30 and 75 rays reach as deep on average.
+  std::array<double, 4> depth_scale{1, 1, 1, 1};
 };
 
 struct Slices {

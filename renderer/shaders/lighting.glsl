@@ -36,13 +36,21 @@ vec3 transmittance(float strands, vec3 colour) { return exp2(-1.442695 * strands
 
 // Strands that a ray to the light crosses, of `above` that one at 45 degrees to upright fur would cross. A ray meets
 // strands by the sine of its angle to them, and its way through the fur is the longer the lower the light stands: out of
-// a height h below the tips, over a body of radius r, h 2 / (n.l + sqrt((n.l)^2 + 2 h / r)).
-float strands_to_light(float above, float height, vec3 tangent, vec3 to_light, float facing) {
+// a height h below the tips, over a body of radius r, h 2 / (n.l + sqrt((n.l)^2 + 2 h / r)). What the eye sees lies at the
+// end of a gap, and where light sets out it is in that gap still: the first strands, `crowding` of them within about a
+// width, are not met (the hot spot of leaf canopies, Kuusk 1985).
+float strands_to_light(float above, float height, vec3 tangent, vec3 to_light, float facing, float crowding) {
   const float spread = 0.08;                     // strands of one place differ in direction
   float roundness = 0.2 * (1.0 - height) + 0.01; // 2 h / r, where fur is a tenth of the radius of what it grows on
   float along = dot(tangent, to_light);
-  return above * sqrt(1.0 - (1.0 - spread) * min(along * along, 1.0)) * 2.0 / (facing + sqrt(facing * facing + roundness));
+  float across = sqrt(1.0 - (1.0 - spread) * min(along * along, 1.0));
+  float strands = above * across * 2.0 / (facing + sqrt(facing * facing + roundness));
+  return strands * strands / max(strands + crowding * across, 1e-6);
 }
+
+// Strands that lie within about a width of one that leans like this: frame.counts.y, of upright ones, drawn together as
+// they lie down.
+float crowding_of(vec3 tangent, vec3 normal) { return frame.counts.y / max(dot(tangent, normal), 0.15); }
 
 #ifdef PAINT_COLOUR
 vec4 paint_above = vec4(0.0);  // of the fur over a strand: times its cover, cover
@@ -114,11 +122,12 @@ vec3 fibre_light(Fibre fibre) {
   vec3 crossed = colour_crossed(fibre.colour, fibre.height);
   vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.above, crossed) *
              environment_light(fibre.normal);
+  float crowding = crowding_of(fibre.tangent, fibre.normal);
   for (int i = 0; i < LAMPS; ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
-    float strands = strands_to_light(fibre.above, fibre.height, fibre.tangent, to_light, facing);
+    float strands = strands_to_light(fibre.above, fibre.height, fibre.tangent, to_light, facing, crowding);
 #ifdef LAYERS
     vec3 unshadowed = radiance;
 #endif

@@ -59,6 +59,14 @@ vec2 tile_at(float s) {
   return at;
 }
 
+// At this ray's angle to the stack, of those along it and at 60, 30 and 75 degrees; even between them in the sine.
+float depth_scale_of(vec4 scales) {
+  float sine = sqrt(1.0 - 1.0 / max(slant * slant, 1.0));
+  if (sine < 0.5) return mix(scales.x, scales.z, 2.0 * sine);
+  if (sine < 0.8660254) return mix(scales.z, scales.y, (sine - 0.5) * 2.7320508);
+  return mix(scales.y, scales.w, min((sine - 0.8660254) * 10.0102, 1.0));
+}
+
 // A part of the slab, as thick as `thickness` about the height `middle`, front to back in `steps` texture steps. The
 // stored optical depth is that of one slice seen along the stack, `blur` levels coarser than a pixel asks for. It is
 // scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
@@ -72,9 +80,7 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
   share *= amounts.y * gather_to_clump(shell_height());
 #endif
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
-  vec4 scales = frame.depth_scale[int(sharp)];
-  float slanted = 1.1547005 * sqrt(1.0 - 1.0 / max(slant * slant, 1.0));  // sine to the stack, over that of 60 degrees
-  float scale = stored_depth * 1.442695 * share * mix(scales.x, scales.y, slanted) * clamp(slant, 1.0, 10.0) *
+  float scale = stored_depth * 1.442695 * share * depth_scale_of(frame.depth_scale[int(sharp)]) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
   Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
   for (int i = 0; i < steps; ++i) {

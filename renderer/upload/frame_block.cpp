@@ -50,6 +50,12 @@ bool takes_model_colours(ColourSource source, bool model_has_colours) {
   return source == ColourSource::model || (source == ColourSource::automatic && model_has_colours);
 }
 
+/// Strands that a ray across upright ones meets on average on the way of a strand's width.
+double crowding_of(const Coat& coat) {
+  const double width = (coat.width_root + coat.width_tip) / 2;
+  return std::min(coat.count * width * width / (coat.tile * coat.tile), 1.0);
+}
+
 }  // namespace
 
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels) {
@@ -63,11 +69,12 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,
                               frame.knobs.self_shadow ? look.self_shadow : 0.0);
   block.skin = {look.skin, takes_model_colours(look.colour_source, model_has_colours) ? 1.0f : 0.0f};
-  block.counts = glm::vec4(frame.knobs.shells, frame.knobs.steps, frame.lights.size(), coat.root_share);
+  block.counts = glm::vec4(frame.knobs.shells, crowding_of(coat), frame.lights.size(), coat.root_share);
   block.tile = glm::vec4(1 / coat.tile, coat.tile / slice_texels, coat.lean_curve == LeanCurve::root ? 1 : 0,
                          largest_lightness(coat));
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {
-    block.depth_scale[i] = glm::vec4(slices.levels[i].depth_scale[0], slices.levels[i].depth_scale[1], 0, 0);
+    const std::array<double, 4>& scale = slices.levels[i].depth_scale;
+    block.depth_scale[i] = glm::vec4(scale[0], scale[1], scale[2], scale[3]);
   }
   const std::array<glm::vec3, slice_count> above = colour_above(coat);
   for (std::size_t i = 0; i < slice_count; ++i) {

@@ -92,12 +92,16 @@ double from_all_around(double a) {
   return (1 + a) / (1 + (std::numbers::pi / 2 + 1) * a + 1.21 * a * a + 0.5 * a * a * a);
 }
 
-/// Strands on the way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface.
-double strands_to_light(const Case& c, const glm::dvec3& to_light) {
+/// Strands on the way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, but for those
+/// about a width away: deep in fur N less what crowds around a strand, and near its surface almost none.
+double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3& to_light) {
   const double facing = glm::dot(glm::dvec3(c.normal), to_light), along = glm::dot(glm::dvec3(c.tangent), to_light);
   const double below = 0.1 * (1 - double(c.height)) + 0.005;
   const double way = (std::sqrt(facing * facing + 2 * below) - facing) / below;
-  return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way;
+  const double across = std::sqrt(1 - 0.92 * along * along), strands = double(c.above) * across * way;
+  const double width = (coat.width_root + coat.width_tip) / 2, upright = std::max(glm::dot(glm::dvec3(c.tangent), glm::dvec3(c.normal)), 0.15);
+  const double crowding = coat.count * width * width / (coat.tile * coat.tile) / upright * across;
+  return strands * strands / (strands + crowding);
 }
 
 struct Arriving {
@@ -142,7 +146,7 @@ Expected expected_light(const FurFrame& frame, const FibreShading& shading, cons
     const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_eye)};
     const double behind = light_behind(look.shading, facing, look.back_attenuation);
     const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
-    sum.direct += whole * let_through(look, strands_to_light(c, from.to_light), crossed);
+    sum.direct += whole * let_through(look, strands_to_light(frame.coat, c, from.to_light), crossed);
     sum.unshadowed += whole;
   }
   sum.light = sum.direct + look.ambient * g * colour * glm::max(evaluate(around, normal), 0.0);

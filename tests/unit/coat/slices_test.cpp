@@ -25,12 +25,21 @@ double depth_at(const SliceLevel& level, int x, int y, int slice) {
   return level.shape[4 * texel + 3] / 255.0 * stored_depth;
 }
 
+/// As slab.glsl has it, between the angles whose scales are known.
+double scale_at(const SliceLevel& level, double sine) {
+  const auto [along, at60, at30, at75] = level.depth_scale;
+  const double sine60 = std::sqrt(0.75), sine75 = std::sin(75 * std::numbers::pi / 180);
+  if (sine < 0.5) return std::lerp(along, at30, 2 * sine);
+  if (sine < sine60) return std::lerp(at30, at60, (sine - 0.5) / (sine60 - 0.5));
+  return std::lerp(at60, at75, std::min((sine - sine60) / (sine75 - sine60), 1.0));
+}
+
 /// What the slices from `lowest` up let through on average of rays at that angle to the normal (degrees), read from the
 /// stored octets and marched as slab.glsl does.
 double transmittance(const Coat& coat, const SliceLevel& level, double angle, int lowest = 0) {
   constexpr int parts = 4;
   const double slant = 1 / std::cos(angle * std::numbers::pi / 180), across = std::sqrt(slant * slant - 1);
-  const double scale = std::lerp(level.depth_scale[0], level.depth_scale[1], std::sqrt(4 / 3.0) * across / slant);
+  const double scale = scale_at(level, across / slant);
   const double shift = across * nominal_length / slice_count / coat.tile * level.texels;
   const int stride = std::max(1, level.texels / 128);
   double sum = 0;
@@ -133,6 +142,52 @@ TEST(Slices, EveryLevelLetsThroughWhatTheStrandsDo) {
   }
 }
 
+// What is seen takes its colour from how deep rays reach: 1 % of the height is about 1 % of a ramp's lightness.
+TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
+  Coat sleek;
+  sleek.count = 8400, sleek.width_root = 0.00042, sleek.width_tip = 0.00011, sleek.clump = 0.15, sleek.fine_clump = 0.25;
+  for (const Coat& coat : {sleek, Coat()}) {
+    const Slices slices = bake_slices(coat);
+    const std::vector<Strand> strands = make_strands(coat);
+    for (const double angle : {30.0, 75.0}) {
+      const auto open = rays_let_through(coat, strands, std::tan(angle * std::numbers::pi / 180));
+      for (const std::size_t i : {3, 5}) {
+        double reached = 0;
+        for (int slice = 0; slice < slice_count; ++slice) reached += transmittance(coat, slices.levels[i], angle, slice);
+        EXPECT_NEAR(reached / slice_count, std::accumulate(open.begin(), open.end(), 0.0) / slice_count, 0.01)
+            << "level " << i << ", " << angle << " degrees";
+      }
+    }
+  }
+}
+
+/// Mean of the stored light in a slice, each texel by `weight` of its depth.
+template <typename Weight>
+double mean_light(const SliceLevel& level, int slice, const Weight& weight) {
+  double sum = 0, weights = 0;
+  for (int y = 0; y < level.texels; ++y) {
+    for (int x = 0; x < level.texels; ++x) {
+      const std::size_t texel = (static_cast<std::size_t>(slice) * level.texels + y) * level.texels + x;
+      const double w = weight(depth_at(level, x, y, slice));
+      sum += w * level.shape[4 * texel + 2] / 255.0, weights += w;
+    }
+  }
+  return sum / weights;
+}
+
+// A texel of many strands and gaps has the light that falls on the strands: more of it falls into gaps between clumps.
+TEST(Slices, CoarseLevelsKeepTheLightOnStrands) {
+  Coat coat;
+  coat.clump = 0.9, coat.clump_size = 0.02;
+  const Slices slices = bake_slices(coat);
+  constexpr int slice = 20;
+  const double everywhere = mean_light(slices.levels[0], slice, [](double) { return 1.0; });
+  const double on_strands = mean_light(slices.levels[0], slice, [](double depth) { return depth > 0.2 ? 1.0 : 0.0; });
+  ASSERT_GT(everywhere, on_strands + 0.03);
+  EXPECT_NEAR(mean_light(slices.levels[7], slice, [](double depth) { return depth; }), on_strands,
+              0.4 * (everywhere - on_strands));
+}
+
 TEST(Slices, ThinTowardsTheTips) {
   const Slices slices = bake_slices(thin_coat());
   const SliceLevel& level = slices.levels[0];
@@ -179,7 +234,7 @@ TEST(Slices, ExtremesAreFinite) {
     coat.count = count, coat.width_root = coat.width_tip = width, coat.bend = bend, coat.curl = 0.5;
     const Slices slices = bake_slices(coat);
     for (const SliceLevel& level : slices.levels) {
-      EXPECT_TRUE(std::isfinite(level.depth_scale[0]) && std::isfinite(level.depth_scale[1]));
+      for (const double scale : level.depth_scale) EXPECT_TRUE(std::isfinite(scale));
     }
     for (const float depth : slices.depth_above) EXPECT_TRUE(std::isfinite(depth));
   }
