@@ -13,7 +13,7 @@ REFERENCE_LIGHT = [
     {"op": "set_environment", "environment": {"sky": [1, 1, 1], "horizon": [0.8, 0.82, 0.85], "ground": [0.45, 0.44, 0.43],
                                               "intensity": 0.9}},
     {"op": "set_lights", "lights": [
-        {"direction": [0.2, -0.9, 0.35], "colour": [1, 0.96, 0.9], "intensity": 1.7, "self_shadow_maps": True, "cast_shadow": "penumbra"},
+        {"direction": [0.2, -0.9, 0.35], "colour": [1, 0.96, 0.9], "intensity": 1.7, "cast_shadow": "penumbra"},
         {"direction": [-0.7, -0.3, -0.6], "colour": [0.85, 0.92, 1], "intensity": 0.45, "cast_shadow": "penumbra"},
         {"direction": [0.6, -0.4, 0.5], "colour": [1, 0.98, 0.95], "intensity": 0.25, "cast_shadow": "penumbra"}]}]
 FINE = {"shells": 24, "shadow_maps": True, "shadow_resolution": 1024, "scale": 1.5}

@@ -26,7 +26,7 @@ glm::dvec3 from(double degrees_up, double degrees_around) {
 std::string lights(bool front, glm::dvec3 towards) {
   const glm::dvec3 to = front ? -towards + glm::dvec3{0.4, -0.5, 0} : towards + glm::dvec3{0, -0.6, 0};
   return fmt::format(R"({{"op":"set_lights","lights":[{{"direction":[{:.4f},{:.4f},{:.4f}],"intensity":1.6,)"
-                     R"("self_shadow_maps":true,"cast_shadow":"penumbra"}},{{"direction":[0,-1,0.1],"intensity":0.3,"cast_shadow":"penumbra"}}]}})",
+                     R"("cast_shadow":"penumbra"}},{{"direction":[0,-1,0.1],"intensity":0.3,"cast_shadow":"penumbra"}}]}})",
                      to.x, to.y, to.z);
 }
 
