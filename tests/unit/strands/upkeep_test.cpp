@@ -25,7 +25,7 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
   less.coat.count = 30;
   const std::vector<float> whole = traced(ball, frame).beauty.rgba;
   int refused = 0, done = 0;
-  for (std::size_t memory = std::size_t{256} << 10; memory <= std::size_t{64} << 20; memory *= 2) {
+  for (std::size_t memory = std::size_t{256} << 10; memory <= std::size_t{128} << 20; memory *= 2) {
     Tracer tracer(2, memory, false);
     const Status status = traced_in(tracer, ball, frame);
     if (status.ok()) {
@@ -150,8 +150,8 @@ TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {
 FurFrame view_from(double distance) {
   const double pixel = 0.4 / 64 * distance;
   const int size = static_cast<int>(std::ceil(0.7 / pixel));
-  FurFrame frame = frame_at(size, coat_of(glm::vec3(0.5f), 2500), Transport::transmittance, 20'000 / (size * size));
-  frame.coat.width_root = 0.0011, frame.coat.width_tip = 0.0004;
+  FurFrame frame = frame_at(size, coat_of(glm::vec3(0.5f), 4000), Transport::transmittance, std::max(1, 20'000 / (size * size)));
+  frame.coat.width_root = 0.0004, frame.coat.width_tip = 0.00015;
   frame.camera.eye = {0, 0, distance};
   frame.camera.tan_half_fov = static_cast<float>(size * pixel / 2 / distance);
   return frame;
@@ -179,7 +179,7 @@ TEST(Upkeep, CoverageStaysFromAnyDistance) {
     }
     ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {view_from(2).coat}, {2, false}, always));
     std::size_t most = 0, least = 1u << 30;
-    for (const double distance : {2.0, 8.0, 32.0, 128.0}) {
+    for (const double distance : {0.8, 2.0, 8.0, 32.0, 128.0}) {
       const FurFrame frame = view_from(distance);
       const Traced picture = traced(ball, frame);
       const double pixels = double(frame.width) * frame.height;
