@@ -26,7 +26,8 @@ std::size_t at(int x, int y, int texels) {
 /// At 60 degrees to the stack.
 float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
 
-/// Light is that on what is seen: gaps between clumps are brighter than the clumps.
+/// Light is half that on strands, for gaps between clumps are brighter than the clumps, and half the mean, for what one sees
+/// of a clump is its outside.
 Stack halve(const Stack& stack, int texels) {
   const int half = texels / 2;
   Stack result(stack.size(), std::vector<SliceTexel>(static_cast<std::size_t>(half * half)));
@@ -34,14 +35,14 @@ Stack halve(const Stack& stack, int texels) {
     for (int y = 0; y < half; ++y) {
       for (int x = 0; x < half; ++x) {
         SliceTexel sum;
-        float light = 0, seen = 0;
+        float light = 0, on_strands = 0, strands = 0;
         for (int k = 0; k < 4; ++k) {
           const SliceTexel& part = stack[i][at(2 * x + k % 2, 2 * y + k / 2, texels)];
           sum.add(part);
           const float share = 1e-6f + opacity(part.depth);
-          light += part.light * share, seen += share;
+          light += part.light / 4, on_strands += part.light * share, strands += share;
         }
-        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = light / seen;
+        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = (light + on_strands / strands) / 2;
         result[i][at(x, y, half)] = sum;
       }
     }

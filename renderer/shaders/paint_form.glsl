@@ -36,7 +36,8 @@ vec2 clump_shift = vec2(0.0);   // to the root of the strand that is here, tiles
 // As tufts.glsl, on the tile: the strand that is here at height s grows further out in its clump, and past the border of
 // the clump there is none. What is finer than pixels stays. Answers the factor on the optical depth.
 float gather_to_clump(float s) {
-  float gather = most_gathered * min(forms.y + water_gathers * amounts.z, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
+  float own = paint_block.coat.x, water = min(own + amounts.z, 1.0) - own;  // what `own` draws together is in the tile
+  float gather = most_gathered * min(forms.y + water_gathers * water, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
   if (gather <= 0.0) return 1.0;
   vec4 clump = textureLod(clump_map, tile, 0.0);
   clump_middle = (clump.rg * 2.0 - 1.0) * paint_block.coat.w;

@@ -53,7 +53,9 @@ StrandForm::StrandForm(const Coat& coat, const TileStrands& tile)
     : coat_(coat), tile_(tile), clumps_(coat.tile, coat.clump_size, coat.seed, 1) {}
 
 StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& root) const {
-  const float gather = most_gathered * std::min(root.clump + water_gathers * root.wetness, 1.0f);
+  const auto own = static_cast<float>(coat_.wetness);  // what that draws together is in the tile
+  const float water = std::min(own + root.wetness, 1.0f) - own;
+  const float gather = most_gathered * std::min(root.clump + water_gathers * water, 1.0f);
   if (gather <= 0) return {};
   const Clump clump = clumps_.nearest(strand.root);
   return {glm::vec3(clump.centre - strand.root, 0), gather * glm::mix(0.5f, 1.0f, static_cast<float>(clump.pull))};

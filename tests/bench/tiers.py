@@ -136,9 +136,9 @@ def tier_rows(scene, options, animal):
     base = whole["interactive"].knobs
     truths = {name: Truths(scene, distance, options, base) for name, distance in DISTANCES.items()}
     at = truths["whole"]
-    r1, r2 = at.r1(at.base), at.r2()
+    r1, r2 = at.r1(whole["detailed"].knobs), at.r2()  # strands have the shadows of `detailed`
     between, between_map = compare(r1, r2)
-    floor = compare(r1, at.r1(at.base, options.truth // 2))[0]["flip"]["mean"]
+    floor = compare(at.r1(at.base), at.r1(at.base, options.truth // 2))[0]["flip"]["mean"]
     print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {outline_of(between)} | | | | "
           f"(R1 is known to {floor:.4f}) |")
     cells += [("R1", r1, None), (f"R2, {between['flip']['mean']:.3f} from R1", r2, between_map)]

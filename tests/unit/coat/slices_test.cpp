@@ -175,8 +175,8 @@ double mean_light(const SliceLevel& level, int slice, const Weight& weight) {
   return sum / weights;
 }
 
-// A texel of many strands and gaps has the light that falls on the strands: more of it falls into gaps between clumps.
-TEST(Slices, CoarseLevelsKeepTheLightOnStrands) {
+// More light falls into gaps between clumps than on the strands: a texel of both lies between the two.
+TEST(Slices, CoarseLevelsLieBetweenTheLightOfStrandsAndOfGaps) {
   Coat coat;
   coat.clump = 0.9, coat.clump_size = 0.02;
   const Slices slices = bake_slices(coat);
@@ -184,8 +184,9 @@ TEST(Slices, CoarseLevelsKeepTheLightOnStrands) {
   const double everywhere = mean_light(slices.levels[0], slice, [](double) { return 1.0; });
   const double on_strands = mean_light(slices.levels[0], slice, [](double depth) { return depth > 0.2 ? 1.0 : 0.0; });
   ASSERT_GT(everywhere, on_strands + 0.03);
-  EXPECT_NEAR(mean_light(slices.levels[7], slice, [](double depth) { return depth; }), on_strands,
-              0.4 * (everywhere - on_strands));
+  const double coarse = mean_light(slices.levels[7], slice, [](double depth) { return depth; });
+  EXPECT_LT(coarse, everywhere - 0.25 * (everywhere - on_strands));
+  EXPECT_GT(coarse, on_strands);
 }
 
 TEST(Slices, ThinTowardsTheTips) {
