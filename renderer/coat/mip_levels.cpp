@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <thread>
 
 #include "renderer/coat/strand_cover.h"
 #include "renderer/coat/strand_tile.h"
@@ -65,26 +66,29 @@ double bisect(double low, double high, int steps, double wanted, const Falling& 
   return std::exp2((low + high) / 2);
 }
 
-/// Mean over the tile of what a ray along the stack lets through, with depths scaled by `scale`. Every fourth texel is
-/// enough at full size.
-double mean_transmittance(const Stack& stack, int texels, double scale) {
+/// Factors on the depths of each slice: a stack is matched without being copied.
+using Factors = std::vector<float>;
+
+/// What all of the stack's slices hold along it. Every fourth texel is enough at full size.
+std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors, int texels) {
   const int stride = texels > 128 ? 4 : 1;
-  double sum = 0;
-  int count = 0;
-  for (int y = 0; y < texels; y += stride) {
-    for (int x = 0; x < texels; x += stride) {
-      double depth = 0;
-      for (const std::vector<SliceTexel>& slice : stack) depth += static_cast<double>(slice[at(x, y, texels)].depth);
-      sum += std::exp(-scale * depth), ++count;
+  std::vector<double> depths(static_cast<std::size_t>((texels / stride) * (texels / stride)), 0.0);
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    auto depth = depths.begin();
+    for (int y = 0; y < texels; y += stride) {
+      for (int x = 0; x < texels; x += stride) *depth++ += static_cast<double>(stack[i][at(x, y, texels)].depth * factors[i]);
     }
   }
-  return sum / count;
+  return depths;
 }
 
-/// The scale for which the whole stack lets through what is wanted; bisection in the logarithm, as it is monotone.
-double matching_scale(const Stack& stack, int texels, double wanted) {
+/// The scale for which the whole stack lets through what is wanted on average; bisection in the logarithm, as it is monotone.
+double matching_scale(const Stack& stack, const Factors& factors, int texels, double wanted) {
+  const std::vector<double> depths = depths_of_columns(stack, factors, texels);
   return bisect(-12, 6, 24, wanted, [&](double scale) {
-    return mean_transmittance(stack, texels, scale);
+    double sum = 0;
+    for (const double depth : depths) sum += std::exp(-scale * depth);
+    return sum / static_cast<double>(depths.size());
   });
 }
 
@@ -105,12 +109,13 @@ std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texel
   return depths;
 }
 
-/// Scales each slice's depths so that at 60 degrees as many rays get past it, and all that lie above, as get past the
+/// Factors for which at 60 degrees as many rays get past each slice, and all that lie above, as get past the
 /// strands. A mean over the whole stack would not do: dense fur lets so little through that the mean is of the widest
 /// gaps alone, and a stack that keeps it is far too thin at the tips, which are what one sees.
-void match_slices(Stack& stack, int texels, double shift, const std::array<double, slice_count>& wanted) {
+Factors match_slices(const Stack& stack, int texels, double shift, const std::array<double, slice_count>& wanted) {
   std::vector<double> reached;
   double factor = 1;
+  Factors factors(stack.size());
   for (std::size_t i = stack.size(); i-- > 0;) {
     const std::vector<double> here = depths_along(stack[i], texels, shift, i);
     reached.resize(here.size(), 0.0);
@@ -122,15 +127,19 @@ void match_slices(Stack& stack, int texels, double shift, const std::array<doubl
       });
     }
     for (std::size_t k = 0; k < here.size(); ++k) reached[k] += 2 * factor * here[k];
-    for (SliceTexel& texel : stack[i]) texel.scale(static_cast<float>(factor));
+    factors[i] = static_cast<float>(factor);
   }
+  return factors;
 }
 
-/// The factor on the depths of matched slices for which rays at a slant reach as deep on average as they do between the
+/// The scale on the depths of matched slices for which rays at a slant reach as deep on average as they do between the
 /// strands: what they let through, averaged over the slices, is `wanted`.
-double reaching_scale(const Stack& stack, int texels, double shift, double wanted) {
+double reaching_scale(const Stack& stack, const Factors& factors, int texels, double shift, double wanted) {
   std::vector<std::vector<double>> depths;
-  for (std::size_t i = 0; i < stack.size(); ++i) depths.push_back(depths_along(stack[i], texels, shift, i));
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    depths.push_back(depths_along(stack[i], texels, shift, i));
+    for (double& depth : depths.back()) depth *= static_cast<double>(factors[i]);
+  }
   std::vector<double> reached;
   return bisect(-12, 6, 20, wanted, [&](double scale) {
     double sum = 0;
@@ -143,29 +152,37 @@ double reaching_scale(const Stack& stack, int texels, double shift, double wante
 }
 
 /// Brings the largest depth to what an octet holds. Answers the factor that undoes it.
-double fit_to_octets(Stack& stack) {
+double fit_to_octets(const Stack& stack, Factors& factors) {
   float largest = 1e-3f;
-  for (const std::vector<SliceTexel>& slice : stack) {
-    for (const SliceTexel& texel : slice) largest = std::max(largest, texel.depth);
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    for (const SliceTexel& texel : stack[i]) largest = std::max(largest, texel.depth * factors[i]);
   }
   const float fitting = static_cast<float>(stored_depth) / std::min(largest, opaque_depth);
-  for (std::vector<SliceTexel>& slice : stack) {
-    for (SliceTexel& texel : slice) texel.scale(fitting);
-  }
+  for (float& factor : factors) factor *= fitting;
   return 1 / static_cast<double>(fitting);
 }
 
-std::uint8_t octet(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
+std::uint8_t octet(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5); }
 
-void store(const SliceTexel& texel, const SliceTexel& filler, std::uint8_t* shape, std::uint8_t* colour) {
-  const SliceTexel& look = texel.depth > 1e-4f ? texel : filler;
-  const float weight = std::max(look.depth, 1e-6f);
-  shape[0] = octet(0.5 + 0.5 * static_cast<double>(look.slope.x / weight) / stored_slope);
-  shape[1] = octet(0.5 + 0.5 * static_cast<double>(look.slope.y / weight) / stored_slope);
-  shape[2] = octet(static_cast<double>(texel.light));
-  shape[3] = octet(static_cast<double>(texel.depth) / stored_depth);
-  for (int k = 0; k < 3; ++k) colour[k] = octet(std::sqrt(static_cast<double>(look.colour[k] / weight)));
-  colour[3] = octet(static_cast<double>(look.number));
+/// What a texel's strand looks like, whatever light and depth it has.
+struct Look {
+  std::array<std::uint8_t, 2> slope;
+  std::array<std::uint8_t, 4> colour;
+};
+
+Look look_of(const SliceTexel& texel) {
+  const float weight = std::max(texel.depth, 1e-6f);
+  const auto slope = [&](float sum) { return octet(0.5 + 0.5 * static_cast<double>(sum / weight) / stored_slope); };
+  const auto root = [&](float sum) { return octet(std::sqrt(static_cast<double>(sum / weight))); };
+  return {{slope(texel.slope.x), slope(texel.slope.y)},
+          {root(texel.colour.r), root(texel.colour.g), root(texel.colour.b), octet(static_cast<double>(texel.number))}};
+}
+
+void store(float depth, float light, const Look& look, std::uint8_t* shape, std::uint8_t* colour) {
+  std::copy(look.slope.begin(), look.slope.end(), shape);
+  shape[2] = octet(static_cast<double>(light));
+  shape[3] = octet(static_cast<double>(depth) / stored_depth);
+  std::copy(look.colour.begin(), look.colour.end(), colour);
 }
 
 /// What empty texels take, so that filtering never mixes in a colour that no strand has: the slice's mean.
@@ -175,16 +192,18 @@ SliceTexel mean_texel(const std::vector<SliceTexel>& slice) {
   return sum;
 }
 
-SliceLevel pack(const Stack& stack, int texels) {
+SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   SliceLevel level{.texels = texels, .shape = {}, .colour = {}};
   const std::size_t count = static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels);
   level.shape.resize(4 * count * stack.size());
   level.colour.resize(4 * count * stack.size());
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    const SliceTexel filler = mean_texel(stack[i]);
+    const Look filler = look_of(mean_texel(stack[i]));
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t place = 4 * (i * count + k);
-      store(stack[i][k], filler, &level.shape[place], &level.colour[place]);
+      const SliceTexel& texel = stack[i][k];
+      const float depth = texel.depth * factors[i];
+      store(depth, texel.light, depth > 1e-4f ? look_of(texel) : filler, &level.shape[place], &level.colour[place]);
     }
   }
   return level;
@@ -195,13 +214,16 @@ SliceLevel pack(const Stack& stack, int texels) {
 void light_from_above(const CrossingGrid& crossings, Stack& stack) {
   constexpr int texels_of_cell = slice_texels / crossing_cells;
   std::vector<double> above(crossing_cells * crossing_cells, 0.0);
+  std::vector<float> light(above.size());
   for (std::size_t i = stack.size(); i-- > 0;) {
     for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
     const double mean = mean_of(above);
+    for (std::size_t k = 0; k < above.size(); ++k) {
+      light[k] = static_cast<float>(std::exp(-(0.75 * mean + 0.25 * above[k]) / stored_light));
+    }
     for (int y = 0; y < slice_texels; ++y) {
       for (int x = 0; x < slice_texels; ++x) {
-        const double here = above[at(x / texels_of_cell, y / texels_of_cell, crossing_cells)];
-        stack[i][at(x, y, slice_texels)].light = static_cast<float>(std::exp(-(0.75 * mean + 0.25 * here) / stored_light));
+        stack[i][at(x, y, slice_texels)].light = light[at(x / texels_of_cell, y / texels_of_cell, crossing_cells)];
       }
     }
     for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
@@ -219,30 +241,41 @@ std::array<float, slice_count> depth_above(const CrossingGrid& crossings) {
   return result;
 }
 
+using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
+
+SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const LetThrough& open) {
+  const double across = nominal_length / slice_count / coat.tile * texels;  // for each slice of a ray at 45 degrees, in texels
+  Factors factors = match_slices(stack, texels, slants[1] * across, open[1]);
+  const double scale = fit_to_octets(stack, factors);
+  SliceLevel level = pack(stack, factors, texels);
+  const auto at_slant = [&](std::size_t k) {
+    return reaching_scale(stack, factors, texels, slants[k] * across, mean_of(open[k])) / std::hypot(1.0, slants[k]);
+  };
+  level.depth_scale = {std::min(matching_scale(stack, factors, texels, open[0][0]), 2 * scale), scale, at_slant(2), at_slant(3)};
+  return level;
+}
+
 }  // namespace
 
 Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack stack) {
   assert(stack.size() == slice_count);
+  LetThrough open;
+  const auto let_through = [&](std::size_t k) { open[k] = rays_let_through(coat, strands, slants[k]); };
+  std::thread steep([&] { let_through(1), let_through(3); });
+  let_through(0), let_through(2);
   const CrossingGrid crossings = crossings_of(coat, strands);
   light_from_above(crossings, stack);
+  steep.join();
   Slices slices;
   slices.depth_above = depth_above(crossings);
-  const double across = nominal_length / slice_count / coat.tile;  // for each slice of a ray at 45 degrees, in tiles
-  std::array<std::array<double, slice_count>, 4> open;
-  for (std::size_t k = 0; k < open.size(); ++k) open[k] = rays_let_through(coat, strands, slants[k]);
-  for (int level = 0, texels = slice_texels; level < slice_levels; ++level, texels /= 2) {
-    if (level > 0) stack = halve(stack, texels * 2);
-    Stack matched = stack;
-    match_slices(matched, texels, slants[1] * across * texels, open[1]);
-    const double scale = fit_to_octets(matched);
-    slices.levels.push_back(pack(matched, texels));
-    const auto at_slant = [&](std::size_t k) {
-      const double wanted = mean_of(open[k]);
-      return reaching_scale(matched, texels, slants[k] * across * texels, wanted) / std::hypot(1.0, slants[k]);
-    };
-    slices.levels.back().depth_scale = {std::min(matching_scale(matched, texels, open[0][0]), 2 * scale), scale,
-                                        at_slant(2), at_slant(3)};
+  slices.levels.resize(slice_levels);
+  std::thread finest([&] { slices.levels[0] = make_level(coat, stack, slice_texels, open); });
+  Stack coarse = halve(stack, slice_texels);
+  for (int level = 1, texels = slice_texels / 2; level < slice_levels; ++level, texels /= 2) {
+    slices.levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, texels, open);
+    coarse = halve(coarse, texels);
   }
+  finest.join();
   return slices;
 }
 

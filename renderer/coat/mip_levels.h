@@ -24,13 +24,6 @@ struct SliceTexel {
     colour += other.colour;
     light += other.light;
   }
-
-  /// As thick as that, of the same strands.
-  void scale(float factor) {
-    depth *= factor;
-    slope *= factor;
-    colour *= factor;
-  }
 };
 
 /// `stack` has slice_count slices of slice_texels^2 texels of these strands, `light` unset.
