@@ -42,10 +42,13 @@ void shift_to_strand(vec3 normal, vec3 tile_u) {
 #include "paint.glsl"
 #include "paint_form.glsl"
 
+// All but the first weighted by opacity; light to the fourth: what dark strands let through.
 struct Slab {
-  float opacity, height, light;  // the last two weighted by opacity; light to the fourth: what dark strands let through
+  float opacity, height, light;
   vec2 slope;
+  vec4 strand;  // colour (linear), number
 };
+const Slab no_slab = Slab(0.0, 0.0, 0.0, vec2(0.0), vec4(0.0));
 
 // Place on the tile of the strand that the ray crosses at height s.
 vec2 tile_at(float s) {
@@ -76,13 +79,14 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
   share *= tuft_share(tuft_here(), shell_height());
 #endif
 #ifdef PAINT
-  if (amounts.x <= 0.0) return Slab(0.0, 0.0, 0.0, vec2(0.0));
+  if (amounts.x <= 0.0) return no_slab;
   share *= amounts.y * gather_to_clump(shell_height());
 #endif
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   float scale = stored_depth * 1.442695 * share * depth_scale_of(frame.depth_scale[int(sharp)]) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
-  Slab slab = Slab(0.0, 0.0, 0.0, vec2(0.0));
+  float texels = exp2(9.0 - sharp);
+  Slab slab = no_slab;
   for (int i = 0; i < steps; ++i) {
     float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);
     float s = middle + off;
@@ -98,6 +102,9 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
     float fourth = shape.b * shape.b;
     slab.light += weight * fourth * fourth;
     slab.slope += weight * shape.xy;
+    ivec2 texel = ivec2(floor(at * texels)) & (int(texels) - 1);
+    vec4 strand = texelFetch(colours, ivec3(texel, int(slice)), int(sharp));
+    slab.strand += weight * vec4(strand.rgb * strand.rgb, strand.a);
     if (slab.opacity > 0.985) break;
   }
   return slab;

@@ -193,6 +193,12 @@ class Sorted : public WithRenderer {
     return request;
   }
 
+  static double apart(const FloatImage& a, const FloatImage& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(double{a.rgba[i]} - double{b.rgba[i]});
+    return sum / static_cast<double>(a.rgba.size());
+  }
+
   static double largest(const FloatImage& a, const FloatImage& b) {
     double worst = 0;
     for (std::size_t i = 0; i < a.rgba.size(); ++i) worst = std::max(worst, std::abs(double{a.rgba[i]} - double{b.rgba[i]}));
@@ -256,12 +262,23 @@ TEST_P(Sorted, ThousandShellsComeCloserToEachOther) {
   const FloatImage few = light_of(*renderer, model, request_of(FragmentOrder::sorted, 64, 32));
   const FloatImage more = light_of(*renderer, model, request_of(FragmentOrder::sorted, 256, 32));
   const FloatImage most = light_of(*renderer, model, request_of(FragmentOrder::sorted, 1024, 32));
-  const auto apart = [](const FloatImage& a, const FloatImage& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(double{a.rgba[i]} - double{b.rgba[i]});
-    return sum / static_cast<double>(a.rgba.size());
-  };
   EXPECT_LT(apart(more, most), 0.5 * apart(few, most));
+}
+
+// The colour of one height for all of a slab would give two slices that of one of them.
+TEST_P(Sorted, AShellShowsTheColoursOfAllSlicesInIt) {
+  FurredModel model = furred({Builtin::plane, 2}, {.length = 0.05, .inclination = 0.2});
+  model.settings.coat.ramp = {{0, {0.8f, 0, 0}}, {1, {0, 0, 0.8f}}};
+  FrameRequest request = request_of(FragmentOrder::sorted, 16);
+  request.camera.automatic = AutoView::top;
+  const auto redness = [&](int shells, int steps) {
+    request.knobs.shells = shells, request.knobs.steps = steps;
+    const FloatImage light = light_of(*renderer, model, request);
+    double red = 0, blue = 0;
+    for (std::size_t i = 0; i < light.rgba.size(); i += 4) red += double{light.rgba[i]}, blue += double{light.rgba[i + 2]};
+    return red / blue;
+  };
+  EXPECT_NEAR(redness(16, 2) / redness(32, 1), 1, 0.012);  // .019 with one colour for two slices
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, Sorted, all_backends(), name_of);

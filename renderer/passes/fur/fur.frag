@@ -57,8 +57,7 @@ const float least_opacity = 0.002;  // over the whole height: half a step of 255
 vec4 lit_band(Slab slab, vec3 normal, float kept) {
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;
-  vec4 texel = textureLod(colours, vec3(tile_at(height), floor(height * float(slice_count))), floor(level + 0.5));
-  vec3 strand = texel.rgb * texel.rgb;
+  vec4 strand = slab.strand * share;
   vec2 slope = (slab.slope * share * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
 #ifdef PAINT
@@ -69,19 +68,19 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
 #endif
   float above = -0.25 * stored_light * log(max(slab.light * share, 1e-9)) * length_share;
-  vec3 colour = fur_colour(strand, base_colour, base_uv);
+  vec3 colour = fur_colour(strand.rgb, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
 #endif
 #ifdef PAINT_COLOUR
   vec3 mean = textureLod(colours, vec3(tile, floor(height * float(slice_count))), mean_level).rgb;
-  colour = colour_painted(colour, height, lightness_over(strand, mean * mean));
+  colour = colour_painted(colour, height, lightness_over(strand.rgb, mean * mean));
 #endif
 #ifdef PAINT
   above *= painted_depth();
   colour = colour_wetted(colour);
 #endif
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, texel.a);
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, strand.a);
 #ifdef LAYERS
   direct_light = vec3(0.0), light_share = vec2(0.0);
 #endif
