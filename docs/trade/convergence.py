@@ -12,11 +12,11 @@ LOW, HIGH = 0.001, 0.2
 
 
 def rows():
-    """Shells, and animal, order of fragments, errors and slope of each line."""
+    """Shells, and animal, order of fragments, errors and slopes (FLIP, RMS) of each line."""
     table = (FOLDER / "tiers.md").read_text(encoding="utf-8").split("FLIP to R1 by shells")[1]
     lines = [[cell.strip() for cell in line.strip("| ").split("|")] for line in table.splitlines() if line.startswith("| ")]
-    shells = [int(cell) for cell in lines[0][2:-1]]
-    return shells, [(line[0], line[1], [float(cell) for cell in line[2:-1]], line[-1]) for line in lines[1:]]
+    shells = [int(cell) for cell in lines[0][2:-2]]
+    return shells, [(line[0], line[1], [float(cell) for cell in line[2:-2]], line[-2:]) for line in lines[1:]]
 
 
 def main():
@@ -39,16 +39,17 @@ def main():
     svg.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 8}" text-anchor="middle">shells, 4 steps</text>'
                f'<text x="{LEFT}" y="{TOP - 12}">masked FLIP to 256 sorted shells; fitted order</text>')
     ends = {name: [] for name in COLOURS}
-    for animal, order, errors, slope in lines:
+    for animal, order, errors, slopes in lines:
         points = " ".join(f"{x(count):.1f},{y(error):.1f}" for count, error in zip(shells, errors))
         svg.append(f'<polyline points="{points}" fill="none" stroke="{COLOURS[order]}" stroke-width="1.5" opacity=".8">'
-                   f"<title>{animal}, {order}: {slope}</title></polyline>")
-        ends[order].append((errors[-1], float(slope)))
+                   f"<title>{animal}, {order}: {' '.join(slopes)}</title></polyline>")
+        ends[order].append((errors[-1], [float(slope) for slope in slopes]))
     for order, values in ends.items():
-        slopes = sorted(slope for _, slope in values)
+        flip, rms = ([slopes[k] for _, slopes in values] for k in (0, 1))
         middle = sum(math.log(error) for error, _ in values) / len(values)
-        svg.append(f'<text x="{WIDTH - RIGHT + 8}" y="{y(math.exp(middle)) + 4:.1f}" fill="{COLOURS[order]}">'
-                   f"{order}: {slopes[0]:.2f} to {slopes[-1]:.2f}</text>")
+        for line, words in enumerate((f"{order}: {min(flip):.2f} to {max(flip):.2f}", f"RMS: {min(rms):.2f} to {max(rms):.2f}")):
+            svg.append(f'<text x="{WIDTH - RIGHT + 8}" y="{y(math.exp(middle)) + 4 + 16 * line:.1f}" fill="{COLOURS[order]}">'
+                       f"{words}</text>")
     (FOLDER / "convergence.svg").write_text("\n".join(svg) + "\n</svg>\n", encoding="utf-8")
 
 
