@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "renderer/coat/colour_above.h"
 #include "renderer/coat/strand_tile.h"
@@ -56,6 +57,13 @@ double crowding_of(const Coat& coat) {
   return std::min(coat.count * width * width / (coat.tile * coat.tile), 1.0);
 }
 
+/// Size of the finest texels, larger the more a picture of part size is enlarged: texels for the pixels that are drawn
+/// are blurred once more by enlarging, texels for those that are shown flicker. So halfway, in the logarithm.
+double finest_texel(const FurFrame& frame, int pixels) {
+  const double enlarged = std::max(1.0, static_cast<double>(frame.height) / pixels);
+  return frame.coat.tile / slice_texels * std::sqrt(enlarged);
+}
+
 }  // namespace
 
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels) {
@@ -70,7 +78,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
                               frame.knobs.self_shadow ? look.self_shadow : 0.0);
   block.skin = {look.skin, takes_model_colours(look.colour_source, model_has_colours) ? 1.0f : 0.0f};
   block.counts = glm::vec4(frame.knobs.shells, crowding_of(coat), frame.lights.size(), coat.root_share);
-  block.tile = glm::vec4(1 / coat.tile, coat.tile / slice_texels, coat.lean_curve == LeanCurve::root ? 1 : 0,
+  block.tile = glm::vec4(1 / coat.tile, finest_texel(frame, pixels), coat.lean_curve == LeanCurve::root ? 1 : 0,
                          largest_lightness(coat));
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {
     const std::array<double, 4>& scale = slices.levels[i].depth_scale;
