@@ -85,7 +85,7 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   float scale = stored_depth * 1.442695 * share * depth_scale_of(frame.depth_scale[int(sharp)]) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
-  float texels = exp2(9.0 - sharp);
+  float texels = exp2(9.0 - sharp);  // on a side: slice_texels at the finest level
   Slab slab = no_slab;
   for (int i = 0; i < steps; ++i) {
     float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);
