@@ -27,8 +27,7 @@ std::size_t at(int x, int y, int texels) {
 /// At 60 degrees to the stack.
 float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
 
-/// Light is half that on strands, for gaps between clumps are brighter than the clumps, and half the mean, for what one sees
-/// of a clump is its outside.
+/// Light is that on strands, for gaps between clumps are brighter than the clumps.
 Stack halve(const Stack& stack, int texels) {
   const int half = texels / 2;
   Stack result(stack.size(), std::vector<SliceTexel>(static_cast<std::size_t>(half * half)));
@@ -36,14 +35,14 @@ Stack halve(const Stack& stack, int texels) {
     for (int y = 0; y < half; ++y) {
       for (int x = 0; x < half; ++x) {
         SliceTexel sum;
-        float light = 0, on_strands = 0, strands = 0;
+        float on_strands = 0, strands = 0;
         for (int k = 0; k < 4; ++k) {
           const SliceTexel& part = stack[i][at(2 * x + k % 2, 2 * y + k / 2, texels)];
           sum.add(part);
           const float share = 1e-6f + opacity(part.depth);
-          light += part.light / 4, on_strands += part.light * share, strands += share;
+          on_strands += part.light * share, strands += share;
         }
-        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = (light + on_strands / strands) / 2;
+        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = on_strands / strands;
         result[i][at(x, y, half)] = sum;
       }
     }
@@ -52,7 +51,7 @@ Stack halve(const Stack& stack, int texels) {
 }
 
 constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
-constexpr int slanted_rays = 64;             // on a side, at most
+constexpr int rays_of_tile = 64;             // on a side, at most
 constexpr double least_let_through = 0.002;  // of rays: less says nothing about a slice
 constexpr float opaque_depth = 12;           // of a slice; more is not told apart
 
@@ -69,15 +68,41 @@ double bisect(double low, double high, int steps, double wanted, const Falling& 
 /// Factors on the depths of each slice: a stack is matched without being copied.
 using Factors = std::vector<float>;
 
-/// What all of the stack's slices hold along it. Every fourth texel is enough at full size.
+/// Where a ray passes between four texels: pixels lie anywhere on them, so the k-th of the rays is k steps further, by fractions
+/// that fill the square evenly (Roberts 2018, R2 sequence).
+glm::dvec2 between_texels(std::size_t k) {
+  const auto part = [&](double step) {
+    const double far = 0.5 + step * static_cast<double>(k);
+    return far - static_cast<double>(static_cast<std::int64_t>(far));
+  };
+  return {part(0.7548776662466927), part(0.5698402909980532)};
+}
+
+/// As the filter of the shader reads it: thin strands are spread over four texels, and hold off more so.
+double filtered_depth(const std::vector<SliceTexel>& slice, int texels, glm::dvec2 place) {
+  const glm::ivec2 low(glm::floor(place));
+  const glm::dvec2 part = place - glm::dvec2(low);
+  const auto depth = [&](int x, int y) { return static_cast<double>(slice[at(low.x + x, low.y + y, texels)].depth); };
+  return glm::mix(glm::mix(depth(0, 0), depth(1, 0), part.x), glm::mix(depth(0, 1), depth(1, 1), part.x), part.y);
+}
+
+/// Rays by their number and their place on the tile, texels.
+template <typename Use>
+void for_rays(int texels, const Use& use) {
+  const int stride = std::max(1, texels / rays_of_tile);
+  std::size_t k = 0;
+  for (int y = 0; y < texels; y += stride) {
+    for (int x = 0; x < texels; x += stride, ++k) use(k, glm::dvec2(x, y) + between_texels(k));
+  }
+}
+
+/// What all of the stack's slices hold along it.
 std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors, int texels) {
-  const int stride = texels > 128 ? 4 : 1;
-  std::vector<double> depths(static_cast<std::size_t>((texels / stride) * (texels / stride)), 0.0);
+  std::vector<double> depths(static_cast<std::size_t>(std::min(texels, rays_of_tile) * std::min(texels, rays_of_tile)), 0.0);
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    auto depth = depths.begin();
-    for (int y = 0; y < texels; y += stride) {
-      for (int x = 0; x < texels; x += stride) *depth++ += static_cast<double>(stack[i][at(x, y, texels)].depth * factors[i]);
-    }
+    for_rays(texels, [&](std::size_t k, glm::dvec2 place) {
+      depths[k] += filtered_depth(stack[i], texels, place) * static_cast<double>(factors[i]);
+    });
   }
   return depths;
 }
@@ -94,18 +119,16 @@ double matching_scale(const Stack& stack, const Factors& factors, int texels, do
 
 /// Depths of one slice along rays that enter it `shift` texels further for each slice above the first.
 std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texels, double shift, std::size_t index) {
-  const int stride = std::max(1, texels / slanted_rays), parts = std::clamp(static_cast<int>(std::ceil(shift)), 1, 4);
+  const int parts = std::clamp(static_cast<int>(std::ceil(shift)), 1, 4);
   std::vector<double> depths;
-  for (int y = 0; y < texels; y += stride) {
-    for (int x = 0; x < texels; x += stride) {
-      double depth = 0;
-      for (int part = 0; part < parts; ++part) {
-        const double height = static_cast<double>(index) + (part + 0.5) / parts;
-        depth += static_cast<double>(slice[at(x + static_cast<int>(std::floor(shift * height + 0.5)), y, texels)].depth);
-      }
-      depths.push_back(depth / parts);
+  for_rays(texels, [&](std::size_t, glm::dvec2 place) {
+    double depth = 0;
+    for (int part = 0; part < parts; ++part) {
+      const double height = static_cast<double>(index) + (part + 0.5) / parts;
+      depth += filtered_depth(slice, texels, place + glm::dvec2(shift * height, 0));
     }
-  }
+    depths.push_back(depth / parts);
+  });
   return depths;
 }
 
@@ -209,8 +232,8 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   return level;
 }
 
-/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies a quarter
-/// under what is straight above it and the rest under the mean.
+/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies half under what
+/// is straight above it and half under the mean.
 void light_from_above(const CrossingGrid& crossings, Stack& stack) {
   constexpr int texels_of_cell = slice_texels / crossing_cells;
   std::vector<double> above(crossing_cells * crossing_cells, 0.0);
@@ -219,7 +242,7 @@ void light_from_above(const CrossingGrid& crossings, Stack& stack) {
     for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
     const double mean = mean_of(above);
     for (std::size_t k = 0; k < above.size(); ++k) {
-      light[k] = static_cast<float>(std::exp(-(0.75 * mean + 0.25 * above[k]) / stored_light));
+      light[k] = static_cast<float>(std::exp(-(0.5 * mean + 0.5 * above[k]) / stored_light));
     }
     for (int y = 0; y < slice_texels; ++y) {
       for (int x = 0; x < slice_texels; ++x) {

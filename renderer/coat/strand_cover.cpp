@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr int ray_side = 512;           // rays on a side of the tile; a power of 2
-constexpr int parts_of_slice = 12;      // heights at which strands are cut through: at 60 degrees a third of a texel apart
+constexpr int parts_of_slice = 2;       // of one radius each
 constexpr double crossed_slice = nominal_length / slice_count;
 
 double radius_at(const Coat& coat, const Strand& strand, double q) {
@@ -36,11 +36,15 @@ struct Rays {
   std::vector<std::uint8_t> open = std::vector<std::uint8_t>(ray_side * ray_side, 1);
   int left = ray_side * ray_side;
 
-  void stop(glm::dvec2 centre, double radius) {
-    const glm::ivec2 low(glm::ceil(centre - radius - 0.5)), high(glm::floor(centre + radius - 0.5));
+  /// Those that a disc meets on its way from one place to another: rays at a slant pass between the discs of thin strands.
+  void stop(glm::dvec2 from, glm::dvec2 to, double radius) {
+    const glm::dvec2 way = to - from;
+    const double square = std::max(glm::dot(way, way), 1e-12);
+    const glm::ivec2 low(glm::ceil(glm::min(from, to) - radius - 0.5)), high(glm::floor(glm::max(from, to) + radius - 0.5));
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
-        const glm::dvec2 apart = glm::dvec2(x + 0.5, y + 0.5) - centre;
+        const glm::dvec2 at = glm::dvec2(x + 0.5, y + 0.5) - from;
+        const glm::dvec2 apart = at - std::clamp(glm::dot(at, way) / square, 0.0, 1.0) * way;
         std::uint8_t& ray = open[static_cast<std::size_t>((y & (ray_side - 1)) * ray_side + (x & (ray_side - 1)))];
         if (glm::dot(apart, apart) > radius * radius) continue;
         left -= ray, ray = 0;
@@ -54,11 +58,15 @@ void cut_slice(const Coat& coat, const std::vector<Strand>& strands, int slice, 
   for (const Strand& strand : strands) {
     if (rays.left == 0) return;
     const Stretch stretch = stretch_of(coat, strand, slice);
-    for (int part = 0; part < parts_of_slice; ++part) {
-      const double s = (slice + (part + 0.5) / parts_of_slice) / slice_count, q = s / strand.length_share;
-      if (q > 1) break;
-      const glm::dvec2 moved(-tangent * nominal_length * s, 0);
-      rays.stop((strand.root + stretch.at(q) + moved) * to_rays, radius_at(coat, strand, q) * to_rays);
+    const auto among_rays = [&](double at) {  // how far into the slice, [0, 1]
+      const double s = (slice + at) / slice_count, q = s / strand.length_share;
+      return (strand.root + stretch.at(q) - glm::dvec2(tangent * nominal_length * s, 0)) * to_rays;
+    };
+    const double end = std::min(1.0, slice_count * strand.length_share - slice);
+    for (int part = 0; part < parts_of_slice && end > 0; ++part) {
+      const double low = end * part / parts_of_slice, high = end * (part + 1) / parts_of_slice;
+      const double q = (slice + (low + high) / 2) / (slice_count * strand.length_share);
+      rays.stop(among_rays(low), among_rays(high), radius_at(coat, strand, q) * to_rays);
     }
   }
 }

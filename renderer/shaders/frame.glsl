@@ -11,7 +11,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 weights;      // ambient, diffuse, specular, ambient floor
   vec4 exponents;    // diffuse, specular, back attenuation, self-shadow (0 when off)
   vec4 skin;         // rgb; w: 1 where the fur takes the model's colours
-  vec4 counts;       // shells, crowding of upright strands, lights, root share
+  vec4 counts;       // shells, strands met on a strand's width across upright ones, lights, root share
   vec4 tile;         // 1 / side, size of a pixel that reads the finest texels, lean curve (0 arc, 1 root), largest ramp lightness
   vec4 depth_scale[8];  // for each level: along the stack, at 60, 30 and 75 degrees
   vec4 depth_above[8];  // 32 values: strands over each slice that a ray at 45 degrees crosses

@@ -92,16 +92,28 @@ double from_all_around(double a) {
   return (1 + a) / (1 + (std::numbers::pi / 2 + 1) * a + 1.21 * a * a + 0.5 * a * a * a);
 }
 
-/// Strands on the way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, but for those
-/// about a width away: deep in fur N less what crowds around a strand, and near its surface almost none.
+/// The way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, over the height of what is above.
+double way_out(const Case& c, const glm::dvec3& direction) {
+  const double facing = glm::dot(glm::dvec3(c.normal), direction), below = 0.1 * (1 - double(c.height)) + 0.005;
+  return (std::sqrt(facing * facing + 2 * below) - facing) / below;
+}
+
+double strands_crossed(const Case& c, const glm::dvec3& direction) {
+  const double along = glm::dot(glm::dvec3(c.tangent), direction);
+  return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way_out(c, direction);
+}
+
+/// Those that a ray crosses but for what the eye's ray, which meets none, shares with it: less the further they part, seen along
+/// the strands, in sixths of a strand's width.
 double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3& to_light) {
-  const double facing = glm::dot(glm::dvec3(c.normal), to_light), along = glm::dot(glm::dvec3(c.tangent), to_light);
-  const double below = 0.1 * (1 - double(c.height)) + 0.005;
-  const double way = (std::sqrt(facing * facing + 2 * below) - facing) / below;
-  const double across = std::sqrt(1 - 0.92 * along * along), strands = double(c.above) * across * way;
-  const double width = (coat.width_root + coat.width_tip) / 2, upright = std::max(glm::dot(glm::dvec3(c.tangent), glm::dvec3(c.normal)), 0.15);
-  const double crowding = coat.count * width * width / (coat.tile * coat.tile) / upright * across;
-  return strands * strands / (strands + crowding);
+  const glm::dvec3 tangent(c.tangent), to_eye(c.to_eye);
+  const double to_eyes = strands_crossed(c, to_eye), to_lights = strands_crossed(c, to_light);
+  const double width = (coat.width_root + coat.width_tip) / 2, by_width = coat.count * width * width / (coat.tile * coat.tile);
+  const double widths = double(c.above) / by_width * std::max(glm::dot(tangent, glm::dvec3(c.normal)), 0.15);
+  const double apart = glm::length(glm::cross(tangent, to_eye * way_out(c, to_eye) - to_light * way_out(c, to_light)));
+  const double x = 6 * widths * apart;
+  const double shared = (1 + x / 6) / (1 + 2 * x / 3 + x * x / 6);
+  return std::max(to_lights - std::sqrt(to_eyes * to_lights) * shared, 0.0);
 }
 
 struct Arriving {

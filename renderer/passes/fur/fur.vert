@@ -93,7 +93,9 @@ void main() {
   vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
   tile = tile_uv * frame.tile.x;
   float lateral = length(sideways) / nominal_length;
-  slant = sqrt(1.0 + lateral * lateral);
+  // What lies on its side is met by its length: a ray across the lean crosses more than it moves past.
+  float aside = dot(cross(lean, to_eye), normal) * across_speed / (rising * nominal_length);
+  slant = sqrt(1.0 + lateral * lateral + aside * aside);
   float pixel = frame.eye.w * distance(frame.eye.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   density_share = weight * grown(groom.z);

@@ -66,7 +66,7 @@ void main() {
     light_at(i, place, to_light, radiance);
     float facing = dot(normal, to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
-    float to_skin = covered * strands_to_light(above, 0.0, normal, to_light, facing, 0.0);
+    float to_skin = covered * strands_crossed(above, 0.0, normal, to_light, facing);
 #ifdef LAYERS
     vec3 unshadowed = radiance;
 #endif

@@ -25,6 +25,13 @@ double depth_at(const SliceLevel& level, int x, int y, int slice) {
   return level.shape[4 * texel + 3] / 255.0 * stored_depth;
 }
 
+/// As the GPU filters it, for texels' middles at whole numbers.
+double filtered_depth(const SliceLevel& level, double x, double y, int slice) {
+  const int left = static_cast<int>(std::floor(x)), low = static_cast<int>(std::floor(y));
+  const auto row = [&](int at) { return std::lerp(depth_at(level, left, at, slice), depth_at(level, left + 1, at, slice), x - left); };
+  return std::lerp(row(low), row(low + 1), y - low);
+}
+
 /// As slab.glsl has it, between the angles whose scales are known.
 double scale_at(const SliceLevel& level, double sine) {
   const auto [along, at60, at30, at75] = level.depth_scale;
@@ -46,9 +53,10 @@ double transmittance(const Coat& coat, const SliceLevel& level, double angle, in
   int count = 0;
   for (int y = 0; y < level.texels; y += stride) {
     for (int x = 0; x < level.texels; x += stride) {
+      const double across_texel = std::fmod(0.618034 * count, 1.0), up_texel = std::fmod(0.414214 * count, 1.0);
       double depth = 0;
       for (int i = lowest * parts; i < slice_count * parts; ++i)
-        depth += depth_at(level, x + static_cast<int>(std::floor(shift * (i + 0.5) / parts + 0.5)), y, i / parts);
+        depth += filtered_depth(level, x + across_texel + shift * (i + 0.5) / parts, y + up_texel, i / parts);
       sum += std::exp(-depth / parts * scale * slant), ++count;
     }
   }
