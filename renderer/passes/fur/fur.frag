@@ -58,7 +58,7 @@ const float least_opacity = 0.002;  // over the whole height: half a step of 255
 float spread_here() {
   float area = dot(cross(dFdx(place), dFdy(place)), fibre_normal);
   float on_tile = determinant(mat2(dFdx(tile), dFdy(tile))) / (frame.tile.x * frame.tile.x);
-  return clamp(abs(area) / max(abs(on_tile), 1e-12 * abs(area) + 1e-30), 0.25, 6.0);
+  return clamp(abs(area) / max(abs(on_tile), 1e-12 * abs(area) + 1e-30), 0.6, 6.0);  // folds would hold any number
 }
 
 // Light of a band, times its opacity, under fur as dense as `dense` says; `kept` is what the bands before it let through.
