@@ -124,6 +124,16 @@ TEST(StrandCover, RaysMeetStrandsByTheirWidthAndTheirWay) {
                 1e-9 * of_slice);
 }
 
+/// Between thin strands a ray at 75 degrees goes several of their widths to the side in a slice, and past none of them.
+TEST(StrandCover, NoStrandIsTooThinToBeMet) {
+  Coat coat = plain_coat();
+  coat.count = 600, coat.width_root = coat.width_tip = 0.00008;
+  const double tangent = 3.7320508, met = coat.count * coat.width_root * nominal_length * tangent / (coat.tile * coat.tile);
+  const double open = rays_let_through(coat, make_strands(coat), tangent)[0];
+  EXPECT_GT(open, 1 - met - 0.01);
+  EXPECT_LT(open, std::exp(-met) + 0.02);
+}
+
 /// Straight up a ray sees the roots' discs alone, however long the strands are.
 TEST(StrandCover, AlongUprightStrandsOnlyTheirEndsCount) {
   const Coat coat = plain_coat();
