@@ -27,22 +27,25 @@ std::size_t at(int x, int y, int texels) {
 /// At 60 degrees to the stack.
 float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
 
-/// Light is that on strands, for gaps between clumps are brighter than the clumps.
-Stack halve(const Stack& stack, int texels) {
+/// How much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of clumps that are drawn
+/// together, as water does it, one sees the outside.
+float seen_from_outside(const Coat& coat) { return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, 0.85 * coat.wetness)); }
+
+Stack halve(const Stack& stack, int texels, float outside) {
   const int half = texels / 2;
   Stack result(stack.size(), std::vector<SliceTexel>(static_cast<std::size_t>(half * half)));
   for (std::size_t i = 0; i < stack.size(); ++i) {
     for (int y = 0; y < half; ++y) {
       for (int x = 0; x < half; ++x) {
         SliceTexel sum;
-        float on_strands = 0, strands = 0;
+        float light = 0, on_strands = 0, strands = 0;
         for (int k = 0; k < 4; ++k) {
           const SliceTexel& part = stack[i][at(2 * x + k % 2, 2 * y + k / 2, texels)];
           sum.add(part);
           const float share = 1e-6f + opacity(part.depth);
-          on_strands += part.light * share, strands += share;
+          light += part.light / 4, on_strands += part.light * share, strands += share;
         }
-        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = on_strands / strands;
+        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = glm::mix(on_strands / strands, light, outside);
         result[i][at(x, y, half)] = sum;
       }
     }
@@ -293,10 +296,11 @@ Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack 
   slices.depth_above = depth_above(crossings);
   slices.levels.resize(slice_levels);
   std::thread finest([&] { slices.levels[0] = make_level(coat, stack, slice_texels, open); });
-  Stack coarse = halve(stack, slice_texels);
+  const float outside = seen_from_outside(coat);
+  Stack coarse = halve(stack, slice_texels, outside);
   for (int level = 1, texels = slice_texels / 2; level < slice_levels; ++level, texels /= 2) {
     slices.levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, texels, open);
-    coarse = halve(coarse, texels);
+    coarse = halve(coarse, texels, outside);
   }
   finest.join();
   return slices;

@@ -6,6 +6,8 @@ uniform int shell_count;
 uniform int shell;
 uniform int shell_side;  // 1: seen from outside, the slab's top comes first; -1: from inside
 
+in vec3 place;
+in vec3 fibre_normal;
 in vec2 tile;
 in vec3 clip_place;
 in vec2 clip_speed;
@@ -17,9 +19,20 @@ float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
 
 vec2 tile_per_height;  // how the place on the tile moves along the ray for a unit of height, in tiles
 
-// To be called first. As height rises, the place on the tile that a pixel sees moves against what the strands move on the
+// How dense strands are here, of those on the tile: their shells grow over skin that bends and where they lean apart, the
+// strands do not get wider. Inversely as the area of a piece of the shell over that of its piece of the tile.
+float dense_here;
+
+float density_here() {
+  float on_tile = abs(determinant(mat2(dFdx(tile), dFdy(tile)))) / (frame.tile.x * frame.tile.x);
+  float area = abs(dot(cross(dFdx(place), dFdy(place)), fibre_normal));
+  return clamp(on_tile / max(area, 1e-30), 0.16, 1.7);  // folds would have any
+}
+
+// To be called first, for all that takes differences between pixels. As height rises, the place on the tile that a pixel sees moves against what the strands move on the
 // screen: true to first order on bent skin, in perspective and where the length changes.
-void find_tile_per_height() {
+void look_around() {
+  dense_here = density_here();
   vec2 on_screen = clip_place.xy / clip_place.z;
   vec2 pixels = clip_speed / vec2(dFdx(on_screen.x), dFdy(on_screen.y));
   vec2 way = -(dFdx(tile) * pixels.x + dFdy(tile) * pixels.y);
@@ -75,6 +88,7 @@ float depth_scale_of(vec4 scales) {
 // scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
 // by `share`.
 Slab march(int steps, float blur, float share, float middle, float thickness) {
+  share *= dense_here;
 #ifdef TUFTS
   share *= tuft_share(tuft_here(), shell_height());
 #endif

@@ -14,12 +14,10 @@
 
 layout(early_fragment_tests) in;  // nothing here writes depth, and most pixels belong to other sets
 
-in vec3 place;
 #ifdef PATTERN
 in vec3 root;
 in vec4 varied;
 #endif
-in vec3 fibre_normal;
 in vec3 fibre_tangent;
 in vec3 tile_u;
 in vec3 base_uv;
@@ -53,16 +51,8 @@ float lightness_over(vec3 strand, vec3 mean) {
 
 const float least_opacity = 0.002;  // over the whole height: half a step of 255
 
-// How much further apart strands stand here than on the tile, as an area: over skin that bends, and where they lean apart.
-// Their shells grow with it, the strands do not get wider.
-float spread_here() {
-  float area = dot(cross(dFdx(place), dFdy(place)), fibre_normal);
-  float on_tile = determinant(mat2(dFdx(tile), dFdy(tile))) / (frame.tile.x * frame.tile.x);
-  return clamp(abs(area) / max(abs(on_tile), 1e-12 * abs(area) + 1e-30), 0.6, 6.0);  // folds would hold any number
-}
-
-// Light of a band, times its opacity, under fur as dense as `dense` says; `kept` is what the bands before it let through.
-vec4 lit_band(Slab slab, vec3 normal, float dense, float kept) {
+// Light of a band, times its opacity; `kept` is what the bands before it let through.
+vec4 lit_band(Slab slab, vec3 normal, float kept) {
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;
   vec4 strand = slab.strand * share;
@@ -75,7 +65,7 @@ vec4 lit_band(Slab slab, vec3 normal, float dense, float kept) {
 #ifdef TUFTS
   tangent = normalize(tangent + tuft_lean(tuft_here(), height));
 #endif
-  float above = -0.25 * stored_light * log(max(slab.light * share, 1e-9)) * length_share * dense;
+  float above = -0.25 * stored_light * log(max(slab.light * share, 1e-9)) * length_share * dense_here;
   vec3 colour = fur_colour(strand.rgb, base_colour, base_uv);
 #ifdef PATTERN
   colour = pattern_colour(root, varied, colour);
@@ -108,8 +98,7 @@ vec4 lit_band(Slab slab, vec3 normal, float dense, float kept) {
 }
 
 void main() {
-  find_tile_per_height();
-  float dense = 1.0 / spread_here();
+  look_around();
   if (no_room()) discard;
   vec3 normal = normalize(fibre_normal);
 #ifdef TUFTS
@@ -122,8 +111,8 @@ void main() {
   float thickness = 1.0 / float(shell_count * band_count);
   for (int i = 0; i < band_count && sum.a < 0.985; ++i) {
     float off = (0.5 * float(band_count - 1) - float(i)) * thickness * float(shell_side);
-    Slab band = march(step_count, 0.0, density_share * dense, shell_height() + off, thickness);
-    if (band.opacity > least_opacity * thickness) sum += lit_band(band, normal, dense, 1.0 - sum.a);
+    Slab band = march(step_count, 0.0, density_share, shell_height() + off, thickness);
+    if (band.opacity > least_opacity * thickness) sum += lit_band(band, normal, 1.0 - sum.a);
   }
   if (sum.a == 0.0) discard;
   put_fragment(sum);

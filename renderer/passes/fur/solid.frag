@@ -5,6 +5,6 @@
 // Depth alone, where the fur is dense; smoothed, so that single strands leave no holes in what lies behind. Each patch
 // counts fully where it shares a place with others, or their overlap would have holes.
 void main() {
-  find_tile_per_height();
+  look_around();
   if (march(1, 2.0, 1.0, shell_height(), 1.0 / float(shell_count)).opacity < 0.93) discard;
 }

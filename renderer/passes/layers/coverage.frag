@@ -6,7 +6,6 @@
 
 in float density_share;
 #ifdef TUFTS
-in vec3 fibre_normal;
 in vec3 tile_u;
 #endif
 
@@ -16,7 +15,7 @@ uniform int step_count;
 layout(location = 0) out vec4 result;
 
 void main() {
-  find_tile_per_height();
+  look_around();
 #ifdef CROSSING
   keep_crossings();
 #endif

@@ -2,8 +2,6 @@
 #include "frame.glsl"
 #include "slab.glsl"
 
-in vec3 place;
-in vec3 fibre_normal;
 
 in float density_share;
 #ifdef TUFTS
@@ -16,7 +14,7 @@ layout(location = 0) out float kept;
 
 // What one layer lets through on the way from the light; blending multiplies the layers.
 void main() {
-  find_tile_per_height();
+  look_around();
   if (dot(fibre_normal, frame.eye.xyz - place) <= 0.0) discard;
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
