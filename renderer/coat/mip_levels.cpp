@@ -54,7 +54,7 @@ Stack halve(const Stack& stack, int texels, float outside) {
 }
 
 constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
-constexpr int rays_of_tile = 64;             // on a side, at most
+constexpr int rays_of_tile = 64;              // on a side, at most
 constexpr double least_let_through = 0.002;  // of rays: less says nothing about a slice
 constexpr float opaque_depth = 12;           // of a slice; more is not told apart
 
