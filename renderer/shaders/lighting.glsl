@@ -118,7 +118,7 @@ struct Fibre {
 // (Kuusk 1985, "The hot spot effect of a uniform vegetative cover"). Of N to the eye and M to the light, rays that move
 // apart by d widths of a strand share sqrt(N M) (1 - exp(-x)) / x, x = d / c; they may move apart along the strands. c would be
 // 1/2 for any place in the fur. What one sees stands out of what is around it: 1/6 gives furry balls strands' light, within
-// .02 from the side and from above, lying and upright.
+// .03 from the side and from above, lying and upright.
 float strands_shared(Fibre fibre, vec3 to_light, float facing, float to_light_strands) {
   float eye_facing = dot(fibre.normal, fibre.to_eye);
   float to_eye_strands = strands_crossed(fibre.above, fibre.height, fibre.tangent, fibre.to_eye, eye_facing);
