@@ -29,8 +29,9 @@ float density_here() {
   return clamp(on_tile / max(area, 1e-30), 0.16, 1.7);  // folds would have any
 }
 
-// To be called first, for all that takes differences between pixels. As height rises, the place on the tile that a pixel sees moves against what the strands move on the
-// screen: true to first order on bent skin, in perspective and where the length changes.
+// To be called first, for all that takes differences between pixels. As height rises, the place on the tile that a pixel
+// sees moves against what the strands move on the screen: true to first order on bent skin, in perspective and where the
+// length changes.
 void look_around() {
   dense_here = density_here();
   vec2 on_screen = clip_place.xy / clip_place.z;
