@@ -62,7 +62,7 @@ Result<BasePicture> Renderer::draw_base(const FurFrame& asked, DrawTimes* times)
 
 void Renderer::draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
                               const std::string& outputs) {
-  const std::string variant = surroundings_of(frame.environment) + shape_of(frame.coat, model) + outputs;
+  const std::string variant = light_of(frame, model.has_colours()) + shape_of(frame.coat, model) + outputs;
   fur_.draw_open_skin(gl_, model, lists, variant);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
 }

@@ -67,8 +67,9 @@ struct Renderer::Prepared {
 
 Status no_memory();
 
-/// The #define lines of light from all around, "" where it is white from everywhere.
-std::string surroundings_of(const Environment& light);
+/// The #define lines of a frame's light and colours: light from all around that is not white from everywhere, how many
+/// lamps there are, whether all are far away, and whether the coat's ramp alone gives the colours.
+std::string light_of(const FurFrame& frame, bool model_has_colours);
 
 /// The #define lines of what shapes and colours the fur beside its fields.
 std::string shape_of(const Coat& coat, const ModelBuffers& model);

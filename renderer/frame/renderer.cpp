@@ -27,9 +27,8 @@ bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (frame.knobs.bands > 1 ? "#define BANDS\n" : "") +
-         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + surroundings_of(frame.environment) +
+         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + light_of(frame, model.has_colours()) +
          shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
-         "#define LAMPS " + std::to_string(frame.lights.size()) + "\n" +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
@@ -39,10 +38,15 @@ int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::
 
 Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
 
-std::string surroundings_of(const Environment& light) {
-  const bool constant = !light.harmonics && light.sky == glm::vec3(1) && light.horizon == light.sky &&
-                        light.ground == light.sky && light.intensity == 1;
-  return constant ? "" : "#define ENVIRONMENT\n";
+std::string light_of(const FurFrame& frame, bool model_has_colours) {
+  const Environment& around = frame.environment;
+  const bool constant = !around.harmonics && around.sky == glm::vec3(1) && around.horizon == around.sky &&
+                        around.ground == around.sky && around.intensity == 1;
+  const bool far = std::all_of(frame.lights.begin(), frame.lights.end(),
+                               [](const FurLight& light) { return light.kind == LightKind::directional; });
+  return std::string(constant ? "" : "#define ENVIRONMENT\n") + (far ? "#define FAR_LAMPS\n" : "") +
+         (takes_model_colours(frame.look, model_has_colours) ? "" : "#define RAMP_COLOURS\n") + "#define LAMPS " +
+         std::to_string(frame.lights.size()) + "\n";
 }
 
 std::string shape_of(const Coat& coat, const ModelBuffers& model) {

@@ -8,9 +8,18 @@ vec3 model_colour(vec3 colour, vec3 uv) {
   return colour * texture(base_images, vec3(uv.x, 1.0 - uv.y, floor(uv.z + 0.5))).rgb;
 }
 
+// RAMP_COLOURS: known when it is compiled, or what nobody sees is read all the same.
+bool takes_model_colours() {
+#ifdef RAMP_COLOURS
+  return false;
+#else
+  return frame.skin.w > 0.5;
+#endif
+}
+
 // Hue from the model, lightness along the strand from the ramp; or the ramp alone.
 vec3 fur_colour(vec3 strand, vec3 colour, vec3 uv) {
-  if (frame.skin.w < 0.5) return strand;
+  if (!takes_model_colours()) return strand;
   float lightness = dot(strand, vec3(0.2126, 0.7152, 0.0722)) / frame.tile.w;
   return model_colour(colour, uv) * (0.36 + 0.84 * lightness);
 }

@@ -13,9 +13,13 @@
 #define SHADING_MODEL model_kajiya
 #endif
 
-// Where the light comes from, unit, and what arrives at the place.
+// Where the light comes from, unit, and what arrives at the place. FAR_LAMPS: none stands at a place.
 void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
   Light light = frame.lights[i];
+#ifdef FAR_LAMPS
+  to_light = -light.direction.xyz;
+  radiance = light.radiance.rgb;
+#else
   vec3 apart = light.position.xyz - place;
   float square = max(dot(apart, apart), 1e-8);
   bool point = light.direction.w > 0.5;
@@ -23,6 +27,7 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
   radiance = light.radiance.rgb * (point ? min(1.0 / square, 1e8) : 1.0);
   float inside = dot(-to_light, light.direction.xyz), edge = light.position.w;
   radiance *= clamp((inside - edge) / max(light.radiance.w - edge, 1e-6), 0.0, 1.0);
+#endif
 }
 
 // Share of the light that a strand of that colour stops. Light that passes pale fur keeps its colour and much of its
@@ -53,9 +58,14 @@ float strands_crossed(float above, float height, vec3 tangent, vec3 direction, f
 vec4 paint_above = vec4(0.0);  // of the fur over a strand: times its cover, cover
 #endif
 
+// Colour of the fur above a height over the colour there.
+vec3 colour_above(float height) {
+  return frame.colour_above[clamp(int(height * float(slice_count)), 0, slice_count - 1)].rgb;
+}
+
 // Light on its way to a strand of that colour crosses the fur above it, which may be paler or darker.
-vec3 colour_crossed(vec3 colour, float height) {
-  vec3 crossed = colour * frame.colour_above[clamp(int(height * float(slice_count)), 0, slice_count - 1)].rgb;
+vec3 colour_crossed(vec3 colour, vec3 over) {
+  vec3 crossed = colour * over;
 #ifdef PAINT_COLOUR
   crossed = crossed * (1.0 - paint_above.a) + paint_above.rgb;
 #endif
@@ -109,6 +119,7 @@ void keep_direct(vec3 kept, vec3 whole) {
 struct Fibre {
   vec3 place, normal, tangent, to_eye;
   vec3 colour;    // C
+  vec3 over;      // colour of the fur above over C
   float height;   // s in [0, 1]
   float above;    // strands over the place that a ray at 45 degrees to upright fur would cross
   float strand;   // number of the strand in [0, 1]
@@ -137,7 +148,7 @@ float strands_to_light(Fibre fibre, vec3 to_light, float facing) {
 
 // Light that a fibre sends to the eye, after GPU fur eq 1 to 3: each light is scattered by the look's shading model.
 vec3 fibre_light(Fibre fibre) {
-  vec3 crossed = colour_crossed(fibre.colour, fibre.height);
+  vec3 crossed = colour_crossed(fibre.colour, fibre.over);
   vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.above, crossed) *
              environment_light(fibre.normal);
   for (int i = 0; i < LAMPS; ++i) {

@@ -52,11 +52,6 @@ void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRec
   recipe.widening = std::clamp(1 / recipe.share, 1.0, std::max(widest_allowed / width, 1.0));
 }
 
-bool takes_model_colours(const FurFrame& frame, const FurModel& model) {
-  const ColourSource source = frame.look.colour_source;
-  return source == ColourSource::model || (source == ColourSource::automatic && model.has_colours);
-}
-
 /// Of a base picture and of the layers that are made in the end.
 std::size_t picture_bytes(int width, int height, std::span<const FrameLayer> layers) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec4) *
@@ -106,7 +101,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, layers) -
                           Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter));
   const Clock::time_point start = Clock::now();
-  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame, model)};
+  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
   const double expected = expected_strands(model, frame.coat);
   recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
   thin_out(frame, expected, mean_length(fields.length), recipe);

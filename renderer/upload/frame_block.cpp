@@ -47,10 +47,6 @@ float largest_lightness(const Coat& coat) {
   return largest;
 }
 
-bool takes_model_colours(ColourSource source, bool model_has_colours) {
-  return source == ColourSource::model || (source == ColourSource::automatic && model_has_colours);
-}
-
 /// Strands that a ray across upright ones meets on average on the way of a strand's width.
 double crowding_of(const Coat& coat) {
   const double width = (coat.width_root + coat.width_tip) / 2;
@@ -76,7 +72,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   block.weights = glm::vec4(look.ambient, look.diffuse, look.specular, look.ambient_floor);
   block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,
                               frame.knobs.self_shadow ? look.self_shadow : 0.0);
-  block.skin = {look.skin, takes_model_colours(look.colour_source, model_has_colours) ? 1.0f : 0.0f};
+  block.skin = {look.skin, takes_model_colours(look, model_has_colours) ? 1.0f : 0.0f};
   block.counts = glm::vec4(frame.knobs.shells, crowding_of(coat), frame.lights.size(), coat.root_share);
   block.tile = glm::vec4(1 / coat.tile, finest_texel(frame, pixels), coat.lean_curve == LeanCurve::root ? 1 : 0,
                          largest_lightness(coat));

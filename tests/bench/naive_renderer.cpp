@@ -28,8 +28,8 @@ ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
                       {model.fields.direction(), model.fields.length(), {}}, count);
 }
 
-std::string defines_of(const FurFrame& frame) {
-  return surroundings_of(frame.environment) + "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) +
+std::string defines_of(const FurFrame& frame, const testing::FurredModel& model) {
+  return light_of(frame, !model.model.surface.mesh().corners.empty()) + "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) +
          "\n";
 }
 
@@ -46,8 +46,8 @@ CoatTextures trilinear(const Gl& gl, const Coat& coat) {
 
 NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame)
     : gl_(gl), frame_(frame), coat_(trilinear(gl, frame.coat)), model_(send(gl, model)),
-      skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame)),
-      shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame)),
+      skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame, model)),
+      shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame, model)),
       resolve_(gl), scattering_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, 1, true),
       picture_(gl, GL_RGBA8, frame.width, frame.height, 1, false) {
   assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());

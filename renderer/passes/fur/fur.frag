@@ -22,6 +22,7 @@ in vec3 fibre_tangent;
 in vec3 tile_u;
 in vec3 base_uv;
 in vec3 base_colour;
+flat in vec3 over;
 
 in float density_share;
 in float length_share;
@@ -78,7 +79,8 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
   above *= painted_depth();
   colour = colour_wetted(colour);
 #endif
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, height, above, strand.a);
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, over, height, above,
+                      strand.a);
 #ifdef LAYERS
   direct_light = vec3(0.0), light_share = vec2(0.0);
 #endif

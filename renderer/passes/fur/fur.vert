@@ -47,6 +47,7 @@ out float slant;         // path through a slab over its thickness, as the stran
 out vec3 tile_u;
 out vec3 base_uv;
 out vec3 base_colour;
+flat out vec3 over;      // colour of the fur above this shell over the colour in it
 #ifdef LENGYEL
 out vec3 vertex_light;   // the baseline of GPU fur: light at the vertices, for fur of colour 1
 #ifdef LAYERS
@@ -106,13 +107,15 @@ void main() {
   int above = int(s * float(slice_count));
   float strands = frame.depth_above[above / 4][above % 4] * length_share;
   const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
-  vertex_light = fibre_light(Fibre(place, normal, normalize(fibre_tangent), to_eye, vec3(grey), s, strands, 0.5)) / grey;
+  vertex_light = fibre_light(Fibre(place, normal, normalize(fibre_tangent), to_eye, vec3(grey), colour_above(s), s,
+                                   strands, 0.5)) / grey;
 #ifdef LAYERS
   vertex_direct = direct_light / grey;
   vertex_share = light_share;
 #endif
 #endif
   hand_on_paint();
+  over = frame.colour_above[int(s * float(slice_count))].rgb;
   base_uv = image_uv;
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);

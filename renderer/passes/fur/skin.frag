@@ -45,8 +45,7 @@ void main() {
 #else
   float covered = furred;
 #endif
-  bool own = frame.skin.w > 0.5;
-  vec3 bare = own ? model_colour(base_colour, base_uv) : frame.skin.rgb;
+  vec3 bare = takes_model_colours() ? model_colour(base_colour, base_uv) : frame.skin.rgb;
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
 #ifdef PATTERN
   undercoat = pattern_colour(place, varied, undercoat);
@@ -57,7 +56,7 @@ void main() {
 #ifdef PAINT
   undercoat = colour_wetted(undercoat);
 #endif
-  vec3 coat = colour_crossed(undercoat, 0.0);
+  vec3 coat = colour_crossed(undercoat, colour_above(0.0));
   vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
   vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), covered);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
