@@ -5,7 +5,6 @@
 #include <random>
 
 #include "renderer/coat/colour_above.h"
-#include "renderer/frame/parts.h"
 #include "renderer/light/spherical_harmonics.h"
 #include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_block.h"
@@ -219,26 +218,6 @@ TEST_P(Lighting, FarLampsAloneGiveTheSameLight) {
   const std::vector<glm::vec4> any = on_gpu(whole_light, frame, of);
   const std::vector<glm::vec4> far = on_gpu(whole_light, frame, of, "#define FAR_LAMPS\n#define LAMPS 2\n");
   for (std::size_t i = 0; i < of.size(); ++i) ASSERT_LT(apart(far[i], glm::dvec3(any[i])), 1e-6) << i;
-}
-
-/// What a frame does not need is not compiled; what it needs is.
-TEST(LightOf, NamesWhatAFrameNeeds) {
-  const auto names = [](const FurFrame& frame, const char* define, bool colours = true) {
-    return light_of(frame, colours).find(define) != std::string::npos;
-  };
-  FurFrame frame = lit_frame();
-  EXPECT_TRUE(names(frame, "ENVIRONMENT"));
-  EXPECT_TRUE(names(frame, "LAMPS 4"));
-  EXPECT_FALSE(names(frame, "FAR_LAMPS"));
-  frame.lights.resize(1), frame.environment = {};
-  EXPECT_FALSE(names(frame, "ENVIRONMENT"));
-  EXPECT_TRUE(names(frame, "FAR_LAMPS"));
-  EXPECT_FALSE(names(frame, "RAMP_COLOURS"));
-  EXPECT_TRUE(names(frame, "RAMP_COLOURS", false));
-  frame.look.colour_source = ColourSource::coat;
-  EXPECT_TRUE(names(frame, "RAMP_COLOURS"));
-  frame.look.colour_source = ColourSource::model;
-  EXPECT_FALSE(names(frame, "RAMP_COLOURS", false));
 }
 
 /// The fibre models scatter once; .55 kd C sin(T, L) stands for what goes on from fibre to fibre.
