@@ -1,10 +1,12 @@
 // Shells beside traced strands: coverage, mean luminance and FLIP on twelve scenes.
-// usage: bench_methods [--size PIXELS] [--passes N] [--distance TIMES] [--paths] [--out FOLDER]
+// usage: bench_methods [--size PIXELS] [--passes N] [--scenes FIRST_N] [--distance TIMES] [--paths] [--out FOLDER]
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "renderer/compare/compare.h"
@@ -16,7 +18,7 @@ namespace pelage::bench {
 namespace {
 
 struct Options {
-  int size = 256, passes = 64;
+  int size = 256, passes = 64, scenes = 12;
   float distance = 1;  // of the camera, over where it frames the model
   bool paths = false;
   std::string out;
@@ -124,6 +126,8 @@ int main(int argc, char** argv) {
       options.size = std::atoi(argv[++i]);
     else if (name == "--passes" && i + 1 < argc)
       options.passes = std::atoi(argv[++i]);
+    else if (name == "--scenes" && i + 1 < argc)
+      options.scenes = std::clamp(std::atoi(argv[++i]), 1, static_cast<int>(places().size()));
     else if (name == "--distance" && i + 1 < argc)
       options.distance = std::strtof(argv[++i], nullptr);
     else if (name == "--out" && i + 1 < argc)
@@ -134,5 +138,6 @@ int main(int argc, char** argv) {
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
   std::printf("shells over strands: interactive, then detailed\n");
-  for (const Place& place : places()) compare_methods(*opened.renderer, place, options);
+  for (const Place& place : std::span(places()).first(static_cast<std::size_t>(options.scenes)))
+    compare_methods(*opened.renderer, place, options);
 }

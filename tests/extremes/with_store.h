@@ -13,9 +13,6 @@
 
 namespace pelage::testing {
 
-/// EGL on a device and OSMesa: surfaceless EGL is the same driver as the device (tests/gl draws on all three).
-inline auto both_backends() { return ::testing::Values(Backend::egl_device, Backend::osmesa); }
-
 /// A store that is empty when it is made and gone with its owner.
 class FreshStore {
  public:

@@ -1,4 +1,4 @@
-// Every test runs on each GL backend. A backend that is missing skips with its reason, and fails in CI.
+// Tests run on both GL drivers, EGL and OSMesa; those of a context's own ways on each way to open one. A backend that is missing skips with its reason, and fails in CI.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -55,6 +55,10 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
   std::unique_ptr<Context> context;
 };
 
-inline auto all_backends() { return ::testing::Values(Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa); }
+/// The two drivers. Surfaceless EGL is the driver of the EGL device, and Backends holds it to the same bytes.
+inline auto both_backends() { return ::testing::Values(Backend::egl_device, Backend::osmesa); }
+
+/// Every way to open a context, for handles, plain frames and the golden pictures.
+inline auto all_contexts() { return ::testing::Values(Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa); }
 
 }  // namespace pelage::testing

@@ -80,7 +80,7 @@ TEST_P(BasePicture, OneCopyOfAModelIsKept) {
   EXPECT_GT(sync_scene(*renderer, model.view(), {}).bytes, 10'000u) << "forgotten, so all of it is sent again";
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, BasePicture, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, BasePicture, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

@@ -126,7 +126,7 @@ TEST_P(Curves, SameFrameSameBits) {
   EXPECT_EQ(first.rgba, draw(*renderer, model, small_frame()).rgba);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Curves, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Curves, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

@@ -317,7 +317,7 @@ TEST_P(Eyes, ALightIsASharpDiscOnAWetEye) {
   EXPECT_GT(wet, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Eyes, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Eyes, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

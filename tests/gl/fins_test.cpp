@@ -219,7 +219,7 @@ TEST_P(Fins, InFrontOfTheSkinTheyShow) {
   EXPECT_GT(changed_on_skin(*renderer, knot, model, false, 20000), 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Fins, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Fins, both_backends(), name_of);
 
 /// A square of two triangles, each of which comes as two pieces.
 struct Square {

@@ -92,7 +92,7 @@ TEST_P(Grounds, LampsThatShineElsewhereCastNoShadow) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Grounds, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Grounds, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

@@ -50,7 +50,7 @@ TEST_P(Handles, BrokenShaderSaysWhy) {
   EXPECT_NE(program.log().find("nonsense"), std::string::npos) << program.log();
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Handles, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Handles, all_contexts(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

@@ -177,7 +177,7 @@ TEST_P(KeptFrames, AnotherFrameBetweenIsNotMistakenForIt) {
   EXPECT_EQ(drawn(model, stroke(model)).redrawn, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, KeptFrames, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, KeptFrames, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

@@ -378,7 +378,7 @@ TEST_P(Layers, MapsOfALightHideTheFrame) {
   EXPECT_EQ(refused.status().pointer, "/overlay");
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Layers, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Layers, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

@@ -56,7 +56,7 @@ TEST_P(Lean, AgreesWithTheCpu) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Lean, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Lean, both_backends(), name_of);
 
 }  // namespace
 }  // namespace testing

@@ -426,8 +426,8 @@ TEST_P(ShadowFormulas, MapsStandUpright) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Lighting, all_backends(), name_of);
-INSTANTIATE_TEST_SUITE_P(Gl, ShadowFormulas, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Lighting, both_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, ShadowFormulas, both_backends(), name_of);
 
 }  // namespace
 }  // namespace testing

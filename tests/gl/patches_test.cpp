@@ -55,7 +55,7 @@ TEST_P(SharedFur, OverlapsKeepCoverAndColour) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(soft_colour[k], hard_colour[k], 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, SharedFur, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, SharedFur, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

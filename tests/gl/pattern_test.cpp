@@ -88,7 +88,7 @@ TEST_P(PatternOnGpu, VariationOfLengthChangesTheOutline) {
   EXPECT_GT(mean_difference(even, draw(**renderer, model, small_frame())), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, PatternOnGpu, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, PatternOnGpu, both_backends(), name_of);
 
 }  // namespace
 }  // namespace testing

@@ -272,7 +272,7 @@ TEST_P(Frames, TheUprightPoleIsUp) {  // rows come from the top: a light from ab
   EXPECT_GT(upper, lower * 1.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Frames, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Frames, all_contexts(), name_of);
 
 TEST(Backends, GiveTheSameBytesOnOneMesa) {
   const FurredModel model = furred({Builtin::creature, 2000});

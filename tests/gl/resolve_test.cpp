@@ -140,7 +140,7 @@ TEST_P(Resolve, PartSizeFramesAreEnlargedByCatmullRom) {
   EXPECT_LT(sum, 2e-3 * sum_to_nearest);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Resolve, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Resolve, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

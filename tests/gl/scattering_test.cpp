@@ -270,7 +270,7 @@ TEST_P(Scattering, ExtremesAreFinite) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Scattering, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Scattering, both_backends(), name_of);
 
 }  // namespace
 }  // namespace testing

@@ -375,7 +375,7 @@ TEST_P(Shadows, CurvesCastThemOnTheGround) {
   EXPECT_GT(darker, 500);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Shadows, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Shadows, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

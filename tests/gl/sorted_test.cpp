@@ -170,7 +170,7 @@ TEST_P(Stack, WithoutBuffersInFragmentShadersItIsRefused) {
   EXPECT_EQ(status.pointer, "/quality/order");
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Stack, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Stack, both_backends(), name_of);
 
 class Sorted : public WithRenderer {
  protected:
@@ -281,7 +281,7 @@ TEST_P(Sorted, AShellShowsTheColoursOfAllSlicesInIt) {
   EXPECT_NEAR(redness(16, 2) / redness(32, 1), 1, 0.012);  // .019 with one colour for two slices
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Sorted, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Sorted, both_backends(), name_of);
 
 }  // namespace
 }  // namespace testing

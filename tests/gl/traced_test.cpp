@@ -300,8 +300,8 @@ TEST_P(Finish, HasNoMapsOfShells) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, Base, all_backends(), name_of);
-INSTANTIATE_TEST_SUITE_P(Gl, Finish, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Base, both_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, Finish, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing

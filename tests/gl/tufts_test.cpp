@@ -84,7 +84,7 @@ TEST_P(TuftsOnGpu, FurIsDenserInsideAndGoneOutside) {
   EXPECT_GT(asked(1, 0.4f, {.gather = 1})[side * side - 1].w, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Gl, TuftsOnGpu, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Gl, TuftsOnGpu, both_backends(), name_of);
 
 }  // namespace
 }  // namespace testing

@@ -76,7 +76,7 @@ TEST_P(Pictures, MatchWhatWasLookedAt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, Pictures, all_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Golden, Pictures, all_contexts(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing
