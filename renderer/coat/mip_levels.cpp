@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <thread>
 
@@ -135,25 +136,53 @@ std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texel
   return depths;
 }
 
+/// Rays on their way down the stack, at 60 degrees: what they have passed, and what a slice holds along them.
+struct SlantedRays {
+  std::vector<double> reached, here;
+
+  double past(std::size_t k, double factor) const { return std::exp(-reached[k] - 2 * factor * here[k]); }
+
+  double let_through(double factor) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < here.size(); ++k) sum += past(k, factor);
+    return sum / static_cast<double>(here.size());
+  }
+
+  /// What so many rays cannot tell: half of their standard error, as rays that lie evenly err less than random ones.
+  double uncertainty(double factor) const {
+    const double mean = let_through(factor);
+    double squares = 0;
+    for (std::size_t k = 0; k < here.size(); ++k) squares += (past(k, factor) - mean) * (past(k, factor) - mean);
+    return 0.5 * std::sqrt(squares) / static_cast<double>(here.size());
+  }
+
+  /// The factor within an octave of `last` (any for the first slice that holds something) for which about `wanted` get
+  /// past. It leaves `last` only as far as the rays can tell: deep in wide strands most are stopped already, and what
+  /// the others need would swing from slice to slice.
+  double match(double wanted, std::optional<double> last) const {
+    const double as_last = let_through(last.value_or(1)), unknown = last ? uncertainty(*last) : 0;
+    const double aim = std::clamp(as_last, wanted - unknown, wanted + unknown);
+    if (aim == as_last) return last.value_or(1);
+    const double middle = last ? std::log2(*last) : 0, range = last ? 1 : 5;
+    return bisect(std::max(-5.0, middle - range), std::min(5.0, middle + range), 16, aim,
+                  [&](double factor) { return let_through(factor); });
+  }
+};
+
 /// Factors for which at 60 degrees as many rays get past each slice, and all that lie above, as get past the
 /// strands. A mean over the whole stack would not do: dense fur lets so little through that the mean is of the widest
 /// gaps alone, and a stack that keeps it is far too thin at the tips, which are what one sees.
 Factors match_slices(const Stack& stack, int texels, double shift, const std::array<double, slice_count>& wanted) {
-  std::vector<double> reached;
-  double factor = 1;
+  SlantedRays rays;
+  std::optional<double> factor;
   Factors factors(stack.size());
   for (std::size_t i = stack.size(); i-- > 0;) {
-    const std::vector<double> here = depths_along(stack[i], texels, shift, i);
-    reached.resize(here.size(), 0.0);
-    if (wanted[i] > least_let_through && wanted[i] < 1) {
-      factor = bisect(-5, 5, 16, wanted[i], [&](double scale) {
-        double sum = 0;
-        for (std::size_t k = 0; k < here.size(); ++k) sum += std::exp(-reached[k] - 2 * scale * here[k]);
-        return sum / static_cast<double>(here.size());
-      });
-    }
-    for (std::size_t k = 0; k < here.size(); ++k) reached[k] += 2 * factor * here[k];
-    factors[i] = static_cast<float>(factor);
+    rays.here = depths_along(stack[i], texels, shift, i);
+    rays.reached.resize(rays.here.size(), 0.0);
+    if (wanted[i] > least_let_through && wanted[i] < 1) factor = rays.match(wanted[i], factor);
+    const double used = factor.value_or(1);
+    for (std::size_t k = 0; k < rays.here.size(); ++k) rays.reached[k] += 2 * used * rays.here[k];
+    factors[i] = static_cast<float>(used);
   }
   return factors;
 }

@@ -73,9 +73,10 @@ std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& 
   double cover = 0;
   for (const Strand& strand : strands) {
     if (cover > opaque_cover) break;
-    if (strand.length_share < s) continue;
+    const double inside = (strand.length_share - s) * slice_count + 0.5;  // the part of the slab that the strand stands in
+    if (inside <= 0) continue;
     Sprite sprite = cross_section(coat, strand, s);
-    sprite.radius *= std::min(1.0, (strand.length_share - s) * slice_count);  // a tip ends inside its slab
+    sprite.radius *= std::min(1.0, inside);
     draw(sprite, slice);
     cover += std::numbers::pi * sprite.radius * sprite.radius / (slice_texels * slice_texels);
   }

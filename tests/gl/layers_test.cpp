@@ -29,7 +29,7 @@ float luminance(glm::vec3 c) { return glm::dot(c, {0.2126f, 0.7152f, 0.0722f}); 
 
 TEST_P(Layers, DepthIsWhereOpacityCrossesHalf) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
-  FrameRequest request = small_frame();
+  FrameRequest request = small_frame(AutoView::front, 192);
   for (const int shells : {4, 16, 40}) {
     request.knobs.shells = shells;
     const auto images = layers_of(model, request, {FrameLayer::beauty, FrameLayer::depth});

@@ -160,6 +160,20 @@ TEST(Slices, EveryLevelLetsThroughWhatTheStrandsDo) {
   }
 }
 
+// Tips too: what the outermost slices leave out, those below them would make up for.
+TEST(Slices, EverySliceHoldsOffItsShare) {
+  Coat wide;
+  wide.tile = 0.0625, wide.count = 2000, wide.width_root = 0.0012, wide.width_tip = 0.0008, wide.fine_clump = 0.3;
+  for (const Coat& coat : {wide, Coat()}) {
+    const Slices slices = bake_slices(coat);
+    const auto open = rays_let_through(coat, make_strands(coat), std::tan(std::numbers::pi / 3));
+    for (int slice = slice_count - 1; slice >= 20; --slice) {
+      const double above = open[static_cast<std::size_t>(slice)];
+      EXPECT_NEAR(transmittance(coat, slices.levels[0], 60, slice), above, 0.1 * std::min(above, 1 - above) + 0.01) << slice;
+    }
+  }
+}
+
 // What is seen takes its colour from how deep rays reach: 1 % of the height is about 1 % of a ramp's lightness.
 TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
   Coat sleek;

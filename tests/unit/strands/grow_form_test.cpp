@@ -294,12 +294,13 @@ std::vector<float> rasterised(const StrandSet& set, double s, double tile) {
   constexpr int finer = 4, side = slice_texels * finer;
   std::vector<std::uint8_t> covered(static_cast<std::size_t>(side) * side);
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const double reach = set.roots[i].reach, at = s / reach * set.segments;
-    if (s > reach) continue;
+    const double reach = set.roots[i].reach, at = std::min(1.0, s / reach) * set.segments;
+    const double inside = (reach - s) * slice_count + 0.5;  // the part of the slab that the strand stands in
+    if (inside <= 0) continue;
     const int k = std::min(static_cast<int>(at), set.segments - 1);
     const glm::dvec2 place(glm::mix(knot(set, i, k).place, knot(set, i, k + 1).place, static_cast<float>(at - k)));
     const double thick = glm::mix(knot(set, i, k).radius, knot(set, i, k + 1).radius, static_cast<float>(at - k));
-    const double radius = thick * std::min(1.0, (reach - s) * slice_count) / tile * side;
+    const double radius = thick * std::min(1.0, inside) / tile * side;
     const glm::dvec2 centre = place / tile * double(side);
     for (int y = static_cast<int>(std::floor(centre.y - radius)); y <= centre.y + radius; ++y) {
       for (int x = static_cast<int>(std::floor(centre.x - radius)); x <= centre.x + radius; ++x) {
@@ -326,11 +327,10 @@ TEST(GrowAndSlices, CoverTheSamePlaces) {
     double sum = 0, of_strands = 0, apart = 0;
     for (std::size_t i = 0; i < strands.size(); ++i) {
       const double stored = slices.levels[0].shape[4 * (static_cast<std::size_t>(slice) * strands.size() + i) + 3];
-      const double share = 1 - std::exp(-stored / 255 * stored_depth);
+      const double share = -std::expm1(-stored / 255 * stored_depth * slices.levels[0].depth_scale[1]);
       sum += share, of_strands += strands[i], apart += std::abs(share - strands[i]);
     }
-    // Slanted rays need rims thickened; matched as they are filtered, one slice (22, 1.068) comes out thinner instead.
-    EXPECT_NEAR(of_strands / sum, 0.93, 0.14) << slice;
+    EXPECT_NEAR(of_strands / sum, 0.955, 0.105) << slice;  // slanted rays need the rims at the tips thickened
     EXPECT_LT(apart / sum, 0.25) << slice;  // and soft over a texel, sharp here
   }
 }
