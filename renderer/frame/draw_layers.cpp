@@ -30,7 +30,7 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
   if (!drawn.ok()) return drawn;
   std::optional<LayerTarget> target;
   if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
-    target.emplace(gl_, layers, drawn_.width(), drawn_.height());
+    target.emplace(gl_, layers, view_.drawn.width(), view_.drawn.height());
     if (!target->complete()) return no_memory();
     draw_beside_light(frame, scene, *target);
   }
@@ -45,7 +45,8 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
   taken.cpu = working.milliseconds();
   taken.counters = take_counters();
   if (times) *times = taken;
-  give_back_large_targets();
+  view_.shown.reset();
+  kept_.keep(std::move(view_));
   return images;
 }
 
@@ -54,17 +55,18 @@ Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& s
   RenderTarget distance;
   GLuint source = light(frame).texture();
   if (layer == FrameLayer::depth) {
-    distance = RenderTarget(gl_, GL_R32F, drawn_.width(), drawn_.height(), 1, true);
-    const RenderTarget covered(gl_, GL_RG32F, drawn_.width(), drawn_.height(), 1, true);
+    distance = RenderTarget(gl_, GL_R32F, view_.drawn.width(), view_.drawn.height(), 1, true);
+    const RenderTarget covered(gl_, GL_RG32F, view_.drawn.width(), view_.drawn.height(), 1, true);
     if (!distance.complete() || !covered.complete()) return no_memory();
     layers_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
     source = distance.texture();
   } else if (LayerTarget::holds(layer)) {
     source = target->texture(layer);
   }
-  layers_.gather(gl_, layer, source, static_cast<float>(drawn_.height()) / static_cast<float>(frame.height), picture_);
+  const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
+  layers_.gather(gl_, layer, source, scale, view_.picture);
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
-  return read_back<FloatImage>(frame, GL_FLOAT);
+  return read_back<FloatImage>(view_.picture, GL_FLOAT);
 }
 
 }  // namespace pelage

@@ -39,9 +39,9 @@ Result<BasePicture> Renderer::draw_base(const FurFrame& asked, DrawTimes* times)
   const ModelBuffers::DrawLists lists = model.skin_lists(gl_);
   prepare_colours(frame, model);
   bind_blocks(frame, make_frame_block(frame, Slices{}, model.has_colours(), frame.height));
-  set_draw_state(gl_, drawn_);
+  set_draw_state(gl_, view_.drawn);
   gl_.DepthMask(GL_TRUE);
-  clear_target(gl_, drawn_, {});
+  clear_target(gl_, view_.drawn, {});
   draw_open_body(frame, model, lists, "");
   fragments_.end();
   const LayerTarget layers(gl_, std::array{FrameLayer::direct, FrameLayer::albedo, FrameLayer::normal}, frame.width,
@@ -53,10 +53,11 @@ Result<BasePicture> Renderer::draw_base(const FurFrame& asked, DrawTimes* times)
   layers.clear(gl_);
   draw_open_body(frame, model, lists, "#define LAYERS\n");
   layers_.draw_open_distance(gl_, eyes_, frame, model, lists.all, distance);
-  Result<BasePicture> base = read_base(frame, layers, distance);
+  Result<BasePicture> base = read_base(layers, distance);
   if (const Status built = programs(); !built.ok()) return built;
   if (times) *times = {.draw = drawing.milliseconds(), .counters = take_counters()};
-  give_back_large_targets();
+  view_.shown.reset();
+  kept_.keep(std::move(view_));
   return base;
 }
 
@@ -67,8 +68,7 @@ void Renderer::draw_open_body(const FurFrame& frame, const ModelBuffers& model, 
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
 }
 
-Result<BasePicture> Renderer::read_base(const FurFrame& frame, const LayerTarget& layers,
-                                        const RenderTarget& distance) {
+Result<BasePicture> Renderer::read_base(const LayerTarget& layers, const RenderTarget& distance) {
   struct Part {
     FrameLayer layer;
     GLuint texture;
@@ -77,14 +77,14 @@ Result<BasePicture> Renderer::read_base(const FurFrame& frame, const LayerTarget
   const auto texture = [&](FrameLayer layer) { return layers.texture(layer); };
   BasePicture base;
   for (const Part& part :
-       {Part{FrameLayer::beauty, drawn_.texture(), &BasePicture::beauty},
+       {Part{FrameLayer::beauty, view_.drawn.texture(), &BasePicture::beauty},
         Part{FrameLayer::direct, texture(FrameLayer::direct), &BasePicture::direct},
         Part{FrameLayer::albedo, texture(FrameLayer::albedo), &BasePicture::albedo},
         Part{FrameLayer::normal, texture(FrameLayer::normal), &BasePicture::normal},
         Part{FrameLayer::depth, distance.texture(), &BasePicture::depth}}) {
-    layers_.gather(gl_, part.layer, part.texture, 1.0f, picture_);
+    layers_.gather(gl_, part.layer, part.texture, 1.0f, view_.picture);
     if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
-    Result<FloatImage> image = read_back<FloatImage>(frame, GL_FLOAT);
+    Result<FloatImage> image = read_back<FloatImage>(view_.picture, GL_FLOAT);
     if (!image) return image.status();
     base.*part.image = std::move(image).value();
   }
@@ -104,19 +104,19 @@ Result<Picture> Renderer::finish_picture(const FurFrame& frame, const FloatImage
                                          int largest, DrawTimes* times) {
   assert(light.width == frame.width && light.height == frame.height);
   const Stopwatch drawing;
-  kept_.forget_picture();
   const RenderTarget traced(gl_, GL_RGBA32F, frame.width, frame.height, 1, false);
-  if (!traced.complete() || !fit(picture_, format, frame.width, frame.height, 1, false)) return no_memory();
+  const RenderTarget picture(gl_, format, frame.width, frame.height, 1, false);
+  if (!traced.complete() || !picture.complete()) return no_memory();
   gl_.TextureSubImage2D(traced.texture(), 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_FLOAT, light.rgba.data());
   const Result<RenderTarget> overlay = overlay_on_traced(frame);
   if (!overlay) return overlay.status();
   fragments_.begin();
-  resolve_.draw(gl_, frame, traced, picture_, largest, overlay->texture());
+  resolve_.draw(gl_, frame, traced, picture, largest, overlay->texture());
   fragments_.end();
   if (const Status built = programs(); !built.ok()) return built;
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   const double drawn = drawing.milliseconds();
-  Result<Picture> image = read_back<Picture>(frame, type);
+  Result<Picture> image = read_back<Picture>(picture, type);
   if (times) *times = {.draw = drawn, .read = drawing.milliseconds() - drawn, .counters = take_counters()};
   return image;
 }

@@ -75,13 +75,13 @@ std::string light_of(const FurFrame& frame, bool model_has_colours);
 std::string shape_of(const Coat& coat, const ModelBuffers& model);
 
 template <class Picture>
-Result<Picture> Renderer::read_back(const FurFrame& frame, GLenum type) {
+Result<Picture> Renderer::read_back(const RenderTarget& picture, GLenum type) {
   Picture image;
-  image.width = frame.width, image.height = frame.height;
-  image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  image.width = picture.width(), image.height = picture.height();
+  image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, frame.width, frame.height, GL_RGBA, type, image.rgba.data());
+  gl_.ReadPixels(0, 0, image.width, image.height, GL_RGBA, type, image.rgba.data());
   if (gl_.GetError() != GL_NO_ERROR) return failure(Code::internal, "a GL error while drawing");
   return image;
 }

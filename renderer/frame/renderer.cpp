@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/frame/parts.h"
@@ -17,9 +18,8 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t kept_coats = 3;              // 90 MB each
-constexpr std::int64_t kept_pixels = 2048 * 2048;  // targets of a larger frame are given back after it
-constexpr GLuint skin_binding = 5;                 // as in bare_skin.glsl
+constexpr std::size_t kept_coats = 3;  // 90 MB each
+constexpr GLuint skin_binding = 5;     // as in bare_skin.glsl
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
@@ -31,6 +31,8 @@ std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
          shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
+
+Area area_of(const RenderTarget& target) { return {0, 0, target.width(), target.height()}; }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
 
@@ -120,12 +122,13 @@ Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
   const GLenum colour = frame.knobs.accumulation == Accumulation::half ? GL_RGBA16F : GL_RGBA32F;
   const int samples = frame.knobs.samples;
-  kept_.forget();
-  bool complete = fit(drawn_, colour, width, height, samples, true);
-  if (samples > 1) complete = complete && fit(single_, colour, width, height, 1, false);
-  complete = complete && fit(picture_, picture, frame.width, frame.height, 1, false);
+  view_ = kept_.take(frame, picture);
+  bool complete = fit(view_.drawn, colour, width, height, samples, true);
+  if (samples > 1) complete = complete && fit(view_.single, colour, width, height, 1, false);
+  complete = complete && fit(view_.picture, picture, frame.width, frame.height, 1, false);
   if (complete) return {};
-  give_back_targets();
+  view_ = KeptView();
+  kept_.give_back();
   return no_memory();
 }
 
@@ -136,15 +139,6 @@ bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, i
   return target.complete();
 }
 
-void Renderer::give_back_targets() {
-  kept_.forget();
-  drawn_ = RenderTarget(), single_ = RenderTarget(), picture_ = RenderTarget();
-}
-
-void Renderer::give_back_large_targets() {
-  if (drawn_.width() * static_cast<std::int64_t>(drawn_.height()) > kept_pixels) give_back_targets();
-}
-
 Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                            DrawTimes& times) {
   const auto found = models_.find(frame.model);
@@ -152,17 +146,17 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   ModelBuffers& model = found->second;
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch making;
-  const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), drawn_.height());
+  const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), view_.drawn.height());
   const float furthest = frame.knobs.order == FragmentOrder::sorted ? -2.0f : furthest_averted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
   LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest,
                  block.world_to_clip, stretch};
   std::optional<Area> part;
   if (shown) {
-    std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip);
+    std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip, shown->changes);
     if (const std::optional<ClipBox> curves = changed_curves(shown->frame, frame, view.to_clip))
       changed = union_of(changed, *curves);
-    const PicturePart touched = part_of(changed, drawn_.width(), drawn_.height());
+    const PicturePart touched = part_of(changed, view_.drawn.width(), view_.drawn.height());
     part = touched.area, view.part = touched.cells;
   }
   const auto lists = model.sort_for(gl_, view);
@@ -210,17 +204,18 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
 
 Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   if (scene.part && scene.part->pixels() == 0) return {};  // what the target shows is the frame
-  set_draw_state(gl_, drawn_);
+  set_draw_state(gl_, view_.drawn);
   const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
-  clear_target(gl_, drawn_, {});
-  fur_.mark_sets(gl_, scene.drawing(frame), drawn_.framebuffer());
+  clear_target(gl_, view_.drawn, {});
+  fur_.mark_sets(gl_, scene.drawing(frame), view_.drawn.framebuffer());
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
   if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");
   if (frame.knobs.samples == 1) return {};
-  gl_.BlitNamedFramebuffer(drawn_.framebuffer(), single_.framebuffer(), 0, 0, drawn_.width(), drawn_.height(), 0, 0,
-                           drawn_.width(), drawn_.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const int width = view_.drawn.width(), height = view_.drawn.height();
+  gl_.BlitNamedFramebuffer(view_.drawn.framebuffer(), view_.single.framebuffer(), 0, 0, width, height, 0, 0, width, height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
   return {};
 }
 
@@ -231,7 +226,7 @@ Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
   const std::string variant = scene.variant + "#define SORTED\n";
   const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
-  return sorted_.draw(gl_, drawn_, frame.knobs.shells, [&] {
+  return sorted_.draw(gl_, view_.drawn, frame.knobs.shells, [&] {
     fur_.draw_averted(gl_, drawing);
     if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
     fur_.draw_facing(gl_, drawing);
@@ -258,10 +253,10 @@ Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepare
   RenderTarget overlay;
   if (frame.overlay == Overlay::none) return overlay;
   if (frame.overlay == Overlay::layer_count) {
-    const LayerTarget counts(gl_, std::array{FrameLayer::layer_count}, drawn_.width(), drawn_.height());
+    const LayerTarget counts(gl_, std::array{FrameLayer::layer_count}, view_.drawn.width(), view_.drawn.height());
     if (!counts.complete()) return no_memory();
     draw_beside_light(frame, scene, counts);
-    const float scale = static_cast<float>(drawn_.height()) / static_cast<float>(frame.height);
+    const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
     overlay = overlay_.draw_count(gl_, frame, counts.texture(FrameLayer::layer_count), scale);
   } else if (OverlayPass::is_map(frame.overlay)) {
     Result<RenderTarget> map = draw_light_map(frame, scene);
@@ -294,8 +289,8 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times) {
 template <class Picture>
 Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
                                        DrawTimes* times) {
-  const std::optional<ShownFrame> shown = kept_.take(frame, format);
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
+  const std::optional<ShownFrame> shown = std::exchange(view_.shown, {});
   const Stopwatch drawing;
   const CpuStopwatch working;
   DrawTimes taken;
@@ -307,24 +302,23 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();
   std::optional<Area> finished;
-  if (shown && shown->picture) finished = finished_area(*scene.part, drawn_, picture_);
+  if (shown && shown->picture) finished = finished_area(*scene.part, view_.drawn, view_.picture);
   {
     const ScissorTest part(gl_, finished);
-    resolve_.draw(gl_, frame, light(frame), picture_, largest, overlay->texture());
+    resolve_.draw(gl_, frame, light(frame), view_.picture, largest, overlay->texture());
   }
   if (const Status built = programs(); !built.ok()) return built;
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
   taken.draw = drawing.milliseconds() - taken.shadow;
   taken.cpu = working.milliseconds();
   const Stopwatch reading;
-  Result<Picture> image = read_back<Picture>(frame, type);
+  Result<Picture> image = read_back<Picture>(view_.picture, type);
   taken.read = reading.milliseconds();
   taken.counters = take_counters();
-  if (scene.part) taken.counters.redrawn = scene.part->pixels() / Area{0, 0, drawn_.width(), drawn_.height()}.pixels();
+  if (scene.part) taken.counters.redrawn = scene.part->pixels() / area_of(view_.drawn).pixels();
   if (times) *times = taken;
-  kept_.keep(frame, format);
-  scene.model.settle();
-  give_back_large_targets();
+  view_.shown = {frame, format, scene.model.changes()};
+  kept_.keep(std::move(view_));
   return image;
 }
 

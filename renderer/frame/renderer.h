@@ -10,7 +10,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
-#include "renderer/frame/kept_light.h"
+#include "renderer/frame/kept_views.h"
 #include "renderer/frame/shadow_maps.h"
 #include "renderer/gl/fragment_counter.h"
 #include "renderer/gl/render_target.h"
@@ -62,7 +62,7 @@ class Renderer {
   /// with too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
   /// Makes the next frame be drawn whole, for who measures or doubts.
-  void forget_kept() { kept_.forget(); }
+  void forget_kept() { kept_.forget_shown(); }
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr);
   /// Light and what is asked for beside it, one picture for each layer, in internal coordinates: without exposure, tone
@@ -87,11 +87,10 @@ class Renderer {
  private:
   Renderer(const Gl& gl, std::size_t sorted_bytes);
   Status programs() const;  // whether all programs so far were built
+  /// Makes `view_` what the frame is drawn into: what shows its light already, or targets of its size.
   Status prepare_targets(const FurFrame& frame, GLenum picture);
   /// Makes a target anew where it is of another kind; whether it could be made.
   bool fit(RenderTarget& target, GLenum format, int width, int height, int samples, bool depth);
-  void give_back_targets();
-  void give_back_large_targets();
   const CoatTextures& textures_of(const Coat& coat);
   FrameCounters take_counters() const;
   /// What a frame draws, with its blocks and maps bound.
@@ -106,7 +105,7 @@ class Renderer {
   Status draw_light(const FurFrame& frame, const Prepared& scene);
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
-  const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? single_ : drawn_; }
+  const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? view_.single : view_.drawn; }
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
   Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
                                          const ModelBuffers::DrawList& triangles);
@@ -117,13 +116,13 @@ class Renderer {
                                 const LayerTarget* target);
   void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
                       const std::string& outputs);
-  Result<BasePicture> read_base(const FurFrame& frame, const LayerTarget& layers, const RenderTarget& distance);
+  Result<BasePicture> read_base(const LayerTarget& layers, const RenderTarget& distance);
   Result<RenderTarget> overlay_on_traced(const FurFrame& frame);
   template <class Picture>
   Result<Picture> finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
                                  int largest, DrawTimes* times);
   template <class Picture>
-  Result<Picture> read_back(const FurFrame& frame, GLenum type);
+  Result<Picture> read_back(const RenderTarget& picture, GLenum type);
 
   const Gl& gl_;
   FurPass fur_;
@@ -144,8 +143,8 @@ class Renderer {
   ScatteringTextures scattering_;
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
-  RenderTarget drawn_, single_, picture_;
-  KeptLight kept_;  // what `drawn_`, `single_` and `picture_` show
+  KeptView view_;  // that is drawn; the others, and between frames all, are kept
+  KeptViews kept_;
 };
 
 }  // namespace pelage

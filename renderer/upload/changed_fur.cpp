@@ -1,6 +1,7 @@
 #include "renderer/upload/changed_fur.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "protocol/commands/coat.h"
 #include "renderer/coat/lean_curve.h"
@@ -9,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t most_noted = 1 << 20;
+constexpr std::size_t most_noted = 1 << 18;  // 4 MiB
 constexpr int parts = 4;                // of a strand; between their ends it bends by no more than
 constexpr float bend_of_a_part = 0.03f;  // of its length
 
@@ -45,17 +46,22 @@ class StrandBoxes {
 }  // namespace
 
 void ChangedFur::note(std::uint32_t vertex, glm::vec3 groom) {
-  if (everywhere_) return;
+  if (noted_.size() == most_noted) {
+    noted_.erase(noted_.begin(), noted_.begin() + most_noted / 2);
+    forgotten_ += most_noted / 2;
+  }
   noted_.push_back({vertex, groom});
-  if (noted_.size() > most_noted) settle(), everywhere_ = true;
 }
 
-std::optional<ClipBox> ChangedFur::box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const {
-  if (everywhere_) return ClipBox{};
-  if (noted_.empty()) return {};
+std::optional<ClipBox> ChangedFur::box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip,
+                                       std::uint64_t since) const {
+  assert(since <= count());
+  if (since < forgotten_) return ClipBox{};
+  const std::span<const Noted> changed = std::span(noted_).subspan(static_cast<std::size_t>(since - forgotten_));
+  if (changed.empty()) return {};
   const StrandBoxes strands(mesh, coat, to_clip);
   std::vector<std::optional<ClipBox>> reached(mesh.positions.size());
-  for (const Noted& each : noted_) reached[each.vertex] = union_of(reached[each.vertex], strands.of(each.vertex, each.groom));
+  for (const Noted& each : changed) reached[each.vertex] = union_of(reached[each.vertex], strands.of(each.vertex, each.groom));
   std::optional<ClipBox> all;
   for (const glm::uvec3& t : mesh.triangles) {
     if (!reached[t.x] && !reached[t.y] && !reached[t.z]) continue;

@@ -24,10 +24,12 @@ class ChangedFur {
  public:
   /// To be told of each vertex that changes, with its groom before and after.
   void note(std::uint32_t vertex, glm::vec3 groom);
-  void settle() { noted_.clear(), everywhere_ = false; }
+  /// How often it was told so far.
+  std::uint64_t count() const { return forgotten_ + noted_.size(); }
 
-  /// What the fur of changed vertices and of the triangles around them reaches or reached; none where none has changed.
-  std::optional<ClipBox> box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip) const;
+  /// What the fur of vertices that changed since `count` was so much, and of the triangles around them, reaches or
+  /// reached; none where none has changed, everything where that is too long ago to be known.
+  std::optional<ClipBox> box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip, std::uint64_t since) const;
 
  private:
   struct Noted {
@@ -35,7 +37,7 @@ class ChangedFur {
     glm::vec3 groom;
   };
   std::vector<Noted> noted_;
-  bool everywhere_ = false;  // nobody has drawn for so long that it is no use to know
+  std::uint64_t forgotten_ = 0;  // before the first that is noted
 };
 
 }  // namespace pelage

@@ -83,11 +83,12 @@ class ModelBuffers {
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const LayerView& view);
 
-  /// Where on a picture fur has changed since `settle`; none where none has.
-  std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip) const {
-    return changed_.box({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip);
+  /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many; none
+  /// where none has.
+  std::uint64_t changes() const { return changed_.count(); }
+  std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip, std::uint64_t since) const {
+    return changed_.box({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip, since);
   }
-  void settle() { changed_.settle(); }
 
  private:
   void split(const FurModel& model, std::vector<RenderVertex>& vertices);

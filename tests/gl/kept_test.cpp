@@ -1,5 +1,7 @@
 // After a stroke only the part of the picture that it may touch is drawn, with the bits of a whole frame.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "server/scene/fur_view.h"
@@ -162,19 +164,67 @@ TEST_P(KeptFrames, AnotherFrameBetweenIsNotMistakenForIt) {
   expect_part();
   request.exposure = 1;  // comes after the light
   expect_part();
-  const std::vector<VertexRange> changed = stroke(model);
-  request.camera.automatic = AutoView::left;
-  EXPECT_EQ(drawn(model, changed).redrawn, 1);
-  request.camera.automatic = AutoView::front;
+  ASSERT_TRUE(renderer->draw_base(make_frame(model.view(), request)).ok());
+  expect_part();
+  ASSERT_TRUE(renderer->draw_layers(make_frame(model.view(), request), std::array{FrameLayer::beauty}).ok());  // into its targets
   EXPECT_EQ(drawn(model, {}).redrawn, 1);
-  EXPECT_EQ(drawn(model, {}).redrawn, 0);
-  ASSERT_TRUE(renderer->draw_base(make_frame(model.view(), request)).ok());  // into the same target
-  const Drawn after = drawn(model, stroke(model));
-  EXPECT_EQ(after.redrawn, 1);
-  renderer->forget_kept();
-  EXPECT_EQ(after.image.rgba, drawn(model, {}).image.rgba);
+  expect_part();
   model.settings.look.ambient = 1;
   EXPECT_EQ(drawn(model, stroke(model)).redrawn, 1);
+}
+
+// Each view knows what has changed since it was drawn itself.
+TEST_P(KeptFrames, SeveralViewsAreKept) {
+  FurredModel model = animal();
+  const std::array views{AutoView::front, AutoView::left, AutoView::top};
+  const auto from = [&](AutoView view, const std::vector<VertexRange>& changed) {
+    request.camera.automatic = view;
+    return drawn(model, changed);
+  };
+  for (const AutoView view : views) EXPECT_EQ(from(view, stroke(model)).redrawn, 1);
+  for (int round = 0; round < 3; ++round) {
+    for (const AutoView view : views) EXPECT_LT(from(view, stroke(model)).redrawn, 1);
+  }
+  std::vector<Image> kept;
+  for (const AutoView view : views) kept.push_back(from(view, {}).image);
+  renderer->forget_kept();
+  for (std::size_t i = 0; i < views.size(); ++i) EXPECT_EQ(kept[i].rgba, from(views[i], {}).image.rgba) << i;
+}
+
+TEST_P(KeptFrames, SeveralScenesAreKept) {
+  FurredModel one = animal(), other = animal();
+  for (FurredModel* model : {&one, &other}) EXPECT_EQ(drawn(*model, {}).redrawn, 1);
+  for (int round = 0; round < 3; ++round) {
+    for (FurredModel* model : {&one, &other}) {
+      const Drawn part = drawn(*model, stroke(*model));
+      EXPECT_LT(part.redrawn, 1);
+      EXPECT_EQ(drawn(*model, {}).redrawn, 0);
+    }
+  }
+  const Image kept = drawn(one, {}).image;
+  renderer->forget_kept();
+  EXPECT_EQ(kept.rgba, drawn(one, {}).image.rgba);
+}
+
+// An orbit's frames are not asked for again: they do not push out who grooms beside it.
+TEST_P(KeptFrames, AnOrbitLeavesWhatComesBack) {
+  FurredModel model = animal();
+  const auto orbit = [&](int frame) {
+    FrameRequest turned = request;
+    turned.camera.automatic = AutoView::none;
+    turned.camera.eye = {2 * std::sin(0.1 * frame), 0, 2 * std::cos(0.1 * frame)}, turned.camera.target = {0, 0, 0};
+    ASSERT_TRUE(renderer->draw(make_frame(model.view(), turned)).ok());
+  };
+  drawn(model, {});
+  drawn(model, stroke(model));
+  for (int frame = 0; frame < 6; ++frame) orbit(frame);
+  EXPECT_LT(drawn(model, stroke(model)).redrawn, 1);
+  drawn(model, {});
+  request.width = request.height = 2100;  // more than is kept at all
+  EXPECT_EQ(drawn(model, {}).redrawn, 1);
+  EXPECT_EQ(drawn(model, {}).redrawn, 1);
+  request.width = request.height = 128;
+  EXPECT_EQ(drawn(model, {}).redrawn, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, KeptFrames, both_backends(), name_of);

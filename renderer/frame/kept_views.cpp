@@ -1,8 +1,10 @@
-#include "renderer/frame/kept_light.h"
+#include "renderer/frame/kept_views.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,13 @@
 namespace pelage {
 
 namespace {
+
+constexpr std::size_t most_views = 4;
+constexpr std::int64_t most_pixels = 2048 * 2048;  // of all views together
+
+std::int64_t pixels_of(const KeptView& view) {
+  return view.drawn.width() * static_cast<std::int64_t>(view.drawn.height());
+}
 
 bool changes_stay_near(const FurFrame& frame) {
   const Knobs& knobs = frame.knobs;
@@ -72,15 +81,54 @@ glm::ivec2 finished_range(int begin, int length, int light, int picture) {
 
 }  // namespace
 
-void KeptLight::keep(const FurFrame& frame, GLenum picture) {
-  if (changes_stay_near(frame)) shown_ = {frame, picture};
+KeptView KeptViews::take(const FurFrame& frame, GLenum picture) {
+  const auto shows = [&](const KeptView& view) {
+    return view.shown && changes_stay_near(frame) && light_of(view.shown->frame) == light_of(frame);
+  };
+  const auto found = std::find_if(views_.begin(), views_.end(), shows);
+  if (found == views_.end()) {
+    const bool spare = std::any_of(views_.begin(), views_.end(), [](const KeptView& view) { return !view.shown; });
+    if (!spare && views_.size() < most_views) return {};
+    KeptView view = take_out(least_wanted());
+    view.shown.reset(), view.came_back = false;
+    return view;
+  }
+  KeptView view = take_out(found);
+  if (view.shown->picture != picture || !same_finish(view.shown->frame, frame)) view.shown->picture = 0;
+  view.came_back = true;
+  return view;
 }
 
-std::optional<ShownFrame> KeptLight::take(const FurFrame& frame, GLenum picture) {
-  std::optional<ShownFrame> shown = std::exchange(shown_, {});
-  if (!shown || !changes_stay_near(frame) || light_of(shown->frame) != light_of(frame)) return {};
-  if (shown->picture != picture || !same_finish(shown->frame, frame)) shown->picture = 0;
-  return shown;
+void KeptViews::keep(KeptView view) {
+  if (view.shown && !changes_stay_near(view.shown->frame)) view.shown.reset();
+  if (pixels_of(view) > most_pixels) return;
+  views_.push_front(std::move(view));
+  std::int64_t pixels = 0;
+  for (const KeptView& each : views_) pixels += pixels_of(each);
+  while (views_.size() > most_views || pixels > most_pixels) pixels -= pixels_of(take_out(least_wanted()));
+}
+
+void KeptViews::forget_shown() {
+  for (KeptView& view : views_) view.shown.reset();
+}
+
+// The last view is kept: two that are asked for in turn would push each other out before they come back.
+KeptViews::Views::iterator KeptViews::least_wanted() {
+  assert(!views_.empty());
+  const auto oldest = [&](auto first, auto unwanted) {
+    const auto found = std::find_if(views_.rbegin(), std::make_reverse_iterator(first), unwanted);
+    return found == std::make_reverse_iterator(first) ? views_.end() : std::prev(found.base());
+  };
+  const auto spare = oldest(views_.begin(), [](const KeptView& view) { return !view.shown; });
+  if (spare != views_.end()) return spare;
+  const auto once = oldest(std::next(views_.begin()), [](const KeptView& view) { return !view.came_back; });
+  return once != views_.end() ? once : std::prev(views_.end());
+}
+
+KeptView KeptViews::take_out(Views::iterator view) {
+  KeptView taken = std::move(*view);
+  views_.erase(view);
+  return taken;
 }
 
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
