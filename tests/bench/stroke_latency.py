@@ -1,7 +1,9 @@
 """Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile over
 the strokes that touch fur.
 
-usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY] [DABS]
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY] [DABS] [SCENES]
+
+With several scenes, strokes take turns: as many groom at once.
 """
 import http.client
 import json
@@ -31,12 +33,14 @@ def main():
     triangles = int(sys.argv[3]) if len(sys.argv) > 3 else 5000
     quality = sys.argv[4] if len(sys.argv) > 4 else "interactive"
     dabs = int(sys.argv[5]) if len(sys.argv) > 5 else 6
+    groomers = int(sys.argv[6]) if len(sys.argv) > 6 else 1
     server = Server(gl="auto")
     try:
-        scene = server.new_scene(model, triangles)
+        scenes = [server.new_scene(model, triangles) for _ in range(groomers)]
         connection = http.client.HTTPConnection("127.0.0.1", server.port)
         totals, stages, commands, shares = [], {}, [], []
-        for i in range(count + 3):
+        for i in range(count + 3 * groomers):
+            scene = scenes[i % groomers]
             start = time.perf_counter()
             connection.request("POST", f"{scene.path}/commands", json.dumps(stroke(i, dabs)))
             touched = json.loads(connection.getresponse().read())["results"][0]["touched"]
@@ -44,7 +48,7 @@ def main():
             connection.request("POST", f"{scene.path}/frames", json.dumps({"quality": quality}))
             answer = connection.getresponse()
             answer.read()
-            if i < 3 or not touched:
+            if i < 3 * groomers or not touched:
                 continue  # the first frames make textures and programs
             totals.append(1e3 * (time.perf_counter() - start))
             commands.append(1e3 * (grown - start))
