@@ -145,9 +145,13 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
     const LightView& view = views[next++];
     see_from(gl, block, view);
     FurPass::bind(gl, drawing);
-    scene_.draw(gl, drawing.lists.all, view, {depth, occlusion, width});
+    if (casts_penumbra(frame.lights[i])) {
+      scene_.draw_hull(gl, drawing.lists.all, view, depth);
+    } else {
+      scene_.draw(gl, drawing.lists.all, view, {depth, occlusion, width});
+      keep(gl, width, width_, slot.y);
+    }
     keep(gl, depth, depth_, slot.y);
-    keep(gl, width, width_, slot.y);
     if (slot.x >= 0) shells_.draw(gl, drawing.variant, drawing.lists.all, kept, kept_.id(), slot.x * shadow_boundaries);
     if (!curves_) continue;
     curves.draw_shadow(gl, frame, view, crossed);
@@ -172,6 +176,7 @@ std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame
   see_from(gl, block, *view);
   FurPass::bind(gl, drawing);
   scene_.draw(gl, drawing.lists.all, *view, {maps.depth, maps.occlusion, maps.width});
+  if (casts_penumbra(*light)) scene_.draw_hull(gl, drawing.lists.all, *view, maps.depth);
   return maps;
 }
 

@@ -152,7 +152,7 @@ vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
     light_at(i, place, to_light, radiance);
     vec3 sent = lamp_on_skin(bare, point, to_light), kept = radiance * sent;
 #ifdef SHADOW_MAPS
-    kept *= cast_light(i, place, normal);
+    kept *= cast_light(i, place, place, normal);
 #endif
 #ifdef LAYERS
     keep_direct(bare.share * kept, bare.share * radiance * sent);

@@ -28,3 +28,14 @@ vec3 lean_point(bool root_curve, float inclination, float root_share, float s) {
   float a0 = root_share * tip;
   return root_curve ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s);
 }
+
+// How high fur stops the light that comes to other parts of the body, over its height: its hull.
+const float hull_height = 0.6;
+
+// From the root to a height at or above the hull.
+vec3 hull_offset(vec3 groom, vec3 normal, vec3 tangent, bool root_curve, float root_share, float height) {
+  float inclination = min(length(groom.xy), 1.0);
+  vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
+  vec3 curve = lean_point(root_curve, inclination, root_share, max(height, hull_height));
+  return groom.z * (curve.x * (tangent * heading.x + cross(normal, tangent) * heading.y) + curve.y * normal);
+}

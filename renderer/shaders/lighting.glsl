@@ -117,7 +117,9 @@ void keep_direct(vec3 kept, vec3 whole) {
 #endif
 
 struct Fibre {
-  vec3 place, normal, tangent, to_eye;
+  vec3 place;
+  vec3 open;      // where light comes to it that other parts of the body let through
+  vec3 normal, tangent, to_eye;
   vec3 colour;    // C
   vec3 over;      // colour of the fur above over C
   float height;   // s in [0, 1]
@@ -160,8 +162,8 @@ vec3 fibre_light(Fibre fibre) {
     vec3 unshadowed = radiance;
 #endif
 #ifdef SHADOW_MAPS
-    strands = layer_depth(i, fibre.place, fibre.height, facing, strands);
-    radiance *= cast_light(i, fibre.place, fibre.normal);
+    strands = layer_depth(i, fibre.place, fibre.open, fibre.height, facing, strands);
+    radiance *= cast_light(i, fibre.place, fibre.open, fibre.normal);
 #endif
     vec3 scattered = scatter(SHADING_MODEL, fibre.tangent, fibre.normal, to_light, fibre.to_eye, fibre.colour, fibre.strand);
     if (SHADING_MODEL == model_energy_conserving || SHADING_MODEL == model_marschner) {

@@ -8,7 +8,7 @@ layout(std140, binding = 2) uniform ShadowBlock {
 } shadow;
 
 layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
-layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, sizes
+layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, or of the fur's hull (penumbra), sizes
 layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge; and
                                                         // its mean times the depth of what casts it
 
@@ -121,10 +121,14 @@ float past_body_in_penumbra(int i, vec3 place, vec3 normal) {
   return 1.0 - hidden;
 }
 
-// Share of light i that other parts of the body and guided curves let through to skin of that normal or fur on it.
-float cast_light(int i, vec3 place, vec3 normal) {
+// The depth map of such a light is of the fur's hull, that of others of the skin.
+bool is_penumbra(int i) { return shadow.slots[i].z > 1.5; }
+
+// Share of light i that other parts of the body and guided curves let through to skin of that normal or fur on it, whose hull
+// is at `open`.
+float cast_light(int i, vec3 place, vec3 open, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
-  float kept = shadow.slots[i].z > 1.5 ? past_body_in_penumbra(i, place, normal) : past_body(i, place);
+  float kept = is_penumbra(i) ? past_body_in_penumbra(i, open, normal) : past_body(i, place);
 #ifdef CURVE_SHADOWS
   kept *= past_curves(i, place);
 #endif
@@ -133,7 +137,7 @@ float cast_light(int i, vec3 place, vec3 normal) {
 
 // Optical depth of the layers above a place; what the estimate says where the map shows another part of the body, or
 // where the surface is turned so far away that its layers leave no trace on the map. `facing` is N.L.
-float layer_depth(int i, vec3 place, float height, float facing, float estimate) {
+float layer_depth(int i, vec3 place, vec3 open, float height, float facing, float estimate) {
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
   vec2 at = place_on_map(i, place);
@@ -141,6 +145,7 @@ float layer_depth(int i, vec3 place, float height, float facing, float estimate)
   float first = slot * (shadow_layers + 1.0);
   float kept = mix(texture(kept_maps, vec3(at, first + low)).r,
                    texture(kept_maps, vec3(at, first + min(low + 1.0, shadow_layers))).r, layer - low);
-  float below = depth_below(i, place, at);
+  vec3 shown = is_penumbra(i) ? open : place;
+  float below = depth_below(i, shown, place_on_map(i, shown));
   return mix(-log(max(kept, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));
 }

@@ -13,7 +13,7 @@ layout(location = 0) out vec4 result;
 vec4 given(int layer) { return texelFetch(cases, ivec3(gl_FragCoord.xy, layer), 0); }
 
 void main() {
-  Fibre fibre = Fibre(given(0).xyz, given(1).xyz, given(2).xyz, given(3).xyz, given(4).rgb, colour_above(given(0).w),
+  Fibre fibre = Fibre(given(0).xyz, given(0).xyz, given(1).xyz, given(2).xyz, given(3).xyz, given(4).rgb, colour_above(given(0).w),
                       given(0).w, given(1).w, given(2).w);
   result = vec4(0.0);
   if (asked == 0) result.rgb = fibre_light(fibre);
@@ -30,8 +30,8 @@ void main() {
 #endif
 #ifdef SHADOW_MAPS
   if (asked == 6) {
-    result.r = cast_light(lamp, fibre.place, fibre.normal);
-    result.g = layer_depth(lamp, fibre.place, fibre.height, 1.0, 7.0);
+    result.r = cast_light(lamp, fibre.place, fibre.open, fibre.normal);
+    result.g = layer_depth(lamp, fibre.place, fibre.open, fibre.height, 1.0, 7.0);
   }
 #endif
 }

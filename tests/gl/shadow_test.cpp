@@ -83,11 +83,16 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
     ASSERT_LE(hard.rgba[i], soft.rgba[i] + 1);
     ASSERT_LE(soft.rgba[i], open.rgba[i] + 1);
   }
-  light.cast_shadow = CastShadow::penumbra;
-  EXPECT_NEAR(mean(picture(model, light, true, AutoView::front)), mean(hard), 0.02 * mean(open));
   EXPECT_LT(mean(hard), 0.95 * mean(open));
   EXPECT_LT(mean(soft), 0.98 * mean(open));
   EXPECT_GT(mean(soft), 1.002 * mean(hard));
+  light.cast_shadow = CastShadow::penumbra;
+  EXPECT_LT(mean(picture(model, light, true, AutoView::front)), mean(hard)) << "fur casts it, too";
+  FurredModel sleek = furred({Builtin::knot, 2000}, {.length = 0.003});
+  sleek.settings.look.ambient = 0.2;
+  const double penumbra = mean(picture(sleek, light, true, AutoView::front));
+  light.cast_shadow = CastShadow::hard;
+  EXPECT_NEAR(penumbra, mean(picture(sleek, light, true, AutoView::front)), 0.02 * mean(open));
 }
 
 /// On bare skin a hard shadow is where a ray to the light meets the body, from whatever side the light comes.
@@ -153,6 +158,35 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLampThatRaysMiss) {
     EXPECT_LT(error, 0.05 * count) << degrees;
     EXPECT_LT(std::abs(bias), 0.02 * count) << degrees;
   }
+}
+
+/// Mean light of lamps where the body lies below y = -.1, under fur of that length above the middle.
+TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
+  FurredModel model = furred({Builtin::knot, 4000}, {.length = 0.015});
+  model.settings.coat.count = 3000;
+  const auto light_below = [&](CastShadow shadow, float length_above) {
+    for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
+      if (model.model.surface.mesh().positions[v].y > 0) model.fields.set(Field::length, v, {length_above, 0, 0, 0});
+    }
+    Light light{.direction = {0.3, -1, -0.2}, .intensity = 1};
+    light.cast_shadow = shadow;
+    model.settings.lights = {light};
+    FrameRequest request = small_frame(AutoView::front, 160);
+    request.knobs.shadow_maps = true;
+    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const std::vector<FloatImage> images =
+        renderer->draw_layers(make_frame(model.view(), request), std::array{FrameLayer::direct, FrameLayer::position}).value();
+    double sum = 0;
+    for (std::size_t i = 0; i < images[0].rgba.size(); i += 4) {
+      const bool below = images[1].rgba[i + 3] > 0.9f && images[1].rgba[i + 1] < -0.1f;
+      sum += below ? double(images[0].rgba[i + 1]) : 0;
+    }
+    return sum;
+  };
+  const double under_short = light_below(CastShadow::penumbra, 0.015f), under_long = light_below(CastShadow::penumbra, 0.08f);
+  EXPECT_GT(under_short, 10);
+  EXPECT_LT(under_long, 0.9 * under_short);
+  EXPECT_NEAR(light_below(CastShadow::hard, 0.08f), light_below(CastShadow::hard, 0.015f), 0.05 * under_short);
 }
 
 TEST_P(Shadows, KnobAndLightMustBothAsk) {

@@ -19,6 +19,9 @@ in vec3 root;
 in vec4 varied;
 #endif
 in vec3 fibre_tangent;
+#ifdef SHADOW_MAPS
+in vec3 open_place;
+#endif
 in vec3 tile_u;
 in vec3 base_uv;
 in vec3 base_colour;
@@ -79,7 +82,12 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
   above *= painted_depth();
   colour = colour_wetted(colour);
 #endif
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.eye.xyz - place), colour, over, height, above,
+#ifdef SHADOW_MAPS
+  vec3 open = open_place;
+#else
+  vec3 open = place;
+#endif
+  Fibre fibre = Fibre(place, open, normal, tangent, normalize(frame.eye.xyz - place), colour, over, height, above,
                       strand.a);
 #ifdef LAYERS
   direct_light = vec3(0.0), light_share = vec2(0.0);

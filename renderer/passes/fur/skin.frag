@@ -18,6 +18,9 @@ in vec3 root_tangent;
 #endif
 
 in vec3 place;
+#ifdef SHADOW_MAPS
+in vec3 open_place;
+#endif
 in vec3 skin_normal;
 in vec3 base_uv;
 in vec3 base_colour;
@@ -70,8 +73,8 @@ void main() {
     vec3 unshadowed = radiance;
 #endif
 #ifdef SHADOW_MAPS
-    to_skin = layer_depth(i, place, 0.0, facing, to_skin);
-    radiance *= cast_light(i, place, normal);
+    to_skin = layer_depth(i, place, open_place, 0.0, facing, to_skin);
+    radiance *= cast_light(i, place, open_place, normal);
 #endif
     sum += radiance * colour * lit * transmittance(to_skin, crossed);
 #ifdef LAYERS

@@ -1,5 +1,8 @@
 #version 450 core
 #include "frame.glsl"
+#if defined(HULL) || defined(SHADOW_MAPS)
+#include "lean.glsl"
+#endif
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -18,8 +21,13 @@ out float fur_length;
 layout(location = 10) in vec4 variation;
 out vec4 varied;
 #endif
-#ifdef LAYERS
+#if defined(LAYERS) || defined(HULL) || defined(SHADOW_MAPS)
 layout(location = 2) in vec3 tangent;
+#endif
+#ifdef SHADOW_MAPS
+out vec3 open_place;  // where light that the rest of the body lets through comes to the fur: on its hull
+#endif
+#ifdef LAYERS
 out vec3 root_tangent;  // of the fur where it leaves the skin; 0 where there is none
 
 vec3 fur_at_root() {
@@ -33,6 +41,12 @@ vec3 fur_at_root() {
 
 void main() {
   place = position;
+#ifdef HULL
+  place += hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
+#endif
+#ifdef SHADOW_MAPS
+  open_place = position + hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
+#endif
   skin_normal = normal;
   base_uv = image_uv;
   base_colour = colour;
@@ -44,5 +58,5 @@ void main() {
 #ifdef LAYERS
   root_tangent = fur_at_root();
 #endif
-  gl_Position = frame.world_to_clip * vec4(position, 1.0);
+  gl_Position = frame.world_to_clip * vec4(place, 1.0);
 }

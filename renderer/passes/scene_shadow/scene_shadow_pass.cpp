@@ -21,18 +21,29 @@ constexpr float nowhere = 1e4f;  // depth where the light sees nothing, sizes
 
 SceneShadowPass::SceneShadowPass(const Gl& gl)
     : depth_(gl, shaders::skin_vert, shaders::light_depth_frag),
+      hull_(gl, shaders::skin_vert, shaders::light_depth_frag, "#define HULL\n"),
       occlusion_(gl, shaders::skin_vert, shaders::occlusion_frag),
       width_(gl, shaders::whole_target_vert, shaders::shadow_width_frag) {}
 
 void SceneShadowPass::draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                                  const RenderTarget& target) const {
+  draw_depths(gl, depth_, triangles, light, target);
+}
+
+void SceneShadowPass::draw_hull(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                                const RenderTarget& target) const {
+  draw_depths(gl, hull_, triangles, light, target);
+}
+
+void SceneShadowPass::draw_depths(const Gl& gl, const Program& program, const ModelBuffers::DrawList& triangles,
+                                  const LightView& light, const RenderTarget& target) {
   set_draw_state(gl, target);
   gl.DepthMask(GL_TRUE);
   clear_target(gl, target, {nowhere, 0, 0, 0});
   gl.Disable(GL_BLEND);
-  depth_.use();
-  depth_.set("axis", glm::vec3(light.axis));
-  depth_.set("offset", light.axis.w);
+  program.use();
+  program.set("axis", glm::vec3(light.axis));
+  program.set("offset", light.axis.w);
   draw_list(gl, triangles);
 }
 

@@ -20,7 +20,7 @@ class SceneShadowPass {
  public:
   explicit SceneShadowPass(const Gl& gl);
 
-  std::string failure() const { return depth_.log() + occlusion_.log() + width_.log(); }
+  std::string failure() const { return depth_.log() + hull_.log() + occlusion_.log() + width_.log(); }
 
   /// The frame block of the light's view and the model's vertex array are bound.
   void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
@@ -30,12 +30,17 @@ class SceneShadowPass {
   /// block with the view's matrix.
   void draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                   const RenderTarget& target) const;
+  /// The same of the fur's hull (renderer/shaders/lean.glsl), which is what stops the light that comes to fur elsewhere.
+  void draw_hull(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
+                 const RenderTarget& target) const;
 
  private:
+  static void draw_depths(const Gl& gl, const Program& program, const ModelBuffers::DrawList& triangles,
+                          const LightView& light, const RenderTarget& target);
   void draw_occlusion(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                       const SceneShadowTargets& targets) const;
 
-  Program depth_, occlusion_, width_;
+  Program depth_, hull_, occlusion_, width_;
 };
 
 }  // namespace pelage
