@@ -72,7 +72,7 @@ class Recipes(ServedTest):
         names = sorted(path.stem for path in EXAMPLES.glob("*.json") if path.stem not in ("studio", "checkpoint", "retarget", "map"))  # these need more than a model
         self.assertGreaterEqual(len(names), 20)
         for name in names:
-            scene = self.new("--builtin", "creature", "--triangles", 2000)
+            scene = self.new("--builtin", "creature", "--triangles", 4000)
             path = EXAMPLES / f"{name}.json"
             tried = json.loads(self.pelage("run", scene, path, "--dry-run", "--json").stdout)["results"]
             self.assertEqual(self.revision(scene), 0, name)
