@@ -140,8 +140,9 @@ vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
   return diffuse + point.open * mix(bare.colour.w > 0.0 ? skin : 0.0, film, bare.finish.y);
 }
 
-// Light that bare skin sends to the eye.
-vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
+// Light that bare skin sends to the eye; `open` as in a Fibre: the hull of fur that is bared here or stands around it does not
+// shade it.
+vec3 bare_light(Bare bare, vec3 place, vec4 open, vec3 normal) {
   SkinPoint point = skin_point(bare, place, normal);
   vec3 sum = frame.weights.x * point.open * point.colour * environment_light(point.normal);
   vec3 dry = vec3(0.0);
@@ -152,7 +153,7 @@ vec3 bare_light(Bare bare, vec3 place, vec3 normal) {
     light_at(i, place, to_light, radiance);
     vec3 sent = lamp_on_skin(bare, point, to_light), kept = radiance * sent;
 #ifdef SHADOW_MAPS
-    kept *= cast_light(i, place, place, normal);
+    kept *= cast_light(i, place, open, normal);
 #endif
 #ifdef LAYERS
     keep_direct(bare.share * kept, bare.share * radiance * sent);

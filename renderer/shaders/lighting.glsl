@@ -118,7 +118,7 @@ void keep_direct(vec3 kept, vec3 whole) {
 
 struct Fibre {
   vec3 place;
-  vec3 open;      // where light comes to it that other parts of the body let through
+  vec4 open;      // where light comes to it that other parts of the body let through; how high the fur's hull is there, sizes
   vec3 normal, tangent, to_eye;
   vec3 colour;    // C
   vec3 over;      // colour of the fur above over C

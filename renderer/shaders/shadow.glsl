@@ -19,6 +19,7 @@ const float shadow_width = 0.03; // sizes from the edge of a shadow to where its
 
 const int search_taps = 8, penumbra_taps = 16;
 const float penumbra_bias = 0.003;   // sizes
+const float least_fold = 0.017;     // sizes: as deep as short fur beside long fur may lie under its hull
 const float furthest_caster = 0.35;  // sizes: a penumbra grows no more behind what lies further from a place
 
 vec2 place_on_map(int i, vec3 place) {
@@ -80,9 +81,10 @@ struct LampDisc {
   float per_size;  // of the map's side
   float texel;     // sizes
   vec2 slope;      // of the skin: depth over distance across
+  float room;      // in front of the skin's plane, where nothing counts
 };
 
-LampDisc lamp_disc(int i, vec3 place, vec3 normal) {
+LampDisc lamp_disc(int i, vec3 place, vec3 normal, float room) {
   mat4 to_clip = shadow.to_light[i];
   vec4 clip = to_clip * vec4(place, 1.0);
   clip.w = max(clip.w, 1e-4);  // beside a lamp that does not see the place
@@ -90,14 +92,14 @@ LampDisc lamp_disc(int i, vec3 place, vec3 normal) {
   float scale = length(right), facing = -dot(normal, shadow.axis[i].xyz), per_size = 0.5 * scale / clip.w;
   vec2 slope = facing > 0.0 ? vec2(dot(normal, right), dot(normal, up)) / (scale * max(facing, 0.2)) : vec2(0.0);
   return LampDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, place) + shadow.axis[i].w,
-                  shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope);
+                  shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope, room);
 }
 
 // How far in front of the skin's plane the body lies on `taps` places of a disc, even over it: the sum over those that lie
 // in front, and their count. A map's texel reaches past its middle, so slopes need more room.
 vec2 blockers(int i, LampDisc disc, float radius, int taps) {
   const mat2 golden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);  // 137.5 degrees
-  float bias = penumbra_bias + disc.texel * length(disc.slope);
+  float bias = disc.room + disc.texel * length(disc.slope);
   vec2 toward = vec2(1.0, 0.0), sum = vec2(0.0);
   for (int tap = 0; tap < taps; ++tap) {
     vec2 off = radius * sqrt((float(tap) + 0.5) / float(taps)) * toward;
@@ -111,8 +113,9 @@ vec2 blockers(int i, LampDisc disc, float radius, int taps) {
 
 // What part of the lamp the body leaves in sight of a place: as wide as the lamp is seen, the map is looked at where its
 // rays pass what hides it (Fernando 2005).
-float past_body_in_penumbra(int i, vec3 place, vec3 normal) {
-  LampDisc disc = lamp_disc(i, place, normal);
+// What lies no further in front than fur is high is fur that it grows into, in folds, and does not count.
+float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
+  LampDisc disc = lamp_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, least_fold)));
   float least = 1.5 * disc.texel, most = disc.spread * furthest_caster;
   vec2 found = blockers(i, disc, max(most, least), search_taps);
   float radius = clamp(disc.spread * found.x / max(found.y, 1.0), least, max(most, least));
@@ -126,7 +129,7 @@ bool is_penumbra(int i) { return shadow.slots[i].z > 1.5; }
 
 // Share of light i that other parts of the body and guided curves let through to skin of that normal or fur on it, whose hull
 // is at `open`.
-float cast_light(int i, vec3 place, vec3 open, vec3 normal) {
+float cast_light(int i, vec3 place, vec4 open, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
   float kept = is_penumbra(i) ? past_body_in_penumbra(i, open, normal) : past_body(i, place);
 #ifdef CURVE_SHADOWS
@@ -137,7 +140,7 @@ float cast_light(int i, vec3 place, vec3 open, vec3 normal) {
 
 // Optical depth of the layers above a place; what the estimate says where the map shows another part of the body, or
 // where the surface is turned so far away that its layers leave no trace on the map. `facing` is N.L.
-float layer_depth(int i, vec3 place, vec3 open, float height, float facing, float estimate) {
+float layer_depth(int i, vec3 place, vec4 open, float height, float facing, float estimate) {
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
   vec2 at = place_on_map(i, place);
@@ -145,7 +148,7 @@ float layer_depth(int i, vec3 place, vec3 open, float height, float facing, floa
   float first = slot * (shadow_layers + 1.0);
   float kept = mix(texture(kept_maps, vec3(at, first + low)).r,
                    texture(kept_maps, vec3(at, first + min(low + 1.0, shadow_layers))).r, layer - low);
-  vec3 shown = is_penumbra(i) ? open : place;
+  vec3 shown = is_penumbra(i) ? open.xyz : place;
   float below = depth_below(i, shown, place_on_map(i, shown));
   return mix(-log(max(kept, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));
 }

@@ -40,6 +40,6 @@ vec3 strip_light(vec3 colour, float number) {
 #endif
   vec3 to_eye = frame.eye.xyz - place;
   to_eye /= max(length(to_eye), 1e-20);
-  return fibre_light(Fibre(place, place, strip_normal(), strip_tangent(), to_eye, colour, colour_above(height),
+  return fibre_light(Fibre(place, vec4(place, 0.0), strip_normal(), strip_tangent(), to_eye, colour, colour_above(height),
                            clamp(height, 0.0, 1.0), strands, number));
 }

@@ -13,7 +13,7 @@ layout(location = 0) out vec4 result;
 vec4 given(int layer) { return texelFetch(cases, ivec3(gl_FragCoord.xy, layer), 0); }
 
 void main() {
-  Fibre fibre = Fibre(given(0).xyz, given(0).xyz, given(1).xyz, given(2).xyz, given(3).xyz, given(4).rgb, colour_above(given(0).w),
+  Fibre fibre = Fibre(given(0).xyz, vec4(given(0).xyz, 0.0), given(1).xyz, given(2).xyz, given(3).xyz, given(4).rgb, colour_above(given(0).w),
                       given(0).w, given(1).w, given(2).w);
   result = vec4(0.0);
   if (asked == 0) result.rgb = fibre_light(fibre);

@@ -160,7 +160,7 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLampThatRaysMiss) {
   }
 }
 
-/// Mean light of lamps where the body lies below y = -.1, under fur of that length above the middle.
+// Light of lamps on what lies below y = -.1, under fur of some length above the middle.
 TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0.015});
   model.settings.coat.count = 3000;

@@ -32,7 +32,7 @@ void main() {
   put_fragment(covering(opacity));
 #else
   vec3 to_eye = unit_or_zero(frame.eye.xyz - place), along = unit_or_zero(tangent);
-  Fibre fibre = Fibre(place, place, normal, along, to_eye, colour, colour_above(1.0), 1.0, 0.0, number);
+  Fibre fibre = Fibre(place, vec4(place, 0.0), normal, along, to_eye, colour, colour_above(1.0), 1.0, 0.0, number);
   put_fragment(vec4(fibre_light(fibre) * opacity, opacity));
 #ifdef LAYERS
   write_layers(place, normal, along, colour, 0.0, opacity);

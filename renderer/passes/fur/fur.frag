@@ -20,7 +20,7 @@ in vec4 varied;
 #endif
 in vec3 fibre_tangent;
 #ifdef SHADOW_MAPS
-in vec3 open_place;
+in vec4 open_place;
 #endif
 in vec3 tile_u;
 in vec3 base_uv;
@@ -83,9 +83,9 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
   colour = colour_wetted(colour);
 #endif
 #ifdef SHADOW_MAPS
-  vec3 open = open_place;
+  vec4 open = open_place;
 #else
-  vec3 open = place;
+  vec4 open = vec4(place, 0.0);
 #endif
   Fibre fibre = Fibre(place, open, normal, tangent, normalize(frame.eye.xyz - place), colour, over, height, above,
                       strand.a);

@@ -29,7 +29,7 @@ uniform float push;       // how much further from the eye the depth is written,
 
 out vec3 place;
 #ifdef SHADOW_MAPS
-out vec3 open_place;      // where light that the rest of the body lets through comes to the fur: on its hull
+out vec4 open_place;      // as in skin.vert, or above the hull
 #endif
 #ifdef PATTERN
 out vec3 root;           // where the strand leaves the skin: patterns are anchored there
@@ -84,7 +84,7 @@ void main() {
   vec3 curve = lean_point(root_curve, inclination, frame.counts.w, s);
   place = position + fur_length * (curve.x * lean + curve.y * normal);
 #ifdef SHADOW_MAPS
-  open_place = position + hull_offset(groom, normal, tangent, root_curve, frame.counts.w, s);
+  open_place = vec4(position + hull_offset(groom, normal, tangent, root_curve, frame.counts.w, s), hull_height * groom.z);
 #endif
   fibre_normal = normal;
   fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);
@@ -113,7 +113,7 @@ void main() {
   int above = int(s * float(slice_count));
   float strands = frame.depth_above[above / 4][above % 4] * length_share;
   const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
-  vertex_light = fibre_light(Fibre(place, place, normal, normalize(fibre_tangent), to_eye, vec3(grey), colour_above(s), s,
+  vertex_light = fibre_light(Fibre(place, vec4(place, 0.0), normal, normalize(fibre_tangent), to_eye, vec3(grey), colour_above(s), s,
                                    strands, 0.5)) / grey;
 #ifdef LAYERS
   vertex_direct = direct_light / grey;

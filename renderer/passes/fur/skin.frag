@@ -19,7 +19,7 @@ in vec3 root_tangent;
 
 in vec3 place;
 #ifdef SHADOW_MAPS
-in vec3 open_place;
+in vec4 open_place;
 #endif
 in vec3 skin_normal;
 in vec3 base_uv;
@@ -90,10 +90,15 @@ void main() {
   region = bare_over(region, place, normal);
 #endif
   if (region.share > 0.0) {
+#ifdef SHADOW_MAPS
+    vec4 open = open_place;
+#else
+    vec4 open = vec4(place, 0.0);
+#endif
 #ifdef LAYERS
     direct_light *= 1.0 - region.share, light_share *= 1.0 - region.share;
 #endif
-    sum = mix(sum, bare_light(region, place, normal), region.share);
+    sum = mix(sum, bare_light(region, place, open, normal), region.share);
     colour = mix(colour, region.colour.rgb, region.share);
   }
 #endif

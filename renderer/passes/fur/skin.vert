@@ -25,7 +25,7 @@ out vec4 varied;
 layout(location = 2) in vec3 tangent;
 #endif
 #ifdef SHADOW_MAPS
-out vec3 open_place;  // where light that the rest of the body lets through comes to the fur: on its hull
+out vec4 open_place;  // where light that the rest of the body lets through comes to the fur, on its hull; the hull's height
 #endif
 #ifdef LAYERS
 out vec3 root_tangent;  // of the fur where it leaves the skin; 0 where there is none
@@ -45,7 +45,8 @@ void main() {
   place += hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
 #endif
 #ifdef SHADOW_MAPS
-  open_place = position + hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
+  open_place = vec4(position + hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0),
+                    hull_height * groom.z);
 #endif
   skin_normal = normal;
   base_uv = image_uv;
