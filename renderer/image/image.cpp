@@ -17,9 +17,10 @@ namespace {
 
 template <class Sample>
 std::vector<Sample> without_alpha(const std::vector<Sample>& rgba) {
-  std::vector<Sample> rgb;
-  rgb.reserve(rgba.size() / 4 * 3);
-  for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+  std::vector<Sample> rgb(rgba.size() / 4 * 3);
+  for (std::size_t from = 0, to = 0; from < rgba.size(); from += 4, to += 3) {
+    rgb[to] = rgba[from], rgb[to + 1] = rgba[from + 1], rgb[to + 2] = rgba[from + 2];
+  }
   return rgb;
 }
 

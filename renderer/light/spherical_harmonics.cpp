@@ -7,13 +7,21 @@ namespace pelage {
 
 namespace {
 
-constexpr int latitudes = 64;
-
-/// Radiance of the gradient from a direction, +y up.
-glm::dvec3 gradient(const Environment& environment, glm::dvec3 direction) {
-  const double up = direction.y;
-  const glm::dvec3 end(up >= 0 ? environment.sky : environment.ground);
-  return glm::mix(glm::dvec3(environment.horizon), end, std::sqrt(std::abs(up)));
+/// The gradient from the ground over the horizon to the sky, +y up: mixed by w = sqrt |y|, whose moments on the half sphere are
+/// 2 / 3, 2 / 5 and 2 / 7 for the powers 0, 1 and 2 of |y|. The same all around +y, so x^2 and z^2 are (1 - y^2) / 2 on average.
+SphericalHarmonics project_gradient(const Environment& environment) {
+  const glm::dvec3 sky(environment.sky), horizon(environment.horizon), ground(environment.ground);
+  const double around = 2 * std::numbers::pi;
+  const glm::dvec3 even = sky + ground - 2.0 * horizon;
+  const glm::dvec3 whole = around * (2.0 * horizon + 2.0 / 3 * even);       // integral of the radiance
+  const glm::dvec3 upward = around * (2.0 / 5 * (sky - ground));            // of it times y
+  const glm::dvec3 square = around * (2.0 / 3 * horizon + 2.0 / 7 * even);  // of it times y^2
+  SphericalHarmonics result{};
+  result[0] = harmonic_scale::constant * whole;
+  result[1] = harmonic_scale::linear * upward;
+  result[6] = harmonic_scale::polar * (0.5 * whole - 1.5 * square);
+  result[8] = harmonic_scale::difference * (0.5 * whole - 1.5 * square);
+  return result;
 }
 
 }  // namespace
@@ -29,22 +37,6 @@ std::array<double, 9> harmonics_basis(glm::dvec3 d) {
           scale::polar * (3 * d.z * d.z - 1),
           scale::product * d.x * d.z,
           scale::difference * (d.x * d.x - d.y * d.y)};
-}
-
-SphericalHarmonics project(const std::function<glm::dvec3(glm::dvec3 direction)>& radiance) {
-  SphericalHarmonics sum{};
-  const double step = std::numbers::pi / latitudes;
-  for (int row = 0; row < latitudes; ++row) {
-    const double polar = (row + 0.5) * step;
-    const double area = step * (std::cos(row * step) - std::cos((row + 1) * step));  // exact for the strip
-    for (int column = 0; column < 2 * latitudes; ++column) {
-      const double around = (column + 0.5) * step;
-      const glm::dvec3 d(std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around));
-      const std::array<double, 9> basis = harmonics_basis(d);
-      for (std::size_t i = 0; i < 9; ++i) sum[i] += radiance(d) * (basis[i] * area);
-    }
-  }
-  return sum;
 }
 
 SphericalHarmonics irradiance_of(const SphericalHarmonics& radiance) {
@@ -82,7 +74,7 @@ SphericalHarmonics turned(const SphericalHarmonics& from, double radians) {
 SphericalHarmonics harmonics_of(const Environment& environment) {
   SphericalHarmonics result = environment.harmonics
                                   ? turned(*environment.harmonics, glm::radians(environment.turn_degrees))
-                                  : project([&](glm::dvec3 direction) { return gradient(environment, direction); });
+                                  : project_gradient(environment);
   for (glm::dvec3& coefficient : result) coefficient *= environment.intensity;
   return result;
 }

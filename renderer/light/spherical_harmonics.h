@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <glm/glm.hpp>
 
 #include "protocol/commands/look.h"
@@ -20,9 +19,6 @@ inline constexpr double difference = 0.5462742152960396;
 
 /// The nine real basis functions at a unit direction.
 std::array<double, 9> harmonics_basis(glm::dvec3 direction);
-
-/// Projects radiance by quadrature over the sphere (latitude by longitude, midpoints).
-SphericalHarmonics project(const std::function<glm::dvec3(glm::dvec3 direction)>& radiance);
 
 /// Irradiance over pi on a surface with that normal, as coefficients of the same basis: 1 everywhere for white light.
 SphericalHarmonics irradiance_of(const SphericalHarmonics& radiance);

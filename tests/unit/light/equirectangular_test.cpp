@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "renderer/light/spherical_harmonics.h"
+#include "tests/unit/light/quadrature.h"
 
 namespace pelage {
 namespace {

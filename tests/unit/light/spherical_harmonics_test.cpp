@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "protocol/base/random.h"
+#include "tests/unit/light/quadrature.h"
 
 namespace pelage {
 namespace {
@@ -102,6 +103,20 @@ TEST(SphericalHarmonics, AnEnvironmentIsTurnedAndScaled) {
   const glm::dvec3 from_behind = evaluate(*environment.harmonics, {0, 0, -1});
   const glm::dvec3 from_the_left = evaluate(harmonics_of(environment), {-1, 0, 0});
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(from_the_left[k], 3 * from_behind[k], 1e-12);
+}
+
+/// Against brute force; sqrt |y| bends sharply at the horizon, where the strips of the quadrature are too wide for more.
+TEST(SphericalHarmonics, AGradientIsItsIntegral) {
+  Random random(6);
+  const auto colour = [&] { return glm::vec3(random.uniform(), random.uniform(), random.uniform()); };
+  const Environment environment{.sky = colour(), .horizon = colour(), .ground = colour(), .harmonics = {}, .intensity = 2};
+  const auto radiance = [&](glm::dvec3 d) {
+    const glm::dvec3 end(d.y >= 0 ? environment.sky : environment.ground);
+    return 2.0 * glm::mix(glm::dvec3(environment.horizon), end, std::sqrt(std::abs(d.y)));
+  };
+  const SphericalHarmonics expected = project(radiance, 256), light = harmonics_of(environment);
+  for (std::size_t i = 0; i < 9; ++i)
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(light[i][k], expected[i][k], 1e-3) << i;
 }
 
 TEST(SphericalHarmonics, AGradientIsBrightWhereItsColourIs) {
