@@ -147,10 +147,11 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch making;
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), view_.drawn.height());
-  const float furthest = frame.knobs.order == FragmentOrder::sorted ? -2.0f : furthest_averted;
+  const bool sorted = frame.knobs.order == FragmentOrder::sorted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
-  LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy, furthest,
-                 block.world_to_clip, stretch};
+  LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy,
+                 sorted ? -2.0f : furthest_averted, block.world_to_clip, stretch};
+  view.depth_parts = sorted ? 1 : depth_part_count;
   std::optional<Area> part;
   if (shown) {
     std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip, shown->changes);
@@ -159,7 +160,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
     const PicturePart touched = part_of(changed, view_.drawn.width(), view_.drawn.height());
     part = touched.area, view.part = touched.cells;
   }
-  const auto lists = model.sort_for(gl_, view);
+  const auto lists = model.sort_for(gl_, frame.coat, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);
@@ -195,11 +196,17 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
   fur_.draw_skin(gl_, drawing);
   fur_.draw_dense(gl_, drawing);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
-  fur_.draw_averted(gl_, drawing);
-  if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
-  fur_.draw_facing(gl_, drawing);
+  draw_fur(frame, drawing);
   if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
   if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
+}
+
+void Renderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
+  for (const ModelBuffers::DepthPart& part : drawing.lists.parts) {
+    fur_.draw_averted(gl_, drawing, part);
+    if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing, part.range);
+    fur_.draw_facing(gl_, drawing, part);
+  }
 }
 
 Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
@@ -227,9 +234,7 @@ Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   const std::string variant = scene.variant + "#define SORTED\n";
   const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
   return sorted_.draw(gl_, view_.drawn, frame.knobs.shells, [&] {
-    fur_.draw_averted(gl_, drawing);
-    if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing);
-    fur_.draw_facing(gl_, drawing);
+    draw_fur(frame, drawing);
     if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
     if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
   });

@@ -102,6 +102,7 @@ class Renderer {
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
   /// are the #define lines of what is written beside light.
   void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
+  void draw_fur(const FurFrame& frame, const FurDrawing& drawing);
   Status draw_light(const FurFrame& frame, const Prepared& scene);
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);

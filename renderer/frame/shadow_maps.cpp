@@ -122,8 +122,9 @@ void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolutio
   curves_ = curves ? map_array(gl, GL_RGBA32F, resolution, counts.casts, GL_LINEAR) : Texture();
 }
 
-void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView& view) {
+void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution) {
   FrameBlock seen = block;
+  seen.half_picture = 0.5f * glm::vec4(resolution, -resolution, 0, 0);
   seen.world_to_clip = view.world_to_clip;
   seen.eye = {view.eye, view.texel};
   gl.NamedBufferSubData(view_block_.id(), 0, sizeof(FrameBlock), &seen);
@@ -143,7 +144,7 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
     const glm::ivec2 slot(slots_.slots[i]);
     if (slot.y < 0) continue;
     const LightView& view = views[next++];
-    see_from(gl, block, view);
+    see_from(gl, block, view, resolution);
     FurPass::bind(gl, drawing);
     if (casts_penumbra(frame.lights[i])) {
       scene_.draw_hull(gl, drawing.lists.all, view, depth);
@@ -173,7 +174,7 @@ std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame
   if (!maps.complete()) return maps;
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     gl.TextureParameteri(maps.width.texture(), name, GL_LINEAR);  // enlarged again, as shadows read it
-  see_from(gl, block, *view);
+  see_from(gl, block, *view, resolution);
   FurPass::bind(gl, drawing);
   scene_.draw(gl, drawing.lists.all, *view, {maps.depth, maps.occlusion, maps.width});
   if (casts_penumbra(*light)) scene_.draw_hull(gl, drawing.lists.all, *view, maps.depth);

@@ -68,7 +68,7 @@ class ShadowMaps {
   };
   Counts place_slots(const FurFrame& frame, float radius, std::vector<LightView>& views);
   void make_textures(const Gl& gl, const Counts& counts, int resolution, bool curves);
-  void see_from(const Gl& gl, const FrameBlock& block, const LightView& view);
+  void see_from(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution);
   void draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const std::vector<LightView>& views,
                  const FurDrawing& drawing, CurvesPass& curves);
   void bind(const Gl& gl) const;

@@ -5,15 +5,17 @@ layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square ro
 uniform int shell_count;
 uniform int shell;
 uniform int shell_side;  // 1: seen from outside, the slab's top comes first; -1: from inside
+uniform float part_begin, part_end;  // one over the distances along the view that are drawn, (part_begin, part_end]
 
 in vec3 place;
 in vec3 fibre_normal;
 in vec2 tile;
-in vec3 clip_place;
-in vec2 clip_speed;
+in vec2 pixel_speed;
 in float most_crossing;
 in float level;
 in float slant;
+
+bool in_part() { return gl_FragCoord.w > part_begin && gl_FragCoord.w <= part_end; }
 
 float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
 
@@ -34,9 +36,7 @@ float density_here() {
 // length changes.
 void look_around() {
   dense_here = density_here();
-  vec2 on_screen = clip_place.xy / clip_place.z;
-  vec2 pixels = clip_speed / vec2(dFdx(on_screen.x), dFdy(on_screen.y));
-  vec2 way = -(dFdx(tile) * pixels.x + dFdy(tile) * pixels.y);
+  vec2 way = -(dFdx(tile) * pixel_speed.x + dFdy(tile) * pixel_speed.y);
   float far = length(way);
   tile_per_height = far < 1e6 ? way * min(1.0, most_crossing / max(far, 1e-9)) : vec2(0.0);
 }

@@ -48,6 +48,7 @@ struct LayerView {
   glm::mat4 to_clip{1};
   float stretch = 1;  // fur is up to so many times as long as its field says
   CellBox part{};     // of the picture that is drawn
+  int depth_parts = 1;  // at most, in which fur is drawn from far to near
 };
 
 /// What a vertex brings: `length` of its fur in sizes, `curvature` of the skin in 1 / sizes.

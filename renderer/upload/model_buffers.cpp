@@ -242,7 +242,7 @@ void ModelBuffers::bind_storage(const Gl& gl) const {
 ModelBuffers::DrawLists ModelBuffers::lists_of_skin() const {
   const auto count = static_cast<GLsizei>(3 * triangles_.size());
   const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}, {}};
+  return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}};
 }
 
 ModelBuffers::DrawLists ModelBuffers::skin_lists(const Gl& gl) {
@@ -252,7 +252,57 @@ ModelBuffers::DrawLists ModelBuffers::skin_lists(const Gl& gl) {
   return lists_of_skin();
 }
 
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& view) {
+namespace {
+
+ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vector<glm::uvec3>& elements) {
+  const ModelBuffers::DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
+  elements.insert(elements.end(), triangles.begin(), triangles.end());
+  return list;
+}
+
+float height_of(int shell, int shells) { return (static_cast<float>(shell) + 0.5f) / static_cast<float>(shells); }
+
+void order_shells(ModelBuffers::DepthPart& part) {
+  const auto lower = [](const ModelBuffers::ShellList& a, const ModelBuffers::ShellList& b) {
+    return height_of(a.shell, a.shells) < height_of(b.shell, b.shells);
+  };
+  std::stable_sort(part.facing.begin(), part.facing.end(), lower);
+  std::stable_sort(part.averted.begin(), part.averted.end(), lower);
+  std::reverse(part.averted.begin(), part.averted.end());
+}
+
+}  // namespace
+
+std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const LayerLists& lists, const Coat& coat,
+                                                                const LayerView& view,
+                                                                std::vector<glm::uvec3>& elements) const {
+  const DepthParts depths(view.to_clip, positions_, triangles_.size() <= most_parted_triangles ? view.depth_parts : 1);
+  StrandDepths strands({positions_, normals_, tangents_, groom_values_}, coat, view.to_clip);
+  std::vector<DepthPart> parts;
+  for (int part = 0; part < depths.count(); ++part) parts.push_back({depths.range(part), {}, {}});
+  const auto add = [&](const std::vector<glm::uvec3>& triangles, int set, std::vector<ShellList> DepthPart::*side) {
+    const int shells = shells_of_set(view.shells, set);
+    const DrawList whole = parts.size() == 1 ? append(triangles, elements) : DrawList{};
+    for (int shell = 0; shell < shells; ++shell) {
+      if (parts.size() == 1) {  // all shells have one list
+        (parts[0].*side).push_back({set, shell, shells, whole});
+        continue;
+      }
+      const auto reached = in_parts(depths, strands, triangles, height_of(shell, shells));
+      for (std::size_t part = 0; part < parts.size(); ++part) {
+        if (!reached[part].empty()) (parts[part].*side).push_back({set, shell, shells, append(reached[part], elements)});
+      }
+    }
+  };
+  for (int set = 0; set < sets_of(view.shells, view.policy); ++set) {
+    add(lists.averted[static_cast<std::size_t>(set)], set, &DepthPart::averted);
+    add(lists.facing[static_cast<std::size_t>(set)], set, &DepthPart::facing);
+  }
+  for (DepthPart& part : parts) order_shells(part);
+  return parts;
+}
+
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const LayerView& view) {
   for (std::size_t i = 0; i < levels_.size(); ++i)
     levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
@@ -262,24 +312,16 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const LayerView& vi
   const LayerLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements;
-  const auto append = [&](const std::vector<glm::uvec3>& triangles) {
-    const DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
-    elements.insert(elements.end(), triangles.begin(), triangles.end());
-    return list;
-  };
   const std::span<const glm::uvec3> skin(skin_elements());
   // What lies outside the picture may throw a shadow into it.
   const CellBox part = view.part == CellBox{} ? CellBox{-1, -1, cells_a_side, cells_a_side} : view.part;
   DrawLists result;
-  result.bare = append(triangles_in(part, mesh, skin.first(bare_count_)));
-  result.furred = append(triangles_in(part, mesh, skin.subspan(bare_count_)));
+  result.bare = append(triangles_in(part, mesh, skin.first(bare_count_)), elements);
+  result.furred = append(triangles_in(part, mesh, skin.subspan(bare_count_)), elements);
   result.all = {0, result.bare.count + result.furred.count};
-  result.shown = append(shown_triangles(mesh, view));
-  for (std::size_t set = 0; set < most_layer_sets; ++set) {
-    result.facing[set] = append(lists.facing[set]);
-    result.averted[set] = append(lists.averted[set]);
-    result.marks[set] = append(lists.marks[set]);
-  }
+  result.shown = append(shown_triangles(mesh, view), elements);
+  for (std::size_t set = 0; set < most_layer_sets; ++set) result.marks[set] = append(lists.marks[set], elements);
+  result.parts = parts_of_fur(lists, coat, view, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);
   return result;

@@ -10,6 +10,7 @@
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/upload/changed_fur.h"
+#include "renderer/upload/depth_parts.h"
 #include "renderer/upload/layer_sets.h"
 #include "renderer/upload/paint_buffers.h"
 
@@ -73,15 +74,26 @@ class ModelBuffers {
   struct DrawList {
     GLsizei first = 0, count = 0;
   };
+  /// One shell of one set, of the `shells` that the set has.
+  struct ShellList {
+    int set = 0, shell = 0, shells = 1;
+    DrawList list;
+  };
+  /// In the order of blending: turned away outside in, then facing inside out.
+  struct DepthPart {
+    DepthRange range;
+    std::vector<ShellList> averted, facing;
+  };
   struct DrawLists {
     DrawList all, bare, furred;  // every triangle; those that bare skin may touch, and the others
     DrawList shown;              // those whose fur is drawn
-    std::array<DrawList, most_layer_sets> facing, averted, marks;  // as LayerLists
+    std::array<DrawList, most_layer_sets> marks;  // as LayerLists
+    std::vector<DepthPart> parts;                 // of the fur, far to near
   };
   /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
   DrawLists skin_lists(const Gl& gl);
-  /// Sends the triangles to draw for a view, and the level of each vertex.
-  DrawLists sort_for(const Gl& gl, const LayerView& view);
+  /// Sends the triangles to draw for a view of a coat, and the level of each vertex.
+  DrawLists sort_for(const Gl& gl, const Coat& coat, const LayerView& view);
 
   /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many; none
   /// where none has.
@@ -98,6 +110,9 @@ class ModelBuffers {
   bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
   void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
+  /// Adds the lists of fur to the elements.
+  std::vector<DepthPart> parts_of_fur(const LayerLists& lists, const Coat& coat, const LayerView& view,
+                                      std::vector<glm::uvec3>& elements) const;
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 

@@ -56,7 +56,7 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
 
 Image NaiveRenderer::draw() {
   const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
-  const auto lists = model_.sort_for(gl_, {glm::vec3(block.eye), block.eye.w, 1, ShellPolicy::uniform});
+  const auto lists = model_.sort_for(gl_, frame_.coat, {glm::vec3(block.eye), block.eye.w, frame_.knobs.shells, ShellPolicy::uniform});
   const std::array<float, 4> nothing{};
   const float far_away = 0;
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());
@@ -83,12 +83,15 @@ Image NaiveRenderer::draw() {
   shell_.use();
   shell_.set("push", 0.0f);
   shell_.set("shell_count", frame_.knobs.shells);
-  const int shells = frame_.knobs.shells;
-  for (int i = 0; i < 2 * shells; ++i) {  // those turned away from the outside in, then those that face the eye
-    shell_.set("shell_side", i < shells ? -1 : 1);
-    shell_.set("shell", i < shells ? shells - 1 - i : i - shells);
-    draw_list(gl_, i < shells ? lists.averted[0] : lists.facing[0]);
-  }
+  const auto draw_side = [&](const std::vector<ModelBuffers::ShellList>& side, int sign) {
+    shell_.set("shell_side", sign);
+    for (const ModelBuffers::ShellList& each : side) {
+      shell_.set("shell", each.shell);
+      draw_list(gl_, each.list);
+    }
+  };
+  draw_side(lists.parts.front().averted, -1);
+  draw_side(lists.parts.front().facing, 1);
   gl_.Disable(GL_BLEND);
   resolve_.draw(gl_, frame_, drawn_, picture_, 255, 0);
   Image image{frame_.width, frame_.height, {}};

@@ -218,8 +218,8 @@ TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
 
 TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   // A scene without maps, ground, pattern or environment. These are the numbers of a program that has none of those:
-  // skin, coarse depth, fur averted and facing, and the picture; 4 shells of depth and 8 of fur on each side. The model
-  // and the coat are bound for each of the first, the third and the fourth.
+  // skin, coarse depth, fur averted and facing in each part of the depth, and the picture; 4 shells of depth and 8 of fur
+  // on each side of the parts that it reaches. The model and the coat are bound for skin and each side of a part.
   const FurredModel model = furred({Builtin::sphere, 300});
   FrameRequest request = small_frame();
   request.knobs.shells = 8;
@@ -228,10 +228,10 @@ TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   const auto counters = [&](const FurFrame& frame) { return counters_of(*renderer, frame); };
   FurFrame frame = make_frame(model.view(), request);
   const FrameCounters plain = counters(frame);
-  EXPECT_EQ(plain.passes, 5u);
-  EXPECT_EQ(plain.draws, 22u);
-  EXPECT_EQ(plain.textures, 10u);
-  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 13312);  // a level for each vertex, lists of triangles
+  EXPECT_EQ(plain.passes, 11u);
+  EXPECT_EQ(plain.draws, 46u);
+  EXPECT_EQ(plain.textures, 28u);
+  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 52048);  // a level for each vertex, lists of triangles for each shell
   EXPECT_NEAR(static_cast<double>(plain.fragments), 89599, 0.05 * 89599);  // edges differ between drivers
   EXPECT_EQ(counters(frame), plain);
 

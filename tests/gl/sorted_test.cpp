@@ -232,6 +232,17 @@ TEST_P(Sorted, IsWhatLayersAreOnOneConvexPieceSeenHeadOn) {
   EXPECT_LT(largest(sorted, layers), 1e-3);  // layers leave out what lies well below dense fur
 }
 
+/// From behind, where a body's own fur lies behind its fur. In the order of layers alone, all of the body at once, they are
+/// twice as far apart.
+TEST_P(Sorted, LayersOfWhatIsNearLieOverThoseOfWhatIsFar) {
+  const FurredModel model = furred({Builtin::creature, 1500}, {.length = 0.05, .inclination = 0.5});
+  FrameRequest request = request_of(FragmentOrder::sorted, 16, 96);
+  request.camera.automatic = AutoView::back;
+  const FloatImage sorted = light_of(*renderer, model, request);
+  request.knobs.order = FragmentOrder::layers;
+  EXPECT_LT(apart(sorted, light_of(*renderer, model, request)), 0.0016);
+}
+
 TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {
   const FurredModel model = furred({Builtin::torus, 1000}, {.length = 0.05, .inclination = 0.5});
   const FrameRequest request = request_of(FragmentOrder::sorted, 32);

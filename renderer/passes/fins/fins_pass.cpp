@@ -76,29 +76,35 @@ void FinsPass::bind(const Gl& gl, const FurDrawing& drawing) const {
   gl.BindTextureUnit(2, drawing.model.base_images());
 }
 
-void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
+void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range) {
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  draw_plain_fins(gl, frame, drawing);
+  draw_plain_fins(gl, frame, drawing, range);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
 }
 
-void FinsPass::draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
+void FinsPass::draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range) {
   Geometry& geometry = geometry_of(frame.model);
   if (!geometry.edges) geometry.edges = list_edges(mesh_of(drawing.model));
-  const ShownStrips<FinEdge> shown = shown_fins(mesh_of(drawing.model), *geometry.edges, frame.camera.eye);
+  std::vector<FinEdge> shown = shown_fins(mesh_of(drawing.model), *geometry.edges, frame.camera.eye).strips;
+  std::erase_if(shown, [&](const FinEdge& edge) {
+    const std::span<const glm::vec3> places = drawing.model.positions();
+    const glm::vec3 middle = 0.5f * (places[edge.ends.x] + places[edge.ends.y]);
+    return !range.holds(glm::dot(middle - frame.camera.eye, frame.camera.forward));
+  });
+  if (shown.empty()) return;
   send_side_view(gl, frame.coat);
   bind(gl, drawing);
-  send(gl, strips_, shown.strips);
+  send(gl, strips_, shown);
   gl.BindTextureUnit(side_view_unit, side_view_.id());
   const Program& fin = programs_of(gl, drawing.variant).fin;
   fin.use();
   fin.set("segments", fin_segments);
   fin.set("limit", fin_limit);
   fin.set("slab_depth", static_cast<float>(side_view_depth * frame.coat.tile));
-  draw_strips(gl, fin_segments, shown.strips.size());
+  draw_strips(gl, fin_segments, shown.size());
 }
 
 void FinsPass::set_hair(const Program& hair, const Coat& coat) const {

@@ -24,16 +24,17 @@ class FinsPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Fins near the outline, from far to near. Between fur turned away from the eye and fur that faces it: what stands
-  /// beyond the outline has only fins in it, and on the body fur covers them. The frame's block is bound.
-  void draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
+  /// Fins near the outline whose edges have their middle in `range`, from far to near. Between a part's fur turned away
+  /// from the eye and its fur that faces it: what stands beyond the outline has only fins in it, and on the body fur covers
+  /// them. The frame's block is bound.
+  void draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range);
 
   /// Guard hairs near the outline, after all other fur, in four passes (draw_four_passes), or at once where fragments are sorted.
   void draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
   /// The same fins and hairs once, with whatever blending and depth is set: for variants that write something other
   /// than light.
-  void draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
+  void draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range);
   void draw_plain_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
  private:

@@ -124,6 +124,6 @@ void main() {
     Slab band = march(step_count, 0.0, density_share, shell_height() + off, thickness);
     if (band.opacity > least_opacity * thickness) sum += lit_band(band, normal, 1.0 - sum.a);
   }
-  if (sum.a == 0.0) discard;
+  if (sum.a == 0.0 || !in_part()) discard;
   put_fragment(sum);
 }

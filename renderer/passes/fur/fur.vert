@@ -43,8 +43,7 @@ out vec3 fibre_normal;
 out vec3 fibre_tangent;
 out vec2 tile;           // place on the tile at the slab's middle, in tiles
 out float level;         // mip level for the size of a pixel here
-out vec3 clip_place;     // x, y and w of the place
-out vec2 clip_speed;     // of a strand on the screen as it rises, for a unit of height
+out vec2 pixel_speed;    // of a strand on the picture as it rises, pixels for a unit of height
 out float most_crossing; // length of tile_per_height in slab.glsl at most
 out float slant;         // path through a slab over its thickness, as the strands see it
 out vec3 tile_u;
@@ -126,8 +125,8 @@ void main() {
   base_colour = colour;
   gl_Position = frame.world_to_clip * vec4(place, 1.0);
   vec4 speed = frame.world_to_clip * vec4(fur_length * fibre_tangent, 0.0);
-  clip_place = gl_Position.xyw;
-  clip_speed = (speed.xy * gl_Position.w - gl_Position.xy * speed.w) / max(gl_Position.w * gl_Position.w, 1e-12);
+  pixel_speed = frame.half_picture.xy * (speed.xy * gl_Position.w - gl_Position.xy * speed.w) /
+                max(gl_Position.w * gl_Position.w, 1e-12);
   most_crossing = 5.0 * fur_length * frame.tile.x;
   gl_Position.z *= gl_Position.w / (gl_Position.w + push * fur_length / max(abs(facing), 0.2));  // depth is near / distance
 }

@@ -35,32 +35,24 @@ FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
 
 namespace {
 
-/// Of all sets, inside out.
-std::vector<FurPass::Shell> shells_of(const Knobs& knobs,
-                                      const std::array<ModelBuffers::DrawList, most_layer_sets>& lists, int side) {
+std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const std::vector<ModelBuffers::ShellList>& lists,
+                                      const DepthRange& range, int side) {
+  const bool one_set = sets_of(knobs.shells, knobs.shell_policy) == 1;
   std::vector<FurPass::Shell> result;
-  const int sets = sets_of(knobs.shells, knobs.shell_policy);
-  for (int set = 0; set < sets; ++set) {
-    const int shells = shells_of_set(knobs.shells, set);
-    const SlabSteps slab = steps_of_set(knobs, set);
-    for (int shell = 0; shell < shells; ++shell)
-      result.push_back({sets == 1 ? FurPass::every_pixel : set, shell, shells, slab, lists[static_cast<std::size_t>(set)], side});
-  }
-  const auto height = [](const FurPass::Shell& s) { return (s.shell + 0.5) / s.shells; };
-  std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
+  for (const ModelBuffers::ShellList& each : lists)
+    result.push_back({one_set ? FurPass::every_pixel : each.set, each.shell, each.shells, steps_of_set(knobs, each.set), each.list,
+                      side, range});
   return result;
 }
 
 }  // namespace
 
-std::vector<FurPass::Shell> FurPass::averted_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists) {
-  std::vector<Shell> shells = shells_of(knobs, lists.averted, -1);
-  std::reverse(shells.begin(), shells.end());
-  return shells;
+std::vector<FurPass::Shell> FurPass::averted_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part) {
+  return shells_of(knobs, part.averted, part.range, -1);
 }
 
-std::vector<FurPass::Shell> FurPass::facing_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists) {
-  return shells_of(knobs, lists.facing, 1);
+std::vector<FurPass::Shell> FurPass::facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part) {
+  return shells_of(knobs, part.facing, part.range, 1);
 }
 
 const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
@@ -151,16 +143,16 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {every_pixel, shell, solid_shells, {1, 1}, drawing.lists.shown, 1});
+    draw_shell(gl, solid, {every_pixel, shell, solid_shells, {1, 1}, drawing.lists.shown, 1, {}});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void FurPass::draw_averted(const Gl& gl, const FurDrawing& drawing) {
-  draw_fur(gl, drawing, averted_shells(drawing.knobs, drawing.lists));
+void FurPass::draw_averted(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
+  draw_fur(gl, drawing, averted_shells(drawing.knobs, part));
 }
 
-void FurPass::draw_facing(const Gl& gl, const FurDrawing& drawing) {
-  draw_fur(gl, drawing, facing_shells(drawing.knobs, drawing.lists));
+void FurPass::draw_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
+  draw_fur(gl, drawing, facing_shells(drawing.knobs, part));
 }
 
 void FurPass::draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells) {
@@ -187,6 +179,8 @@ void FurPass::draw_shell(const Gl& gl, const Program& program, const Shell& shel
   program.set("shell_side", shell.side);
   program.set("band_count", shell.slab.bands);
   program.set("step_count", shell.slab.steps);
+  program.set("part_begin", shell.range.inverse_begin());
+  program.set("part_end", shell.range.inverse_end());
   draw_list(gl, shell.list);
   gl.Disable(GL_STENCIL_TEST);
 }

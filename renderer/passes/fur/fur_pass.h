@@ -42,25 +42,26 @@ class FurPass {
   /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
   /// sorted.
   void draw_dense(const Gl& gl, const FurDrawing& drawing);
-  /// Fur turned away from the eye, outside in.
-  void draw_averted(const Gl& gl, const FurDrawing& drawing);
-  /// Fur that faces the eye, inside out. What is drawn between the two lies behind it.
-  void draw_facing(const Gl& gl, const FurDrawing& drawing);
+  /// A part's fur that is turned away from the eye, outside in.
+  void draw_averted(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part);
+  /// A part's fur that faces the eye, inside out. What is drawn between the two lies behind it.
+  void draw_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part);
   /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
   void draw_depth(const Gl& gl, const FurDrawing& drawing);
 
-  /// One shell of one set of layers: the triangles, and from which side of the slab the ray comes (1 or -1). It is drawn
-  /// where the stencil is `set`, or everywhere when that is every_pixel.
+  /// One shell of one set of layers: the triangles, from which side of the slab the ray comes (1 or -1), and what of it is
+  /// drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
   static constexpr int every_pixel = -1;
   struct Shell {
     int set, shell, shells;
     SlabSteps slab;
     ModelBuffers::DrawList list;
     int side;
+    DepthRange range{};
   };
   /// In the order of blending: turned away outside in; facing inside out.
-  static std::vector<Shell> averted_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists);
-  static std::vector<Shell> facing_shells(const Knobs& knobs, const ModelBuffers::DrawLists& lists);
+  static std::vector<Shell> averted_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
+  static std::vector<Shell> facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
   /// With a program of fur.vert and slab.glsl, in use.
   static void draw_shell(const Gl& gl, const Program& program, const Shell& shell);
   static void bind(const Gl& gl, const FurDrawing& drawing);

@@ -16,6 +16,7 @@ layout(location = 0) out vec4 result;
 
 void main() {
   look_around();
+  if (!in_part()) discard;
 #ifdef CROSSING
   keep_crossings();
 #endif

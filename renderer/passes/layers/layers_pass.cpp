@@ -71,18 +71,22 @@ std::vector<LayersPass::Piece> LayersPass::pieces_inwards(const Gl& gl, const Bo
       });
     }
   };
-  const auto add_strips = [&](void (FinsPass::*draw)(const Gl&, const FurFrame&, const FurDrawing&)) {
-    pieces.push_back([&gl, &body, &frame, &drawing, variant, draw](bool crossing) {
+  const auto add_strips = [&](const auto& draw) {
+    pieces.push_back([&drawing, variant, draw](bool crossing) {
       const std::string with = variant(crossing);
-      (body.fins.*draw)(gl, frame, {drawing.knobs, with, drawing.model, drawing.lists, drawing.coat});
+      draw(FurDrawing{drawing.knobs, with, drawing.model, drawing.lists, drawing.coat});
     });
   };
   if (!frame.curves.empty())
     pieces.push_back([&, variant](bool crossing) { body.curves.draw_plain(gl, frame, variant(crossing)); });
-  if (frame.knobs.guard_hairs > 0) add_strips(&FinsPass::draw_plain_hairs);
-  add_shells(FurPass::facing_shells(drawing.knobs, drawing.lists));
-  if (frame.knobs.fins) add_strips(&FinsPass::draw_plain_fins);
-  add_shells(FurPass::averted_shells(drawing.knobs, drawing.lists));
+  if (frame.knobs.guard_hairs > 0)
+    add_strips([&](const FurDrawing& with) { body.fins.draw_plain_hairs(gl, frame, with); });
+  for (auto part = drawing.lists.parts.rbegin(); part != drawing.lists.parts.rend(); ++part) {
+    add_shells(FurPass::facing_shells(drawing.knobs, *part));
+    if (frame.knobs.fins)
+      add_strips([&, range = part->range](const FurDrawing& with) { body.fins.draw_plain_fins(gl, frame, with, range); });
+    add_shells(FurPass::averted_shells(drawing.knobs, *part));
+  }
   return pieces;
 }
 
