@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-constexpr float rounding = 1e-5f;  // between distances here and those of the GL, sizes
+constexpr float rounding = 1e-5f;  // between distances here and those of the GL, of 1 and the distance itself
 
 /// The last row: what the GL divides by is the distance along the view.
 glm::vec4 distance_row(const glm::mat4& to_clip) { return {to_clip[0][3], to_clip[1][3], to_clip[2][3], to_clip[3][3]}; }
@@ -76,7 +76,7 @@ glm::vec2 StrandDepths::of(const glm::uvec3& triangle, float height) {
   for (int corner = 0; corner < 3; ++corner) {
     const Strand& at = strand(triangle[corner]);
     const float distance = glm::mix(at.distances[piece], at.distances[piece + 1], place - static_cast<float>(piece));
-    const float margin = at.length * (bend_of_piece * (1 + longer) + varied) + rounding;
+    const float margin = at.length * (bend_of_piece * (1 + longer) + varied) + rounding * (1 + std::abs(distance));
     range = {std::min(range.x, distance - margin), std::max(range.y, distance + margin)};
   }
   return range;
