@@ -3,63 +3,33 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
 #include <cassert>
-#include <limits>
 #include <memory>
 #include <string_view>
 
 #include "renderer/image/octets.h"
+#include "renderer/image/png_bands.h"
 
 namespace pelage {
 
 namespace {
 
-template <class Sample>
-std::vector<Sample> without_alpha(const std::vector<Sample>& rgba) {
-  std::vector<Sample> rgb(rgba.size() / 4 * 3);
+std::vector<std::uint8_t> without_alpha(const std::vector<std::uint8_t>& rgba) {
+  std::vector<std::uint8_t> rgb(rgba.size() / 4 * 3);
   for (std::size_t from = 0, to = 0; from < rgba.size(); from += 4, to += 3) {
     rgb[to] = rgba[from], rgb[to + 1] = rgba[from + 1], rgb[to + 2] = rgba[from + 2];
   }
   return rgb;
 }
 
-template <class Sample>
-bool is_opaque(const std::vector<Sample>& rgba) {
-  for (std::size_t i = 3; i < rgba.size(); i += 4) {
-    if (rgba[i] != std::numeric_limits<Sample>::max()) return false;
-  }
-  return true;
-}
-
-template <class Picture>
-bool is_whole(const Picture& image) {
-  return image.width > 0 && image.height > 0 &&
-         image.rgba.size() ==
-             std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-}
-
-OIIO::ImageSpec png_spec(int width, int height, int channels, OIIO::TypeDesc type, std::span<const ImageText> texts,
-                         PngNumbers numbers) {
-  constexpr int sub_filter = 16;  // PNG_FILTER_SUB
-  OIIO::ImageSpec spec(width, height, channels, type);
-  spec.attribute("png:compressionLevel", 1);
-  spec.attribute("png:filter", sub_filter);
-  spec.attribute("compression", "rle");  // noise of fur: a fifth faster than matches, and smaller
-  if (numbers == PngNumbers::srgb) spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  for (const ImageText& text : texts) spec.attribute(text.key, text.value);
-  return spec;
-}
-
 template <class Picture>
 std::string encode_png_of(const Picture& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
-  assert(is_whole(image));
-  const auto type = OIIO::BaseTypeFromC<typename decltype(image.rgba)::value_type>::value;
-  const bool rgb = !keep_alpha && is_opaque(image.rgba);
-  const OIIO::ImageSpec spec = png_spec(image.width, image.height, rgb ? 3 : 4, type, texts, numbers);
-  if (!rgb) return write_picture(PictureFormat::png, spec, type, image.rgba.data());
-  return write_picture(PictureFormat::png, spec, type, without_alpha(image.rgba).data());
+  const PngLayout layout = png_layout(image, keep_alpha);
+  std::vector<std::shared_ptr<const PngBand>> bands;
+  for (int band = 0; band < png_band_count(layout); ++band) {
+    bands.push_back(std::make_shared<const PngBand>(png_band(layout, png_band_of(image, band))));
+  }
+  return png_file(layout, bands, texts, numbers);
 }
 
 /// Grey, grey with alpha, or colour without alpha to RGBA.
@@ -86,7 +56,7 @@ std::string encode_png(const Image16& image, bool keep_alpha, std::span<const Im
 }
 
 std::string encode_jpeg(const Image& image, int quality) {
-  assert(is_whole(image) && quality >= 1 && quality <= 100);
+  assert(image.width > 0 && image.height > 0 && quality >= 1 && quality <= 100);
   OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("Compression", "jpeg:" + std::to_string(quality));
   spec.attribute("oiio:ColorSpace", "sRGB");

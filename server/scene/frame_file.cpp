@@ -107,12 +107,14 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
   return drawn(renderer.finish(frame, beauty));
 }
 
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement) {
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
+                         PngEncoder& png) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* layers = std::get_if<std::vector<FloatImage>>(&picture)) return encode_layers(std::move(*layers), request, placement);
   if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha);
-  const Image& image = std::get<Image>(picture);
-  return request.format == FrameFormat::jpeg ? encode_jpeg(image, request.jpeg_quality) : encode_png(image, keep_alpha);
+  Image& image = std::get<Image>(picture);
+  if (request.format == FrameFormat::jpeg) return encode_jpeg(image, request.jpeg_quality);
+  return png.encode(std::move(image), keep_alpha);
 }
 
 const char* content_type_of(FrameFormat format) {

@@ -7,6 +7,7 @@
 
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/image/png_encoder.h"
 #include "server/scene/frame_parts.h"
 
 namespace pelage {
@@ -25,8 +26,9 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
 
 /// The picture as a file of the asked format; the same picture gives the same octets. EXR: the channels are R, G, B and A
 /// of beauty, A of alpha, Z of depth, and LAYER.X, .Y, .Z (position, normal, tangent), LAYER.R, .G, .B (albedo, direct)
-/// or LAYER.Y (shadow, layer_count) of the others.
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement);
+/// or LAYER.Y (shadow, layer_count) of the others. `png` remembers pictures of 8 bits.
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
+                         PngEncoder& png);
 
 const char* content_type_of(FrameFormat format);
 

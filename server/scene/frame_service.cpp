@@ -85,6 +85,7 @@ struct FrameService::Impl {
   std::atomic<double> seconds{0};
   FramePlanner planner;
   CostUnit unit;
+  PngEncoder png;  // of whoever asked, not of the render thread
   std::thread thread;
 
   void run(GlChoice choice, int threads, std::promise<Status>& started);
@@ -268,7 +269,7 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   Result<DrawnFrame> drawn = answer.get();
   if (!drawn) return drawn.status();
   const Clock::time_point start = Clock::now();
-  FrameAnswer result{.octets = encode_frame(std::move(drawn->picture), request, drawn->placement),
+  FrameAnswer result{.octets = encode_frame(std::move(drawn->picture), request, drawn->placement, impl_->png),
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
                      .knobs = drawn->knobs,
@@ -314,7 +315,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   if (!finished) return finished.status();
   timings.read += milliseconds_since(asked);
   const Clock::time_point start = Clock::now();
-  FrameAnswer answer{.octets = encode_frame(std::move(*finished), request, picture.placement),
+  FrameAnswer answer{.octets = encode_frame(std::move(*finished), request, picture.placement, impl_->png),
                      .content_type = content_type_of(request.format),
                      .revision = picture.revision,
                      .knobs = knobs_of(picture),

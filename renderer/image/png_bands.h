@@ -1,0 +1,48 @@
+// PNG files (ISO/IEC 15948) out of bands of rows that are compressed one by one. As a band says nothing of the rows
+// around it, equal rows give equal octets, and a file can be put together from bands of a file before it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "renderer/image/image.h"
+
+namespace pelage {
+
+struct PngLayout {
+  int width = 0, height = 0;
+  int channels = 4;  // 3: RGB, 4: RGBA
+  int bits = 8;      // of a sample: 8 or 16
+
+  bool operator==(const PngLayout&) const = default;
+};
+
+/// That of a picture: without alpha where it is 1 everywhere and need not be kept.
+PngLayout png_layout(const Image& image, bool keep_alpha);
+PngLayout png_layout(const Image16& image, bool keep_alpha);
+
+/// Bands of 16 rows, the last one with what is left: so short that a stroke changes few, so long that what each costs
+/// by itself (some 30 octets) does not show.
+int png_band_count(const PngLayout& layout);
+
+/// The samples of a band, from the top; RGBA, also where the layout leaves out alpha.
+std::span<const std::uint8_t> png_band_of(const Image& image, int band);
+std::span<const std::uint16_t> png_band_of(const Image16& image, int band);
+
+struct PngBand {
+  std::string chunk;           // IDAT, with its length and checksum
+  std::uint32_t adler = 1;     // of the filtered rows
+  std::size_t octets = 0;      // of the filtered rows
+};
+
+/// Compressed by sub filter and run lengths: matches of the noise of fur take a fifth longer and are larger.
+PngBand png_band(const PngLayout& layout, std::span<const std::uint8_t> rgba);
+PngBand png_band(const PngLayout& layout, std::span<const std::uint16_t> rgba);
+
+/// The file of all bands of a layout.
+std::string png_file(const PngLayout& layout, std::span<const std::shared_ptr<const PngBand>> bands,
+                     std::span<const ImageText> texts, PngNumbers numbers);
+
+}  // namespace pelage
