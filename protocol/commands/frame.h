@@ -72,6 +72,8 @@ struct Knobs {
   int samples = 1;                                // on outlines: 1 or 4
   int steps = 2;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
+  int least_radius = 0;                           // rendered pixels of the ball about the model's box, [0, 8192]: where a
+                                                  // scale below 1 gives fewer, it is larger, up to 1
   int bands = 1;                                  // that a thick slab is lit in, at most, [1, 4]
   int eye_steps = 8;                              // into the iris: 0 flat, 1 parallax, more march, [0, 64]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)

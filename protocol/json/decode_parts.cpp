@@ -261,8 +261,8 @@ Tracing tracing(const Value& value) {
 /// Of shells alone, or of strands alone.
 void check_method(const Value& value, Object& object, const Knobs& knobs) {
   const bool strands = knobs.method == Method::strands;
-  for (const char* name : {"shells", "shell_policy", "samples", "steps", "scale", "bands", "self_shadow", "shadow_maps",
-                           "shadow_resolution", "accumulation", "order", "fins"}) {
+  for (const char* name : {"shells", "shell_policy", "samples", "steps", "scale", "least_radius", "bands", "self_shadow",
+                           "shadow_maps", "shadow_resolution", "accumulation", "order", "fins"}) {
     if (strands && object.has(name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
   }
   if (!strands && object.has("trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
@@ -280,6 +280,7 @@ Knobs quality(const Value& value) {
   });
   object.integer("steps", result.steps, {1, 16});
   object.number("scale", result.scale, {0.25, 2});
+  object.integer("least_radius", result.least_radius, {0, 8192});
   object.integer("bands", result.bands, {1, 4});
   object.integer("eye_steps", result.eye_steps, {0, 64});
   object.boolean("self_shadow", result.self_shadow);

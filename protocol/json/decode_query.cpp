@@ -35,6 +35,7 @@ constexpr auto frame_parameters = std::to_array<Parameter>({
     {"samples", "/quality/samples", Kind::number},
     {"steps", "/quality/steps", Kind::number},
     {"scale", "/quality/scale", Kind::number},
+    {"least_radius", "/quality/least_radius", Kind::number},
     {"bands", "/quality/bands", Kind::number},
     {"eye_steps", "/quality/eye_steps", Kind::number},
     {"self_shadow", "/quality/self_shadow", Kind::boolean},

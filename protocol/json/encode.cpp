@@ -83,6 +83,7 @@ Json json_of(const Knobs& knobs) {
           {"samples", knobs.samples},
           {"steps", knobs.steps},
           {"scale", knobs.scale},
+          {"least_radius", knobs.least_radius},
           {"bands", knobs.bands},
           {"eye_steps", knobs.eye_steps},
           {"self_shadow", knobs.self_shadow},

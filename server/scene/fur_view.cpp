@@ -57,6 +57,14 @@ FurPaint make_paint(const FieldSet& fields) {
           numbers(Field::mask),    fields.colours(Field::root_colour), fields.colours(Field::tip_colour)};
 }
 
+/// The knob `scale` after `least_radius`.
+double rendered_scale(const Knobs& knobs, const PlacedCamera& camera, int height) {
+  constexpr double ball = 0.5;  // radius; the diagonal of the model's box is 1
+  const double radius = ball * 0.5 * height / (glm::length(camera.eye) * camera.tan_half_fov);
+  if (radius * knobs.scale >= knobs.least_radius) return knobs.scale;
+  return std::max(knobs.scale, std::min(1.0, knobs.least_radius / radius));
+}
+
 }  // namespace
 
 FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture) {
@@ -130,6 +138,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
                   static_cast<float>(camera.tan_half_fov)};
   frame.width = request.width, frame.height = request.height;
   frame.knobs = request.knobs;
+  frame.knobs.scale = rendered_scale(request.knobs, camera, request.height);
   frame.background = request.background, frame.background_colour = request.background_colour;
   frame.exposure = request.exposure, frame.tone_map = request.tone_map;
   frame.overlay = request.overlay;

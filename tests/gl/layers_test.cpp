@@ -127,7 +127,7 @@ TEST_P(Layers, CountsTheShells) {
 TEST_P(Layers, BeautyIsTheSameWithAndWithoutOthers) {
   const FurredModel model = furred({Builtin::creature, 2000});
   FrameRequest request = small_frame();
-  request.knobs = knobs_of(Tier::draft);
+  request.knobs = knobs_of(Tier::draft), request.knobs.least_radius = 0;  // part size
   const auto alone = layers_of(model, request, {FrameLayer::beauty});
   const Image before = draw(*renderer, model, request);
   const auto together = layers_of(model, request, {FrameLayer::position, FrameLayer::beauty, FrameLayer::depth, FrameLayer::layer_count});

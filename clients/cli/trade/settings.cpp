@@ -82,7 +82,9 @@ void add_grid(std::vector<Setting>& settings, bool quick) {
 std::vector<Setting> settings_for(bool swept, bool quick) {
   using Ints = std::vector<int>;
   const Ints shells = quick ? Ints{4, 16} : Ints{2, 4, 8, 16, 32, 64};
-  const Base draft{"draft", knobs_of(Tier::draft)}, interactive{"interactive", knobs_of(Tier::interactive)};
+  Base draft{"draft", knobs_of(Tier::draft)};
+  draft.knobs.least_radius = 0;  // its scale as in large pictures: the report's are so small that it would be 1
+  const Base interactive{"interactive", knobs_of(Tier::interactive)};
   std::vector<Setting> settings;
   Collector collect(settings);
   add_tiers(settings);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "renderer/image/image.h"
 
@@ -59,7 +60,9 @@ Result<Shot> shoot(Session& session, const Place& place, const Knobs& knobs) {
   if (!answer) return answer.status();
   auto picture = decode_float_image(std::as_bytes(std::span(answer->body)), most_pixels);
   if (!picture) return picture.status();
-  Shot shot{.picture = std::move(*picture)};
+  const auto drawn = decode_frame_request("{\"quality\": " + header(*answer, "pelage-quality") + "}");
+  if (!drawn) return drawn.status();
+  Shot shot{.picture = std::move(*picture), .scale = drawn->knobs.scale};
   measure(shot);
   return shot;
 }

@@ -19,6 +19,7 @@ struct Place {
 /// A picture in linear light, and figures of it.
 struct Shot {
   FloatImage picture;
+  double scale = 1;                    // as drawn: the knob, after `least_radius`
   std::size_t non_finite = 0;          // pixels
   double luminance = 0, coverage = 0;  // mean over alpha; sum of alpha in pixels
 };

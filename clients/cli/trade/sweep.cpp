@@ -109,7 +109,7 @@ class Sweeper {
             .truth = truth.detail,
             .shells = setting.knobs.shells,
             .steps = setting.knobs.steps,
-            .scale = setting.knobs.scale,
+            .scale = shot.scale,
             .luminance = true_shot.luminance > 0 ? shot.luminance / true_shot.luminance : 1,
             .coverage = true_shot.coverage > 0 ? shot.coverage / true_shot.coverage : 1,
             .floor = truth.floor,

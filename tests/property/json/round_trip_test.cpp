@@ -105,6 +105,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
                   .samples = *rc::gen::element(1, 4),
                   .steps = *rc::gen::inRange(1, 17),
                   .scale = number(0.25, std::min(2.0, 8192.0 / before.width)),
+                  .least_radius = *rc::gen::inRange(0, 8193),
                   .bands = *rc::gen::inRange(1, 5),
                   .eye_steps = *rc::gen::inRange(0, 65),
                   .self_shadow = *rc::gen::arbitrary<bool>(),

@@ -412,6 +412,7 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
                                            {"self_shadow", "false"},
                                            {"fins", "true"},
                                            {"guard_hairs", "300"},
+                                           {"least_radius", "90"},
                                            {"background", "#ff0000"},
                                            {"exposure", "-1.5"}});
   ASSERT_TRUE(request.ok()) << request.status().message;
@@ -421,6 +422,7 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   EXPECT_FALSE(request->knobs.self_shadow);
   EXPECT_TRUE(request->knobs.fins);
   EXPECT_EQ(request->knobs.guard_hairs, 300);
+  EXPECT_EQ(request->knobs.least_radius, 90);
   EXPECT_FLOAT_EQ(request->background_colour.r, 1);
   EXPECT_DOUBLE_EQ(request->exposure, -1.5);
   const auto free = decode_frame_query({{"eye", "0,0.5,2"}, {"target", "0, 0, 0"}, {"fov_degrees", "50"}});
