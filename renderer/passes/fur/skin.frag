@@ -22,6 +22,7 @@ in vec3 place;
 in vec4 open_place;
 #endif
 in vec3 skin_normal;
+in vec3 fur_offset;
 in vec3 base_uv;
 in vec3 base_colour;
 in float fur_length;
@@ -31,9 +32,20 @@ in vec4 varied;
 
 layout(location = 0) out vec4 result;
 
+#ifndef NO_FUR
+/// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body, where no shell is seen.
+float rising_from_face() {
+  vec3 across = cross(dFdx(place), dFdy(place));
+  across = dot(across, frame.eye.xyz - place) < 0.0 ? -across : across;
+  float size = length(across) * length(fur_offset);
+  return size > 0.0 ? smoothstep(-0.1, 0.15, dot(across, fur_offset) / size) : 1.0;
+}
+#endif
+
 // Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
 // Under fur lies an undercoat: the colour of the roots in the light that gets there. The inner side
-// of an open model shows no fur: it is lit as a matt surface of the fur's mean colour.
+// of an open model shows no fur, nor does a fold where it grows into the body: they are lit as a matt surface of the
+// fur's mean colour.
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;
@@ -46,6 +58,7 @@ void main() {
 #ifdef NO_FUR
   const float covered = 0.0;  // the share of the skin that fur keeps light from
 #else
+  furred *= rising_from_face();
   float covered = furred;
 #endif
   vec3 bare = takes_model_colours() ? model_colour(base_colour, base_uv) : frame.skin.rgb;

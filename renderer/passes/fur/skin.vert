@@ -1,8 +1,6 @@
 #version 450 core
 #include "frame.glsl"
-#if defined(HULL) || defined(SHADOW_MAPS)
 #include "lean.glsl"
-#endif
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -21,9 +19,8 @@ out float fur_length;
 layout(location = 10) in vec4 variation;
 out vec4 varied;
 #endif
-#if defined(LAYERS) || defined(HULL) || defined(SHADOW_MAPS)
 layout(location = 2) in vec3 tangent;
-#endif
+out vec3 fur_offset;  // from the root to the hull of the fur
 #ifdef SHADOW_MAPS
 out vec4 open_place;  // where light that the rest of the body lets through comes to the fur, on its hull; the hull's height
 #endif
@@ -41,12 +38,12 @@ vec3 fur_at_root() {
 
 void main() {
   place = position;
+  fur_offset = hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
 #ifdef HULL
-  place += hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
+  place += fur_offset;
 #endif
 #ifdef SHADOW_MAPS
-  open_place = vec4(position + hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0),
-                    hull_height * groom.z);
+  open_place = vec4(position + fur_offset, hull_height * groom.z);
 #endif
   skin_normal = normal;
   base_uv = image_uv;
