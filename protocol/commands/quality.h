@@ -26,7 +26,7 @@ enum class PlanEnd {
 struct FrameEstimate {
   double error = 0;         // [0, 1]
   double error_safety = 1;  // 1 or more: 95% of frames have at most error times it
-  bool measured = false;    // on parts of such a view of the scene; else told from the view's features
+  bool measured = false;    // in such a view of the scene; else told from the view's features
   double cost_ms = 0;
   double cost_safety = 1;   // the same of cost
   double correction = 1;    // measured over predicted cost of this scene so far, which cost_ms has in it
@@ -53,7 +53,7 @@ struct Calibration {
   std::array<double, cost_terms> cost{};      // milliseconds for a unit of each term, 0 or more
   double cost_safety = 1;                     // [1, 100], of a scene whose frames have told nothing yet
   double learnt_safety = 1;                   // [1, 100], once they have
-  double probe_safety = 1;                    // [1, 100]: 95% of views have at most the error of their parts times it
+  double probe_safety = 1;                    // [1, 100]: 95% of views have at most the error that was measured times it
   std::array<double, error_traits> low{}, high{};  // of the views that were measured; outside, the nearest counts
   std::vector<CalibratedKnobs> ladder;        // at least one
 };

@@ -165,11 +165,11 @@ void set_error_safety(Calibration& calibration, std::span<const MeasuredView> vi
   }
 }
 
-double safety_of_parts(std::span<const MeasuredView> views) {
+double safety_of_probes(std::span<const MeasuredView> views) {
   std::vector<double> ratios{1};
   for (const MeasuredView& view : views) {
-    for (std::size_t row = 0; row < view.error_of_parts.size(); ++row) {
-      if (view.error_of_parts[row] > 0) ratios.push_back(view.error[row] / view.error_of_parts[row]);
+    for (std::size_t row = 0; row < view.probed_error.size(); ++row) {
+      if (view.probed_error[row] > 0) ratios.push_back(view.error[row] / view.probed_error[row]);
     }
   }
   return safe(std::move(ratios));
@@ -208,7 +208,7 @@ Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const Measu
   for (std::size_t row = 0; row < ladder.size(); ++row)
     calibration.ladder.push_back(fit_row(calibration, ladder[row], row, views, all));
   set_cost_safety(calibration, ladder, views);
-  calibration.probe_safety = safety_of_parts(views);
+  calibration.probe_safety = safety_of_probes(views);
   set_error_safety(calibration, views);
   return calibration;
 }

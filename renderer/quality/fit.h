@@ -14,13 +14,12 @@ struct MeasuredView {
   ViewFeatures features;
   std::vector<double> cost_ms;  // above 0
   std::vector<double> error;    // mean FLIP, [0, 1]
-  std::vector<double> error_of_parts = {};  // the same of parts of the view (ErrorProbe); 0 where it was not measured
+  std::vector<double> probed_error = {};  // the same as ErrorProbe tells it; 0 where it did not
 };
 
 /// Prices of terms by least squares of the relative error, none below 0 (coordinate descent on the normal equations);
-/// errors by ridge regression of their logarithms; what parts of a view tell is safe by what 95% of them told. The other
-/// safety factors are such that 95% of the measured views keep them when
-/// the fit does not know the view. `views` is not empty, each as long as `ladder`; name, machine and threads are left
+/// errors by ridge regression of their logarithms; what a probe tells is safe by what 95% of them told. The other safety
+/// factors are such that 95% of the measured views keep them when the fit does not know the view. `views` is not empty, each as long as `ladder`; name, machine and threads are left
 /// to the caller; what is learnt of a scene counts as the mean of its rows of one order. Deterministic.
 Calibration fit_calibration(std::span<const Knobs> ladder, std::span<const MeasuredView> views);
 

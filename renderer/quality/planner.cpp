@@ -13,6 +13,10 @@ namespace pelage {
 
 namespace {
 
+/// Of a row that was not measured in a view where others were: it is worth measuring where it may be so much nearer to the
+/// truth than they let expect.
+constexpr double hope = 0.9;
+
 /// A row of the ladder in this view.
 struct Option {
   const CalibratedKnobs* row = nullptr;
@@ -22,14 +26,14 @@ struct Option {
   double safe_error() const { return std::min(1.0, estimate.error * estimate.error_safety); }
 };
 
-/// Once anything was measured, the others are expected to be as far from their prediction, and as sure.
+/// Once anything was measured, the others are expected to be as far from their prediction.
 FrameEstimate estimate(const Calibration& calibration, const CalibratedKnobs& row, const ViewFeatures& view,
                        const CostCorrection& correction, const MeasuredErrors& errors = {}) {
   const double factor = correction.of(row.knobs);
   const auto index = static_cast<std::size_t>(&row - calibration.ladder.data());
   const double error = predicted_error(row, in_range(calibration, error_traits_of(view)));
   return {.error = std::min(1.0, error * errors.ratio(index, calibration)),
-          .error_safety = errors.empty() ? row.error_safety : calibration.probe_safety,
+          .error_safety = errors.empty() ? row.error_safety : errors.has(index) ? calibration.probe_safety : hope,
           .measured = errors.has(index),
           .cost_ms = predicted_cost(calibration, view, row.knobs) * factor,
           .cost_safety = correction.learnt(row.knobs) ? calibration.learnt_safety : calibration.cost_safety,

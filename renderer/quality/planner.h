@@ -22,7 +22,7 @@ struct CostCorrection {
   bool operator==(const CostCorrection&) const = default;
 };
 
-/// Errors of a scene over what its features predict, of the rows of a ladder that were measured on parts of a view.
+/// Errors of a scene over what its features predict, of the rows of a ladder that were measured in a view.
 class MeasuredErrors {
  public:
   /// `error` over `predicted`, both above 0.
@@ -50,7 +50,7 @@ struct PlannedFrame {
 /// How far over its budget a frame may be: 95% of them are not further.
 inline constexpr double budget_margin = 1.25;
 
-/// The mean FLIP of knobs on parts of the view, above 0; none where it cannot be told.
+/// The mean FLIP of knobs in the view, above 0; none where it cannot be told.
 using MeasureError = std::function<std::optional<double>(const Knobs&)>;
 
 /// A row of the ladder. budget_ms: the least error of those whose safe cost is within budget_margin of it, else the
@@ -60,8 +60,8 @@ using MeasureError = std::function<std::optional<double>(const Knobs&)>;
 PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
                   const CostCorrection& correction, const PlanGoal& goal, const MeasuredErrors& errors = {});
 
-/// The same for an error, of rows that were measured: as long as the cheapest row that is expected to keep it was not, it
-/// is. `errors` holds what is known already and takes what is measured. By features alone where nothing can be measured.
+/// The same for an error, of rows that were measured: as long as the cheapest row that may well keep it was not, it is.
+/// Once one was, a row may well that needs a tenth less of an error than the others let expect. `errors` holds what is known already and takes what is measured. By features alone where nothing can be measured.
 PlannedFrame plan_measured(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
                            const CostCorrection& correction, double max_error, MeasuredErrors& errors,
                            const MeasureError& measure);

@@ -62,10 +62,10 @@ Result<MeasuredView> measure_view(Renderer& renderer, const CostUnit& unit, cons
     if (!error) return failure(Code::invalid, "nothing is seen in a view that was to be measured");
     measured.error.push_back(error->mean);
   }
-  measured.error_of_parts.resize(ladder.size());
+  measured.probed_error.resize(ladder.size());
   ErrorProbe probe(renderer, frame, measured.features.places, std::max(options.truth_shells, 1));
   for (std::size_t row = 0; options.probed > 0 && row < ladder.size(); row += static_cast<std::size_t>(options.probed))
-    measured.error_of_parts[row] = probe.error(ladder[row]).value_or(0);
+    measured.probed_error[row] = probe.error(ladder[row]).value_or(0);
   return measured;
 }
 

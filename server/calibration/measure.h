@@ -14,7 +14,7 @@ namespace pelage {
 struct MeasureOptions {
   int truth_shells = 256;  // sorted, of the reference; 0 measures no errors
   int repetitions = 2;     // draws of each knob set, of which the least cost counts
-  int probed = 0;          // measures parts of the view too with each so many'th knob set; 0 none
+  int probed = 0;          // asks an ErrorProbe too for each so many'th knob set; 0 none
 };
 
 /// A frame with a transparent background, of a scene that the renderer has.

@@ -47,8 +47,8 @@ void print_view(const char* name, const MeasuredView& view, std::span<const Knob
               name, f.pixels, f.triangles, f.visible, f.area, f.edges, f.covered, f.behind, f.fur_pixels, f.strand_pixels,
               f.bending, f.lightness, f.lights, f.scatters, f.varies);
   for (std::size_t row = 0; row < ladder.size(); ++row) {
-    const std::string parts = view.error_of_parts[row] > 0 ? "parts " + std::to_string(view.error_of_parts[row]) : "";
-    print_row(ladder[row], view.cost_ms[row], view.error[row], parts.c_str());
+    const std::string probed = view.probed_error[row] > 0 ? "probed " + std::to_string(view.probed_error[row]) : "";
+    print_row(ladder[row], view.cost_ms[row], view.error[row], probed.c_str());
   }
   std::fflush(stdout);
 }
@@ -91,12 +91,12 @@ int fit(Renderer& renderer, const std::string& file, const MeasureOptions& optio
   if (rows.front() != 0) rows.insert(rows.begin(), 0);  // the tier has an estimate whether or not it is among the best
   for (const std::size_t row : rows) ladder.push_back(candidates[row]);
   for (MeasuredView& view : views) {
-    for (std::vector<double>* column : {&view.cost_ms, &view.error, &view.error_of_parts}) *column = picked(*column, rows);
+    for (std::vector<double>* column : {&view.cost_ms, &view.error, &view.probed_error}) *column = picked(*column, rows);
   }
   Calibration calibration = fit_calibration(ladder, views);
   calibration.name = "defaults";
   print_ladder(calibration, views);
-  std::printf("%zu of %zu candidates; safety of cost %.2f, once learnt %.2f, of an error of parts %.2f\nprices:", ladder.size(), candidates.size(),
+  std::printf("%zu of %zu candidates; safety of cost %.2f, once learnt %.2f, of a probed error %.2f\nprices:", ladder.size(), candidates.size(),
               calibration.cost_safety, calibration.learnt_safety, calibration.probe_safety);
   for (const double price : calibration.cost) std::printf(" %.4g", price);
   std::printf("\n");
@@ -126,13 +126,13 @@ struct Judged {
   const Calibration& calibration;
   std::vector<Knobs> candidates;
   Tally first = {}, later = {}, told = {}, measured = {};
-  int requests = 0, parts = 0;  // knob sets that were measured on parts of a view
+  int requests = 0, probes = 0;  // knob sets that were probed
 
   std::size_t index_of(const Knobs& knobs) const {
     return static_cast<std::size_t>(std::find(candidates.begin(), candidates.end(), knobs) - candidates.begin());
   }
   void budgets(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, Tally& tally);
-  void max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool by_parts, Tally& tally);
+  void max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool probing, Tally& tally);
   CostCorrection learnt(const MeasuredView& view) const;
   void judge(const MeasuredView& view, const FurFrame& frame);
 };
@@ -151,8 +151,8 @@ void Judged::budgets(const MeasuredView& view, const FurFrame& frame, const Cost
   }
 }
 
-/// By parts of the view, as the first request of its scene; or told from its features alone.
-void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool by_parts,
+/// By probes, as the first request of its scene; or told from its features alone.
+void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool probing,
                         Tally& tally) {
   for (double most = 0.008; most <= 0.12; most *= 1.2) {
     double cheapest = 1e30;
@@ -161,11 +161,11 @@ void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const C
     }
     if (cheapest > 1e29) continue;
     MeasuredErrors errors;
-    const MeasureError measure = [&](const Knobs& knobs) { return ++parts, std::optional(view.error_of_parts[index_of(knobs)]); };
-    requests += by_parts;
+    const MeasureError measure = [&](const Knobs& knobs) { return ++probes, std::optional(view.probed_error[index_of(knobs)]); };
+    requests += probing;
     const PlannedFrame planned =
-        by_parts ? plan_measured(calibration, view.features, frame, correction, most, errors, measure)
-                 : plan(calibration, view.features, frame, correction, {{}, most});
+        probing ? plan_measured(calibration, view.features, frame, correction, most, errors, measure)
+                : plan(calibration, view.features, frame, correction, {{}, most});
     const std::size_t row = index_of(planned.knobs);
     tally.add(view.error[row] <= most, view.cost_ms[row] / cheapest, 1.5);
   }
@@ -223,8 +223,8 @@ int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& o
   judged.first.print("budgets, first frames", "FLIP over the best");
   judged.later.print("budgets, later frames", "FLIP over the best");
   judged.told.print("errors told from the view", "cost over the cheapest");
-  judged.measured.print("errors measured on parts", "cost over the cheapest");
-  std::printf("%.1f knob sets were measured for a request\n", double(judged.parts) / std::max(judged.requests, 1));
+  judged.measured.print("errors probed", "cost over the cheapest");
+  std::printf("%.1f knob sets were probed for a request\n", double(judged.probes) / std::max(judged.requests, 1));
   return 0;
 }
 

@@ -107,6 +107,21 @@ RC_GTEST_PROP(Planner, WhatWasMeasuredKeepsTheErrorAndNothingCheaperIsExpectedTo
   RC_ASSERT(again.knobs == planned.knobs);
 }
 
+/// The cheapest row that is near enough, though the others let expect a bit more than that of it.
+TEST(Planner, ARowThatMayBeNearEnoughIsMeasured) {
+  const Calibration calibration = plain_calibration();
+  const auto predicted = [&](const Knobs& knobs) { return estimate_of(calibration, square(), knobs, {})->error; };
+  const Knobs lucky = with_error(calibration, 0.3).knobs;
+  const auto chosen = [&](double most) {
+    MeasuredErrors errors;
+    const MeasureError measure = [&](const Knobs& knobs) { return predicted(knobs) * (knobs == lucky ? 0.92 : 1); };
+    return plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure);
+  };
+  EXPECT_EQ(chosen(predicted(lucky) * 0.93).knobs, lucky);
+  EXPECT_EQ(chosen(predicted(lucky) * 0.93).estimate.error_safety, calibration.probe_safety);
+  EXPECT_FALSE(chosen(predicted(lucky) * 0.91).knobs == lucky);
+}
+
 TEST(Planner, WithoutAMeasurementErrorsAreToldFromTheView) {
   const Calibration calibration = plain_calibration();
   MeasuredErrors errors;
