@@ -10,8 +10,7 @@ Knobs knobs_of(Tier tier) {
       return {.shells = 8, .steps = 4, .scale = 0.6, .least_radius = 120, .eye_steps = 1};
     case Tier::interactive: return {};
     case Tier::detailed:
-      return {.shells = 24,
-              .steps = 4,
+      return {.shells = 32,
               .scale = 2,
               .eye_steps = 16,
               .shadow_maps = true,
