@@ -16,8 +16,8 @@ class CostLog {
   static constexpr std::size_t kept_scenes = 256;
   static constexpr std::size_t kept_frames = 7;   // of a scene and order
   static constexpr std::size_t least_frames = 3;  // before a correction changes: the first ones build programs
-  static constexpr double slack = 1.2;            // times or over
-  static constexpr double step = 1.09;            // corrections are powers of it
+  static constexpr double slack = 1.08;           // times or over
+  static constexpr double step = 1.04;            // corrections are powers of it
   static constexpr double most = 32;              // corrections lie in [1 / most, most]
 
   CostCorrection correction(std::uint64_t scene) const;

@@ -23,7 +23,8 @@ struct Option {
   FrameEstimate estimate;
 
   double safe_cost() const { return estimate.cost_ms * estimate.cost_safety; }
-  double safe_error() const { return std::min(1.0, estimate.error * estimate.error_safety); }
+  double safe_error() const { return estimate.error * estimate.error_safety; }
+  bool keeps(double max_error) const { return std::min(1.0, safe_error()) <= max_error; }  // no FLIP is above 1
 };
 
 /// Once anything was measured, the others are expected to be as far from their prediction.
@@ -68,7 +69,7 @@ PlannedFrame chosen(const Option& option, PlanEnd end) {
 }
 
 PlannedFrame within_budget(const std::vector<Option>& options, double budget) {
-  const auto error = [](const Option& o) { return o.estimate.error; };
+  const auto error = [](const Option& o) { return o.safe_error(); };
   const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
   const Option* best = least(options, error, any);
   const Option* affordable = least(options, error, [&](const Option& o) { return o.safe_cost() <= budget * budget_margin; });
@@ -79,7 +80,7 @@ PlannedFrame within_budget(const std::vector<Option>& options, double budget) {
 PlannedFrame within_error(const std::vector<Option>& options, double max_error) {
   const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
   const auto error = [](const Option& o) { return o.safe_error(); };
-  const Option* enough = least(options, cost, [&](const Option& o) { return o.safe_error() <= max_error; });
+  const Option* enough = least(options, cost, [&](const Option& o) { return o.keeps(max_error); });
   return enough ? chosen(*enough, PlanEnd::error) : chosen(*least(options, error, any), PlanEnd::best);
 }
 

@@ -53,10 +53,10 @@ inline constexpr double budget_margin = 1.25;
 /// The mean FLIP of knobs in the view, above 0; none where it cannot be told.
 using MeasureError = std::function<std::optional<double>(const Knobs&)>;
 
-/// A row of the ladder. budget_ms: the least error of those whose safe cost is within budget_margin of it, else the
+/// A row of the ladder. budget_ms: the least safe error of those whose safe cost is within budget_margin of it, else the
 /// cheapest. max_error: the cheapest of those whose safe error is at most that, else the one with the least. Of equal
 /// ones the first. Rows that a request of this size could not name itself are left out. So more budget never gives a
-/// larger estimated error, and a larger error never a larger estimated cost.
+/// larger safe error, and a larger error never a larger estimated cost.
 PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
                   const CostCorrection& correction, const PlanGoal& goal, const MeasuredErrors& errors = {});
 

@@ -30,11 +30,11 @@ TEST(CostLog, NothingIsCorrectedBeforeThreeFrames) {
 
 TEST(CostLog, SmallChangesChangeNothing) {
   CostLog log;
-  add_often(log, 1, {}, 1.15, 20), add_often(log, 1, sorted(), 0.87, 20);
+  add_often(log, 1, {}, 1.07, 20), add_often(log, 1, sorted(), 0.94, 20);
   EXPECT_EQ(log.correction(1), (CostCorrection{1, 1, true, true}));
   add_often(log, 1, {}, 2, 20);
   const double once = log.correction(1).layers;
-  add_often(log, 1, {}, 2.2, 20), add_often(log, 1, {}, 1.8, 20);
+  add_often(log, 1, {}, 2.1, 20), add_often(log, 1, {}, 1.9, 20);
   EXPECT_EQ(log.correction(1).layers, once);
 }
 

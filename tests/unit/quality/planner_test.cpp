@@ -50,7 +50,11 @@ Calibration any_calibration() {
 RC_GTEST_PROP(Planner, MoreBudgetNeverGivesALargerError, ()) {
   const Calibration calibration = any_calibration();
   const double less = number(1, 5000, 1), more = less * number(100, 1000, 0.01);
-  RC_ASSERT(with_budget(calibration, more).estimate.error <= with_budget(calibration, less).estimate.error);
+  const auto safe_error = [&](double budget) {
+    const FrameEstimate e = with_budget(calibration, budget).estimate;
+    return e.error * e.error_safety;
+  };
+  RC_ASSERT(safe_error(more) <= safe_error(less));
 }
 
 RC_GTEST_PROP(Planner, ASmallerErrorIsNeverCheaper, ()) {
@@ -159,6 +163,14 @@ TEST(Planner, TheEndSaysWhy) {
   EXPECT_EQ(with_budget(calibration, least * 0.9).estimate.end, PlanEnd::least);
   EXPECT_EQ(with_budget(calibration, least * 2).estimate.end, PlanEnd::budget);
   EXPECT_EQ(with_budget(calibration, 100).estimate.calibration, "by hand");
+}
+
+TEST(Planner, BetweenEqualErrorsABudgetTakesTheSurerOne) {
+  Calibration calibration = plain_calibration();
+  calibration.cost.fill(0), calibration.cost[0] = 1;  // all cost the same
+  for (CalibratedKnobs& row : calibration.ladder) row.log_error = -3, row.slopes.fill(0), row.error_safety = 2;
+  calibration.ladder[6].error_safety = 1.5;
+  EXPECT_EQ(with_budget(calibration, 10).knobs, calibration.ladder[6].knobs);
 }
 
 TEST(Planner, SafetyIsKept) {

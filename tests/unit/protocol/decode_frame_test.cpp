@@ -1,0 +1,154 @@
+// Requests of frames, as bodies and as addresses.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "protocol/json/decode.h"
+#include "tests/unit/protocol/refusals.h"
+
+namespace pelage {
+namespace {
+
+TEST(DecodeFrame, DefaultsAndCameras) {
+  const auto plain = decode_frame_request("{}");
+  ASSERT_TRUE(plain.ok());
+  EXPECT_EQ(plain->width, 512);
+  EXPECT_EQ(plain->camera.automatic, AutoView::three_quarter);
+  const auto free =
+      decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 0]}, "background": "transparent"})");
+  ASSERT_TRUE(free.ok());
+  EXPECT_EQ(free->camera.automatic, AutoView::none);
+  EXPECT_EQ(free->background, Background::transparent);
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer, "/camera");
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer,
+            "/camera/up");
+}
+
+TEST(DecodeFrame, QualityIsATierOrKnobs) {
+  EXPECT_EQ(decode_frame_request(R"({"quality": "draft"})")->knobs, knobs_of(Tier::draft));
+  Knobs expected = knobs_of(Tier::interactive);
+  expected.shells = 7;
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 7}})")->knobs, expected);
+  EXPECT_EQ(decode_frame_request(R"({"quality": "finest"})").status().pointer, "/quality");
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 1025}})").status().pointer, "/quality/shells");
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"samples": 2}})").status().limit, "1 | 4");
+}
+
+TEST(DecodeFrame, Sizes) {
+  for (const char* size : {"0", "-1", "8193", "1e9", "1.5", "\"512\""}) {
+    EXPECT_EQ(decode_frame_request(std::string(R"({"width": )") + size + "}").status().pointer, "/width") << size;
+  }
+}
+
+TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
+  const auto exr = decode_frame_request(R"({"format": "exr", "exr_type": "float", "layers": ["depth", "beauty"]})");
+  ASSERT_TRUE(exr.ok()) << exr.status().message;
+  EXPECT_EQ(exr->exr_type, ExrType::single);
+  EXPECT_EQ(exr->layers, (std::vector{FrameLayer::depth, FrameLayer::beauty}));
+  EXPECT_EQ(decode_frame_request(R"({"background": "studio"})")->background, Background::studio);
+  const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
+  EXPECT_EQ(pointer_of(R"({"layers": ["beauty"]})"), "/layers");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "layers": []})"), "/layers");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "layers": ["depth", "depth"]})"), "/layers/1");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "overlay": "strokes"})"), "/overlay");
+  EXPECT_EQ(pointer_of(R"({"format": "jpeg", "background": "transparent"})"), "/background");
+  EXPECT_EQ(pointer_of(R"({"jpeg_quality": 101})"), "/jpeg_quality");
+  EXPECT_EQ(decode_frame_request(R"({"format": "tiff"})").status().limit, "png | png16 | jpeg | exr");
+}
+
+TEST(DecodeFrame, ADifferenceIsFromARevision) {
+  const auto taken = decode_frame_request(R"({"overlay": "difference", "overlay_from": 18446744073709551615})");
+  ASSERT_TRUE(taken.ok()) << taken.status().message;
+  EXPECT_EQ(taken->overlay, Overlay::difference);
+  EXPECT_EQ(taken->overlay_from, std::uint64_t{18446744073709551615u});
+  for (const char* wrong : {R"({"overlay": "difference"})", R"({"overlay": "mask", "overlay_from": 3})",
+                            R"({"overlay_from": 3})", R"({"overlay": "difference", "overlay_from": -1})",
+                            R"({"overlay": "difference", "overlay_from": 1.5})"}) {
+    EXPECT_EQ(decode_frame_request(wrong).status().pointer, "/overlay_from") << wrong;
+  }
+  EXPECT_EQ(decode_frame_query({{"overlay", "difference"}, {"overlay_from", "7"}})->overlay_from, std::uint64_t{7});
+}
+
+TEST(DecodeFrame, LayersTogetherHaveALimit) {
+  const auto with = [](const char* more) {
+    return decode_frame_request(std::string(R"({"format": "exr", "width": 8192, "height": 4096, "quality": {"scale": 1}, )") + more + "}");
+  };
+  EXPECT_TRUE(with(R"("layers": ["beauty", "depth"])").ok());
+  EXPECT_EQ(with(R"("layers": ["beauty", "depth", "normal"])").status().pointer, "/layers");
+}
+
+TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
+  const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
+  const auto sorted = decode_frame_request(R"({"width": 1024, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})");
+  ASSERT_TRUE(sorted.ok());
+  EXPECT_EQ(sorted->knobs.order, FragmentOrder::sorted);
+  EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::layers);
+  EXPECT_EQ(pointer_of(R"({"quality": {"order": "depth"}})"), "/quality/order");
+  EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "samples": 4}})"), "/quality/order");
+  EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"), "/quality");
+  EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "shells": 1024, "scale": 2.0}, "width": 1024})"), "/quality");
+}
+
+TEST(DecodeFrame, ScaleCountsForTheSize) {
+  EXPECT_TRUE(decode_frame_request(R"({"width": 4096, "quality": "detailed"})").ok());
+  EXPECT_EQ(decode_frame_request(R"({"width": 4097, "quality": "detailed"})").status().pointer, "/quality");
+  EXPECT_TRUE(decode_frame_request(R"({"height": 8192, "quality": {"scale": 1}})").ok());
+  EXPECT_EQ(decode_frame_request(R"({"height": 8192, "quality": {"scale": 1.5}})").status().pointer, "/quality");
+}
+
+TEST(Query, HowStrandsAreTraced) {
+  const auto tracing = decode_tracing_query({{"passes", "9"}, {"transport", "paths"}, {"bounces", "3"}, {"noise", "0.01"},
+                                             {"seconds", "2.5"}, {"strands", "1000"}, {"filter", "false"}, {"seed", "7"}});
+  ASSERT_TRUE(tracing.ok()) << tracing.status().message;
+  EXPECT_EQ(*tracing, (Tracing{.passes = 9, .transport = Transport::paths, .bounces = 3, .strands = 1000, .noise = 0.01,
+                               .seconds = 2.5, .filter = false, .seed = 7}));
+  EXPECT_EQ(*decode_tracing_query({}), Tracing{});
+  EXPECT_EQ(decode_tracing_query({{"passes", "0"}}).status().pointer, "/passes");
+  EXPECT_EQ(decode_tracing_query({{"bounces", "3"}}).status().pointer, "/bounces");
+  EXPECT_EQ(decode_tracing_query({{"pases", "3"}}).status().nearest, "passes");
+}
+
+TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
+  const auto request = decode_frame_query({{"width", "64"},
+                                           {"height", "32"},
+                                           {"camera", "front"},
+                                           {"shells", "9"},
+                                           {"self_shadow", "false"},
+                                           {"fins", "true"},
+                                           {"guard_hairs", "300"},
+                                           {"least_radius", "90"},
+                                           {"background", "#ff0000"},
+                                           {"exposure", "-1.5"}});
+  ASSERT_TRUE(request.ok()) << request.status().message;
+  EXPECT_EQ(request->width, 64);
+  EXPECT_EQ(request->camera.automatic, AutoView::front);
+  EXPECT_EQ(request->knobs.shells, 9);
+  EXPECT_FALSE(request->knobs.self_shadow);
+  EXPECT_TRUE(request->knobs.fins);
+  EXPECT_EQ(request->knobs.guard_hairs, 300);
+  EXPECT_EQ(request->knobs.least_radius, 90);
+  EXPECT_FLOAT_EQ(request->background_colour.r, 1);
+  EXPECT_DOUBLE_EQ(request->exposure, -1.5);
+  const auto free = decode_frame_query({{"eye", "0,0.5,2"}, {"target", "0, 0, 0"}, {"fov_degrees", "50"}});
+  ASSERT_TRUE(free.ok()) << free.status().message;
+  EXPECT_EQ(free->camera.eye, glm::dvec3(0, 0.5, 2));
+}
+
+TEST(DecodeFrameQuery, Refusals) {
+  const auto pointer_of = [](const Query& query) { return decode_frame_query(query).status().pointer; };
+  EXPECT_EQ(pointer_of({{"width", "0"}}), "/width");
+  EXPECT_EQ(pointer_of({{"width", "64,\"x\":1"}}), "/width");
+  EXPECT_EQ(pointer_of({{"width", "1e400"}}), "/width");
+  EXPECT_EQ(pointer_of({{"width", "nan"}}), "/width");
+  EXPECT_EQ(pointer_of({{"eye", std::string(8000, '[')}, {"target", "0,0,0"}}), "/camera/eye");
+  EXPECT_EQ(pointer_of({{"eye", "0,0"}, {"target", "0,0,0"}}), "/camera/eye");
+  EXPECT_EQ(pointer_of({{"quality", "draft"}, {"shells", "9"}}), "/quality");
+  EXPECT_EQ(pointer_of({{"shells", "9"}, {"quality", "draft"}}), "/quality");
+  EXPECT_EQ(pointer_of({{"width", "9"}, {"width", "9"}}), "/width");
+  EXPECT_EQ(decode_frame_query({{"widht", "9"}}).status().nearest, "width");
+  EXPECT_EQ(decode_frame_query({{"\xff", "9"}}).status().code, Code::invalid);
+  EXPECT_EQ(pointer_of({{"view", "\xff"}}), "/view");
+}
+
+}  // namespace
+}  // namespace pelage
