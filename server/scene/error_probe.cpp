@@ -45,7 +45,7 @@ int truth_shells(double max_error) { return max_error < 0.02 ? 256 : 128; }
 Knobs nearer_knobs(const Knobs& knobs) {
   if (knobs.shells <= 8) return reference_knobs(16);
   if (knobs.shells < 32) return reference_knobs(32);
-  return reference_knobs(knobs.shells < 96 ? 96 : 64);
+  return reference_knobs(knobs.shells == 48 ? 64 : 48);
 }
 
 ErrorProbe::ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells)
