@@ -61,7 +61,8 @@ PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, cons
                   const CostCorrection& correction, const PlanGoal& goal, const MeasuredErrors& errors = {});
 
 /// The same for an error, of rows that were measured: as long as the cheapest row that may well keep it was not, it is.
-/// Once one was, a row may well that needs a tenth less of an error than the others let expect. `errors` holds what is known already and takes what is measured. By features alone where nothing can be measured.
+/// Once one was, a row may well that needs a tenth less of an error than the others let expect. `errors` holds what is
+/// known already and takes what is measured. By features alone where nothing can be measured.
 PlannedFrame plan_measured(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
                            const CostCorrection& correction, double max_error, MeasuredErrors& errors,
                            const MeasureError& measure);
