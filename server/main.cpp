@@ -12,11 +12,11 @@
 
 #include "server/calibration/program.h"
 #include "server/http/http_server.h"
-#include "server/scene/frame_service.h"
+#include "server/frames/frame_service.h"
 #include "server/scene/scene_store.h"
-#include "server/scene/scene_tracer.h"
-#include "server/scene/stored_calibration.h"
-#include "server/surface/import.h"
+#include "server/frames/scene_tracer.h"
+#include "server/frames/stored_calibration.h"
+#include "server/import/import.h"
 
 namespace {
 

@@ -1,3 +1,4 @@
+#include "clients/cli/recipe/split_steps.h"
 #include "clients/cli/steps.h"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
-#include "protocol/json/recipe.h"
+#include "clients/cli/recipe/recipe.h"
 
 namespace pelage {
 

@@ -6,11 +6,10 @@
 
 #include <glm/glm.hpp>
 
+#include "protocol/base/lean_curve.h"
 #include "protocol/commands/pattern.h"
 
 namespace pelage {
-
-enum class LeanCurve { arc, root };  // science.md 2: the arc, and y = K sqrt(x)
 
 /// One stop of the colour ramp along the strand. Colour is linear inside and #rrggbb sRGB on the wire.
 struct RampStop {

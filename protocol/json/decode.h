@@ -61,8 +61,4 @@ Result<BranchRequest> decode_branch(std::string_view text);
 /// `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.
 Result<AmendRequest> decode_amend(std::string_view text);
 
-/// The texts of a file of commands, each one undo step: JSON lines, an array, or one document over many lines.
-/// Malformed texts are refused with the number of their line or element in the message.
-Result<std::vector<std::string>> split_steps(std::string_view text);
-
 }  // namespace pelage

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 
 namespace pelage {
 

@@ -9,7 +9,7 @@
 #include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/sorted/areas.h"
-#include "renderer/upload/set_cells.h"
+#include "renderer/visibility/set_cells.h"
 
 namespace pelage {
 

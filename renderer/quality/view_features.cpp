@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t most_triangles = 16384;  // that are looked at
-constexpr double furthest_averted = -0.6;      // cosine from which on fur is drawn, as in renderer/upload/layer_sets.h
+constexpr double furthest_averted = -0.6;      // cosine from which on fur is drawn, as in renderer/visibility/layer_sets.h
 constexpr double nearest = 1e-3;               // distance along the view, sizes
 constexpr int cells = 32;                      // of the picture, along each side
 constexpr int most_places = 16;                // along a triangle's side

@@ -1,4 +1,4 @@
-// The lean curves of renderer/coat/lean_curve.cpp, for a strand of length 1: across, up and the tangent's angle.
+// The lean curves of protocol/base/lean_curve.cpp, for a strand of length 1: across, up and the tangent's angle.
 float lean_sinc(float x) { return abs(x) < 1e-2 ? 1.0 - x * x / 6.0 : sin(x) / x; }
 
 float parabola_length(float u) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 
 namespace pelage {
 

@@ -1,4 +1,4 @@
-// The lean curve (renderer/coat/lean_curve.h) by inclination and height: strands need it at more places than can be
+// The lean curve (protocol/base/lean_curve.h) by inclination and height: strands need it at more places than can be
 // worked out for each.
 #pragma once
 

@@ -9,9 +9,9 @@
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/upload/changed_fur.h"
-#include "renderer/upload/depth_parts.h"
-#include "renderer/upload/layer_sets.h"
+#include "renderer/visibility/changed_fur.h"
+#include "renderer/visibility/depth_parts.h"
+#include "renderer/visibility/layer_sets.h"
 #include "renderer/upload/paint_buffers.h"
 
 namespace pelage {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 
 namespace pelage {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "server/scene/error_probe.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/error_probe.h"
+#include "server/frames/fur_view.h"
 
 namespace pelage {
 

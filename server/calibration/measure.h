@@ -7,7 +7,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/quality/fit.h"
 #include "server/calibration/measured_scene.h"
-#include "server/scene/frame_cost.h"
+#include "server/frames/frame_cost.h"
 
 namespace pelage {
 

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "server/surface/builtin.h"
-#include "server/surface/patches.h"
+#include "server/builtin/builtin.h"
+#include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {

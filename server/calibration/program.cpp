@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "server/calibration/calibrate.h"
-#include "server/scene/stored_calibration.h"
+#include "server/frames/stored_calibration.h"
 
 namespace pelage {
 

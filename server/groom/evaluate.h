@@ -4,7 +4,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
-#include "server/surface/map_picture.h"
+#include "server/import/map_picture.h"
 #include "server/surface/surface.h"
 
 namespace pelage {

@@ -5,7 +5,7 @@
 #include "protocol/base/limits.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
-#include "server/surface/patches.h"
+#include "server/patches/patches.h"
 
 namespace pelage {
 

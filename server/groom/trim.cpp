@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"

@@ -13,7 +13,7 @@
 #include "protocol/commands/scene.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
-#include "server/surface/subdivide.h"
+#include "server/patches/subdivide.h"
 
 namespace pelage {
 

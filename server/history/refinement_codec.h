@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "protocol/base/status.h"
-#include "server/surface/subdivide.h"
+#include "server/patches/subdivide.h"
 
 namespace pelage {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "protocol/base/status.h"
-#include "server/scene/frame_service.h"
+#include "server/frames/frame_service.h"
 #include "server/scene/scene_store.h"
-#include "server/scene/trace_queue.h"
-#include "server/scene/yield_gate.h"
+#include "server/frames/trace_queue.h"
+#include "server/frames/yield_gate.h"
 
 namespace pelage {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "server/scene/trace_queue.h"
+#include "server/frames/trace_queue.h"
 
 namespace pelage {
 

@@ -13,8 +13,8 @@
 #include "server/http/http_server.h"
 #include "server/http/idempotency.h"
 #include "server/http/metrics.h"
-#include "server/scene/frame_service.h"
-#include "server/scene/picture_service.h"
+#include "server/frames/frame_service.h"
+#include "server/frames/picture_service.h"
 #include "server/scene/scene_store.h"
 
 namespace pelage {

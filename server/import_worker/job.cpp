@@ -5,8 +5,8 @@
 
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
-#include "server/surface/import.h"
-#include "server/surface/worker_contract.h"
+#include "server/import/import.h"
+#include "server/import/worker_contract.h"
 
 namespace pelage {
 

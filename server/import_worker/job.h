@@ -11,7 +11,7 @@ namespace pelage {
 /// From the octets of a file to the octets of the answer. Refused (invalid) with the reason.
 using Job = Result<std::string> (*)(std::string octets);
 
-/// The job of that name (server/surface/worker_contract.h); null when there is none.
+/// The job of that name (server/import/worker_contract.h); null when there is none.
 Job job_of(std::string_view name);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@
 #include "server/import_worker/closed_io.h"
 #include "server/import_worker/gltf_check.h"
 #include "server/import_worker/parse.h"
-#include "server/surface/worker_contract.h"
+#include "server/import/worker_contract.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/look.h"
-#include "server/surface/map_picture.h"
+#include "server/import/map_picture.h"
 #include "server/surface/raw_model.h"
 
 namespace pelage {

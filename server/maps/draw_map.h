@@ -9,7 +9,7 @@
 #include "server/fields/field_set.h"
 #include "server/maps/encoding.h"
 #include "server/maps/map_image.h"
-#include "server/surface/map_picture.h"
+#include "server/import/map_picture.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {

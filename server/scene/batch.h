@@ -9,7 +9,7 @@
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
-#include "server/surface/map_picture.h"
+#include "server/import/map_picture.h"
 #include "server/surface/surface.h"
 
 namespace pelage {

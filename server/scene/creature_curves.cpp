@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "server/scene/eye_view.h"
-#include "server/surface/creature.h"
+#include "server/builtin/creature.h"
 
 namespace pelage {
 

@@ -1,6 +1,6 @@
 #include "server/scene/creature_skin.h"
 
-#include "server/surface/creature.h"
+#include "server/builtin/creature.h"
 
 namespace pelage {
 

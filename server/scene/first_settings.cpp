@@ -2,7 +2,7 @@
 
 #include "server/scene/creature_curves.h"
 #include "server/scene/creature_skin.h"
-#include "server/surface/creature.h"
+#include "server/builtin/creature.h"
 
 namespace pelage {
 

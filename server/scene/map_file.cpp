@@ -5,7 +5,7 @@
 #include "renderer/image/image.h"
 #include "server/maps/draw_map.h"
 #include "server/scene/map_pictures.h"
-#include "server/surface/patches.h"
+#include "server/patches/patches.h"
 
 namespace pelage {
 

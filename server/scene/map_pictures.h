@@ -10,7 +10,7 @@
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/history/journal.h"
-#include "server/surface/map_picture.h"
+#include "server/import/map_picture.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {

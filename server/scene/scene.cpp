@@ -14,7 +14,7 @@
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
-#include "server/surface/import.h"
+#include "server/import/import.h"
 
 namespace pelage {
 

@@ -23,8 +23,8 @@
 #include "server/history/live_stroke.h"
 #include "server/scene/batch.h"
 #include "server/scene/map_pictures.h"
-#include "server/surface/patches.h"
-#include "server/surface/subdivide.h"
+#include "server/patches/patches.h"
+#include "server/patches/subdivide.h"
 #include "server/surface/surface.h"
 
 namespace pelage {

@@ -11,8 +11,8 @@
 #include "server/history/journal.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
-#include "server/surface/builtin.h"
-#include "server/surface/import.h"
+#include "server/builtin/builtin.h"
+#include "server/import/import.h"
 
 namespace pelage {
 

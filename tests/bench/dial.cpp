@@ -1,6 +1,6 @@
 // The dial: fits the defaults on built-in models, and judges them on models that the fit does not know.
 // usage: bench_dial fit FILE [--truth SHELLS] [--scenes N]
-//          draws the calibration's scenes with all candidates and writes the calibration (server/scene/defaults.json)
+//          draws the calibration's scenes with all candidates and writes the calibration (server/frames/defaults.json)
 //        bench_dial judge FOLDER [--truth SHELLS] [--size PIXELS] [--views N] [--models N] [--own-costs 1]
 //          draws the models of a folder (spot.ply, cat_ascii.ply, koala.ply) with all candidates, and says how often
 //          budgets and errors are kept and how far the choices are from the best ones. The prices are the defaults', or
@@ -19,8 +19,8 @@
 #include "renderer/quality/error_model.h"
 #include "server/calibration/calibrate.h"
 #include "server/calibration/ladder.h"
-#include "server/scene/fur_view.h"
-#include "server/scene/stored_calibration.h"
+#include "server/frames/fur_view.h"
+#include "server/frames/stored_calibration.h"
 #include "tests/bench/measure.h"
 
 namespace pelage::bench {

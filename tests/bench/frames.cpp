@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/naive_renderer.h"
 

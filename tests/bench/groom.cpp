@@ -15,7 +15,7 @@
 #include "server/history/delta_codec.h"
 #include "server/history/journal.h"
 #include "server/scene/scene.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
 #include "tests/bench/cost.h"
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/bench/cost.h"
 #include "tests/support/furred_model.h"
 

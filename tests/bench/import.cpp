@@ -1,6 +1,6 @@
 // What a large model costs on its way into a scene: read by the confined worker, prepared, indexed, covered by patches.
 // usage: bench_import [--triangles N]
-#include "server/surface/import.h"
+#include "server/import/import.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,8 +8,8 @@
 #include <string>
 
 #include "server/fields/field_set.h"
-#include "server/surface/builtin.h"
-#include "server/surface/patches.h"
+#include "server/builtin/builtin.h"
+#include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
 #include "tests/bench/cost.h"

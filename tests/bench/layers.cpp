@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "renderer/compare/compare.h"
-#include "server/scene/fur_view.h"
-#include "server/surface/patches.h"
+#include "server/frames/fur_view.h"
+#include "server/patches/patches.h"
 #include "tests/bench/measure.h"
 
 namespace pelage::bench {

@@ -5,7 +5,7 @@
 
 #include "renderer/frame/parts.h"
 #include "renderer/passes/draw/draw_state.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 
 namespace pelage {
 namespace shaders {

@@ -10,8 +10,8 @@
 #include <span>
 
 #include "protocol/base/random.h"
-#include "server/surface/builtin.h"
-#include "server/surface/patches.h"
+#include "server/builtin/builtin.h"
+#include "server/patches/patches.h"
 #include "server/surface/point_tree.h"
 #include "tests/unit/surface/shared_models.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "renderer/strands/strand_shading.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 
 namespace pelage::bench {
 

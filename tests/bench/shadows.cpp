@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/bench/measure.h"
 
 namespace pelage::bench {

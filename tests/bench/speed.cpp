@@ -8,7 +8,7 @@
 #include <string>
 
 #include "renderer/compare/compare.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/naive_renderer.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "renderer/strands/tracer.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/bench/measure.h"
 
 namespace pelage::bench {

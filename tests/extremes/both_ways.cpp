@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "server/scene/fur_view.h"
-#include "server/scene/skin_view.h"
+#include "server/frames/fur_view.h"
+#include "server/frames/skin_view.h"
 
 namespace pelage::testing {
 

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "renderer/frame/renderer.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/extremes/features.h"
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"

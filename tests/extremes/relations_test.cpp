@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "protocol/base/random.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "tests/extremes/both_ways.h"
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "server/scene/scene_store.h"
-#include "server/surface/import.h"
+#include "server/import/import.h"
 #include "tests/gl/backends.h"
 
 namespace pelage::testing {

@@ -6,7 +6,7 @@
 #include "renderer/coat/side_view.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/passes/fins/strips.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/backends.h"
 #include "tests/support/furred_model.h"
 

@@ -1,7 +1,7 @@
 // A ground that catches shadows: what it darkens is its opacity over a transparent background.
 #include <cmath>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

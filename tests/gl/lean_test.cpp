@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
 #include "tests/gl/backends.h"

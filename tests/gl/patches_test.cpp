@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "renderer/frame/renderer.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/backends.h"
 #include "tests/support/furred_model.h"
 

@@ -1,8 +1,8 @@
 // Parts of a view, drawn as the truth, tell how far knobs are from it in all of the view.
 #include "renderer/quality/view_features.h"
-#include "server/scene/error_probe.h"
-#include "server/scene/frame_cost.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/error_probe.h"
+#include "server/frames/frame_cost.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

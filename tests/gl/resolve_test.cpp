@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

@@ -4,7 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/frame/renderer.h"
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

@@ -6,8 +6,8 @@
 
 #include "renderer/passes/draw/draw_state.h"
 #include "renderer/passes/sorted/sorted_pass.h"
-#include "server/scene/fur_view.h"
-#include "server/surface/patches.h"
+#include "server/frames/fur_view.h"
+#include "server/patches/patches.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <stdexcept>
 
-#include "server/scene/fur_view.h"
-#include "server/surface/builtin.h"
-#include "server/surface/import.h"
+#include "server/frames/fur_view.h"
+#include "server/builtin/builtin.h"
+#include "server/import/import.h"
 #include "server/surface/prepare.h"
 
 namespace pelage::testing {

@@ -8,7 +8,7 @@
 
 #include "server/groom/evaluate.h"
 #include "server/groom/vertex_frame.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "tests/property/groom/models.h"
 #include "tests/unit/groom/shapes.h"
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
 
 namespace pelage::testing_models {

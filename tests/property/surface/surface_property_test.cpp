@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "server/surface/patches.h"
+#include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
 #include "server/surface/triangle_distance.h"

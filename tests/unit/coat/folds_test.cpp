@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "protocol/base/random.h"
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 
 namespace pelage {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "protocol/base/random.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
-#include "server/surface/subdivide.h"
+#include "server/patches/subdivide.h"
 
 namespace pelage {
 namespace {

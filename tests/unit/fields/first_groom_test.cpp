@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "server/fields/field_set.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {

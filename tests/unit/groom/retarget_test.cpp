@@ -9,7 +9,7 @@
 #include "server/fields/field_mix.h"
 #include "server/groom/alignment.h"
 #include "server/groom/evaluate.h"
-#include "server/surface/subdivide.h"
+#include "server/patches/subdivide.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {

@@ -10,7 +10,7 @@
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/groom/vertex_frame.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
 

@@ -7,8 +7,8 @@
 #include "protocol/base/random.h"
 #include "server/groom/evaluate.h"
 #include "server/maps/draw_map.h"
-#include "server/surface/builtin.h"
-#include "server/surface/patches.h"
+#include "server/builtin/builtin.h"
+#include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {

@@ -1,3 +1,4 @@
+#include "clients/cli/recipe/split_steps.h"
 #include "protocol/json/decode.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/recipe/split_steps.h"
 #include "protocol/json/decode.h"
 
 namespace pelage {

@@ -1,5 +1,5 @@
 // Recipes: variables, uses, places, and what is refused where.
-#include "protocol/json/recipe.h"
+#include "clients/cli/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 

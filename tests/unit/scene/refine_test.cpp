@@ -3,8 +3,8 @@
 
 #include "server/scene/model.h"
 #include "server/scene/scene.h"
-#include "server/surface/builtin.h"
-#include "server/surface/import.h"
+#include "server/builtin/builtin.h"
+#include "server/import/import.h"
 #include "tests/support/textured.h"
 #include "tests/unit/scene/store_fixture.h"
 

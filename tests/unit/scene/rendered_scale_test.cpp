@@ -1,7 +1,7 @@
 // The knob `least_radius`: what is small on the picture is not drawn smaller still.
 #include <cmath>
 
-#include "server/scene/fur_view.h"
+#include "server/frames/fur_view.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

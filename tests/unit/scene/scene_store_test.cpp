@@ -5,8 +5,8 @@
 #include "server/history/journal.h"
 #include "server/history/sqlite.h"
 #include "server/scene/model.h"
-#include "server/surface/builtin.h"
-#include "server/surface/import.h"
+#include "server/builtin/builtin.h"
+#include "server/import/import.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

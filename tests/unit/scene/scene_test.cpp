@@ -5,7 +5,7 @@
 
 #include "server/history/journal.h"
 #include "server/scene/model.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

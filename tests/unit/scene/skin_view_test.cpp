@@ -1,4 +1,4 @@
-#include "server/scene/skin_view.h"
+#include "server/frames/skin_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/scene/trace_queue.h"
+#include "server/frames/trace_queue.h"
 
 #include <atomic>
 #include <future>

@@ -1,4 +1,4 @@
-#include "server/scene/yield_gate.h"
+#include "server/frames/yield_gate.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "renderer/coat/clump_grid.h"
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/pattern/pattern.h"

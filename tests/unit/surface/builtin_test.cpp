@@ -1,4 +1,4 @@
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "server/surface/creature.h"
-#include "server/surface/implicit_mesh.h"
-#include "server/surface/implicit_topology.h"
+#include "server/builtin/creature.h"
+#include "server/builtin/implicit_mesh.h"
+#include "server/builtin/implicit_topology.h"
 
 namespace pelage {
 namespace {

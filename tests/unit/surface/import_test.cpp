@@ -1,5 +1,5 @@
 // The worker and its limits: whatever it does, the caller gets a Status and lives on.
-#include "server/surface/import.h"
+#include "server/import/import.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

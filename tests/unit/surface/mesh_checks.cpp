@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "server/surface/patches.h"
+#include "server/patches/patches.h"
 
 namespace pelage {
 

@@ -1,5 +1,5 @@
 // Patches cover, keep their scale, and do so on the models that people bring.
-#include "server/surface/patches.h"
+#include "server/patches/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
-#include "server/surface/builtin.h"
-#include "server/surface/patch_cells.h"
+#include "server/builtin/builtin.h"
+#include "server/patches/patch_cells.h"
 #include "server/surface/value_noise.h"
 #include "tests/unit/surface/shapes.h"
 #include "tests/unit/surface/shared_models.h"

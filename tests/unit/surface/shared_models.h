@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "protocol/commands/scene.h"
-#include "server/surface/import.h"
+#include "server/import/import.h"
 #include "server/surface/prepare.h"
 
 namespace pelage::shared_models {

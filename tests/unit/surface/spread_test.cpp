@@ -8,7 +8,7 @@
 
 #include "protocol/base/random.h"
 #include "server/surface/adjacency.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "server/surface/monotone_queue.h"
 #include "server/surface/prepare.h"
 #include "server/surface/value_noise.h"

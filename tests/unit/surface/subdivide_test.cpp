@@ -1,5 +1,5 @@
 // Splitting triangles: the shape stays, no crack opens, and places on the sample tile stay linear.
-#include "server/surface/subdivide.h"
+#include "server/patches/subdivide.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "protocol/base/limits.h"
 #include "protocol/base/random.h"
 #include "server/surface/adjacency.h"
-#include "server/surface/builtin.h"
+#include "server/builtin/builtin.h"
 #include "tests/unit/surface/mesh_checks.h"
 #include "tests/unit/surface/shapes.h"
 

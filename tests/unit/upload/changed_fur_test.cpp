@@ -1,4 +1,4 @@
-#include "renderer/upload/changed_fur.h"
+#include "renderer/visibility/changed_fur.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/upload/depth_parts.h"
+#include "renderer/visibility/depth_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocol/base/random.h"
-#include "renderer/coat/lean_curve.h"
+#include "protocol/base/lean_curve.h"
 
 namespace pelage {
 namespace {

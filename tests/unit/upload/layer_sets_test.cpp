@@ -1,11 +1,11 @@
-#include "renderer/upload/layer_sets.h"
+#include "renderer/visibility/layer_sets.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "renderer/upload/set_cells.h"
+#include "renderer/visibility/set_cells.h"
 
 namespace pelage {
 namespace {

@@ -1,0 +1,157 @@
+#include "renderer/visibility/layer_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+
+namespace pelage {
+
+namespace {
+
+constexpr float full_tangent = 5.6f;  // of the angle from which all shells are drawn: 80 degrees
+constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
+constexpr float most_bending = 1e3f;    // more is the same
+constexpr float shells_per_pixel = 1.0f;
+constexpr float past_skin = 2.0f;  // of the tangent below: with 1 a fifth more fragments bring .001 of FLIP
+constexpr int band_count = 32;   // over the height of the fur: as many as slices
+constexpr int most_steps = 16;   // in a slab
+
+float cosine_to_eye(const LayerMesh& mesh, std::size_t triangle, glm::vec3 eye) {
+  const glm::vec3 to_eye = eye - mesh.centroids[triangle], normal = mesh.normals[triangle];
+  return glm::dot(to_eye, normal) / std::max(glm::length(to_eye) * glm::length(normal), 1e-20f);
+}
+
+/// Of the angle at the hull from which a ray passes the skin by, so that the edges of shells would be seen against what
+/// lies behind: over skin that bends by `bending` radians over the length of its fur, as over a ball.
+float tangent_past_skin(float bending) { return past_skin / std::sqrt(std::max(bending * (2 + bending), 1e-6f)); }
+
+}  // namespace
+
+int shells_of_set(int shells, int set) {
+  const int part = 1 << set;
+  return std::max(std::min(shells, least_shells), (shells + part - 1) / part);
+}
+
+int sets_of(int shells, ShellPolicy policy) {
+  int sets = 1;
+  while (policy == ShellPolicy::adaptive && sets < most_layer_sets &&
+         shells_of_set(shells, sets) < shells_of_set(shells, sets - 1))
+    ++sets;
+  return sets;
+}
+
+SlabSteps steps_of_set(const Knobs& knobs, int set) {
+  const int own = shells_of_set(knobs.shells, set);
+  const int whole = std::min(most_steps, (knobs.steps * knobs.shells + own - 1) / own);
+  const int bands = std::clamp(band_count / own, 1, std::min(knobs.bands, whole));
+  return {bands, (whole + bands - 1) / bands};
+}
+
+float layer_level(const LayerView& view, const LayerVertex& vertex) {
+  const float highest = static_cast<float>(sets_of(view.shells, view.policy) - 1);
+  if (highest == 0) return 0;
+  const glm::vec3 to_eye = view.eye - vertex.position;
+  const float distance = std::max(glm::length(to_eye), 1e-6f);
+  const float cosine = std::min(1.0f, std::abs(glm::dot(to_eye, vertex.normal)) / distance);
+  const float tangent = std::sqrt(1 - cosine * cosine) / std::max(cosine, 1e-3f);
+  const float bending = std::min(most_bending, vertex.length * vertex.curvature);
+  const float by_angle = tangent / std::min(full_tangent, tangent_past_skin(bending));
+  const float by_bending = bending / full_bending;
+  const float by_size = shells_per_pixel * vertex.length / (view.pixel * distance * static_cast<float>(view.shells));
+  const float share = std::min({std::max(by_angle, by_bending), by_size, 1.0f});
+  return std::clamp(-std::log2(std::max(share, 1e-6f)), 0.0f, highest);
+}
+
+std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                              std::span<const glm::uvec3> triangles) {
+  std::vector<float> sum(positions.size()), edges(positions.size());
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    const float bend =
+        glm::distance(normals[a], normals[b]) / std::max(glm::distance(positions[a], positions[b]), 1e-6f);
+    sum[a] += bend, sum[b] += bend;
+    edges[a] += 1, edges[b] += 1;
+  };
+  for (const glm::uvec3& t : triangles) add(t.x, t.y), add(t.y, t.z), add(t.z, t.x);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= std::max(edges[i], 1.0f);
+  return sum;
+}
+
+namespace {
+
+constexpr float near_outline = -0.25f;  // cosine: what turns away further has fur that faces the eye in front
+
+struct Asked {
+  int first, last;  // sets
+};
+
+/// The sets that pixels of a triangle may ask for.
+Asked asked_sets(const LayerMesh& mesh, const glm::uvec3& t, int sets) {
+  constexpr float reach = 0.5f + dithered_levels / 2;  // of a set, in levels
+  const auto [low, high] = std::minmax({mesh.levels[t.x], mesh.levels[t.y], mesh.levels[t.z]});
+  return {std::max(0, static_cast<int>(std::ceil(low - reach))),
+          std::min(sets - 1, static_cast<int>(std::floor(high + reach)))};
+}
+
+struct Seen {
+  glm::uvec3 triangle;
+  CellBox box;
+  bool faces;
+};
+
+}  // namespace
+
+LayerLists sort_triangles(const LayerMesh& mesh, const LayerView& view) {
+  const int sets = sets_of(view.shells, view.policy);
+  LayerLists lists;
+  SetCells cells;
+  std::vector<Seen> seen;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const float cosine = cosine_to_eye(mesh, i, view.eye);
+    if (cosine <= view.furthest) continue;
+    const glm::uvec3 t = mesh.triangles[i];
+    const CellBox box = cells_of(mesh, t);
+    if (!touch(box, view.part)) continue;
+    if (sets == 1) {
+      (cosine >= 0 ? lists.facing : lists.averted)[0].push_back(t);
+      continue;
+    }
+    seen.push_back({t, box, cosine >= 0});
+    if (cosine < 0 && cosine > near_outline) cells.show(box, 0);
+    if (cosine < 0) continue;
+    const Asked asked = asked_sets(mesh, t, sets);
+    for (int set = asked.first; set <= asked.last; ++set) {
+      lists.marks[static_cast<std::size_t>(set)].push_back(t);
+      cells.show(box, set);
+    }
+  }
+  for (int set = 0; set < sets; ++set) {
+    for (const Seen& each : seen) {
+      if (cells.may_show(each.box, set))
+        (each.faces ? lists.facing : lists.averted)[static_cast<std::size_t>(set)].push_back(each.triangle);
+    }
+  }
+  return lists;
+}
+
+std::vector<glm::uvec3> shown_triangles(const LayerMesh& mesh, const LayerView& view) {
+  std::vector<glm::uvec3> shown;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    if (cosine_to_eye(mesh, i, view.eye) > furthest_averted && touch(cells_of(mesh, t), view.part)) shown.push_back(t);
+  }
+  return shown;
+}
+
+std::vector<glm::uvec3> triangles_in(const CellBox& part, const LayerMesh& mesh, std::span<const glm::uvec3> triangles) {
+  std::vector<glm::uvec3> inside;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(inside),
+               [&](const glm::uvec3& t) { return touch(cells_of(mesh, t), part); });
+  return inside;
+}
+
+CellBox cells_of(const LayerMesh& mesh, const glm::uvec3& triangle) {
+  return union_of(mesh.cells[triangle.x], mesh.cells[triangle.y], mesh.cells[triangle.z]);
+}
+
+}  // namespace pelage

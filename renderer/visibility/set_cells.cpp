@@ -1,0 +1,89 @@
+#include "renderer/visibility/set_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage {
+
+namespace {
+
+/// -1 and cells_a_side outside of the picture.
+float place_of(float clip) {
+  constexpr float side = cells_a_side;
+  return std::clamp((clip * 0.5f + 0.5f) * side, -1.0f, side + 1);
+}
+
+int cell_of(float clip) { return static_cast<int>(std::floor(std::min(place_of(clip), float{cells_a_side}))); }
+
+/// That a box ending here reaches.
+int last_cell_of(float clip) { return static_cast<int>(std::ceil(place_of(clip))) - 1; }
+
+CellBox inside(const CellBox& box) {
+  return {std::max(box.left, 0), std::max(box.low, 0), std::min(box.right, cells_a_side - 1),
+          std::min(box.high, cells_a_side - 1)};
+}
+
+}  // namespace
+
+void SetCells::show(const CellBox& reached, int set) {
+  const CellBox box = inside(reached);
+  for (int y = box.low; y <= box.high; ++y) {
+    for (int x = box.left; x <= box.right; ++x)
+      sets_[static_cast<std::size_t>(y * cells_a_side + x)] |= static_cast<std::uint8_t>(1 << set);
+  }
+}
+
+bool SetCells::may_show(const CellBox& reached, int set) const {
+  const CellBox box = inside(reached);
+  for (int y = box.low; y <= box.high; ++y) {
+    for (int x = box.left; x <= box.right; ++x) {
+      if (sets_[static_cast<std::size_t>(y * cells_a_side + x)] >> set & 1) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
+                                  std::span<const float> lengths, float stretch) {
+  const BallBoxes balls(to_clip);
+  std::vector<CellBox> boxes;
+  boxes.reserve(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) boxes.push_back(cells_of(balls.of(positions[i], stretch * lengths[i])));
+  return boxes;
+}
+
+BallBoxes::BallBoxes(const glm::mat4& to_clip) : to_clip_(to_clip) {
+  const glm::mat4 rows = glm::transpose(to_clip);
+  scale_ = {glm::length(glm::vec3(rows[0])), glm::length(glm::vec3(rows[1]))};
+}
+
+ClipBox BallBoxes::of(glm::vec3 centre, float radius) const {
+  const glm::vec4 clip = to_clip_ * glm::vec4(centre, 1);
+  const float nearest = clip.w - radius;
+  if (!(nearest > 0)) return {};
+  const glm::vec2 middle = glm::vec2(clip) / clip.w;
+  const glm::vec2 reach = (scale_ + glm::abs(middle)) * (radius / nearest);
+  const ClipBox box{middle - reach, middle + reach};
+  return std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y) ? box : ClipBox{};
+}
+
+ClipBox union_of(const ClipBox& a, const ClipBox& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+ClipBox union_of(const std::optional<ClipBox>& a, const ClipBox& b) { return a ? union_of(*a, b) : b; }
+
+CellBox cells_of(const ClipBox& box) {
+  const int left = cell_of(box.low.x), low = cell_of(box.low.y);
+  return {left, low, std::max(left, last_cell_of(box.high.x)), std::max(low, last_cell_of(box.high.y))};
+}
+
+CellBox union_of(const CellBox& a, const CellBox& b) {
+  return {std::min(a.left, b.left), std::min(a.low, b.low), std::max(a.right, b.right), std::max(a.high, b.high)};
+}
+
+CellBox union_of(const CellBox& a, const CellBox& b, const CellBox& c) { return union_of(union_of(a, b), c); }
+
+bool touch(const CellBox& a, const CellBox& b) {
+  return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+}
+
+}  // namespace pelage

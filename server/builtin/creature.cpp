@@ -1,0 +1,157 @@
+// The creature's volumes, from the trunk outwards.
+#include "server/builtin/creature.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage {
+namespace {
+
+using glm::dvec3;
+
+constexpr dvec3 kX{1, 0, 0}, kY{0, 1, 0};
+
+struct Joint {
+  dvec3 at;
+  double radius;
+};
+
+using Cones = std::vector<RoundCone>;
+
+Cones ball(dvec3 centre, double radius, dvec3 flat_axis = kX, double flatten = 1) {
+  return {{centre, centre, radius, radius, flat_axis, flatten}};
+}
+
+Cones cone(Joint a, Joint b, dvec3 flat_axis = kX, double flatten = 1) {
+  return {{a.at, b.at, a.radius, b.radius, flat_axis, flatten}};
+}
+
+/// Between joints[i] and the next along a Catmull-Rom spline whose ends are repeated; t in [0, 1].
+Joint on_spline(const std::vector<Joint>& joints, std::size_t i, double t) {
+  const std::size_t last = joints.size() - 1;
+  const Joint &p = joints[i == 0 ? 0 : i - 1], &q = joints[i], &r = joints[i + 1], &s = joints[std::min(i + 2, last)];
+  const auto blend = [t](auto a, auto b, auto c, auto d) {
+    return b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+  };
+  return {blend(p.at, q.at, r.at, s.at), blend(p.radius, q.radius, r.radius, s.radius)};
+}
+
+/// A limb that passes smoothly through the joints.
+Cones chain(const std::vector<Joint>& joints) {
+  constexpr int kPieces = 6;
+  Cones cones;
+  Joint from = joints.front();
+  for (std::size_t i = 0; i + 1 < joints.size(); ++i)
+    for (int k = 1; k <= kPieces; ++k) {
+      const Joint to = on_spline(joints, i, static_cast<double>(k) / kPieces);
+      cones.push_back({from.at, to.at, from.radius, to.radius, kX, 1});
+      from = to;
+    }
+  return cones;
+}
+
+class Sculpture {
+ public:
+  void add(const Cones& cones, double width) { volumes_.push_back({cones, width, Blend::add}); }
+  void carve(const Cones& cones, double width) { volumes_.push_back({cones, width, Blend::carve}); }
+
+  void add_pair(const Cones& cones, double width) {
+    add(cones, width);
+    add(mirrored(cones), width);
+  }
+  void carve_pair(const Cones& cones, double width) {
+    carve(cones, width);
+    carve(mirrored(cones), width);
+  }
+
+  std::vector<Volume> volumes() && { return std::move(volumes_); }
+
+ private:
+  static Cones mirrored(Cones cones) {
+    for (RoundCone& cone : cones)
+      for (dvec3* v : {&cone.a, &cone.b, &cone.flat_axis}) v->x = -v->x;
+    return cones;
+  }
+
+  std::vector<Volume> volumes_;
+};
+
+void add_trunk(Sculpture& s) {
+  s.add(chain({{{0, .475, .19}, .165}, {{0, .50, .04}, .156}, {{0, .522, -.10}, .143}, {{0, .495, -.25}, .142}}), .05);
+  s.add(cone({{0, .575, .24}, .132}, {{0, .47, .272}, .118}), .08);  // ruff
+  s.add(cone({{0, .56, .19}, .13}, {{0, .72, .29}, .112}), .09);     // neck
+}
+
+/// Four toes in front of a paw.
+void add_toes(Sculpture& s, dvec3 paw) {
+  for (const dvec3& toe : {dvec3{-.019, -.012, .047}, dvec3{.021, -.012, .047}})
+    s.add_pair(cone({paw + 0.5 * toe, .024}, {paw + toe, .0265}), .012);
+  for (const dvec3& toe : {dvec3{-.047, -.014, .022}, dvec3{.049, -.014, .022}})
+    s.add_pair(cone({paw + 0.5 * toe, .022}, {paw + toe, .024}), .012);
+}
+
+void add_forelegs(Sculpture& s) {
+  s.add_pair(cone({{.09, .47, .18}, .10}, {{.108, .36, .17}, .078}, kX, 1.2), .06);  // shoulder
+  s.add_pair(
+      chain(
+          {{{.108, .38, .165}, .072}, {{.112, .26, .162}, .061}, {{.112, .15, .168}, .052}, {{.112, .07, .182}, .050}}),
+      .05);
+  s.add_pair(cone({creature::kForepaw - dvec3(0, -.004, .035), .053}, {creature::kForepaw, .055}, kY, 1.2), .03);
+  add_toes(s, creature::kForepaw);
+}
+
+void add_hind_legs(Sculpture& s) {
+  s.add_pair(cone({{.082, .445, -.215}, .125}, {{.108, .33, -.165}, .092}, kX, 1.3), .06);  // haunch
+  s.add_pair(chain({{{.112, .335, -.165}, .082},
+                    {{.116, .24, -.205}, .064},
+                    {{.118, .155, -.262}, .047},
+                    {{.118, .07, -.238}, .047}}),
+             .05);
+  s.add_pair(cone({creature::kHindPaw - dvec3(0, -.004, .04), .053}, {creature::kHindPaw, .055}, kY, 1.2), .03);
+  add_toes(s, creature::kHindPaw);
+}
+
+void add_head(Sculpture& s) {
+  s.add(ball(creature::kHead, .188, kY, 1.1), .055);
+  s.add_pair(cone({{.09, .80, .42}, .095}, {{.155, .785, .385}, .058}), .07);  // cheeks
+  s.add(cone({{0, .81, .48}, .095}, {{0, .787, .60}, .056}), .06);             // muzzle
+  s.add(cone({{0, .745, .46}, .066}, {{0, .742, .575}, .033}), .018);          // jaw
+  s.add_pair(ball({.028, .772, .603}, .038), .025);                            // lips
+  s.add_pair(cone({{.045, .915, .49}, .045}, {{.10, .925, .465}, .04}), .06);  // brows
+  s.carve_pair(ball(creature::kEye + dvec3(.014, .004, .024), .046), .03);
+  s.add(cone({creature::kNose - dvec3(.012, 0, 0), .026}, {creature::kNose + dvec3(.012, 0, 0), .026}, kY, 1.15), .012);
+}
+
+/// Thin cups: flattened cones, hollow in front.
+void add_ears(Sculpture& s) {
+  const dvec3 front = glm::normalize(creature::kEarFront);
+  s.add_pair(cone({creature::kEarBase, .105}, {creature::kEarTip, .026}, front, 1.55), .04);
+  s.carve_pair(cone({creature::kEarHollowBase, creature::kEarHollowBaseRadius},
+                    {creature::kEarHollowTip, creature::kEarHollowTipRadius}),
+               .014);
+}
+
+void add_tail(Sculpture& s) {
+  s.add(chain({{creature::kTailRoot, .056},
+               {{0, .470, -.45}, .062},
+               {{0, .515, -.575}, .074},
+               {{0, .64, -.655}, .083},
+               {{0, .79, -.66}, .066},
+               {creature::kTailTip, .022}}),
+        .05);
+}
+
+}  // namespace
+
+std::vector<Volume> creature_volumes() {
+  Sculpture s;
+  add_trunk(s);
+  add_forelegs(s);
+  add_hind_legs(s);
+  add_head(s);
+  add_ears(s);
+  add_tail(s);
+  return std::move(s).volumes();
+}
+
+}  // namespace pelage

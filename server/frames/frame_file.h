@@ -1,0 +1,35 @@
+// The file of a frame: what is drawn for each format, and how it is encoded.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "protocol/commands/frame.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/image/png_encoder.h"
+#include "server/frames/frame_parts.h"
+
+namespace pelage {
+
+/// What the renderer gave for a format: 8 bit, 16 bit, or the layers that were asked for.
+using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
+
+/// On the render thread.
+Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
+                                     DrawTimes& times);
+
+/// The same of light that was traced, for all formats but EXR. Conflict where an overlay needs a model that the
+/// renderer no longer has.
+Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
+                                       const FloatImage& beauty);
+
+/// The picture as a file of the asked format; the same picture gives the same octets. EXR: the channels are R, G, B and A
+/// of beauty, A of alpha, Z of depth, and LAYER.X, .Y, .Z (position, normal, tangent), LAYER.R, .G, .B (albedo, direct)
+/// or LAYER.Y (shadow, layer_count) of the others. `png` remembers pictures of 8 bits.
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
+                         PngEncoder& png);
+
+const char* content_type_of(FrameFormat format);
+
+}  // namespace pelage

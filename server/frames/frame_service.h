@@ -1,0 +1,83 @@
+// Frames: the one render thread, which owns the one GL context, and the queue in front of it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/quality.h"
+#include "renderer/gl/context/context.h"
+#include "server/scene/scene.h"
+#include "server/scene/scene_copy.h"
+#include "server/frames/traced_picture.h"
+#include "server/frames/yield_gate.h"
+
+namespace pelage {
+
+struct FrameAnswer {
+  std::string octets;
+  const char* content_type = "";
+  Revision revision = 0;
+  Knobs knobs;  // as used
+  FrameTimings timings;
+  FrameCounters counters;
+  std::optional<TraceReport> trace = {};  // of a traced picture, and of a request with refine
+  std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are on the ladder
+};
+
+/// What a picture is traced from, all of one revision.
+struct TraceStart {
+  SceneCopy scene;
+  FurFrame frame;
+  ModelPlacement placement;
+  BasePicture base;
+  FrameTimings timings;
+  FrameCounters counters;
+};
+
+/// Thread-safe. Encoding runs on the caller's thread.
+class FrameService {
+ public:
+  /// Starts the render thread and its context. Fails (unavailable) with what was tried when there is no GL, or when an
+  /// explicit choice does not work. `threads` bounds the threads of a software GL, 0 for all cores.
+  /// What yields at the gate waits while frames are drawn and encoded.
+  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate);
+  ~FrameService();
+
+  /// What frames are planned by from now on; the safe defaults until then.
+  void plan_by(Calibration calibration);
+  /// Threads that costs are divided by.
+  int threads() const;
+
+  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
+  /// before drawing starts; a frame that nobody waits for is dropped (unavailable). Refused (invalid, "/overlay_from")
+  /// when the scene's model has no such revision.
+  Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                            const std::function<bool()>& abandoned = {});
+
+  /// Of the scene as it is now; draws what lies under the strands. Waits until no frame does. Refused as frame is.
+  Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
+  /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
+  /// model that the scene no longer has. Waits until no frame does.
+  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request);
+
+  /// Forgets GPU copies of a model that is gone.
+  void forget(std::uint64_t model_id);
+
+  /// "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5".
+  const std::string& description() const;
+  /// False once a readback has hung or the context is lost; the server is then not ready.
+  bool healthy() const;
+  std::size_t frames_drawn() const;
+  double seconds_drawing() const;
+
+ private:
+  struct Impl;
+  explicit FrameService(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelage

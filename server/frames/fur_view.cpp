@@ -1,0 +1,148 @@
+#include "server/frames/fur_view.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "protocol/base/random.h"
+#include "server/groom/evaluate.h"
+#include "server/frames/curve_view.h"
+#include "server/scene/eye_view.h"
+#include "server/frames/skin_view.h"
+
+namespace pelage {
+
+namespace {
+
+/// A rectangle shines by the cosine: seen from its middle, a cone of 90 degrees that fades over all of it.
+FurLight make_light(const Light& light, const Mesh& mesh) {
+  const double length = glm::length(light.direction);
+  const glm::dvec3 direction = length > 0 ? light.direction / length : glm::dvec3(0, -1, 0);
+  const bool area = light.kind == LightKind::area;
+  const double cone = glm::radians(light.cone_degrees);
+  return {.kind = light.kind,
+          .direction = glm::vec3(direction),
+          .position = glm::vec3(mesh.to_internal(light.position)),
+          .radiance = light.colour * static_cast<float>(light.intensity),
+          .cone = area ? 0.0f : static_cast<float>(std::cos(cone)),
+          .soft_cone = area ? 1.0f : static_cast<float>(std::cos(cone * (1 - light.cone_softness))),
+          .angle = static_cast<float>(glm::radians(light.angle_degrees)),
+          .radius = static_cast<float>(light.radius),
+          .extent = glm::vec2(light.width, light.height),
+          .self_shadow_maps = light.self_shadow_maps,
+          .cast_shadow = light.cast_shadow,
+          .shadow_scale = static_cast<float>(light.shadow_scale)};
+}
+
+FurGround make_ground(const Ground& ground, const Mesh& mesh) {
+  float lowest = 0.5f;
+  for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
+  const double height = ground.height ? mesh.to_internal({0, *ground.height, 0}).y : double{lowest};
+  return {static_cast<float>(height), static_cast<float>(ground.shadow), static_cast<float>(ground.contact)};
+}
+
+/// What the renderer keeps the model in its present colours by.
+std::uint64_t copy_id(const SceneView& scene) {
+  if (!scene.base_picture) return scene.copy_id;
+  std::uint64_t picture = 0;
+  const char* digits = scene.settings.base_picture.data();
+  std::from_chars(digits, digits + 16, picture, 16);
+  return mix_bits(scene.copy_id ^ picture);
+}
+
+FurPaint make_paint(const FieldSet& fields) {
+  const auto numbers = [&](Field field) { return std::span(fields.values(field)); };
+  return {numbers(Field::density), numbers(Field::width),   numbers(Field::curl),
+          numbers(Field::clump),   numbers(Field::wetness), numbers(Field::bare),
+          numbers(Field::mask),    fields.colours(Field::root_colour), fields.colours(Field::tip_colour)};
+}
+
+/// The knob `scale` after `least_radius`.
+double rendered_scale(const Knobs& knobs, const PlacedCamera& camera, int height) {
+  constexpr double ball = 0.5;  // radius; the diagonal of the model's box is 1
+  const double radius = ball * 0.5 * height / (glm::length(camera.eye) * camera.tan_half_fov);
+  if (radius * knobs.scale >= knobs.least_radius) return knobs.scale;
+  return std::max(knobs.scale, std::min(1.0, knobs.least_radius / radius));
+}
+
+}  // namespace
+
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture) {
+  FurPieces pieces;
+  pieces.triangles.reserve(patches.pieces.size());
+  pieces.corners.reserve(patches.pieces.size());
+  for (const Piece& piece : patches.pieces) {
+    pieces.triangles.push_back(mesh.triangles[piece.triangle]);
+    std::array<FurCorner, 3>& corners = pieces.corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PatchPoint& point = patches.points[piece.points[static_cast<int>(k)]];
+      corners[k].tile_uv = point.uv, corners[k].tile_axis = point.axis, corners[k].weight = point.weight;
+      const LookCorner look = has_picture            ? LookCorner{mesh.texture_uv[piece.triangle][k], glm::vec3(1), 0}
+                              : mesh.corners.empty() ? LookCorner{}
+                                                     : mesh.corners[piece.triangle][k];
+      corners[k].image_uv = look.uv, corners[k].colour = look.colour, corners[k].image = look.image;
+    }
+  }
+  return pieces;
+}
+
+ModelArrays make_arrays(const SceneView& scene) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  const RawImage* picture = scene.base_picture;
+  ModelArrays arrays{make_pieces(mesh, scene.model.patches, picture != nullptr), {}};
+  if (picture) {
+    arrays.images.push_back({picture->width, picture->height, picture->rgba});
+  } else {
+    for (const RawImage& image : mesh.images) arrays.images.push_back({image.width, image.height, image.rgba});
+  }
+  return arrays;
+}
+
+FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  return {copy_id(scene),         mesh.positions,        mesh.normals,  mesh.tangents,
+          arrays.pieces.triangles, arrays.pieces.corners, arrays.images, scene.base_picture || !mesh.corners.empty(),
+          scene.copy_id};
+}
+
+FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty) {
+  return {scene.fields.direction(), scene.fields.length(), dirty, skin, make_paint(scene.fields)};
+}
+
+UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty) {
+  std::vector<DirtyRange> ranges;
+  for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
+  const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
+  const FurFields fields = make_fields(scene, skin, ranges);
+  const std::uint64_t copy = copy_id(scene);
+  if (renderer.has(copy)) return renderer.update(copy, fields);
+  renderer.forget(scene.copy_id);  // in other colours
+  const ModelArrays arrays = make_arrays(scene);
+  return renderer.add(make_model(scene, arrays), fields);
+}
+
+FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  FurFrame frame;
+  frame.model = copy_id(scene);
+  frame.coat = scene.settings.coat;
+  frame.look = request.look.value_or(scene.settings.look);
+  frame.environment = scene.settings.environment;
+  if (scene.settings.ground.visible) frame.ground = make_ground(scene.settings.ground, mesh);
+  for (const Light& light : scene.settings.lights) frame.lights.push_back(make_light(light, mesh));
+  for (const Eye& eye : scene.settings.eyes) frame.eyes.push_back(make_eye(eye, mesh));
+  for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
+  frame.skin = make_skin(scene.settings.skin, mesh);
+  const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
+  frame.camera = {glm::vec3(camera.eye), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),
+                  static_cast<float>(camera.tan_half_fov)};
+  frame.width = request.width, frame.height = request.height;
+  frame.knobs = request.knobs;
+  frame.knobs.scale = rendered_scale(request.knobs, camera, request.height);
+  frame.background = request.background, frame.background_colour = request.background_colour;
+  frame.exposure = request.exposure, frame.tone_map = request.tone_map;
+  frame.overlay = request.overlay;
+  return frame;
+}
+
+}  // namespace pelage

@@ -1,0 +1,37 @@
+#include "server/frames/picture_service.h"
+
+namespace pelage {
+
+Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                          const std::function<bool()>& abandoned) {
+  if (request.knobs.method == Method::strands) {
+    const auto picture = traces_.trace(scene, request, abandoned);
+    return picture ? frames_.finish(**picture, request) : picture.status();
+  }
+  if (!request.refine) traces_.turn_from(*scene, request);
+  Result<FrameAnswer> answer = frames_.frame(scene, request, abandoned);
+  if (!answer || !request.refine) return answer;
+  answer->trace = TraceReport{};
+  // Where too many wait, whoever asks for a better picture is told so; shells are there all the same.
+  static_cast<void>(traces_.refine(scene, request, answer->revision));
+  return answer;
+}
+
+Status PictureService::look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen) {
+  return traces_.refine(scene, request, seen.revision);
+}
+
+bool PictureService::is_refined(const Scene& scene, const FrameRequest& request, SeenPicture seen) {
+  return traces_.better(scene, request, seen).has_value();
+}
+
+std::optional<Result<FrameAnswer>> PictureService::refined(const Scene& scene, const FrameRequest& request,
+                                                           SeenPicture seen) {
+  if (!scene.is_at(seen.revision)) return {};
+  const auto better = traces_.better(scene, request, seen);
+  if (!better) return {};
+  if (!*better) return Result<FrameAnswer>(better->status());
+  return frames_.finish(***better, traced_request(request));
+}
+
+}  // namespace pelage

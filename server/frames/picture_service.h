@@ -1,0 +1,31 @@
+// Pictures of a scene by any method: shells, strands that are traced to the end, and shells that strands refine.
+#pragma once
+
+#include "server/frames/frame_service.h"
+#include "server/frames/trace_queue.h"
+
+namespace pelage {
+
+/// Thread-safe. Both services outlive it.
+class PictureService {
+ public:
+  PictureService(FrameService& frames, TraceQueue& traces) : frames_(frames), traces_(traces) {}
+
+  /// As FrameService::frame and TraceQueue::trace. A request with `refine` is answered with shells, and tracing begins.
+  Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                            const std::function<bool()>& abandoned = {});
+
+  /// Somebody waits for a better picture than the one seen: as TraceQueue::refine.
+  Status look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen);
+  /// Whether `refined` has an answer. Does not wait.
+  bool is_refined(const Scene& scene, const FrameRequest& request, SeenPicture seen);
+  /// A better picture of the revision that was seen, or why there is none; nothing while it is traced, and once the
+  /// scene is newer.
+  std::optional<Result<FrameAnswer>> refined(const Scene& scene, const FrameRequest& request, SeenPicture seen);
+
+ private:
+  FrameService& frames_;
+  TraceQueue& traces_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,59 @@
+#include "server/frames/scene_tracer.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "server/frames/skin_view.h"
+
+namespace pelage {
+
+namespace {
+
+int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+SceneTracer::SceneTracer(FrameService& frames, int threads, std::size_t memory)
+    : frames_(frames), tracer_(thread_count(threads), memory, true) {}
+
+Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                    const GoOn& go_on) {
+  layers_ = traced_layers(request);
+  if (Status refused = tracer_.admit(request.width, request.height, layers_, request.knobs.trace.filter); !refused.ok())
+    return refused;
+  Result<TraceStart> start = frames_.begin_trace(scene, request);
+  if (!start) return start.status();
+  const SceneView view = start->scene.view();
+  const Mesh& mesh = view.model.surface.mesh();
+  const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
+  const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
+  begun_ = {.revision = view.revision,
+            .report = {},
+            .layers = {},
+            .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
+            .placement = start->placement,
+            .timings = start->timings,
+            .counters = start->counters};
+  Status status = tracer_.begin(make_model(view, arrays_of(view)), make_fields(view, skin, std::span(&all, 1)),
+                                *begun_.frame, std::move(start->base), layers_, go_on);
+  if (!status.ok()) return status;
+  return begun_.revision;
+}
+
+TracedPicture SceneTracer::picture() const {
+  TracedPicture picture = begun_;
+  picture.report = tracer_.report();
+  for (const FrameLayer layer : layers_) picture.layers.push_back(tracer_.layer(layer));
+  return picture;
+}
+
+const ModelArrays& SceneTracer::arrays_of(const SceneView& scene) {
+  if (model_ == scene.model_owner && base_picture_ == scene.picture_owner) return arrays_;
+  arrays_ = make_arrays(scene);
+  model_ = scene.model_owner, base_picture_ = scene.picture_owner;
+  return arrays_;
+}
+
+}  // namespace pelage

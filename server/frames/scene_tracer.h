@@ -1,0 +1,34 @@
+// The tracer, with what it needs of a scene: its copy, and a picture of what lies under the strands.
+#pragma once
+
+#include "server/frames/frame_service.h"
+#include "server/frames/fur_view.h"
+#include "server/frames/traced_picture.h"
+
+namespace pelage {
+
+class SceneTracer : public PictureTracer {
+ public:
+  /// `threads` that trace where no other thread of the machine wants to, 0 for as many as there are cores; `memory`
+  /// bounds strands, their index and the film, bytes. The frame service outlives it.
+  SceneTracer(FrameService& frames, int threads, std::size_t memory);
+
+  Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request, const GoOn& go_on) override;
+  Status add_pass(const GoOn& go_on) override { return tracer_.add_pass(go_on); }
+  TraceReport report() const override { return tracer_.report(); }
+  TracedPicture picture() const override;
+
+ private:
+  const ModelArrays& arrays_of(const SceneView& scene);
+
+  FrameService& frames_;
+  Tracer tracer_;
+  std::vector<FrameLayer> layers_;
+  TracedPicture begun_;  // all but report and layers
+  // Of the last model in its colours, which it keeps alive.
+  std::shared_ptr<const SceneModel> model_;
+  std::shared_ptr<const RawImage> base_picture_;
+  ModelArrays arrays_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,286 @@
+#include "server/frames/trace_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/json/encode.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::chrono::milliseconds abandoned_slice{250};  // how soon a trace is dropped that nobody waits for
+
+enum class Stage { waiting, running, ended };
+
+/// 1, 2, 4, 6, 8, 12, 16, 24, ...: what is offered without being waited for.
+bool on_schedule(int passes) {
+  int power = 1;
+  while (power <= passes / 2) power *= 2;
+  return passes == power || (passes >= 6 && passes == power + power / 2);
+}
+
+Status superseded() { return failure(Code::conflict, "superseded by a newer frame of the same view"); }
+Status stopped() { return failure(Code::unavailable, "the server is stopping"); }
+Status nobody_waits(const Scene& scene) {
+  if (scene.removed()) return failure(Code::not_found, "the scene has been removed");
+  return failure(Code::unavailable, "nobody waits for this picture any more");
+}
+
+}  // namespace
+
+struct TraceQueue::Job {
+  const std::shared_ptr<Scene> scene;
+  const FrameRequest request;  // traced_request
+  const std::string key;       // of the request as it was asked
+  const std::optional<Revision> revision;  // of a refinement
+  const Clock::time_point start = Clock::now();
+  Clock::time_point asked = start, offered = start;
+  double queue_ms = 0;
+  bool wanted = false;  // somebody has looked for a better picture since the last was offered
+  Stage stage = Stage::waiting;
+  Status status = {};  // why it ended, ok at the end of its passes
+  std::shared_ptr<const TracedPicture> picture = {};
+  std::atomic<bool> dropped{false};
+
+  Job(std::shared_ptr<Scene> in, const FrameRequest& asked_for, std::optional<Revision> at)
+      : scene(std::move(in)), request(traced_request(asked_for)), key(encode(asked_for)), revision(at) {}
+};
+
+TraceQueue::TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate, Limits limits)
+    : limits_(limits), tracer_(std::move(tracer)), gate_(gate), thread_([this] { run(); }) {}
+
+TraceQueue::~TraceQueue() {
+  stop();
+  thread_.join();
+}
+
+void TraceQueue::stop() {
+  const std::lock_guard lock(mutex_);
+  stopping_ = true;
+  while (!jobs_.empty()) drop(jobs_.back(), stopped());
+  gate_.wake();
+  changed_.notify_all();
+}
+
+// What callers ask for.
+
+Result<std::shared_ptr<const TracedPicture>> TraceQueue::trace(const std::shared_ptr<Scene>& scene,
+                                                               const FrameRequest& request,
+                                                               const std::function<bool()>& abandoned) {
+  const auto job = std::make_shared<Job>(scene, request, std::nullopt);
+  std::unique_lock lock(mutex_);
+  if (Status refused = admit(job); !refused.ok()) return refused;
+  while (!ended_.wait_for(lock, abandoned_slice, [&] { return job->stage == Stage::ended; })) {
+    lock.unlock();
+    const bool gone = scene->removed() || (abandoned && abandoned());
+    lock.lock();
+    if (gone) drop(job, nobody_waits(*scene));
+  }
+  if (!job->status.ok()) return job->status;
+  return job->picture;
+}
+
+Status TraceQueue::refine(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision) {
+  if (!scene->is_at(revision)) return {};  // whoever asks again is told of the new revision
+  const auto job = std::make_shared<Job>(scene, request, revision);
+  const std::lock_guard lock(mutex_);
+  const JobPtr known = find(*scene, job->key);
+  if (known && known->revision == revision) {
+    known->asked = job->asked;
+    return {};
+  }
+  if (known) drop(known, superseded());
+  return admit(job);
+}
+
+std::optional<Result<std::shared_ptr<const TracedPicture>>> TraceQueue::better(const Scene& scene,
+                                                                               const FrameRequest& request,
+                                                                               SeenPicture seen) {
+  const std::string key = encode(request);
+  const std::lock_guard lock(mutex_);
+  const JobPtr job = find(scene, key);
+  if (!job || job->revision != seen.revision) return {};
+  job->asked = Clock::now();
+  if (job->picture && job->picture->report.passes > seen.passes) return Result(job->picture);
+  if (!job->status.ok()) return Result<std::shared_ptr<const TracedPicture>>(job->status);
+  job->wanted = true;
+  return {};
+}
+
+void TraceQueue::turn_from(const Scene& scene, const FrameRequest& request) {
+  const std::lock_guard lock(mutex_);
+  drop_view(scene, request.view, nullptr);
+}
+
+TraceCounts TraceQueue::counts() const {
+  const std::lock_guard lock(mutex_);
+  return counts_;
+}
+
+// The list of jobs. All of these need the lock.
+
+Status TraceQueue::admit(const JobPtr& job) {
+  if (stopping_) return stopped();
+  drop_view(*job->scene, job->request.view, job);
+  forget_old(job->start);
+  if (count_waiting() >= limits_.waiting) {
+    return failure(Code::unavailable, "Too many pictures wait to be traced.", "",
+                   "at most " + std::to_string(limits_.waiting));
+  }
+  make_room();
+  jobs_.push_back(job);
+  changed_.notify_all();
+  return {};
+}
+
+std::size_t TraceQueue::count_waiting() const {
+  const auto waits = [](const JobPtr& job) { return job->stage == Stage::waiting; };
+  return static_cast<std::size_t>(std::count_if(jobs_.begin(), jobs_.end(), waits));
+}
+
+/// The refinement of that scene and request.
+TraceQueue::JobPtr TraceQueue::find(const Scene& scene, const std::string& key) const {
+  const auto found = std::find_if(jobs_.begin(), jobs_.end(), [&](const JobPtr& job) {
+    return job->revision && job->scene.get() == &scene && job->key == key;
+  });
+  return found == jobs_.end() ? nullptr : *found;
+}
+
+void TraceQueue::drop(const JobPtr& job, Status why) {
+  const JobPtr kept = job;  // the argument may lie in the list
+  std::erase(jobs_, kept);
+  kept->dropped = true;
+  if (kept->stage == Stage::running) gate_.wake();
+  if (kept->stage != Stage::ended) kept->status = std::move(why);
+  kept->stage = Stage::ended;
+  ended_.notify_all();
+}
+
+void TraceQueue::drop_view(const Scene& scene, const std::string& view, const JobPtr& but) {
+  if (view.empty()) return;
+  const std::vector<JobPtr> jobs = jobs_;
+  for (const JobPtr& job : jobs) {
+    if (job != but && job->scene.get() == &scene && job->request.view == view) drop(job, superseded());
+  }
+}
+
+/// The refinement that ended and that nobody has asked for the longest gives way.
+void TraceQueue::make_room() {
+  if (jobs_.size() < limits_.kept) return;
+  const auto oldest = std::min_element(jobs_.begin(), jobs_.end(), [](const JobPtr& a, const JobPtr& b) {
+    return std::pair(a->stage != Stage::ended, a->asked) < std::pair(b->stage != Stage::ended, b->asked);
+  });
+  if ((*oldest)->stage == Stage::ended) drop(*oldest, nobody_waits(*(*oldest)->scene));
+}
+
+void TraceQueue::forget_old(Clock::time_point now) {
+  const std::vector<JobPtr> jobs = jobs_;
+  const bool others_wait = count_waiting() > 0;
+  for (const JobPtr& job : jobs) {
+    const auto patience = others_wait && job->stage == Stage::running ? limits_.manners : limits_.patience;
+    const bool old = job->revision && now - job->asked > patience;
+    if (old || !still_wanted(*job)) drop(job, nobody_waits(*job->scene));
+  }
+}
+
+TraceQueue::JobPtr TraceQueue::take_ready(Clock::time_point now) {
+  JobPtr newest;
+  for (const JobPtr& job : jobs_) {
+    const bool ready = job->stage == Stage::waiting && (!job->revision || now - job->start >= limits_.rest);
+    if (ready && (!newest || job->asked > newest->asked)) newest = job;
+  }
+  if (newest) newest->stage = Stage::running;
+  return newest;
+}
+
+/// When a job becomes ready, or is to be forgotten.
+TraceQueue::Clock::time_point TraceQueue::next_event() const {
+  Clock::time_point first = Clock::now() + limits_.patience;
+  for (const JobPtr& job : jobs_) {
+    first = std::min(first, job->stage == Stage::waiting ? job->start + limits_.rest : job->asked + limits_.patience);
+  }
+  return first;
+}
+
+// The tracing thread.
+
+void TraceQueue::run() {
+  while (const JobPtr job = next()) {
+    const Clock::time_point start = Clock::now();
+    Status status = trace_job(job);
+    end(job, std::move(status), std::chrono::duration<double>(Clock::now() - start).count());
+  }
+}
+
+TraceQueue::JobPtr TraceQueue::next() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (stopping_) return nullptr;
+    const Clock::time_point now = Clock::now();
+    forget_old(now);
+    if (JobPtr job = take_ready(now)) {
+      ++counts_.traces;
+      job->queue_ms = std::chrono::duration<double, std::milli>(now - job->start).count();
+      return job;
+    }
+    changed_.wait_until(lock, next_event());
+  }
+}
+
+/// Without any lock, as tracing threads ask it often.
+bool TraceQueue::still_wanted(const Job& job) const {
+  if (stopping_ || job.dropped || job.scene->removed()) return false;
+  return !job.revision || job.scene->is_at(*job.revision);
+}
+
+Status TraceQueue::trace_job(const JobPtr& job) {
+  const GoOn go_on = [&] { return gate_.pass([&] { return still_wanted(*job); }); };
+  if (!go_on()) return nobody_waits(*job->scene);
+  const Result<Revision> begun = tracer_->begin(job->scene, job->request, go_on);
+  if (!begun) return begun.status();
+  if (job->revision && *begun != *job->revision) return nobody_waits(*job->scene);  // the scene went on meanwhile
+  for (;;) {
+    if (Status added = tracer_->add_pass(go_on); !added.ok()) return added;
+    if (offer(job)) return {};
+  }
+}
+
+/// After a pass. True when it was the last one.
+bool TraceQueue::offer(const JobPtr& job) {
+  const TraceReport report = tracer_->report();
+  const bool last = report.end != TraceEnd::none;
+  const Clock::time_point now = Clock::now();
+  {
+    const std::lock_guard lock(mutex_);
+    ++counts_.passes;
+    forget_old(now);
+    const bool waited_for = job->wanted && now - job->offered >= limits_.between;
+    if (!last && !(job->revision && (waited_for || on_schedule(report.passes)))) return false;
+  }
+  auto picture = std::make_shared<TracedPicture>(tracer_->picture());
+  picture->timings.queue = job->queue_ms;
+  {
+    const std::lock_guard lock(mutex_);
+    job->picture = std::move(picture);
+    job->offered = now, job->wanted = false;
+  }
+  if (job->revision) job->scene->wake();
+  return last;
+}
+
+/// What was dropped is out of the list already. A refinement stays, for those who ask for its picture or its failure.
+void TraceQueue::end(const JobPtr& job, Status status, double seconds) {
+  {
+    const std::lock_guard lock(mutex_);
+    counts_.seconds += seconds;
+    if (!status.ok() && job->scene->removed()) status = nobody_waits(*job->scene);
+    if (job->stage != Stage::ended) job->status = std::move(status);
+    job->stage = Stage::ended;
+    if (!job->revision || !still_wanted(*job)) std::erase(jobs_, job);
+    ended_.notify_all();
+  }
+  if (job->revision) job->scene->wake();
+}
+
+}  // namespace pelage

@@ -1,0 +1,114 @@
+// Pictures that are traced: one at a time, on a thread of its own.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/frame.h"
+#include "server/scene/scene.h"
+#include "server/frames/traced_picture.h"
+#include "server/frames/yield_gate.h"
+
+namespace pelage {
+
+/// The picture that a viewer has.
+struct SeenPicture {
+  Revision revision = 0;
+  int passes = 0;  // 0 for shells
+
+  bool operator==(const SeenPicture&) const = default;
+};
+
+/// Since the start.
+struct TraceCounts {
+  std::size_t traces = 0, passes = 0;
+  double seconds = 0;
+};
+
+/// Thread-safe. Of what waits, that which somebody asked for last is traced next. A job is either a picture that its
+/// caller waits for, or a refinement: a picture of one revision that gets better while somebody asks for it, and is
+/// dropped as soon as the scene leaves that revision. Jobs of a named view give way to the view's next request.
+class TraceQueue {
+ public:
+  using Clock = std::chrono::steady_clock;
+  struct Limits {
+    std::size_t waiting = 16;                  // jobs before the tracer
+    std::size_t kept = 32;                     // refinements, ended ones too
+    std::chrono::milliseconds rest{100};       // from a refinement's start to its tracing: the hand may go on
+    std::chrono::milliseconds patience{30'000};  // that a refinement lives without being asked for,
+    std::chrono::milliseconds manners{2'000};    // and that it is traced so while other jobs wait
+    std::chrono::milliseconds between{500};    // pictures for somebody who waits
+  };
+
+  TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate, Limits limits);
+  TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate) : TraceQueue(std::move(tracer), gate, Limits()) {}
+  ~TraceQueue();
+
+  /// Traces to the end. `abandoned` is asked four times a second. Fails with conflict when the same view asks for
+  /// something else, unavailable when it was abandoned, too many wait or the server stops, not_found when the scene is
+  /// removed, and as PictureTracer does.
+  Result<std::shared_ptr<const TracedPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                                     const std::function<bool()>& abandoned = {});
+
+  /// Somebody looks at a revision of the scene by this request (its `refine`): starts the refinement where there is
+  /// none. Unavailable when too many wait.
+  Status refine(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
+
+  /// The refinement's newest picture, when it is of the revision and has more passes than was seen; its failure when
+  /// there is none; nothing else. Does not wait: when that changes, the scene is woken (Scene::wake).
+  std::optional<Result<std::shared_ptr<const TracedPicture>>> better(const Scene& scene, const FrameRequest& request,
+                                                                     SeenPicture seen);
+
+  /// The view of the request asks for something else than strands: what is traced for it is dropped.
+  void turn_from(const Scene& scene, const FrameRequest& request);
+
+  /// Ends all jobs at once and takes no more.
+  void stop();
+
+  TraceCounts counts() const;
+
+ private:
+  struct Job;
+  using JobPtr = std::shared_ptr<Job>;
+
+  // On the tracing thread.
+  void run();
+  JobPtr next();
+  Status trace_job(const JobPtr& job);
+  bool offer(const JobPtr& job);
+  void end(const JobPtr& job, Status status, double seconds);
+  bool still_wanted(const Job& job) const;
+
+  // All of these need the lock.
+  Status admit(const JobPtr& job);
+  std::size_t count_waiting() const;
+  JobPtr find(const Scene& scene, const std::string& key) const;
+  void drop(const JobPtr& job, Status why);
+  void drop_view(const Scene& scene, const std::string& view, const JobPtr& but);
+  void make_room();
+  void forget_old(Clock::time_point now);
+  JobPtr take_ready(Clock::time_point now);
+  Clock::time_point next_event() const;
+
+  const Limits limits_;
+  const std::unique_ptr<PictureTracer> tracer_;
+  YieldGate& gate_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;  // for the tracing thread
+  std::condition_variable ended_;    // for those in trace()
+  std::vector<JobPtr> jobs_;         // waiting, running, and refinements that ended
+  TraceCounts counts_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace pelage

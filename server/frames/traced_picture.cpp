@@ -1,0 +1,26 @@
+#include "server/frames/traced_picture.h"
+
+namespace pelage {
+
+FrameRequest traced_request(const FrameRequest& request) {
+  if (!request.refine) return request;
+  FrameRequest traced = request;
+  traced.knobs = knobs_of(Tier::reference);
+  traced.knobs.eye_steps = request.knobs.eye_steps;
+  traced.knobs.trace = *request.refine;
+  traced.refine.reset(), traced.budget_ms.reset(), traced.max_error.reset();
+  return traced;
+}
+
+std::vector<FrameLayer> traced_layers(const FrameRequest& request) {
+  return request.format == FrameFormat::exr ? request.layers : std::vector{FrameLayer::beauty};
+}
+
+Knobs knobs_of(const TracedPicture& picture) {
+  Knobs knobs = picture.frame->knobs;
+  knobs.trace.passes = picture.report.passes;
+  knobs.trace.seconds = 0;
+  return knobs;
+}
+
+}  // namespace pelage

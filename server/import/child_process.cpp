@@ -1,0 +1,197 @@
+#include "server/import/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+namespace pelage {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Owns a file descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+
+  int get() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+
+ private:
+  int number_;
+};
+
+struct Channel {
+  Descriptor ours, theirs;
+};
+
+/// Sockets and not pipes, because a write to a socket whose other end is gone need not raise SIGPIPE.
+bool open_channel(Channel& channel) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return false;
+  channel.ours = Descriptor(ends[0]);
+  channel.theirs = Descriptor(ends[1]);
+  return true;
+}
+
+class SpawnActions {
+ public:
+  SpawnActions(int stream, int error) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, stream, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, stream, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, error, STDERR_FILENO);
+    posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
+    posix_spawnattr_init(&attributes_);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setsigdefault(&attributes_, &all);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~SpawnActions() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnActions(const SpawnActions&) = delete;
+  SpawnActions& operator=(const SpawnActions&) = delete;
+
+  int spawn(pid_t& child, const std::vector<std::string>& arguments) const {
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    char* environment[] = {nullptr};
+    return posix_spawn(&child, argv[0], &actions_, &attributes_, argv.data(), environment);
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+  posix_spawnattr_t attributes_;
+};
+
+int milliseconds_until(Clock::time_point deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  return static_cast<int>(std::clamp<long long>(left, 0, 1'000'000));
+}
+
+/// One conversation with a running child, over its stream (in and out) and its standard error.
+class Conversation {
+ public:
+  Conversation(Descriptor stream, Descriptor error, std::span<const std::byte> input, const ChildLimits& limits)
+      : stream_(std::move(stream)),
+        error_(std::move(error)),
+        input_(input),
+        limits_(limits),
+        deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>(std::clamp(limits.seconds, 0.0, 1e6)))) {}
+
+  /// Until the child has closed both ends, or broke a limit.
+  void hold(ChildResult& result) {
+    while (stream_.is_open() || error_.is_open()) {
+      std::array<pollfd, 2> waits = {pollfd{stream_.get(), POLLIN, 0}, pollfd{error_.get(), POLLIN, 0}};
+      if (!all_sent_) waits[0].events |= POLLOUT;
+      const int ready = poll(waits.data(), waits.size(), milliseconds_until(deadline_));
+      if (ready < 0 && errno == EINTR) continue;
+      if (ready <= 0) {
+        result.timed_out = true;
+        return;
+      }
+      if (waits[0].revents & POLLOUT) send_some();
+      if (waits[0].revents & (POLLIN | POLLHUP | POLLERR)) receive(stream_, result.answer, limits_.answer_bytes + 1);
+      if (waits[1].revents & (POLLIN | POLLHUP | POLLERR)) receive(error_, result.complaint, most_complaint);
+      if (result.answer.size() > limits_.answer_bytes) {
+        result.too_long = true;
+        return;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t most_complaint = 4096;
+
+  void send_some() {
+    if (!input_.empty()) {
+      const ssize_t sent = send(stream_.get(), input_.data(), input_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (sent > 0) input_ = input_.subspan(static_cast<std::size_t>(sent));
+      if (sent < 0 && errno != EAGAIN && errno != EINTR) input_ = {};  // it does not listen; its answer says why
+    }
+    if (!input_.empty()) return;
+    all_sent_ = true;
+    shutdown(stream_.get(), SHUT_WR);
+  }
+
+  /// Appends what is there, up to `most` octets in all; the rest is read and forgotten. Closes at the end.
+  static void receive(Descriptor& from, std::string& to, std::size_t most) {
+    std::array<char, 65536> buffer;
+    const ssize_t count = recv(from.get(), buffer.data(), buffer.size(), MSG_DONTWAIT);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (count <= 0) return from.close();
+    to.append(buffer.data(), std::min(static_cast<std::size_t>(count), most - to.size()));
+  }
+
+  Descriptor stream_, error_;
+  std::span<const std::byte> input_;
+  ChildLimits limits_;
+  Clock::time_point deadline_;
+  bool all_sent_ = false;
+};
+
+/// Ends the child if it still runs, and takes its exit status. A child that has closed its streams is on its way out
+/// and keeps its own status.
+void reap(pid_t child, ChildResult& result) {
+  kill(child, SIGKILL);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+}
+
+}  // namespace
+
+Result<ChildResult> run_child(const std::vector<std::string>& arguments, std::span<const std::byte> input,
+                              const ChildLimits& limits) {
+  Channel stream, error;
+  if (!open_channel(stream) || !open_channel(error)) {
+    return failure(Code::unavailable, std::string("No sockets are left: ") + std::strerror(errno));
+  }
+  pid_t child = 0;
+  const int problem = SpawnActions(stream.theirs.get(), error.theirs.get()).spawn(child, arguments);
+  if (problem != 0) {
+    return failure(Code::internal, "The program " + arguments[0] + " cannot be started: " + std::strerror(problem));
+  }
+  stream.theirs.close();
+  error.theirs.close();
+  ChildResult result;
+  {
+    Conversation conversation(std::move(stream.ours), std::move(error.ours), input, limits);
+    conversation.hold(result);
+  }
+  reap(child, result);
+  return result;
+}
+
+}  // namespace pelage

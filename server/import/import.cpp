@@ -1,0 +1,116 @@
+#include "server/import/import.h"
+
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include "protocol/base/limits.h"
+#include "server/import/child_process.h"
+#include "server/import/map_picture.h"
+#include "server/import/worker_contract.h"
+
+namespace pelage {
+
+namespace {
+
+/// A refusal of what was uploaded: "model", "environment" or "picture".
+Status refusal(const std::string& subject, const std::string& reason) {
+  return failure(Code::invalid, "The " + subject + " cannot be read: " + reason);
+}
+
+/// The last line that the worker wrote; libraries may have written others before it.
+std::string last_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+std::string reason_of_signal(int signal) {
+  if (signal == SIGXCPU) return "it takes more than the allowed processor time.";
+  if (signal == SIGSYS) return "its reader tried to do what it must not, and was ended.";
+  return std::string("its reader crashed (") + strsignal(signal) + ").";
+}
+
+std::string seconds_text(double seconds) {
+  std::ostringstream text;
+  text << seconds;
+  return text.str();
+}
+
+/// Why there is no answer; ok when there is one.
+Status outcome(const std::string& subject, const ChildResult& result, const ImportLimits& limits) {
+  if (result.timed_out) return refusal(subject, "it takes longer than " + seconds_text(limits.seconds) + " s.");
+  if (result.too_long) {
+    return refusal(subject, "it becomes larger than " + std::to_string(limits.answer_bytes) + " octets in memory.");
+  }
+  if (result.signal != 0) return refusal(subject, reason_of_signal(result.signal));
+  switch (result.exit_code) {
+    case worker_exit::done: return {};
+    case worker_exit::bad_input: return refusal(subject, last_line(result.complaint));
+    case worker_exit::out_of_memory: return refusal(subject, "it needs more memory than is allowed.");
+    default: break;
+  }
+  return failure(Code::internal, "The reader of uploads ended with code " + std::to_string(result.exit_code) + ": " +
+                                     last_line(result.complaint));
+}
+
+/// The worker's answer.
+Result<std::string> run_worker(const std::string& worker, const char* job, const std::string& subject,
+                               std::span<const std::byte> octets, const ImportLimits& limits) {
+  const std::vector<std::string> arguments = {worker, job, std::to_string(limits.seconds),
+                                              std::to_string(limits.memory_bytes)};
+  Result<ChildResult> result = run_child(arguments, octets, {limits.seconds, limits.answer_bytes});
+  if (!result.ok()) return result.status();
+  if (Status status = outcome(subject, *result, limits); !status.ok()) return status;
+  return std::move(result->answer);
+}
+
+Status check_picture_bytes(std::span<const std::byte> octets) {
+  if (octets.size() <= limits::picture_bytes) return {};
+  return failure(Code::too_large, "The picture is too large.", "",
+                 "at most " + std::to_string(limits::picture_bytes) + " octets");
+}
+
+}  // namespace
+
+std::string program_folder() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
+}
+
+Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> octets,
+                              const ImportLimits& limits) {
+  if (octets.size() > limits::model_bytes) {
+    return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " octets");
+  }
+  const char* job = worker_format_names[static_cast<std::size_t>(format)];
+  const Result<std::string> answer = run_worker(worker, job, "model", octets, limits);
+  if (!answer.ok()) return answer.status();
+  return decode_raw_model(std::as_bytes(std::span(*answer)));
+}
+
+Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> octets,
+                                              const ImportLimits& limits) {
+  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_environment, "environment", octets, limits);
+  if (!answer.ok()) return answer.status();
+  return decode_harmonics(std::as_bytes(std::span(*answer)));
+}
+
+Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> octets,
+                                const ImportLimits& limits) {
+  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_picture, "picture", octets, limits);
+  if (!answer.ok()) return answer.status();
+  return decode_raw_image(std::as_bytes(std::span(*answer)));
+}
+
+Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> octets,
+                              const ImportLimits& limits) {
+  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_map, "picture", octets, limits);
+  if (!answer.ok()) return answer.status();
+  return decode_map_picture(std::as_bytes(std::span(*answer)));
+}
+
+}  // namespace pelage

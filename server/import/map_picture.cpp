@@ -1,0 +1,95 @@
+// A header and then the samples in the depth of the file. Native byte order.
+#include "server/import/map_picture.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "protocol/base/limits.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::uint64_t signature = 0x31'50'41'4d'4c'45'50ULL;  // "PELMAP1"; no picture of raw_model.h begins with it
+
+struct Header {
+  std::uint64_t mark = signature;
+  std::int32_t width = 0, height = 0, bits = 0, unused = 0;
+  double scale = 0;  // 0 for none
+};
+
+template <class Sample>
+void append(std::string& octets, const std::vector<float>& rgba, float most) {
+  std::vector<Sample> samples;
+  samples.reserve(rgba.size());
+  for (const float value : rgba) samples.push_back(static_cast<Sample>(std::lround(value * most)));
+  octets.append(reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(Sample));
+}
+
+template <class Sample>
+void take(std::span<const std::byte> octets, std::vector<float>& rgba, float most) {
+  for (std::size_t i = 0; i < rgba.size(); ++i) {
+    Sample sample;
+    std::memcpy(&sample, octets.data() + i * sizeof sample, sizeof sample);
+    rgba[i] = static_cast<float>(sample) / most;
+  }
+}
+
+bool is_good(const Header& header) {
+  const auto is_side = [](std::int32_t pixels) { return pixels >= 1 && pixels <= limits::picture_pixels; };
+  const bool known = header.bits == 8 || header.bits == 16 || header.bits == 32;
+  return header.mark == signature && is_side(header.width) && is_side(header.height) && known &&
+         std::isfinite(header.scale) && header.scale >= 0;
+}
+
+Status misfit() { return failure(Code::invalid, "The octets are no picture of a map."); }
+
+Result<MapPicture> from_raw_image(std::span<const std::byte> octets) {
+  const Result<RawImage> image = decode_raw_image(octets);
+  if (!image) return misfit();
+  MapPicture picture{image->width, image->height, 8, {}, {}};
+  picture.rgba.reserve(image->rgba.size());
+  for (const std::uint8_t value : image->rgba) picture.rgba.push_back(static_cast<float>(value) / 255.0f);
+  return picture;
+}
+
+}  // namespace
+
+std::string encode_map_picture(const MapPicture& picture) {
+  const Header header{signature, picture.width, picture.height, picture.bits, 0, picture.scale.value_or(0)};
+  std::string octets(reinterpret_cast<const char*>(&header), sizeof header);
+  octets.reserve(sizeof header + picture.rgba.size() * static_cast<std::size_t>(picture.bits) / 8);
+  if (picture.bits == 8)
+    append<std::uint8_t>(octets, picture.rgba, 255);
+  else if (picture.bits == 16)
+    append<std::uint16_t>(octets, picture.rgba, 65535);
+  else
+    octets.append(reinterpret_cast<const char*>(picture.rgba.data()), picture.rgba.size() * sizeof(float));
+  return octets;
+}
+
+Result<MapPicture> decode_map_picture(std::span<const std::byte> octets) {
+  Header header{0};
+  if (octets.size() >= sizeof header) std::memcpy(&header, octets.data(), sizeof header);
+  if (header.mark != signature) return from_raw_image(octets);
+  if (!is_good(header)) return misfit();
+  const std::size_t samples = 4 * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+  const auto sample_bytes = static_cast<std::size_t>(header.bits) / 8;
+  octets = octets.subspan(sizeof header);
+  if (octets.size() != samples * sample_bytes) return misfit();
+  MapPicture picture{header.width, header.height, header.bits, {}, std::vector<float>(samples)};
+  if (header.scale > 0) picture.scale = header.scale;
+  if (header.bits == 8)
+    take<std::uint8_t>(octets, picture.rgba, 255);
+  else if (header.bits == 16)
+    take<std::uint16_t>(octets, picture.rgba, 65535);
+  else
+    std::memcpy(picture.rgba.data(), octets.data(), octets.size());
+  for (const float value : picture.rgba) {
+    if (!std::isfinite(value)) return misfit();
+  }
+  return picture;
+}
+
+}  // namespace pelage

@@ -1,0 +1,167 @@
+// encode_raw_model and decode_raw_model: a header of counts, then the arrays one after the other.
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <string>
+
+#include "server/import/import.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::uint64_t signature = 0x31'57'41'52'4c'45'50ULL;  // "PELRAW1"
+
+class Writer {
+ public:
+  template <class T>
+  void value(const T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    octets_.append(reinterpret_cast<const char*>(&v), sizeof v);
+  }
+
+  template <class T>
+  void array(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    value(static_cast<std::uint64_t>(values.size()));
+    octets_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+
+  std::string take() { return std::move(octets_); }
+
+ private:
+  std::string octets_;
+};
+
+/// After the first value that is not there, everything reads as zero or empty and ok() is false.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> octets) : left_(octets) {}
+
+  template <class T>
+  T value() {
+    T v{};
+    take(&v, sizeof v);
+    return v;
+  }
+
+  template <class T>
+  std::vector<T> array() {
+    const std::uint64_t count = value<std::uint64_t>();
+    if (count > left_.size() / sizeof(T)) ok_ = false;  // before anything is allocated
+    if (!ok_) return {};
+    std::vector<T> values(count);
+    take(values.data(), count * sizeof(T));
+    return values;
+  }
+
+  bool ok() const { return ok_; }
+  bool at_end() const { return ok_ && left_.empty(); }
+
+ private:
+  void take(void* out, std::size_t size) {
+    ok_ = ok_ && size <= left_.size();
+    if (!ok_ || size == 0) return;
+    std::memcpy(out, left_.data(), size);
+    left_ = left_.subspan(size);
+  }
+
+  std::span<const std::byte> left_;
+  bool ok_ = true;
+};
+
+RawModel read_model(Reader& in) {
+  RawModel model;
+  model.is_32_bit = in.value<std::uint8_t>() != 0;
+  model.positions = in.array<glm::dvec3>();
+  model.face_sizes = in.array<std::uint32_t>();
+  model.corners = in.array<std::uint32_t>();
+  model.corner_uv = in.array<glm::dvec2>();
+  model.corner_colour = in.array<glm::vec4>();
+  model.face_material = in.array<std::uint16_t>();
+  model.materials = in.array<RawMaterial>();
+  model.length_scale = in.array<float>();
+  const std::uint64_t images = in.value<std::uint64_t>();
+  for (std::uint64_t i = 0; i < images && in.ok(); ++i) {
+    RawImage image;
+    image.width = in.value<std::int32_t>();
+    image.height = in.value<std::int32_t>();
+    image.rgba = in.array<std::uint8_t>();
+    model.images.push_back(std::move(image));
+  }
+  return model;
+}
+
+bool counts_agree(const RawModel& model) {
+  const std::size_t corners = model.corners.size(), faces = model.face_sizes.size();
+  const auto none_or = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  const std::uint64_t sum = std::accumulate(model.face_sizes.begin(), model.face_sizes.end(), std::uint64_t{0});
+  return sum == corners && corners < no_position && model.positions.size() < no_position &&
+         none_or(model.corner_uv.size(), corners) && none_or(model.corner_colour.size(), corners) &&
+         none_or(model.face_material.size(), faces) && none_or(model.length_scale.size(), model.positions.size());
+}
+
+bool indices_are_in_range(const RawModel& model) {
+  for (std::uint32_t size : model.face_sizes) {
+    if (size == 0) return false;
+  }
+  for (std::uint32_t corner : model.corners) {
+    if (corner >= model.positions.size() && corner != no_position) return false;
+  }
+  for (std::uint16_t material : model.face_material) {
+    if (material >= model.materials.size()) return false;
+  }
+  for (const RawMaterial& material : model.materials) {
+    if (material.image < -1 || material.image >= static_cast<std::int64_t>(model.images.size())) return false;
+  }
+  return true;
+}
+
+bool values_are_good(const RawModel& model) {
+  for (const RawImage& image : model.images) {
+    if (image.width <= 0 || image.height <= 0) return false;
+    const auto pixels = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+    if (image.rgba.size() != 4 * pixels) return false;
+  }
+  for (float scale : model.length_scale) {
+    if (!(scale > 0 && scale <= 4)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string encode_raw_model(const RawModel& model) {
+  Writer out;
+  out.value(signature);
+  out.value(static_cast<std::uint8_t>(model.is_32_bit));
+  out.array(model.positions);
+  out.array(model.face_sizes);
+  out.array(model.corners);
+  out.array(model.corner_uv);
+  out.array(model.corner_colour);
+  out.array(model.face_material);
+  out.array(model.materials);
+  out.array(model.length_scale);
+  out.value(static_cast<std::uint64_t>(model.images.size()));
+  for (const RawImage& image : model.images) {
+    out.value(static_cast<std::int32_t>(image.width));
+    out.value(static_cast<std::int32_t>(image.height));
+    out.array(image.rgba);
+  }
+  return out.take();
+}
+
+Result<RawModel> decode_raw_model(std::span<const std::byte> octets) {
+  Reader in(octets);
+  const bool is_ours = in.value<std::uint64_t>() == signature;
+  if (!is_ours) return failure(Code::invalid, "The octets are no raw model.");
+  RawModel model = read_model(in);
+  if (!in.at_end()) return failure(Code::invalid, "The raw model is cut off, or counts more than it holds.");
+  if (!counts_agree(model)) return failure(Code::invalid, "The counts of the raw model do not agree.");
+  if (!indices_are_in_range(model)) return failure(Code::invalid, "An index of the raw model is out of range.");
+  if (!values_are_good(model)) return failure(Code::invalid, "A value of the raw model is out of range.");
+  return model;
+}
+
+}  // namespace pelage

@@ -1,0 +1,176 @@
+#include "server/patches/subdivide.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "protocol/base/limits.h"
+#include "server/surface/adjacency.h"
+#include "server/surface/frames.h"
+#include "server/patches/refine_patches.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::uint32_t whole = 0xffffffff;  // in place of a middle: the side is not split
+
+/// Where each triangle's sides are halved.
+struct Middles {
+  std::vector<std::array<std::uint32_t, 3>> of;  // by triangle and side: the new vertex, or `whole`
+  std::vector<glm::uvec2> parents;
+};
+
+glm::vec3 middle_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+  return glm::vec3((glm::dvec3(mesh.positions[a]) + glm::dvec3(mesh.positions[b])) / 2.0);
+}
+
+/// Halves each edge of a chosen triangle, once for all triangles that share it.
+Middles halve_edges(const Mesh& mesh, const std::vector<bool>& chosen) {
+  Middles middles;
+  middles.of.assign(mesh.triangles.size(), {whole, whole, whole});
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
+    const std::uint32_t low = edge[0].low, high = edge[0].high;
+    if (std::none_of(edge.begin(), edge.end(), [&](const Side& side) { return chosen[side.triangle]; })) return;
+    const glm::vec3 middle = middle_of(mesh, low, high);
+    if (middle == mesh.positions[low] || middle == mesh.positions[high]) return;
+    for (const Side& side : edge)
+      middles.of[side.triangle][side.side] = first + static_cast<std::uint32_t>(middles.parents.size());
+    middles.parents.emplace_back(low, high);
+  });
+  return middles;
+}
+
+/// From a corner of a triangle to the middle of one of its sides that is halved.
+double distance_to_middle(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int corner, int side) {
+  const std::uint32_t vertex = middles.of[triangle][static_cast<std::size_t>(side)];
+  const glm::uvec2 ends = middles.parents[vertex - mesh.positions.size()];
+  const glm::vec3 from = mesh.positions[mesh.triangles[triangle][corner]];
+  return glm::distance(glm::dvec3(from), glm::dvec3(middle_of(mesh, ends.x, ends.y)));
+}
+
+/// Three triangles where one side stays whole. The four corners beside it are cut along their shorter diagonal.
+void add_three(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int whole_side,
+               std::vector<ChildTriangle>& children) {
+  const int a = whole_side, b = (a + 1) % 3, c = (a + 2) % 3;
+  const auto corner = [](int k) { return static_cast<std::uint8_t>(k); };
+  const std::uint8_t after = corner(3 + b), before = corner(3 + c);  // middles of the sides from b to c, from c to a
+  const auto length = [&](int from, int side) { return distance_to_middle(mesh, middles, triangle, from, side); };
+  children.push_back({triangle, {after, corner(c), before}});
+  if (length(a, b) <= length(b, c)) {
+    children.push_back({triangle, {corner(a), corner(b), after}});
+    children.push_back({triangle, {corner(a), after, before}});
+  } else {
+    children.push_back({triangle, {corner(a), corner(b), before}});
+    children.push_back({triangle, {corner(b), after, before}});
+  }
+}
+
+void add_children(const Mesh& mesh, const Middles& middles, std::uint32_t triangle,
+                  std::vector<ChildTriangle>& children) {
+  const std::array<std::uint32_t, 3>& sides = middles.of[triangle];
+  const auto halved = 3 - std::count(sides.begin(), sides.end(), whole);
+  if (halved == 0) {
+    children.push_back({triangle, {0, 1, 2}});
+  } else if (halved == 1) {
+    const auto a = static_cast<std::uint8_t>(
+        std::find_if(sides.begin(), sides.end(), [](std::uint32_t m) { return m != whole; }) - sides.begin());
+    const auto b = static_cast<std::uint8_t>((a + 1) % 3), c = static_cast<std::uint8_t>((a + 2) % 3);
+    const auto middle = static_cast<std::uint8_t>(3 + a);
+    children.push_back({triangle, {a, middle, c}});
+    children.push_back({triangle, {middle, b, c}});
+  } else if (halved == 2) {
+    const auto side = std::find(sides.begin(), sides.end(), whole) - sides.begin();
+    add_three(mesh, middles, triangle, static_cast<int>(side), children);
+  } else {
+    for (const std::array<std::uint8_t, 3>& corners :
+         {std::array<std::uint8_t, 3>{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}})
+      children.push_back({triangle, corners});
+  }
+}
+
+void add_vertex(const Mesh& mesh, glm::uvec2 parents, Mesh& refined) {
+  constexpr double vanishing = 1e-4;
+  const auto [a, b] = std::pair(parents.x, parents.y);
+  const glm::dvec3 sum = glm::dvec3(mesh.normals[a]) + glm::dvec3(mesh.normals[b]);
+  const glm::dvec3 normal =
+      glm::length(sum) > vanishing ? glm::normalize(sum) : glm::normalize(glm::dvec3(mesh.normals[a]));
+  glm::dvec3 tangent = glm::dvec3(mesh.tangents[a]) + glm::dvec3(mesh.tangents[b]);
+  tangent -= glm::dot(tangent, normal) * normal;
+  const double length = glm::length(tangent);
+  refined.positions.push_back(middle_of(mesh, a, b));
+  refined.normals.emplace_back(normal);
+  refined.tangents.emplace_back(length > vanishing ? tangent / length : tailward(normal));
+  refined.length_scale.push_back(static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
+}
+
+LookCorner mean(const LookCorner& a, const LookCorner& b) {
+  return {(a.uv + b.uv) * 0.5f, (a.colour + b.colour) * 0.5f, a.image};
+}
+glm::vec2 mean(glm::vec2 a, glm::vec2 b) { return (a + b) * 0.5f; }
+
+/// What each corner of the children holds: what was there, or the mean of a side's ends.
+template <class Corner>
+std::vector<std::array<Corner, 3>> corners_of(const std::vector<std::array<Corner, 3>>& before,
+                                              const std::vector<ChildTriangle>& children) {
+  std::vector<std::array<Corner, 3>> result;
+  if (before.empty()) return result;
+  result.reserve(children.size());
+  for (const ChildTriangle& child : children) {
+    const std::array<Corner, 3>& own = before[child.parent];
+    const auto at = [&](std::size_t c) { return c < 3 ? own[c] : mean(own[c - 3], own[(c - 2) % 3]); };
+    result.push_back({at(child.corners[0]), at(child.corners[1]), at(child.corners[2])});
+  }
+  return result;
+}
+
+Mesh refine_mesh(const Mesh& mesh, const Middles& middles, const std::vector<ChildTriangle>& children) {
+  Mesh refined = mesh;
+  for (const glm::uvec2 parents : middles.parents) add_vertex(mesh, parents, refined);
+  refined.triangles.clear();
+  refined.triangles.reserve(children.size());
+  for (const ChildTriangle& child : children) {
+    const auto at = [&](std::size_t c) {
+      return c < 3 ? mesh.triangles[child.parent][static_cast<int>(c)] : middles.of[child.parent][c - 3];
+    };
+    refined.triangles.emplace_back(at(child.corners[0]), at(child.corners[1]), at(child.corners[2]));
+  }
+  refined.corners = corners_of(mesh.corners, children);
+  refined.texture_uv = corners_of(mesh.texture_uv, children);
+  refined.report.vertices = refined.positions.size();
+  refined.report.triangles = refined.triangles.size();
+  return refined;
+}
+
+Status too_many(std::size_t triangles) {
+  return failure(Code::invalid, "The finer model would have " + std::to_string(triangles) + " triangles.", "",
+                 "at most " + std::to_string(limits::model_triangles));
+}
+
+/// For each triangle whether it is chosen.
+Result<std::vector<bool>> flags_of(const ChosenTriangles& chosen, std::size_t triangles) {
+  std::vector<bool> flags(triangles, false);
+  for (const TriangleRun& run : chosen) {
+    if (run.begin >= run.end || run.end > triangles) return failure(Code::invalid, "The model has no such triangle.");
+    std::fill(flags.begin() + run.begin, flags.begin() + run.end, true);
+  }
+  return flags;
+}
+
+}  // namespace
+
+Result<RefinedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, const ChosenTriangles& chosen) {
+  const Result<std::vector<bool>> flags = flags_of(chosen, mesh.triangles.size());
+  if (!flags) return flags.status();
+  Middles middles = halve_edges(mesh, *flags);
+  std::vector<ChildTriangle> children;
+  children.reserve(mesh.triangles.size() + 2 * middles.parents.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_children(mesh, middles, t, children);
+  if (children.size() > limits::model_triangles) return too_many(children.size());
+  Mesh refined = refine_mesh(mesh, middles, children);
+  PatchMap map = refine_patches(patches, children, refined);
+  return RefinedSurface{std::move(refined), std::move(map), std::move(middles.parents)};
+}
+
+}  // namespace pelage
