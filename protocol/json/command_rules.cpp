@@ -42,7 +42,9 @@ bool are_colours(const std::vector<Field>& fields) {
 
 /// Whether all that the tool changes differs from root to tip.
 template <class Tool>
-bool changes_colours_only(const Tool&) { return false; }
+bool changes_colours_only(const Tool&) {
+  return false;
+}
 bool changes_colours_only(const Paint& paint) { return is_colour(paint.field); }
 bool changes_colours_only(const Smooth& smooth) { return are_colours(smooth.fields); }
 bool changes_colours_only(const Noise& noise) { return are_colours(noise.fields); }
@@ -71,8 +73,7 @@ template <class Tool>
 void check_brush(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.brush; }) {
     const Brush& brush = tool.brush;
-    if (brush.invert && !has_opposite(tool))
-      value.refuse_below("brush/invert", "The tool has no opposite.", "false");
+    if (brush.invert && !has_opposite(tool)) value.refuse_below("brush/invert", "The tool has no opposite.", "false");
     if (brush.strand_to <= brush.strand_from)
       value.refuse_below("brush/strand_to", "The part of the strand ends before it begins.", "above strand_from");
     if ((brush.strand_from > 0 || brush.strand_to < 1) && !changes_colours_only(tool)) {
@@ -91,7 +92,8 @@ void check(const Value& value, const Comb& comb) {
 
 void check(const Value& value, const Blow& blow) {
   const bool own = value.tree().contains("source");
-  if (blow.blower.empty() != own) value.refuse_below("source", "Wind has a source, or the name of a blower.", "one of source | blower");
+  if (blow.blower.empty() != own)
+    value.refuse_below("source", "Wind has a source, or the name of a blower.", "one of source | blower");
 }
 
 void check(const Value& value, const Attract& attract) {
@@ -104,7 +106,8 @@ void check(const Value& value, const Interpolate& command) {
   for (std::size_t k = 0; k < command.keys.size(); ++k) {
     const Key& key = command.keys[k];
     const std::string pointer = "keys/" + std::to_string(k);
-    if (!key.direction && !key.length) value.refuse_below(pointer, "A key gives a direction or a length.", "direction | length");
+    if (!key.direction && !key.length)
+      value.refuse_below(pointer, "A key gives a direction or a length.", "direction | length");
     if (!key.direction && key.inclination)
       value.refuse_below(pointer + "/inclination", "An inclination comes with a direction.", "with direction only");
   }
@@ -148,7 +151,8 @@ void check(const Value& value, const Paint& paint) {
   const FieldShape& shape = shape_of(paint.field);
   const Field unpaintable[] = {Field::direction, Field::length, Field::stretch};
   if (std::count(std::begin(unpaintable), std::end(unpaintable), paint.field) > 0)
-    value.refuse_below("field", "Other tools change this field.", "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
+    value.refuse_below("field", "Other tools change this field.",
+                       "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
   if (paint.value > shape.most) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
 }
 
@@ -157,9 +161,7 @@ void check(const Value& value, const ChangeMask& mask) {
     value.refuse_below("box/max", "The box ends before it begins.", "at least min");
 }
 
-void check(const Value& value, const ApplyMap& map) {
-  refuse_encoding(value, map.field, map.encoding);
-}
+void check(const Value& value, const ApplyMap& map) { refuse_encoding(value, map.field, map.encoding); }
 
 template <class T>
 void check_names(const Value& value, const char* list, const std::vector<T>& named) {

@@ -23,7 +23,7 @@ enum class Presence {
   defaulted,  // the struct's own value
   sparse,     // the same, which is empty and not written
   required,
-  bare        // a rule of the struct says when it has to be there, and no default is named
+  bare  // a rule of the struct says when it has to be there, and no default is named
 };
 
 struct MemberName {

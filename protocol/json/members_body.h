@@ -24,12 +24,14 @@ template <class V>
 void members(V& v, Visited<V, Pupil>& c) {
   v.type("Pupil");
   v.name("shape", c.shape, json_names::pupil_shapes);
-  v.number_or("automatic", "size", c.size, share, "Share of the iris: 0 closed, 1 all of it. `automatic` answers the light.");
+  v.number_or("automatic", "size", c.size, share,
+              "Share of the iris: 0 closed, 1 all of it. `automatic` answers the light.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Lids>& c) {
-  v.type("Lids",
+  v.type(
+      "Lids",
       "Skin around the eye that leaves an almond open, and shades what lies under it. Angles are seen from the eye's "
       "centre. Without this block the eye has no lids.");
   v.direction("facing", c.facing, "Middle of the opening; where the eye looks when it is not given.");
@@ -43,7 +45,7 @@ void members(V& v, Visited<V, Lids>& c) {
 template <class V>
 void members(V& v, Visited<V, Eye>& c) {
   v.type("Eye",
-      "A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look at.");
+         "A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look at.");
   v.position(required("position"), c.position, "Of the ball's centre.");
   v.number(required("radius"), c.radius, {limits::least_eye_radius, 1e6}, "Sizes.");
   if (v.shows(!c.look_at)) v.direction("gaze", c.gaze, "Where it looks.");
@@ -60,17 +62,18 @@ void members(V& v, Visited<V, Eye>& c) {
 template <class V>
 void members(V& v, Visited<V, CurveGroup>& c) {
   v.type("CurveGroup",
-      "Curves of one kind. Guides are drawn as they are given, and between each two that follow each other more are "
-      "filled in. They take the look's shading model, cast no shadow, and of the layers of an EXR are in beauty and "
-      "alpha alone.");
+         "Curves of one kind. Guides are drawn as they are given, and between each two that follow each other more are "
+         "filled in. They take the look's shading model, cast no shadow, and of the layers of an EXR are in beauty and "
+         "alpha alone.");
   v.curves(required("curves"), c.curves, {1, limits::curves}, {2, limits::curve_points},
-      "Guides: the points that a smooth curve passes through, root first.");
+           "Guides: the points that a smooth curve passes through, root first.");
   v.number("width_root", c.width_root, {0, 0.1}, "Sizes.");
   v.number("width_tip", c.width_tip, {0, 0.1}, "Sizes.");
   v.colour("root_colour", c.root_colour);
   v.colour("tip_colour", c.tip_colour);
   v.integer("fill", c.fill, {0, limits::curves - 1}, "Curves between each two guides that follow each other.");
-  v.number("spread", c.spread, share,
+  v.number(
+      "spread", c.spread, share,
       "How far filled curves stray: at 1 half of their length, 30 degrees, and half of the way to the next curve.");
   v.seed("seed", c.seed);
 }
@@ -78,7 +81,7 @@ void members(V& v, Visited<V, CurveGroup>& c) {
 template <class V>
 void members(V& v, Visited<V, SkinFacing>& c) {
   v.type("SkinFacing",
-      "Only skin whose normal lies near a direction belongs to the region. Without this block all of it does.");
+         "Only skin whose normal lies near a direction belongs to the region. Without this block all of it does.");
   v.direction(required("direction"), c.direction);
   v.number("angle_degrees", c.angle_degrees, half_circle, "From the direction, where the region is whole.");
   v.number("fade_degrees", c.fade_degrees, half_circle, "Over which it ends beyond that.");
@@ -94,14 +97,15 @@ void members(V& v, Visited<V, SkinBumps>& c) {
 template <class V>
 void members(V& v, Visited<V, SkinRegion>& c) {
   v.type("SkinRegion",
-      "An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the "
-      "earlier.");
+         "An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the "
+         "earlier.");
   v.position(required("centre"), c.centre);
   v.triple(required("radii"), c.radii, {limits::least_skin_radius, 1e6},
-      "Sizes. The third lies along the axis, the first is level, the second is upright where the axis is level.");
+           "Sizes. The third lies along the axis, the first is level, the second is upright where the axis is level.");
   v.direction("axis", c.axis, "Of the third radius.");
   v.number("turn_degrees", c.turn_degrees, {-180, 180}, "Around the axis, counter-clockwise as seen from its tip.");
-  v.number("softness", c.softness, {0, 10},
+  v.number(
+      "softness", c.softness, {0, 10},
       "How far outside the region fur takes to reach its whole length, in the region's radii. The colour ends within "
       "half of that.");
   v.object("facing", c.facing);

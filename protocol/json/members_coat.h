@@ -34,8 +34,8 @@ void members(V& v, Visited<V, OddHairs>& c) {
 template <class V>
 void members(V& v, Visited<V, Tufts>& c) {
   v.type("Tufts",
-      "Clumps larger than the tile, gathered about places on the body, so that the fur does not repeat and has form "
-      "at a distance. Each finer scale is .45 of the one before.");
+         "Clumps larger than the tile, gathered about places on the body, so that the fur does not repeat and has form "
+         "at a distance. Each finer scale is .45 of the one before.");
   v.number("gather", c.gather, share, "How far tips go to the middle of their tuft.");
   v.number("size", c.size, {0.01, 1}, "Mean distance of the largest tufts, sizes.");
   v.integer("scales", c.scales, {1, 3});
@@ -48,7 +48,7 @@ void members(V& v, Visited<V, Pattern>& c) {
   v.name("kind", c.kind, json_names::pattern_kinds);
   v.number("scale", c.scale, feature_size, "From one marking to the next, sizes.");
   v.number("coverage", c.coverage, share,
-      "Share of the surface that is marked; countershading: how far up it reaches.");
+           "Share of the surface that is marked; countershading: how far up it reaches.");
   v.number("contrast", c.contrast, share, "How far markings replace the coat's colour.");
   v.number("softness", c.softness, share, "Width of a marking's edge over the marking's.");
   v.number("warp", c.warp, {0, 2}, "How far noise bends the markings, in distances from one to the next.");
@@ -93,7 +93,7 @@ void members(V& v, Visited<V, Coat>& c) {
   v.number("lodge", c.lodge, share, "How far patches of strands are pressed to one side.");
   v.number("lodge_size", c.lodge_size, clump_size, "Mean distance of these patches, sizes.");
   v.number("wetness", c.wetness, share,
-      "Tighter clumps, darker (absorption up to 1.8 times) and shinier fur (highlight up to twice as strong).");
+           "Tighter clumps, darker (absorption up to 1.8 times) and shinier fur (highlight up to twice as strong).");
   v.number("length_spread", c.length_spread, share, "Share of the length that is random.");
   v.number("colour_spread", c.colour_spread, share, "Change of lightness from strand to strand.");
   v.number("root_share", c.root_share, share, "Angle at the root over angle at the tip: 0 plush, .6 sleek.");

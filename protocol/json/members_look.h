@@ -31,7 +31,7 @@ void members(V& v, Visited<V, Look>& c) {
   v.name("shading", c.shading, json_names::shading_models, "How fibres scatter light.");
   v.object("fibre", c.fibre);
   v.name("colour_source", c.colour_source, json_names::colour_sources,
-      "model: its texture or vertex colours; coat: the ramp; automatic: the model's where it has colours.");
+         "model: its texture or vertex colours; coat: the ramp; automatic: the model's where it has colours.");
   v.number("ambient", c.ambient, {0, 4});
   v.number("diffuse", c.diffuse, {0, 4});
   v.number("specular", c.specular, {0, 4});
@@ -47,26 +47,26 @@ template <class V>
 void members(V& v, Visited<V, Light>& c) {
   v.type("Light");
   v.name("kind", c.kind, json_names::light_kinds,
-      "area: a rectangle that shines along `direction` by the cosine, as bright from afar as a point light. Shells "
-      "see it from its middle.");
+         "area: a rectangle that shines along `direction` by the cosine, as bright from afar as a point light. Shells "
+         "see it from its middle.");
   v.direction("direction", c.direction, "Where a directional, spot or area light goes.");
   v.position("position", c.position, "Of a point, spot or area light.");
   v.colour("colour", c.colour);
   v.number("intensity", c.intensity, {0, 100000000},
-      "1 gives white; a point light's is measured at a distance of one size.");
+           "1 gives white; a point light's is measured at a distance of one size.");
   v.number("cone_degrees", c.cone_degrees, {0.1, 90}, "Half angle of a spot light.");
   v.number("cone_softness", c.cone_softness, share, "Share of the cone over which a spot light fades.");
   v.number("angle_degrees", c.angle_degrees, {0, 90},
-      "Half angle that a directional light spans, for traced strands and a `penumbra`.");
+           "Half angle that a directional light spans, for traced strands and a `penumbra`.");
   v.number("radius", c.radius, {0, 10},
-      "Of the ball that a point or spot light is, sizes, for traced strands and a `penumbra`.");
+           "Of the ball that a point or spot light is, sizes, for traced strands and a `penumbra`.");
   v.number("width", c.width, {0.001, 100}, "Of an area light, sizes; level.");
   v.number("height", c.height, {0.001, 100}, "Of an area light, sizes.");
   v.boolean("self_shadow_maps", c.self_shadow_maps,
-      "Layer-wise shadow maps in place of the estimate, in frames with `shadow_maps`.");
+            "Layer-wise shadow maps in place of the estimate, in frames with `shadow_maps`.");
   v.name("cast_shadow", c.cast_shadow, json_names::cast_shadows,
-      "Shadow of one part of the body on another, in frames with `shadow_maps`: with a sharp edge, with one that "
-      "`shadow_scale` widens, or blurred by the light's size, nearest to traced strands.");
+         "Shadow of one part of the body on another, in frames with `shadow_maps`: with a sharp edge, with one that "
+         "`shadow_scale` widens, or blurred by the light's size, nearest to traced strands.");
   v.number("shadow_scale", c.shadow_scale, {0, 1000}, "Larger makes the edge of a `soft` cast shadow narrower.");
 }
 
@@ -82,7 +82,8 @@ void intensity_member(V& v, Visited<V, Environment>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Environment>& c) {
-  v.type("Environment",
+  v.type(
+      "Environment",
       "Light from all around: a gradient, or spherical harmonics. It scales the look's `ambient`; white everywhere is "
       "constant light.");
   if (v.shows(!c.harmonics)) {
@@ -101,7 +102,7 @@ void members(V& v, Visited<V, Ground>& c) {
   v.boolean("visible", c.visible);
   v.number("height", c.height, coordinate, "The model's y; its lowest point when absent.");
   v.number("shadow", c.shadow, share,
-      "Share of the missing light of lights with a cast shadow, in frames with `shadow_maps`.");
+           "Share of the missing light of lights with a cast shadow, in frames with `shadow_maps`.");
   v.number("contact", c.contact, share, "How dark it gets under the model.");
 }
 

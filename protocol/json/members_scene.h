@@ -30,14 +30,13 @@ struct EnvironmentUpload {
   Environment environment;
 };
 
-
 template <class V>
 void fur_members(V& v, Visited<V, FirstGroom>& c) {
   v.number("length", c.length, {0, 10}, "Sizes.");
   v.number("inclination", c.inclination, share,
-      "0 upright, 1 lying. At nose and rump, where no way leads to the tail, fur stands up.");
+           "0 upright, 1 lying. At nose and rump, where no way leads to the tail, fur stands up.");
   v.name("form", c.form, json_names::groom_forms,
-      "animal: shorter on face and paws, longer on chest and tail, told from where they lie in the model's box.");
+         "animal: shorter on face and paws, longer on chest and tail, told from where they lie in the model's box.");
 }
 
 template <class V>
@@ -48,7 +47,8 @@ void members(V& v, Visited<V, FirstGroom>& c) {
 
 template <class V>
 void fur_patches_member(V& v, Visited<V, FurPatches>& patches) {
-  v.name("fur_patches", patches, json_names::fur_patches,
+  v.name(
+      "fur_patches", patches, json_names::fur_patches,
       "How the sample tile of fur is laid on the surface, once: patches with soft overlaps; the same with hard "
       "borders, where nothing is drawn twice; or by the model's own texture coordinates, which built-in models do not "
       "have.");
@@ -76,7 +76,7 @@ void members(V& v, Visited<V, Subdivide>& c) {
   v.type("Subdivide");
   v.integer("levels", c.levels, {1, limits::subdivide_levels}, "How often triangles are split.");
   v.boolean("masked", c.masked,
-      "Only triangles with a corner whose mask is above 0.5, and their neighbours so that no crack opens.");
+            "Only triangles with a corner whose mask is above 0.5, and their neighbours so that no crack opens.");
 }
 
 template <class V>
@@ -103,7 +103,7 @@ void members(V& v, Visited<V, AmendRequest>& c) {
   v.type("AmendRequest");
   v.counter(required("revision"), c.revision, "That made the step, or joined it, as in the log.");
   v.objects(required("commands"), c.commands, {0, limits::commands_per_batch},
-      "What takes its place; strokes are whole. None leaves the step out.");
+            "What takes its place; strokes are whole. None leaves the step out.");
 }
 
 template <class V>

@@ -47,7 +47,8 @@ void members(V& v, Visited<V, SetEyes>& c) {
 
 template <class V>
 void members(V& v, Visited<V, SetCurves>& c) {
-  v.type("SetCurves",
+  v.type(
+      "SetCurves",
       "Places all whiskers, lashes and brows of the scene; an empty list takes them away. At most 4096 curves in all, "
       "filled ones too. A new creature has some.");
   v.objects(required("groups"), c.groups, {0, limits::curve_groups});
@@ -56,17 +57,17 @@ void members(V& v, Visited<V, SetCurves>& c) {
 template <class V>
 void members(V& v, Visited<V, SetSkin>& c) {
   v.type("SetSkin",
-      "Places all regions of bare skin; an empty list takes them away. A new creature has a nose, lips, ears and "
-      "pads.");
+         "Places all regions of bare skin; an empty list takes them away. A new creature has a nose, lips, ears and "
+         "pads.");
   v.objects(required("regions"), c.regions, {0, limits::skin_regions});
 }
 
 template <class V>
 void members(V& v, Visited<V, SetBasePicture>& c) {
   v.type("SetBasePicture",
-      "Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is the "
-      "name that the log has after an upload to `base_picture`, made from the pixels alone; a picture that no scene "
-      "of this server has used is refused. `own` takes it off again.");
+         "Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is the "
+         "name that the log has after an upload to `base_picture`, made from the pixels alone; a picture that no scene "
+         "of this server has used is refused. `own` takes it off again.");
   v.picture(required("picture"), c.picture, "", "own");
 }
 

@@ -9,8 +9,7 @@ namespace pelage::json_parts {
 /// The edit layer that keeps what a tool changes.
 template <class V, class Tool>
 void layer_member(V& v, Tool& c) {
-  v.text(sparse("layer"), c.layer,
-         "Edit layer that keeps what changes; the groom below all layers unless named.");
+  v.text(sparse("layer"), c.layer, "Edit layer that keeps what changes; the groom below all layers unless named.");
 }
 
 /// Where a tool works.
@@ -42,7 +41,7 @@ void wind_members(V& v, Visited<V, Blow>& c, MemberName source) {
   v.number("cone_degrees", c.cone_degrees, half_circle, "Half angle of the cone, degrees.");
   v.number("softness", c.softness, share, "Share of the cone over which its edge fades.");
   v.number("fall", c.fall, length_in_units,
-      "Distance at which the wind has half its strength, in `units`; 0: it does not fall.");
+           "Distance at which the wind has half its strength, in `units`; 0: it does not fall.");
   v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
   v.number("strength", c.strength, share, "0 does nothing, 1 all.");
   v.number("lean", c.lean, share, "Inclination that the wind tends to: 0 upright, 1 lying.");
@@ -51,8 +50,8 @@ void wind_members(V& v, Visited<V, Blow>& c, MemberName source) {
 template <class V>
 void members(V& v, Visited<V, Blow>& c) {
   v.type("Blow",
-      "Wind from a source, or from a blower that stays, inside a cone. A stroke restricts it to what its brush "
-      "covers.");
+         "Wind from a source, or from a blower that stays, inside a cone. A stroke restricts it to what its brush "
+         "covers.");
   place_members(v, c);
   v.text(sparse("blower"), c.blower, "Name of a blower of the scene, in place of all that follows.");
   if (v.takes(c.blower.empty())) wind_members(v, c, bare("source"));
@@ -71,7 +70,8 @@ void stick_members(V& v, Visited<V, Attract>& c, MemberName point) {
 
 template <class V>
 void members(V& v, Visited<V, Attract>& c) {
-  v.type("Attract",
+  v.type(
+      "Attract",
       "A stick, or an attractor that stays, pulls fur to it and stretches it. A stroke restricts it to what its brush "
       "covers.");
   place_members(v, c);
@@ -91,13 +91,14 @@ void members(V& v, Visited<V, Key>& c) {
 template <class V>
 void members(V& v, Visited<V, Interpolate>& c) {
   v.type("Interpolate",
-      "Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its value.");
+         "Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its value.");
   place_members(v, c);
   v.objects(required("keys"), c.keys, {1, limits::keys});
   v.number("sigma", c.sigma, width_in_units,
-      "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
+           "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
   v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
-  v.name("distance", c.distance, json_names::distance_kinds,
+  v.name(
+      "distance", c.distance, json_names::distance_kinds,
       "straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by the heat "
       "method, slower.");
   v.number("strength", c.strength, share, "0 does nothing, 1 all.");
@@ -109,9 +110,10 @@ void members(V& v, Visited<V, Flow>& c) {
   place_members(v, c);
   v.curves(required("curves"), c.curves, {1, limits::flow_curves}, {2, limits::flow_points});
   v.number("sigma", c.sigma, width_in_units,
-      "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
+           "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
   v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
-  v.name("distance", c.distance, json_names::distance_kinds,
+  v.name(
+      "distance", c.distance, json_names::distance_kinds,
       "straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by the heat "
       "method, slower.");
   v.number("inclination", c.inclination, share, "The fur keeps its own unless given.");
@@ -125,18 +127,18 @@ void members(V& v, Visited<V, Smooth>& c) {
   v.number("t", c.t, share, "Share of the mean in each pass; up to 0.5 nothing oscillates.");
   v.integer("passes", c.passes, {1, limits::passes});
   v.boolean("keep_inclination", c.keep_inclination,
-      "Smooth headings alone, so that no tuft rises where opposite directions meet.");
+            "Smooth headings alone, so that no tuft rises where opposite directions meet.");
   v.names("fields", c.fields, json_names::fields, 1, "field");
 }
 
 template <class V>
 void members(V& v, Visited<V, Noise>& c) {
   v.type("Noise",
-      "Adds random numbers that are a pure function of the seed and the place; inverted it takes them off.");
+         "Adds random numbers that are a pure function of the seed and the place; inverted it takes them off.");
   place_members(v, c), flood_member(v, c);
   v.seed("seed", c.seed);
   v.number("amount", c.amount, {0, 10},
-      "Of directions in inclinations; of length, stretch and width a share of the value; of other fields added.");
+           "Of directions in inclinations; of length, stretch and width a share of the value; of other fields added.");
   v.number("feature_size", c.feature_size, length_in_units, "Of the noise, in `units`; 0: every vertex for itself.");
   v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
   v.names("fields", c.fields, json_names::fields, 1, "field");
@@ -166,8 +168,9 @@ void members(V& v, Visited<V, Length>& c) {
   v.type("Length", "Changes how long fur is.");
   place_members(v, c), flood_member(v, c);
   v.name("mode", c.mode, json_names::length_modes,
-      "average: to the mean under the brush. jitter: by a random share. least, most: not under, not over.");
-  v.number("value", c.value, coordinate,
+         "average: to the mean under the brush. jitter: by a random share. least, most: not under, not over.");
+  v.number(
+      "value", c.value, coordinate,
       "A length in `units`, at most 10 sizes and below 0 for add only; a factor for scale, at most 1000000; a share "
       "for jitter, at most 1.");
   v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
@@ -191,7 +194,8 @@ void members(V& v, Visited<V, TrimSphere>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Trim>& c) {
-  v.type("Trim",
+  v.type(
+      "Trim",
       "Cuts fur by a plane, by a sphere or to a height over the skin, by the way that it leans. A flood cuts wholly, "
       "whatever the strength.");
   place_members(v, c), flood_member(v, c);
@@ -210,8 +214,8 @@ void members(V& v, Visited<V, Lift>& c) {
 template <class V>
 void members(V& v, Visited<V, Erase>& c) {
   v.type("Erase",
-      "Goes back to the first groom, or to a checkpoint or a revision of this scene; with a layer and neither of "
-      "them, takes away what the layer adds. The mask stays unless it is named.");
+         "Goes back to the first groom, or to a checkpoint or a revision of this scene; with a layer and neither of "
+         "them, takes away what the layer adds. The mask stays unless it is named.");
   place_members(v, c), flood_member(v, c);
   v.text(sparse("checkpoint"), c.checkpoint);
   v.counter("revision", c.revision, "Of this model.");
@@ -271,7 +275,8 @@ void members(V& v, Visited<V, MaskPart>& c) {
 
 template <class V>
 void members(V& v, Visited<V, MaskPicture>& c) {
-  v.type("MaskPicture",
+  v.type(
+      "MaskPicture",
       "An uploaded picture, read at the vertices' texture coordinates. luminance: by Rec. 709's weights of the file's "
       "own numbers, no curve undone.");
   v.picture(required("name"), c.name, "The name that the upload of a picture was answered with.");
@@ -280,21 +285,23 @@ void members(V& v, Visited<V, MaskPicture>& c) {
 
 template <class V>
 void members(V& v, Visited<V, ApplyMap>& c) {
-  v.type("Map",
+  v.type(
+      "Map",
       "Puts a field in place of what a picture says at the vertices' texture coordinates; on seams the mean of what "
       "their islands say. The mask holds, unless it is the mask that is read. The commands of a batch read at most 8 "
       "different pictures.");
   v.picture(required("picture"), c.picture, "The name that the upload of a picture was answered with.");
   v.name("field", c.field, json_names::fields,
-      "A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density, "
-      "bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's. "
-      "root_colour and tip_colour: linear colour and how much it covers.");
-  v.name("encoding", c.encoding, json_names::map_encodings,
+         "A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density, "
+         "bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's. "
+         "root_colour and tip_colour: linear colour and how much it covers.");
+  v.name(
+      "encoding", c.encoding, json_names::map_encodings,
       "What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v in red "
       "and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and length "
       "as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.");
   v.number("scale", c.scale, width_in_units,
-      "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.");
+           "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.");
   v.name("units", c.units, json_names::units, "Of a scale of lengths. relative: sizes; world: the model's unit.");
   v.number("strength", c.strength, share, "How far the field goes to the picture's.");
   layer_member(v, c);
@@ -302,7 +309,8 @@ void members(V& v, Visited<V, ApplyMap>& c) {
 
 template <class V>
 void members(V& v, Visited<V, ChangeMask>& c) {
-  v.type("Mask",
+  v.type(
+      "Mask",
       "Chooses where tools work: they change what the mask is 1 on, and nothing where it is 0. Brushes paint it with "
       "`paint`. Only select takes a shape, combine and value; only grow and shrink a distance; only smooth passes.");
   v.name("action", c.action, json_names::mask_actions);
@@ -314,7 +322,7 @@ void members(V& v, Visited<V, ChangeMask>& c) {
     v.template alternative<MaskPart>("part", c.shape);
     v.template alternative<MaskPicture>("picture", c.shape);
     v.name("combine", c.combine, json_names::mask_combines,
-        "With what the mask is. With replace the rest gets 1 - value.");
+           "With what the mask is. With replace the rest gets 1 - value.");
     v.number("value", c.value, share, "What the chosen get.");
   }
   if (v.takes(c.action == MaskAction::grow || c.action == MaskAction::shrink)) {
@@ -369,8 +377,8 @@ void members(V& v, Visited<V, Symmetry>& c) {
 template <class V>
 void members(V& v, Visited<V, SetSymmetry>& c) {
   v.type("SetSymmetry",
-      "From now on each tool with a place works on all its images too, as one undo step. Places on the surface are "
-      "mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.");
+         "From now on each tool with a place works on all its images too, as one undo step. Places on the surface are "
+         "mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.");
   v.object(required("symmetry"), c.symmetry);
 }
 
@@ -384,33 +392,36 @@ void members(V& v, Visited<V, Checkpoint>& c) {
 template <class V>
 void members(V& v, Visited<V, ChangeLayer>& c) {
   v.type("Layer",
-      "Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the lowest "
-      "layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is merged may "
-      "be muted; the layer that is merged into comes to weight 1.");
+         "Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the lowest "
+         "layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is merged may "
+         "be muted; the layer that is merged into comes to weight 1.");
   v.name("action", c.action, json_names::layer_actions);
   v.label(required("name"), c.name);
   const bool add = c.action == LayerAction::add, set = c.action == LayerAction::set;
   if (v.takes(add || set)) {
     v.number("weight", c.weight, layer_weight,
-        "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change layers of at least .05 "
-        "or at most -.05.");
+             "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change layers of at "
+             "least .05 "
+             "or at most -.05.");
     v.boolean("muted", c.muted, "Of add and set.");
   }
   if (v.takes(set)) v.text(sparse("rename"), c.rename, "Of set: the new name.");
   if (v.takes(add || c.action == LayerAction::move)) {
     v.text("above", c.above,
-        "Of add, else on top, and move, where it is required: the layer that it comes to lie on, or \"\" for none.");
+           "Of add, else on top, and move, where it is required: the layer that it comes to lie on, or \"\" for none.");
   }
 }
 
 template <class V>
 void members(V& v, Visited<V, Retarget>& c) {
-  v.type("Retarget",
+  v.type(
+      "Retarget",
       "Takes the fields of another scene, or of this one at another revision, from the nearest places of its surface. "
       "The mask holds.");
   v.label(required("scene"), c.scene, "Id of the source, on the same server.");
   v.counter("revision", c.revision, "Of the source's model; the present one unless given.");
-  v.name("align", c.align, json_names::alignments,
+  v.name(
+      "align", c.align, json_names::alignments,
       "box: the models' boxes lie over each other, axis by axis, and lengths stay shares of the size; none: both have "
       "the same coordinates, and lengths stay what they are in the model's unit.");
   v.names("fields", c.fields, json_names::fields, 0, "field", "All but the mask when empty.");

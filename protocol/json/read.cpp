@@ -55,9 +55,8 @@ void get(const Value& value, std::optional<Tracing>& out) {
 
 SurfacePlace surface_place(Object& object) {
   SurfacePlace place;
-  object.required("triangle", [&](const Value& v) {
-    place.triangle = static_cast<std::uint32_t>(v.integer(whole_number));
-  });
+  object.required("triangle",
+                  [&](const Value& v) { place.triangle = static_cast<std::uint32_t>(v.integer(whole_number)); });
   object.required("barycentric", [&](const Value& v) {
     place.barycentric = v.triple(share);
     const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
@@ -185,8 +184,7 @@ class MemberReader {
       for (const Value& v : list.list(count.least, count.most)) out.push_back(read<T>(v));
     });
   }
-  void curves(MemberName name, std::vector<std::vector<glm::dvec3>>& out, Count count, Count points,
-              const char* = "") {
+  void curves(MemberName name, std::vector<std::vector<glm::dvec3>>& out, Count count, Count points, const char* = "") {
     member(name, [&](const Value& list) {
       for (const Value& v : list.list(count.least, count.most)) {
         std::vector<glm::dvec3>& curve = out.emplace_back();

@@ -1,5 +1,5 @@
-// What the list of a struct's members does not say: which of them go together. A rule refuses the value that it was read
-// from; structs without rules pass.
+// What the list of a struct's members does not say: which of them go together. A rule refuses the value that it was
+// read from; structs without rules pass.
 #pragma once
 
 #include "protocol/commands/command.h"

@@ -67,7 +67,8 @@ inline void fit(SetCurves& command) {
   }
 }
 inline void fit(Coat& coat) {
-  for (std::size_t i = 0; i < coat.ramp.size(); ++i) coat.ramp[i].at = 0.25 * static_cast<double>(i) + number(0.01, 0.2);
+  for (std::size_t i = 0; i < coat.ramp.size(); ++i)
+    coat.ramp[i].at = 0.25 * static_cast<double>(i) + number(0.01, 0.2);
 }
 inline void fit(Environment& environment) {
   if (environment.harmonics) {
@@ -82,7 +83,8 @@ inline void fit(Eye& eye) {
 inline void fit(Brush& brush) { brush.strand_from /= 2, brush.strand_to = 0.6 + 0.4 * brush.strand_to; }
 inline void fit(Stroke& stroke) {
   if (!stroke.view) stroke.view.emplace();
-  for (std::size_t i = 0; i < stroke.samples.size(); ++i) stroke.samples[i].time = static_cast<double>(i) + number(0, 0.5);
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i)
+    stroke.samples[i].time = static_cast<double>(i) + number(0, 0.5);
 }
 inline void fit(Tracing& tracing) {
   if (tracing.transport == Transport::paths) tracing.scattering = StrandScattering::energy_conserving;
@@ -112,9 +114,9 @@ inline void fit(FrameRequest& frame) {
 // Some tools have no opposite, and only colours differ from root to tip.
 template <class Tool>
 void agree_with_brush(Tool& tool) {
-  constexpr bool no_opposite = std::is_same_v<Tool, Smooth> || std::is_same_v<Tool, Unify> || std::is_same_v<Tool, Erase> ||
-                               std::is_same_v<Tool, Trim> || std::is_same_v<Tool, Interpolate> ||
-                               std::is_same_v<Tool, Flow>;
+  constexpr bool no_opposite = std::is_same_v<Tool, Smooth> || std::is_same_v<Tool, Unify> ||
+                               std::is_same_v<Tool, Erase> || std::is_same_v<Tool, Trim> ||
+                               std::is_same_v<Tool, Interpolate> || std::is_same_v<Tool, Flow>;
   if constexpr (no_opposite) tool.brush.invert = false;
   if constexpr (std::is_same_v<Tool, Paint>) {
     if (shape_of(tool.field).channels == 4) return;

@@ -173,7 +173,7 @@ class MemberMaker {
     out.kind = one_of(Background::studio), out.colour = testing::colour();
   }
   void place(std::variant<PositionPlace, ScreenPlace, SurfacePlace>& out) {
-  switch (*rc::gen::inRange(0, 3)) {
+    switch (*rc::gen::inRange(0, 3)) {
       case 0: out = PositionPlace{random_place()}; break;
       case 1: out = ScreenPlace{{testing::number(-1e6, 1e6), testing::number(-1e6, 1e6)}}; break;
       default: {
