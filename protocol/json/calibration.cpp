@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "protocol/json/decode_parts.h"
+#include "protocol/json/read.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/parse.h"
 

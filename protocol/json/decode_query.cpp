@@ -3,9 +3,10 @@
 #include <sstream>
 
 #include "protocol/json/decode.h"
-#include "protocol/json/decode_parts.h"
+#include "protocol/json/members_scene.h"
 #include "protocol/json/nearest.h"
 #include "protocol/json/parse.h"
+#include "protocol/json/read.h"
 
 namespace pelage {
 
@@ -171,106 +172,44 @@ Result<json> document_of(const Query& query, const std::array<Parameter, N>& par
   return document;
 }
 
-/// What requests for maps and uploads of maps have in common.
-template <class Map>
-void read_map(Object& object, Map& map) {
-  object.required("field", [&](const Value& v) { map.field = v.name_of(json_names::fields); });
-  object.name("encoding", map.encoding, json_names::map_encodings);
-  object.optional("scale", [&](const Value& v) { map.scale = v.number(json_parts::map_scale); });
-  object.name("units", map.units, json_names::units);
-  if (!fits(map.field, map.encoding)) json_parts::refuse_encoding(object.value(), map.field);
+template <class T, std::size_t N>
+Result<T> decode_query(const Query& query, const std::array<Parameter, N>& parameters) {
+  const auto document = document_of(query, parameters);
+  if (!document) return document.status();
+  Status first_failure;
+  T result = json_parts::read<T>(Value(*document, "", first_failure));
+  if (!first_failure.ok()) return first_failure;
+  return result;
 }
 
 }  // namespace
 
-Result<MapRequest> decode_map_query(const Query& query) {
-  const auto document = document_of(query, map_parameters);
-  if (!document) return document.status();
-  Status first_failure;
-  Object object(Value(*document, "", first_failure));
-  MapRequest map;
-  read_map(object, map);
-  object.name("format", map.format, json_names::map_formats);
-  object.integer("size", map.size, {1, limits::map_pixels});
-  object.integer("dilate", map.dilate, {0, limits::map_dilation});
-  const bool is_png = map.format == MapFormat::png || map.format == MapFormat::png16;
-  if (map.encoding == MapEncoding::vector && is_png)
-    object.value().refuse_below("format", "Vectors have parts below 0 and need floats.", "exr | exr_half");
-  if (!first_failure.ok()) return first_failure;
-  return map;
+Result<FrameRequest> decode_frame_query(const Query& query) {
+  return decode_query<FrameRequest>(query, frame_parameters);
 }
+
+Result<Tracing> decode_tracing_query(const Query& query) { return decode_query<Tracing>(query, tracing_parameters); }
+
+Result<ImportOptions> decode_import_query(const Query& query) {
+  return decode_query<ImportOptions>(query, import_parameters);
+}
+
+Result<MapRequest> decode_map_query(const Query& query) { return decode_query<MapRequest>(query, map_parameters); }
 
 Result<MapUpload> decode_map_upload_query(const Query& query) {
-  const auto document = document_of(query, map_upload_parameters);
-  if (!document) return document.status();
-  Status first_failure;
-  Object object(Value(*document, "", first_failure));
-  MapUpload map;
-  read_map(object, map);
-  object.number("strength", map.strength, json_parts::share);
-  if (!first_failure.ok()) return first_failure;
-  return map;
-}
-
-Result<FrameRequest> decode_frame_query(const Query& query) {
-  const auto document = document_of(query, frame_parameters);
-  if (!document) return document.status();
-  return decode_frame_request(document->dump(-1, ' ', false, json::error_handler_t::replace));
-}
-
-Result<Tracing> decode_tracing_query(const Query& query) {
-  const auto document = document_of(query, tracing_parameters);
-  if (!document) return document.status();
-  Status first_failure;
-  const Tracing tracing = json_parts::tracing(Value(*document, "", first_failure));
-  if (!first_failure.ok()) return first_failure;
-  return tracing;
+  return decode_query<MapUpload>(query, map_upload_parameters);
 }
 
 Result<Environment> decode_environment_query(const Query& query) {
-  const auto document = document_of(query, environment_parameters);
-  if (!document) return document.status();
-  Status first_failure;
-  Object object(Value(*document, "", first_failure));
-  Environment environment;
-  object.number("intensity", environment.intensity, {0, 100});
-  object.number("turn_degrees", environment.turn_degrees, {-360, 360});
-  if (!first_failure.ok()) return first_failure;
-  return environment;
+  const auto upload = decode_query<json_parts::EnvironmentUpload>(query, environment_parameters);
+  if (!upload) return upload.status();
+  return upload->environment;
 }
 
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query) {
-  const auto document = document_of(query, compare_parameters);
-  if (!document) return document.status();
-  Status first_failure;
-  Object object(Value(*document, "", first_failure));
-  std::pair<std::uint64_t, std::uint64_t> revisions;
-  object.required("from", [&](const Value& v) { revisions.first = v.counter(); });
-  object.required("to", [&](const Value& v) { revisions.second = v.counter(); });
-  if (!first_failure.ok()) return first_failure;
-  return revisions;
-}
-
-Result<ImportOptions> decode_import_query(const Query& query) {
-  const auto document = document_of(query, import_parameters);
-  if (!document) return document.status();
-  Status first_failure;
-  Object object(Value(*document, "", first_failure));
-  ImportOptions options;
-  object.required("format", [&](const Value& v) { options.format = v.name_of(json_names::model_formats); });
-  object.name("up", options.up, json_names::axes);
-  object.name("front", options.front, json_names::axes);
-  object.number("length", options.fur.length, {0, 10});
-  object.number("inclination", options.fur.inclination, {0, 1});
-  object.name("form", options.fur.form, json_names::groom_forms);
-  object.name("fur_patches", options.fur_patches, json_names::fur_patches);
-  const int up_line = static_cast<int>(options.up) / 2;  // x, y or z, whatever the sign
-  const int front_line = static_cast<int>(options.front) / 2;
-  if (up_line == front_line) {
-    object.value().refuse_below("front", "Up and front lie on one line.", "another axis than up");
-  }
-  if (!first_failure.ok()) return first_failure;
-  return options;
+  const auto revisions = decode_query<json_parts::Revisions>(query, compare_parameters);
+  if (!revisions) return revisions.status();
+  return std::pair(revisions->from, revisions->to);
 }
 
 }  // namespace pelage

@@ -1,14 +1,14 @@
-#include <nlohmann/json.hpp>
-
 #include "protocol/json/encode.h"
+#include "protocol/json/names.h"
+#include "protocol/json/write.h"
 
 namespace pelage {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+using json_names::text_of;
+using json_parts::Json;
+using json_parts::line;
 
 Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -162,6 +162,57 @@ std::string encode_problem(const Status& status, int http_status) {
   if (!status.pointer.empty() || http_status == 422) json["pointer"] = status.pointer;
   if (!status.limit.empty()) json["limit"] = status.limit;
   if (!status.nearest.empty()) json["nearest"] = status.nearest;
+  return line(json);
+}
+
+/// Before it can be estimated noise is infinite, which JSON cannot say; no shown channel is further off than 1.
+std::string encode(const TraceReport& report) {
+  return line({{"passes", report.passes},
+               {"samples", report.samples},
+               {"noise", report.noise < 1 ? report.noise : 1},
+               {"strands", report.strands},
+               {"end", text_of(json_names::trace_ends, report.end)},
+               {"grow_ms", report.grow_ms},
+               {"trace_ms", report.trace_ms}});
+}
+
+std::string encode(const FrameEstimate& estimate) {
+  return line({{"error", estimate.error},
+               {"error_safety", estimate.error_safety},
+               {"measured", estimate.measured},
+               {"reference", "sorted_shells"},
+               {"cost_ms", estimate.cost_ms},
+               {"cost_safety", estimate.cost_safety},
+               {"correction", estimate.correction},
+               {"end", text_of(json_names::plan_ends, estimate.end)},
+               {"calibration", estimate.calibration}});
+}
+
+std::string encode(const FrameCounters& counters) {
+  return line({{"passes", counters.passes},
+               {"draws", counters.draws},
+               {"textures", counters.textures},
+               {"bytes", counters.bytes},
+               {"fragments", counters.fragments},
+               {"objects", counters.objects},
+               {"allocated", counters.allocated},
+               {"redrawn", counters.redrawn}});
+}
+
+std::string encode(const MapAnswer& answer) {
+  const Json json = {{"revision", answer.revision},
+                     {"field", shape_of(answer.field).name},
+                     {"encoding", text_of(json_names::map_encodings, answer.encoding)},
+                     {"scale", answer.scale},
+                     {"units", text_of(json_names::units, answer.units)},
+                     {"covered", answer.covered},
+                     {"outside", answer.outside}};
+  return line(json);
+}
+
+std::string encode(const PictureAnswer& answer) {
+  Json json = {{"picture", answer.picture}, {"width", answer.width}, {"height", answer.height}, {"bits", answer.bits}};
+  if (answer.scale) json["scale"] = *answer.scale;
   return line(json);
 }
 

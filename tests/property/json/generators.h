@@ -5,6 +5,8 @@
 
 #include "protocol/commands/command.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/history.h"
+#include "protocol/commands/scene.h"
 
 namespace pelage::testing {
 
@@ -19,15 +21,14 @@ E one_of(E last) {
 glm::dvec3 direction();  // not 0
 glm::vec3 colour();
 Camera camera();
-Look look();
-Tracing tracing();
 Stroke random_stroke();
-Brush random_brush();
+NewScene new_scene();
+FrameRequest frame_request();
+BranchRequest branch_request();
+AmendRequest amend_request();
 Command set_coat();
 Command set_environment();
 Command set_base_picture();
-/// One of the grooming kernel.
-Command tool();
 /// One of all commands.
 Command command();
 

@@ -76,82 +76,34 @@ RC_GTEST_PROP(Json, PicturesOfModelsComeBack, ()) {
 }
 
 RC_GTEST_PROP(Json, NewScenesComeBack, ()) {
-  const NewScene before{.name = "a",
-                        .model = {one_of(Builtin::creature), *rc::gen::inRange(2, 1'000'001)},
-                        .fur = {number(0, 10), number(0, 1)},
-                        .fur_patches = one_of(FurPatches::own_uvs)};
+  const NewScene before = new_scene();
   const auto after = decode_new_scene(encode(before));
-  RC_ASSERT(after.ok());
+  if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
+  RC_ASSERT(encode(*after) == encode(before));
   RC_ASSERT(after->fur_patches == before.fur_patches && after->model.shape == before.model.shape);
   RC_ASSERT(after->fur.length == before.fur.length && after->model.triangles == before.model.triangles);
 }
 
-/// By shells, by shells that strands refine, or by strands.
-static void choose_method(FrameRequest& frame) {
-  if (frame.overlay >= Overlay::layer_count && frame.overlay <= Overlay::shadow_width) return;
-  switch (*rc::gen::inRange(0, 3)) {
-    case 0: return;
-    case 1: frame.refine = tracing(); return;
-    default: frame.knobs = {.eye_steps = *rc::gen::inRange(0, 65), .method = Method::strands, .trace = tracing()};
-  }
-}
-
 RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
-  FrameRequest before;
-  before.width = *rc::gen::inRange(1, 8193);
-  before.camera = camera();
-  before.knobs = {.shells = *rc::gen::inRange(1, 1025),
-                  .shell_policy = one_of(ShellPolicy::adaptive),
-                  .samples = *rc::gen::element(1, 4),
-                  .steps = *rc::gen::inRange(1, 17),
-                  .scale = number(0.25, std::min(2.0, 8192.0 / before.width)),
-                  .least_radius = *rc::gen::inRange(0, 8193),
-                  .bands = *rc::gen::inRange(1, 5),
-                  .eye_steps = *rc::gen::inRange(0, 65),
-                  .self_shadow = *rc::gen::arbitrary<bool>(),
-                  .shadow_maps = *rc::gen::arbitrary<bool>(),
-                  .shadow_resolution = *rc::gen::inRange(1, 4097),
-                  .accumulation = one_of(Accumulation::full),
-                  .fins = *rc::gen::arbitrary<bool>(),
-                  .guard_hairs = *rc::gen::inRange(0, 100'001)};
-  if (before.knobs.samples == 1) before.knobs.order = one_of(FragmentOrder::sorted);
-  if (before.knobs.order == FragmentOrder::sorted) before.knobs.shells = *rc::gen::inRange(1, 129);
-  before.format = one_of(FrameFormat::exr);
-  before.background = before.format == FrameFormat::jpeg ? Background::studio : one_of(Background::studio);
-  before.jpeg_quality = *rc::gen::inRange(1, 101);
-  before.exr_type = one_of(ExrType::single);
-  if (before.format == FrameFormat::exr) {
-    if (*rc::gen::arbitrary<bool>()) before.layers = {one_of(FrameLayer::layer_count)};
-  } else {
-    before.overlay = one_of(Overlay::difference);
-    if (before.overlay == Overlay::difference) before.overlay_from = *rc::gen::arbitrary<std::uint64_t>();
-  }
-  before.background_colour = colour();
-  before.exposure = number(-20, 20);
-  before.tone_map = one_of(ToneMap::filmic);
-  if (*rc::gen::arbitrary<bool>()) before.look = look();
-  choose_method(before);
+  const FrameRequest before = frame_request();
   const auto after = decode_frame_request(encode(before));
   if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
   RC_ASSERT(after->knobs == before.knobs);
   RC_ASSERT(encode(*after) == encode(before));
-  RC_ASSERT(after->format == before.format && after->layers == before.layers && after->overlay == before.overlay);
+  RC_ASSERT(after->format == before.format && after->overlay == before.overlay);
   RC_ASSERT(after->overlay_from == before.overlay_from && after->refine == before.refine);
   RC_ASSERT(after->background == before.background && after->exr_type == before.exr_type);
 }
 
 RC_GTEST_PROP(Json, BranchesComeBack, ()) {
-  BranchRequest before;
-  if (*rc::gen::arbitrary<bool>()) before.revision = *rc::gen::arbitrary<std::uint64_t>();
-  before.name = std::string(static_cast<std::size_t>(*rc::gen::inRange(1, 201)), *rc::gen::inRange('!', '~'));
+  const BranchRequest before = branch_request();
   const auto after = decode_branch(encode(before));
   RC_ASSERT(after.ok());
   RC_ASSERT(after->name == before.name && after->revision == before.revision);
 }
 
 RC_GTEST_PROP(Json, AmendmentsComeBack, ()) {
-  AmendRequest before{.revision = *rc::gen::arbitrary<std::uint64_t>(), .commands = {}};
-  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) before.commands.push_back(command());
+  const AmendRequest before = amend_request();
   const auto after = decode_amend(encode(before));
   if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer);
   RC_ASSERT(after->revision == before.revision && after->commands.size() == before.commands.size());

@@ -1,0 +1,144 @@
+// What a frame request says, on the wire.
+#pragma once
+
+#include "protocol/commands/frame.h"
+#include "protocol/json/members.h"
+#include "protocol/json/members_look.h"
+
+namespace pelage::json_parts {
+
+/// What is behind the fur: a word, or a colour.
+template <bool reads>
+struct Backdrop {
+  std::conditional_t<reads, const Background, Background>& kind;
+  std::conditional_t<reads, const glm::vec3, glm::vec3>& colour;
+};
+
+template <class V>
+void members(V& v, Visited<V, Tracing>& c) {
+  v.type(
+      "Tracing",
+      "How strands are traced. The same picture comes from the same seed and the same count of passes. It ends at the "
+      "first of `passes`, `noise` and `seconds`. Refused with 413 where the strands and the picture need more memory "
+      "than the server gives them.");
+  v.integer("passes", c.passes, {1, limits::trace_passes},
+            "At most. A pass adds a sample to each pixel that still needs some.");
+  v.name("transport", c.transport, json_names::transports,
+         "transmittance: light comes through the strands that it crosses by their colour and count. paths: light goes "
+         "from strand to strand.");
+  v.name("scattering", c.scattering, json_names::strand_scatterings,
+         "What a strand scatters by: the look's shading, or energy_conserving whatever the look says. Paths take no "
+         "other.");
+  if (v.shows(c.transport == Transport::paths))
+    v.integer("bounces", c.bounces, {1, 4096}, "Of a path at most; with `paths` only.");
+  v.integer("strands", c.strands, {1, limits::strands}, "At most; fewer are drawn wider, so that they cover as much.");
+  v.number("noise", c.noise, share,
+           "Ends when the estimated mean error of a shown channel is below, and leaves parts that are; 0 never.");
+  v.number("seconds", c.seconds, {0, 3600}, "Ends after as many; 0 never.");
+  v.boolean("filter", c.filter, "Direction, depth and colour guide a filter over pictures of few passes.");
+  v.seed("seed", c.seed);
+}
+
+template <class V>
+void members(V& v, Visited<V, Knobs>& c) {
+  v.type("Knobs", "What is not given is as in the interactive tier.");
+  v.name("method", c.method, json_names::methods,
+         "strands: every strand of the coat, ray traced; of the other knobs it takes `trace`, `eye_steps` and "
+         "`guard_hairs`.");
+  if (v.shows(c.method == Method::shells)) {
+    v.integer("shells", c.shells, {1, limits::shells}, "Layers of fur, where the view needs most.");
+    v.integer("samples", c.samples, {1, 4}, "Samples on outlines.");
+    v.integer("steps", c.steps, {1, 16}, "Texture steps inside each layer.");
+    v.number("scale", c.scale, {0.25, 2},
+             "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
+    v.integer(
+        "least_radius", c.least_radius, {0, 8192},
+        "Rendered pixels of the ball about the model's box: where a scale below 1 gives fewer, the scale is larger, up "
+        "to 1, so that what is small on the picture keeps its form. The answer's knobs have the scale that came of it; "
+        "the tier draft has 120.");
+    v.integer("bands", c.bands, {1, 4},
+              "Parts that a thick slab is lit in, at most: fur in depth as with more shells.");
+    v.boolean("self_shadow", c.self_shadow);
+    v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
+    v.integer("shadow_resolution", c.shadow_resolution, {1, 4096}, "Texels along the side of a shadow map.");
+    v.boolean("fins", c.fins, "Side views of the fur on edges near outlines.");
+    v.name("shell_policy", c.shell_policy, json_names::shell_policies,
+           "adaptive: fewer layers where fur is seen from above or is small on the picture.");
+    v.name("accumulation", c.accumulation, json_names::accumulations, "Floating point of the blending.");
+    v.name(
+        "order", c.order, json_names::fragment_orders,
+        "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
+        "pictures "
+        "to compare with. It takes samples 1 and at most 1073741824 drawn pixels x shells. Of an EXR's layers it makes "
+        "beauty and alpha; the others stay in the order of layers.");
+  }
+  v.integer(
+      "eye_steps", c.eye_steps, {0, 64},
+      "Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more a march through its "
+      "layers.");
+  v.integer(
+      "guard_hairs", c.guard_hairs, {0, 100000},
+      "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near outlines; of "
+      "strands about as many stand so.");
+  if (v.shows(c.method == Method::strands)) v.object("trace", c.trace, "Of method strands.");
+}
+
+template <class V>
+void members(V& v, Visited<V, FrameRequest>& c) {
+  v.type("FrameRequest");
+  v.integer("width", c.width, pixels, "Pixels.");
+  v.integer("height", c.height, pixels, "Pixels.");
+  v.special("camera", c.camera);
+  if (v.shows(!c.plans())) v.special("quality", c.knobs);
+  v.number(
+      "budget_ms", c.budget_ms, budget_ms,
+      "In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of frames keep "
+      "it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is CPU milliseconds of the "
+      "server while it draws, over the GL's threads; of a hardware GL the milliseconds until the frame is done. "
+      "Layers of an EXR beside beauty, overlays and the making of shadow maps come on top.");
+  v.number(
+      "max_error", c.max_error, max_error,
+      "In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where there is "
+      "fur, against the same fur in many sorted shells.");
+  v.special("background", Backdrop<V::reads>{c.background, c.background_colour},
+            "`studio` is a soft gradient with darker corners.");
+  v.number("exposure", c.exposure, {-20, 20}, "Stops.");
+  v.name("tone_map", c.tone_map, json_names::tone_maps);
+  v.object("look", c.look, "In place of the scene's, for this frame.");
+  v.text(
+      sparse("view"), c.view,
+      "Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409. At most "
+      "200 bytes.");
+  v.name("format", c.format, json_names::frame_formats,
+         "png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map and "
+         "background, multiplied by alpha.");
+  v.integer("jpeg_quality", c.jpeg_quality, {1, 100});
+  v.name("exr_type", c.exr_type, json_names::exr_types, "Depth and position are always float.");
+  if (v.shows(c.format == FrameFormat::exr))
+    v.names("layers", c.layers, json_names::frame_layers, 1, "layer",
+            "Of an EXR; `[beauty]` when absent. Drawn pixels times layers at most 67108864. Channels: R, G, B, A of "
+            "beauty; "
+            "A of alpha; Z of depth; LAYER.X, .Y, .Z of position, normal and tangent; LAYER.R, .G, .B of albedo and "
+            "direct; "
+            "LAYER.Y of shadow and layer_count.");
+  v.name(
+      "overlay", c.overlay, json_names::overlays,
+      "A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask go from "
+      "dark violet for 0 to yellow for 1. difference: how much the fields have changed since `overlay_from`, with the "
+      "same colours: of the field that changed most, the change over what counts as much (direction and colours: 1; "
+      "length: the longest fur; others: the field's range). Grey where nothing changed. light_depth, light_occlusion "
+      "and shadow_width hide the frame: maps of the first light that casts a shadow, as it sees the model, in grey. "
+      "light_depth: how near the skin is to the light. light_occlusion: white where skin that faces the light lies "
+      "deeper than what the light sees. shadow_width: the same, reduced and enlarged again. Refused where the knob "
+      "shadow_maps is off, no light casts a shadow, or that light stands too near the model for one map.");
+  v.special(
+      "refine", c.refine,
+      "Shells at once; strands of the same revision are then traced while somebody waits for them with `after` and "
+      "`after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to this same request, "
+      "sent again. Name the `view`: what is traced is dropped as soon as the scene changes, the same view asks for "
+      "something else, or nobody has asked for 30 seconds. Refused with 503 while 16 pictures wait to be traced.");
+  v.counter("overlay_from", c.overlay_from,
+            "The revision that the overlay `difference` compares the present with: one of this model. Only with it.");
+}
+
+}  // namespace pelage::json_parts

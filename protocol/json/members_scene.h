@@ -1,0 +1,170 @@
+// Requests about whole scenes and their history, on the wire.
+#pragma once
+
+#include "protocol/commands/history.h"
+#include "protocol/commands/map.h"
+#include "protocol/commands/scene.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/members_tools.h"
+
+namespace pelage::json_parts {
+
+struct StepsBody {
+  int steps = 1;
+};
+
+struct RevisionBody {
+  std::uint64_t revision = 0;
+};
+
+struct Revisions {
+  std::uint64_t from = 0, to = 0;
+};
+
+struct Batch {
+  std::vector<Command> commands;
+};
+
+/// What a query says about the environment that comes with it.
+struct EnvironmentUpload {
+  Environment environment;
+};
+
+template <class V>
+void fur_members(V& v, Visited<V, FirstGroom>& c) {
+  v.number("length", c.length, {0, 10}, "Sizes.");
+  v.number("inclination", c.inclination, share,
+           "0 upright, 1 lying. At nose and rump, where no way leads to the tail, fur stands up.");
+  v.name("form", c.form, json_names::groom_forms,
+         "animal: shorter on face and paws, longer on chest and tail, told from where they lie in the model's box.");
+}
+
+template <class V>
+void members(V& v, Visited<V, FirstGroom>& c) {
+  v.type("FirstGroom", "The first fur, which lies from nose to tail and a little down.");
+  fur_members(v, c);
+}
+
+template <class V>
+void fur_patches_member(V& v, Visited<V, FurPatches>& patches) {
+  v.name(
+      "fur_patches", patches, json_names::fur_patches,
+      "How the sample tile of fur is laid on the surface, once: patches with soft overlaps; the same with hard "
+      "borders, where nothing is drawn twice; or by the model's own texture coordinates, which built-in models do not "
+      "have.");
+}
+
+template <class V>
+void members(V& v, Visited<V, BuiltinModel>& c) {
+  v.type("BuiltinModel");
+  v.name("builtin", c.shape, json_names::builtins);
+  v.integer("triangles", c.triangles, {2, static_cast<double>(limits::builtin_triangles)},
+            "Triangles that are wished for.");
+}
+
+template <class V>
+void members(V& v, Visited<V, NewScene>& c) {
+  v.type("NewScene");
+  v.label("name", c.name, "At most 200 bytes of UTF-8, no control characters.");
+  v.object("model", c.model);
+  v.object("fur", c.fur);
+  fur_patches_member(v, c.fur_patches);
+}
+
+template <class V>
+void members(V& v, Visited<V, Subdivide>& c) {
+  v.type("Subdivide");
+  v.integer("levels", c.levels, {1, limits::subdivide_levels}, "How often triangles are split.");
+  v.boolean("masked", c.masked,
+            "Only triangles with a corner whose mask is above 0.5, and their neighbours so that no crack opens.");
+}
+
+template <class V>
+void members(V& v, Visited<V, StepsBody>& c) {
+  v.type("Steps");
+  v.integer("steps", c.steps, {1, 1000000});
+}
+
+template <class V>
+void members(V& v, Visited<V, RevisionBody>& c) {
+  v.type("RevisionBody");
+  v.counter(required("revision"), c.revision);
+}
+
+template <class V>
+void members(V& v, Visited<V, BranchRequest>& c) {
+  v.type("BranchRequest");
+  v.label("name", c.name, "At most 200 bytes of UTF-8, no control characters.");
+  v.counter("revision", c.revision, "One of this model; the present one when it is not given.");
+}
+
+template <class V>
+void members(V& v, Visited<V, AmendRequest>& c) {
+  v.type("AmendRequest");
+  v.counter(required("revision"), c.revision, "That made the step, or joined it, as in the log.");
+  v.objects(required("commands"), c.commands, {0, limits::commands_per_batch},
+            "What takes its place; strokes are whole. None leaves the step out.");
+}
+
+template <class V>
+void members(V& v, Visited<V, PickRequest>& c) {
+  v.type("PickRequest");
+  v.object("view", c.view);
+  v.pixel(required("pixel"), c.pixel, c.view, "Pixels from the top left, within the view.");
+}
+
+template <class V>
+void members(V& v, Visited<V, ImportOptions>& c) {
+  v.type("ImportOptions");
+  v.name(required("format"), c.format, json_names::model_formats);
+  v.name("up", c.up, json_names::axes, "The file's axis that points up.");
+  v.name("front", c.front, json_names::axes, "The file's axis that the model faces; on another line than `up`.");
+  fur_members(v, c.fur);
+  fur_patches_member(v, c.fur_patches);
+}
+
+template <class V>
+void members(V& v, Visited<V, Revisions>& c) {
+  v.type("Revisions");
+  v.counter(required("from"), c.from);
+  v.counter(required("to"), c.to);
+}
+
+template <class V>
+void members(V& v, Visited<V, Batch>& c) {
+  v.type("Batch");
+  v.objects(required("commands"), c.commands, {1, limits::commands_per_batch});
+}
+
+template <class V>
+void members(V& v, Visited<V, EnvironmentUpload>& c) {
+  v.type("EnvironmentUpload");
+  intensity_member(v, c.environment), turn_member(v, c.environment);
+}
+
+/// What requests for maps and uploads of maps have in common.
+template <class V, class Map>
+void map_members(V& v, Map& c) {
+  v.name(required("field"), c.field, json_names::fields);
+  v.name("encoding", c.encoding, json_names::map_encodings);
+  v.number("scale", c.scale, width_in_units, "What 1 in the picture stands for, in the field's unit.");
+  v.name("units", c.units, json_names::units, "Of a scale of lengths.");
+}
+
+template <class V>
+void members(V& v, Visited<V, MapRequest>& c) {
+  v.type("MapRequest");
+  map_members(v, c);
+  v.name("format", c.format, json_names::map_formats, "8 or 16 bits, or an EXR of floats or halfs.");
+  v.integer("size", c.size, {1, limits::map_pixels}, "Pixels of a side. Above 4096 one map is made at a time.");
+  v.integer("dilate", c.dilate, {0, limits::map_dilation}, "Pixels by which islands grow over their seams.");
+}
+
+template <class V>
+void members(V& v, Visited<V, MapUpload>& c) {
+  v.type("MapUpload");
+  map_members(v, c);
+  v.number("strength", c.strength, share, "How far the field goes to the picture's.");
+}
+
+}  // namespace pelage::json_parts

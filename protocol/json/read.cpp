@@ -1,0 +1,320 @@
+#include "protocol/json/read.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/json/members_frame.h"
+#include "protocol/json/members_scene.h"
+#include "protocol/json/members_settings.h"
+#include "protocol/json/rules.h"
+
+namespace pelage::json_parts {
+
+namespace {
+
+constexpr Range screen_coordinate{-1e6, 1e6};
+constexpr Range whole_number{0, 4294967295.0};
+
+void get(const Value& value, Camera& out) {
+  Object object(value);
+  if (object.has("auto")) {
+    object.name("auto", out.automatic, json_names::auto_views);
+    return object.finish();
+  }
+  out.automatic = AutoView::none;
+  object.required("eye", [&](const Value& v) { out.eye = v.triple(coordinate); });
+  object.required("target", [&](const Value& v) { out.target = v.triple(coordinate); });
+  object.optional("up", [&](const Value& v) { out.up = v.direction(); });
+  object.number("fov_degrees", out.fov_degrees, {1, 150});
+  object.finish();
+  const glm::dvec3 forward = out.target - out.eye;
+  if (!(glm::length(forward) > 0)) {
+    value.refuse("The eye is at the target.", "eye differs from target");
+  } else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(out.up))) < 1e-6) {
+    value.refuse_below("up", "Up points along the view.", "not along the view");
+  }
+}
+
+void get(const Value& value, Backdrop<false> out) {
+  const nlohmann::json& tree = value.tree();
+  out.kind = tree == "transparent" ? Background::transparent
+             : tree == "studio"    ? Background::studio
+                                   : Background::colour;
+  if (out.kind == Background::colour) out.colour = value.colour();
+}
+
+void get(const Value& value, Knobs& out) { out = quality(value); }
+
+void get(const Value& value, std::optional<Tracing>& out) {
+  if (value.tree().is_object()) {
+    out = read<Tracing>(value);
+  } else if (value.boolean()) {
+    out = Tracing{};
+  }
+}
+
+SurfacePlace surface_place(Object& object) {
+  SurfacePlace place;
+  object.required("triangle",
+                  [&](const Value& v) { place.triangle = static_cast<std::uint32_t>(v.integer(whole_number)); });
+  object.required("barycentric", [&](const Value& v) {
+    place.barycentric = v.triple(share);
+    const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
+    if (std::abs(sum - 1) > 1e-3) v.refuse("The barycentrics do not add up to 1.", "sum within 0.001 of 1");
+  });
+  return place;
+}
+
+/// Fills a struct from the members of an object.
+class MemberReader {
+ public:
+  static constexpr bool reads = false;  // the struct is written to
+  explicit MemberReader(Object& object) : object_(object) {}
+
+  void type(const char*, const char* = "") {}
+  bool takes(bool condition) { return condition; }
+  bool shows(bool) { return true; }  // what must not be there beside others is for rules to say
+
+  template <class T>
+  void number(MemberName name, T& out, Range range, const char* = "") {
+    member(name, [&](const Value& v) { out = v.number(range); });
+  }
+  void number_or(const char* word, MemberName name, std::optional<double>& out, Range range, const char* = "") {
+    member(name, [&](const Value& v) {
+      const std::string quoted = "\"" + std::string(word) + "\"";
+      if (v.tree().is_string() && v.tree() == word) return;
+      if (!v.tree().is_number())
+        return v.refuse("A number or " + quoted + " is expected.", std::string(word) + " | " + range.text());
+      out = v.number(range);
+    });
+  }
+  void numbers(MemberName name, std::vector<double>& out, Range range, Count count, const char* = "") {
+    member(name, [&](const Value& list) {
+      for (const Value& v : list.list(count.least, count.most)) out.push_back(v.number(range));
+    });
+  }
+  void integer(MemberName name, int& out, Range range, const char* = "") {
+    member(name, [&](const Value& v) { out = static_cast<int>(v.integer(range)); });
+  }
+  void seed(MemberName name, std::uint32_t& out, const char* = "") {
+    member(name, [&](const Value& v) { out = static_cast<std::uint32_t>(v.integer(whole_number)); });
+  }
+  template <class T>
+  void counter(MemberName name, T& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.counter(); });
+  }
+  template <class T>
+  void boolean(MemberName name, T& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.boolean(); });
+  }
+  template <class T>
+  void text(MemberName name, T& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.text(0, limits::name_bytes); });
+  }
+  void label(MemberName name, std::string& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.text(1, limits::name_bytes); });
+  }
+  void picture(MemberName name, std::string& out, const char* = "", const char* word_for_none = nullptr) {
+    member(name, [&](const Value& v) {
+      if (word_for_none && v.tree() == word_for_none) return;
+      out = v.text(1, 32);
+      if (out.size() != 32 || out.find_first_not_of("0123456789abcdef") != std::string::npos)
+        v.refuse("This names no picture.",
+                 (word_for_none ? word_for_none + std::string(", or ") : "") + "32 hex digits in lower case");
+    });
+  }
+  template <class T>
+  void position(MemberName name, T& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.triple(coordinate); });
+  }
+  void triple(MemberName name, glm::dvec3& out, Range range, const char* = "") {
+    member(name, [&](const Value& v) { out = v.triple(range); });
+  }
+  void triples(MemberName name, std::optional<SphericalHarmonics>& out, Range range, const char* = "") {
+    member(name, [&](const Value& list) {
+      const std::vector<Value> vectors = list.list(out.emplace().size(), out->size());
+      for (std::size_t i = 0; i < vectors.size(); ++i) (*out)[i] = vectors[i].triple(range);
+    });
+  }
+  void pixel(MemberName name, glm::dvec2& out, const View& view, const char* = "") {
+    member(name, [&](const Value& list) {
+      const std::vector<Value> parts = list.list(2, 2);
+      if (parts.empty()) return;
+      out = {parts[0].number({0, static_cast<double>(view.width)}),
+             parts[1].number({0, static_cast<double>(view.height)})};
+    });
+  }
+  template <class T>
+  void direction(MemberName name, T& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.direction(); });
+  }
+  void colour(MemberName name, glm::vec3& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.colour(); });
+  }
+  template <class E, std::size_t N>
+  void name(MemberName name, E& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
+    member(name, [&](const Value& v) { out = v.name_of(names); });
+  }
+  /// Each at most once; `noun` is what one of them is called.
+  template <class E, std::size_t N>
+  void names(MemberName name, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t least,
+             const std::string& noun, const char* = "") {
+    member(name, [&](const Value& list) {
+      out.clear();
+      for (const Value& v : list.list(least, N)) {
+        const E one = v.name_of(names);
+        if (std::count(out.begin(), out.end(), one) > 0)
+          v.refuse("The " + noun + " is named twice.", "each " + noun + " once");
+        out.push_back(one);
+      }
+    });
+  }
+  template <class T>
+  void object(MemberName name, T& out, const char* = "") {
+    member(name, [&](const Value& v) { out = read<T>(v); });
+  }
+  template <class T>
+  void object(MemberName name, std::optional<T>& out, const char* = "") {
+    member(name, [&](const Value& v) { out = read<T>(v); });
+  }
+  template <class T>
+  void objects(MemberName name, std::vector<T>& out, Count count, const char* = "") {
+    member(name, [&](const Value& list) {
+      out.clear();
+      for (const Value& v : list.list(count.least, count.most)) out.push_back(read<T>(v));
+    });
+  }
+  void curves(MemberName name, std::vector<std::vector<glm::dvec3>>& out, Count count, Count points, const char* = "") {
+    member(name, [&](const Value& list) {
+      for (const Value& v : list.list(count.least, count.most)) {
+        std::vector<glm::dvec3>& curve = out.emplace_back();
+        for (const Value& point : v.list(points.least, points.most)) curve.push_back(point.triple(coordinate));
+      }
+    });
+  }
+  template <class T, class Variant>
+  void alternative(MemberName name, Variant& out, const char* = "") {
+    member(name, [&](const Value& v) { out = read<T>(v), count_alternative(v); });
+  }
+  template <class Variant>
+  void alternative(MemberName name, Variant& out, Range range, const char* = "") {
+    member(name, [&](const Value& v) { out = v.number(range), count_alternative(v); });
+  }
+  template <class Variant>
+  void vertices(MemberName name, Variant& out, const char* = "") {
+    member(name, [&](const Value& list) {
+      MaskVertices chosen;
+      for (const Value& v : list.list(1, limits::mask_vertices))
+        chosen.vertices.push_back(static_cast<std::uint32_t>(v.integer(whole_number)));
+      out = std::move(chosen), count_alternative(list);
+    });
+  }
+  /// What has a form of its own: get() reads it.
+  template <class T>
+  void special(MemberName name, T&& out, const char* = "") {
+    member(name, [&](const Value& v) { get(v, out); });
+  }
+  /// One of several, without an object of its own.
+  void place(std::variant<PositionPlace, ScreenPlace, SurfacePlace>& out) {
+    int places = 0;
+    member("position", [&](const Value& v) { out = PositionPlace{v.triple(coordinate)}, ++places; });
+    member("screen", [&](const Value& v) { out = ScreenPlace{v.pair(screen_coordinate)}, ++places; });
+    const bool triangle = object_.has("triangle"), barycentric = object_.has("barycentric");
+    if (triangle || barycentric) out = surface_place(object_), ++places;
+    if (places != 1)
+      object_.value().refuse("A sample needs one place.", "one of position | screen | triangle with barycentric");
+  }
+
+ private:
+  template <class Read>
+  void member(MemberName name, Read read) {
+    if (name.presence == Presence::required) return object_.required(name.text, read);
+    object_.optional(name.text, read);
+  }
+  void count_alternative(const Value& value) {
+    if (++alternatives_ > 1) value.refuse("There is another shape beside this one.", "one shape");
+  }
+
+  Object& object_;
+  int alternatives_ = 0;
+};
+
+using CommandReader = Command (*)(Object&);
+
+struct NamedReader {
+  std::string_view name;
+  CommandReader read;
+};
+
+template <class Tool>
+Command read_command(Object& object) {
+  MemberReader reader(object);
+  Tool tool;
+  members(reader, tool);
+  Command command(std::move(tool));
+  check_command(object.value(), command);
+  return command;
+}
+
+template <class... Tools>
+std::vector<NamedReader> list_readers(std::variant<Tools...>*) {
+  return {{op_of(Command(Tools{})), read_command<Tools>}...};
+}
+
+const std::vector<NamedReader>& command_readers() {
+  static const std::vector<NamedReader> readers = list_readers(static_cast<Command*>(nullptr));
+  return readers;
+}
+
+}  // namespace
+
+template <>
+Command read<Command>(const Value& value) {
+  Object object(value);
+  CommandReader read_one = nullptr;
+  object.required("op", [&](const Value& v) {
+    std::vector<std::string_view> known;
+    for (const NamedReader& reader : command_readers()) known.push_back(reader.name);
+    const std::string word = v.word_of(known);
+    for (const NamedReader& reader : command_readers()) {
+      if (reader.name == word) read_one = reader.read;
+    }
+  });
+  if (!read_one || !value.fine()) return {};
+  Command result = read_one(object);
+  object.finish();
+  return result;
+}
+
+Knobs quality(const Value& value) {
+  return value.tree().is_object() ? read<Knobs>(value) : knobs_of(value.name_of(json_names::tiers));
+}
+
+template <class T>
+T read(const Value& value) {
+  Object object(value);
+  MemberReader reader(object);
+  T result;
+  members(reader, result);
+  object.finish();
+  check(value, result);
+  return result;
+}
+
+template NewScene read(const Value&);
+template FrameRequest read(const Value&);
+template Tracing read(const Value&);
+template PickRequest read(const Value&);
+template StepsBody read(const Value&);
+template RevisionBody read(const Value&);
+template Revisions read(const Value&);
+template Subdivide read(const Value&);
+template BranchRequest read(const Value&);
+template AmendRequest read(const Value&);
+template Batch read(const Value&);
+template ImportOptions read(const Value&);
+template EnvironmentUpload read(const Value&);
+template MapRequest read(const Value&);
+template MapUpload read(const Value&);
+
+}  // namespace pelage::json_parts

@@ -1,0 +1,19 @@
+// A JSON tree to any struct that has a list of members.
+#pragma once
+
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+#include "protocol/json/reader.h"
+
+namespace pelage::json_parts {
+
+/// Refuses what the list of members and the rules do not allow. Instantiated in read.cpp for the documents of decode.h.
+template <class T>
+T read(const Value& value);
+
+template <>
+Command read(const Value& value);
+
+Knobs quality(const Value& value);  // a tier's name, or knobs that start from the interactive tier
+
+}  // namespace pelage::json_parts

@@ -1,0 +1,31 @@
+// What the list of a struct's members does not say: which of them go together. A rule refuses the value that it was
+// read from; structs without rules pass.
+#pragma once
+
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/map.h"
+#include "protocol/commands/scene.h"
+#include "protocol/json/reader.h"
+
+namespace pelage::json_parts {
+
+template <class T>
+void check(const Value&, const T&) {}
+void check(const Value& value, const Stroke& stroke);
+void check(const Value& value, const Coat& coat);
+void check(const Value& value, const Environment& environment);
+void check(const Value& value, const Eye& eye);
+void check(const Value& value, const Tracing& tracing);
+void check(const Value& value, const Knobs& knobs);
+void check(const Value& value, const FrameRequest& request);
+void check(const Value& value, const ImportOptions& options);
+void check(const Value& value, const MapRequest& map);
+void check(const Value& value, const MapUpload& map);
+
+void check_command(const Value& value, const Command& command);
+
+/// Refuses a map of the field in an encoding that cannot hold it.
+void refuse_encoding(const Value& value, Field field, MapEncoding encoding);
+
+}  // namespace pelage::json_parts

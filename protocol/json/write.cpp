@@ -1,0 +1,184 @@
+#include "protocol/json/write.h"
+
+#include "protocol/json/colour.h"
+#include "protocol/json/members_frame.h"
+#include "protocol/json/members_scene.h"
+#include "protocol/json/members_settings.h"
+
+namespace pelage::json_parts {
+
+using json_names::text_of;
+
+namespace {
+
+Json list(glm::dvec2 v) { return Json::array({v.x, v.y}); }
+Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json colour_of(glm::vec3 linear) {
+  if (const auto text = text_of_colour(linear)) return *text;
+  return list(glm::dvec3(linear));
+}
+
+Json form_of(const Camera& camera) {
+  if (camera.automatic != AutoView::none) return {{"auto", text_of(json_names::auto_views, camera.automatic)}};
+  return {{"eye", list(camera.eye)},
+          {"target", list(camera.target)},
+          {"up", list(camera.up)},
+          {"fov_degrees", camera.fov_degrees}};
+}
+
+Json form_of(const Backdrop<true>& backdrop) {
+  if (backdrop.kind == Background::colour) return colour_of(backdrop.colour);
+  return backdrop.kind == Background::studio ? "studio" : "transparent";
+}
+
+Json form_of(const Knobs& knobs) { return written(knobs); }
+
+/// Writes the members of a struct into an object.
+class MemberWriter {
+ public:
+  static constexpr bool reads = true;
+  explicit MemberWriter(Json& json) : json_(json) {}
+
+  void type(const char*, const char* = "") {}
+  bool takes(bool condition) { return condition; }
+  bool shows(bool condition) { return condition; }
+
+  void number(MemberName name, double value, Range, const char* = "") { json_[name.text] = value; }
+  template <class T>
+  void number(MemberName name, const std::optional<T>& value, Range, const char* = "") {
+    if (value) json_[name.text] = *value;
+  }
+  void number_or(const char* word, MemberName name, const std::optional<double>& value, Range, const char* = "") {
+    json_[name.text] = value ? Json(*value) : Json(word);
+  }
+  void numbers(MemberName name, const std::vector<double>& values, Range, Count, const char* = "") {
+    if (says(name, values.empty())) json_[name.text] = values;
+  }
+  void integer(MemberName name, int value, Range, const char* = "") { json_[name.text] = value; }
+  void seed(MemberName name, std::uint32_t value, const char* = "") { json_[name.text] = value; }
+  void counter(MemberName name, std::uint64_t value, const char* = "") { json_[name.text] = value; }
+  void counter(MemberName name, const std::optional<std::uint64_t>& value, const char* = "") {
+    if (value) json_[name.text] = *value;
+  }
+  void boolean(MemberName name, bool value, const char* = "") { json_[name.text] = value; }
+  void boolean(MemberName name, const std::optional<bool>& value, const char* = "") {
+    if (value) json_[name.text] = *value;
+  }
+  void text(MemberName name, const std::string& text, const char* = "") {
+    if (says(name, text.empty())) json_[name.text] = text;
+  }
+  void text(MemberName name, const std::optional<std::string>& text, const char* = "") {
+    if (text) json_[name.text] = *text;
+  }
+  void label(MemberName name, const std::string& text, const char* = "") { json_[name.text] = text; }
+  void picture(MemberName name, const std::string& text, const char* = "", const char* word_for_none = "") {
+    json_[name.text] = text.empty() ? word_for_none : text;
+  }
+  void position(MemberName name, glm::dvec3 position, const char* = "") { json_[name.text] = list(position); }
+  void position(MemberName name, const std::optional<glm::dvec3>& position, const char* = "") {
+    if (position) json_[name.text] = list(*position);
+  }
+  void triple(MemberName name, glm::dvec3 value, Range, const char* = "") { json_[name.text] = list(value); }
+  void triples(MemberName name, const std::optional<SphericalHarmonics>& values, Range, const char* = "") {
+    if (!values) return;
+    for (const glm::dvec3& value : *values) json_[name.text].push_back(list(value));
+  }
+  void pixel(MemberName name, glm::dvec2 value, const View&, const char* = "") { json_[name.text] = list(value); }
+  void direction(MemberName name, glm::dvec3 direction, const char* = "") { json_[name.text] = list(direction); }
+  void direction(MemberName name, const std::optional<glm::dvec3>& direction, const char* = "") {
+    if (direction) json_[name.text] = list(*direction);
+  }
+  void colour(MemberName name, glm::vec3 linear, const char* = "") { json_[name.text] = colour_of(linear); }
+  template <class E, std::size_t N>
+  void name(MemberName name, E value, const std::array<json_names::Name<E>, N>& names, const char* = "") {
+    json_[name.text] = text_of(names, value);
+  }
+  template <class E, std::size_t N>
+  void names(MemberName name, const std::vector<E>& values, const std::array<json_names::Name<E>, N>& names,
+             std::size_t, const char*, const char* = "") {
+    Json& words = json_[name.text] = Json::array();
+    for (const E value : values) words.push_back(text_of(names, value));
+  }
+  template <class T>
+  void object(MemberName name, const T& value, const char* = "") {
+    json_[name.text] = written(value);
+  }
+  template <class T>
+  void object(MemberName name, const std::optional<T>& value, const char* = "") {
+    if (value) json_[name.text] = written(*value);
+  }
+  template <class T>
+  void objects(MemberName name, const std::vector<T>& values, Count, const char* = "") {
+    Json& objects = json_[name.text] = Json::array();
+    for (const T& value : values) objects.push_back(written(value));
+  }
+  void curves(MemberName name, const std::vector<std::vector<glm::dvec3>>& curves, Count, Count, const char* = "") {
+    Json& lists = json_[name.text] = Json::array();
+    for (const std::vector<glm::dvec3>& curve : curves) {
+      Json& points = lists.emplace_back(Json::array());
+      for (const glm::dvec3& point : curve) points.push_back(list(point));
+    }
+  }
+  template <class T, class Variant>
+  void alternative(MemberName name, const Variant& value, const char* = "") {
+    if (const T* held = std::get_if<T>(&value)) json_[name.text] = written(*held);
+  }
+  template <class Variant>
+  void alternative(MemberName name, const Variant& value, Range, const char* = "") {
+    if (const double* held = std::get_if<double>(&value)) json_[name.text] = *held;
+  }
+  template <class Variant>
+  void vertices(MemberName name, const Variant& value, const char* = "") {
+    if (const auto* held = std::get_if<MaskVertices>(&value)) json_[name.text] = held->vertices;
+  }
+  template <class T>
+  void special(MemberName name, const T& value, const char* = "") {
+    json_[name.text] = form_of(value);
+  }
+  void special(MemberName name, const std::optional<Tracing>& value, const char* = "") { object(name, value); }
+  void place(const std::variant<PositionPlace, ScreenPlace, SurfacePlace>& place) {
+    if (const auto* point = std::get_if<PositionPlace>(&place)) {
+      json_["position"] = list(point->position);
+    } else if (const auto* pixel = std::get_if<ScreenPlace>(&place)) {
+      json_["screen"] = list(pixel->screen);
+    } else {
+      const auto& surface = std::get<SurfacePlace>(place);
+      json_["triangle"] = surface.triangle;
+      json_["barycentric"] = list(surface.barycentric);
+    }
+  }
+
+ private:
+  static bool says(MemberName name, bool empty) { return !(empty && name.presence == Presence::sparse); }
+
+  Json& json_;
+};
+
+}  // namespace
+
+template <>
+Json written(const Command& command) {
+  Json json = {{"op", op_of(command)}};
+  MemberWriter writer(json);
+  std::visit([&](const auto& c) { members(writer, c); }, command);
+  return json;
+}
+
+template <class T>
+Json written(const T& value) {
+  Json json = Json::object();
+  MemberWriter writer(json);
+  members(writer, value);
+  return json;
+}
+
+template Json written(const NewScene&);
+template Json written(const FrameRequest&);
+template Json written(const Knobs&);
+template Json written(const PickRequest&);
+template Json written(const BranchRequest&);
+template Json written(const AmendRequest&);
+template Json written(const Batch&);
+
+}  // namespace pelage::json_parts
