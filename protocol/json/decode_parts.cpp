@@ -261,8 +261,8 @@ Tracing tracing(const Value& value) {
 /// Of shells alone, or of strands alone.
 void check_method(const Value& value, Object& object, const Knobs& knobs) {
   const bool strands = knobs.method == Method::strands;
-  for (const char* name : {"shells", "shell_policy", "samples", "steps", "scale", "least_radius", "bands", "self_shadow",
-                           "shadow_maps", "shadow_resolution", "accumulation", "order", "fins"}) {
+  for (const char* name : {"shells", "shell_policy", "steps", "scale", "least_radius", "self_shadow", "shadow_maps",
+                           "shadow_resolution", "order", "fins"}) {
     if (strands && object.has(name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
   }
   if (!strands && object.has("trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
@@ -274,19 +274,13 @@ Knobs quality(const Value& value) {
   Knobs result = knobs_of(Tier::interactive);
   object.integer("shells", result.shells, {1, limits::shells});
   object.name("shell_policy", result.shell_policy, json_names::shell_policies);
-  object.optional("samples", [&](const Value& v) {
-    result.samples = static_cast<int>(v.integer({1, 4}));
-    if (result.samples == 2 || result.samples == 3) v.refuse("Outlines take 1 or 4 samples.", "1 | 4");
-  });
   object.integer("steps", result.steps, {1, 16});
   object.number("scale", result.scale, {0.25, 2});
   object.integer("least_radius", result.least_radius, {0, 8192});
-  object.integer("bands", result.bands, {1, 4});
   object.integer("eye_steps", result.eye_steps, {0, 64});
   object.boolean("self_shadow", result.self_shadow);
   object.boolean("shadow_maps", result.shadow_maps);
   object.integer("shadow_resolution", result.shadow_resolution, {1, 4096});
-  object.name("accumulation", result.accumulation, json_names::accumulations);
   object.name("order", result.order, json_names::fragment_orders);
   object.boolean("fins", result.fins);
   object.integer("guard_hairs", result.guard_hairs, {0, 100'000});
@@ -294,9 +288,6 @@ Knobs quality(const Value& value) {
   object.optional("trace", [&](const Value& v) { result.trace = tracing(v); });
   object.finish();
   check_method(value, object, result);
-  if (result.order == FragmentOrder::sorted && result.samples != 1) {
-    value.refuse_below("order", "Sorted fragments take one sample.", "samples 1; scale 2 for finer outlines");
-  }
   return result;
 }
 

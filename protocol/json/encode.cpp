@@ -80,11 +80,9 @@ Json json_of(const Knobs& knobs) {
             {"trace", json_of(knobs.trace)}};
   }
   return {{"shells", knobs.shells},
-          {"samples", knobs.samples},
           {"steps", knobs.steps},
           {"scale", knobs.scale},
           {"least_radius", knobs.least_radius},
-          {"bands", knobs.bands},
           {"eye_steps", knobs.eye_steps},
           {"self_shadow", knobs.self_shadow},
           {"shadow_maps", knobs.shadow_maps},
@@ -92,7 +90,6 @@ Json json_of(const Knobs& knobs) {
           {"fins", knobs.fins},
           {"guard_hairs", knobs.guard_hairs},
           {"shell_policy", text_of(json_names::shell_policies, knobs.shell_policy)},
-          {"accumulation", text_of(json_names::accumulations, knobs.accumulation)},
           {"order", text_of(json_names::fragment_orders, knobs.order)}};
 }
 

@@ -102,19 +102,16 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   before.camera = camera();
   before.knobs = {.shells = *rc::gen::inRange(1, 1025),
                   .shell_policy = one_of(ShellPolicy::adaptive),
-                  .samples = *rc::gen::element(1, 4),
                   .steps = *rc::gen::inRange(1, 17),
                   .scale = number(0.25, std::min(2.0, 8192.0 / before.width)),
                   .least_radius = *rc::gen::inRange(0, 8193),
-                  .bands = *rc::gen::inRange(1, 5),
                   .eye_steps = *rc::gen::inRange(0, 65),
                   .self_shadow = *rc::gen::arbitrary<bool>(),
                   .shadow_maps = *rc::gen::arbitrary<bool>(),
                   .shadow_resolution = *rc::gen::inRange(1, 4097),
-                  .accumulation = one_of(Accumulation::full),
                   .fins = *rc::gen::arbitrary<bool>(),
                   .guard_hairs = *rc::gen::inRange(0, 100'001)};
-  if (before.knobs.samples == 1) before.knobs.order = one_of(FragmentOrder::sorted);
+  before.knobs.order = one_of(FragmentOrder::sorted);
   if (before.knobs.order == FragmentOrder::sorted) before.knobs.shells = *rc::gen::inRange(1, 129);
   before.format = one_of(FrameFormat::exr);
   before.background = before.format == FrameFormat::jpeg ? Background::studio : one_of(Background::studio);
