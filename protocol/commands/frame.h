@@ -21,7 +21,6 @@ enum class Method { shells, strands };                  // strands: every strand
 enum class Transport { transmittance, paths };
 /// Which model traced strands scatter by: the look's, or energy_conserving whatever the look says.
 enum class StrandScattering { look, energy_conserving };
-enum class Accumulation { half, full };
 enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
 enum class FragmentOrder { layers, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
 enum class ToneMap { none, filmic };
@@ -69,18 +68,15 @@ struct Tracing {
 struct Knobs {
   int shells = 16;                                // [1, 1024], where the view needs most
   ShellPolicy shell_policy = ShellPolicy::uniform;
-  int samples = 1;                                // on outlines: 1 or 4
   int steps = 2;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
   int least_radius = 0;                           // rendered pixels of the ball about the model's box, [0, 8192]: where a
                                                   // scale below 1 gives fewer, it is larger, up to 1
-  int bands = 1;                                  // that a thick slab is lit in, at most, [1, 4]
   int eye_steps = 8;                              // into the iris: 0 flat, 1 parallax, more march, [0, 64]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)
   bool shadow_maps = false;                       // draw the shadows that lights ask for
   int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
-  Accumulation accumulation = Accumulation::full;
-  FragmentOrder order = FragmentOrder::layers;    // in which fur is blended; sorted takes 1 sample
+  FragmentOrder order = FragmentOrder::layers;    // in which fur is blended
   bool fins = false;                              // side views of the fur on edges at outlines
   int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near outlines
   Method method = Method::shells;

@@ -34,7 +34,7 @@ struct FrameEstimate {
   std::string calibration;  // its name
 };
 
-inline constexpr std::size_t cost_terms = 17;   // renderer/quality/cost_model.h
+inline constexpr std::size_t cost_terms = 16;   // renderer/quality/cost_model.h
 inline constexpr std::size_t error_traits = 6;  // renderer/quality/error_model.h
 
 /// Knobs that a planner may choose, and their error as a function of a view.

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int version = 2;  // of the cost terms and error traits
+constexpr int version = 3;  // of the cost terms and error traits
 constexpr Range price{0, 1e9};
 constexpr Range safety{1, 100};
 constexpr Range exponent{-100, 100};

@@ -47,7 +47,6 @@ void members(V& v, Visited<V, Knobs>& c) {
          "`guard_hairs`.");
   if (v.shows(c.method == Method::shells)) {
     v.integer("shells", c.shells, {1, limits::shells}, "Layers of fur, where the view needs most.");
-    v.integer("samples", c.samples, {1, 4}, "Samples on outlines.");
     v.integer("steps", c.steps, {1, 16}, "Texture steps inside each layer.");
     v.number("scale", c.scale, {0.25, 2},
              "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
@@ -56,20 +55,17 @@ void members(V& v, Visited<V, Knobs>& c) {
         "Rendered pixels of the ball about the model's box: where a scale below 1 gives fewer, the scale is larger, up "
         "to 1, so that what is small on the picture keeps its form. The answer's knobs have the scale that came of it; "
         "the tier draft has 120.");
-    v.integer("bands", c.bands, {1, 4},
-              "Parts that a thick slab is lit in, at most: fur in depth as with more shells.");
     v.boolean("self_shadow", c.self_shadow);
     v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
     v.integer("shadow_resolution", c.shadow_resolution, {1, 4096}, "Texels along the side of a shadow map.");
     v.boolean("fins", c.fins, "Side views of the fur on edges near outlines.");
     v.name("shell_policy", c.shell_policy, json_names::shell_policies,
            "adaptive: fewer layers where fur is seen from above or is small on the picture.");
-    v.name("accumulation", c.accumulation, json_names::accumulations, "Floating point of the blending.");
     v.name(
         "order", c.order, json_names::fragment_orders,
         "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
         "pictures "
-        "to compare with. It takes samples 1 and at most 1073741824 drawn pixels x shells. Of an EXR's layers it makes "
+        "to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's layers it makes "
         "beauty and alpha; the others stay in the order of layers.");
   }
   v.integer(

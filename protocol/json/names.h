@@ -127,8 +127,6 @@ inline constexpr std::array<Name<PlanEnd>, 5> plan_ends{{{"asked", PlanEnd::aske
                                                          {"least", PlanEnd::least}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
-inline constexpr std::array<Name<Accumulation>, 2> accumulations{
-    {{"half", Accumulation::half}, {"full", Accumulation::full}}};
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
     {{"layers", FragmentOrder::layers}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};

@@ -74,8 +74,8 @@ void check_overlay(const Value& value, const FrameRequest& request) {
 /// Of shells alone, or of strands alone.
 void check_method(const Value& value, const Knobs& knobs) {
   const bool strands = knobs.method == Method::strands;
-  for (const char* name : {"shells", "shell_policy", "samples", "steps", "scale", "least_radius", "bands",
-                           "self_shadow", "shadow_maps", "shadow_resolution", "accumulation", "order", "fins"}) {
+  for (const char* name : {"shells", "shell_policy", "steps", "scale", "least_radius", "self_shadow", "shadow_maps",
+                           "shadow_resolution", "order", "fins"}) {
     if (strands && given(value, name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
   }
   if (!strands && given(value, "trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
@@ -91,12 +91,7 @@ void check(const Value& value, const FrameRequest& request) {
   check_overlay(value, request);
 }
 
-void check(const Value& value, const Knobs& knobs) {
-  if (knobs.samples == 2 || knobs.samples == 3) value.refuse_below("samples", "Outlines take 1 or 4 samples.", "1 | 4");
-  check_method(value, knobs);
-  if (knobs.order == FragmentOrder::sorted && knobs.samples != 1)
-    value.refuse_below("order", "Sorted fragments take one sample.", "samples 1; scale 2 for finer outlines");
-}
+void check(const Value& value, const Knobs& knobs) { check_method(value, knobs); }
 
 void check(const Value& value, const Tracing& tracing) {
   const bool paths = tracing.transport == Transport::paths;

@@ -53,10 +53,10 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
 Result<FloatImage> Renderer::draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
                                         const LayerTarget* target) {
   RenderTarget distance;
-  GLuint source = light(frame).texture();
+  GLuint source = view_.drawn.texture();
   if (layer == FrameLayer::depth) {
-    distance = RenderTarget(gl_, GL_R32F, view_.drawn.width(), view_.drawn.height(), 1, true);
-    const RenderTarget covered(gl_, GL_RG32F, view_.drawn.width(), view_.drawn.height(), 1, true);
+    distance = RenderTarget(gl_, GL_R32F, view_.drawn.width(), view_.drawn.height(), true);
+    const RenderTarget covered(gl_, GL_RG32F, view_.drawn.width(), view_.drawn.height(), true);
     if (!distance.complete() || !covered.complete()) return no_memory();
     layers_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
     source = distance.texture();

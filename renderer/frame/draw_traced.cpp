@@ -19,8 +19,8 @@ FurFrame open_frame(const FurFrame& frame) {
   const int factor = 2 * std::max(frame.width, frame.height) <= most_base_pixels ? 2 : 1;
   FurFrame open = frame;
   open.width *= factor, open.height *= factor;
-  open.knobs = {.accumulation = Accumulation::full};
-  open.knobs.scale = 1, open.knobs.samples = 1, open.knobs.self_shadow = false, open.knobs.shadow_maps = false;
+  open.knobs = {};
+  open.knobs.scale = 1, open.knobs.self_shadow = false, open.knobs.shadow_maps = false;
   open.knobs.eye_steps = frame.knobs.eye_steps;
   open.ground.reset();
   open.curves.clear();
@@ -46,7 +46,7 @@ Result<BasePicture> Renderer::draw_base(const FurFrame& asked, DrawTimes* times)
   fragments_.end();
   const LayerTarget layers(gl_, std::array{FrameLayer::direct, FrameLayer::albedo, FrameLayer::normal}, frame.width,
                            frame.height);
-  const RenderTarget distance(gl_, GL_R32F, frame.width, frame.height, 1, true);
+  const RenderTarget distance(gl_, GL_R32F, frame.width, frame.height, true);
   if (!layers.complete() || !distance.complete()) return no_memory();
   set_draw_state(gl_, layers.framebuffer(), frame.width, frame.height);
   gl_.DepthMask(GL_TRUE);
@@ -104,8 +104,8 @@ Result<Picture> Renderer::finish_picture(const FurFrame& frame, const FloatImage
                                          int largest, DrawTimes* times) {
   assert(light.width == frame.width && light.height == frame.height);
   const Stopwatch drawing;
-  const RenderTarget traced(gl_, GL_RGBA32F, frame.width, frame.height, 1, false);
-  const RenderTarget picture(gl_, format, frame.width, frame.height, 1, false);
+  const RenderTarget traced(gl_, GL_RGBA32F, frame.width, frame.height, false);
+  const RenderTarget picture(gl_, format, frame.width, frame.height, false);
   if (!traced.complete() || !picture.complete()) return no_memory();
   gl_.TextureSubImage2D(traced.texture(), 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_FLOAT, light.rgba.data());
   const Result<RenderTarget> overlay = overlay_on_traced(frame);

@@ -20,9 +20,9 @@ struct ShownFrame {
 };
 
 struct KeptView {
-  RenderTarget drawn, single, picture;  // light, light of one sample a pixel where it has more, the finished picture
-  std::optional<ShownFrame> shown;      // none: the targets are to be used again
-  bool came_back = false;               // asked for more than once
+  RenderTarget drawn, picture;      // light, the finished picture
+  std::optional<ShownFrame> shown;  // none: the targets are to be used again
+  bool came_back = false;           // asked for more than once
 };
 
 /// So that several who groom, or look from several sides, do not cost each other whole frames.

@@ -26,7 +26,6 @@ bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 /// The #define lines of what a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
-         (frame.knobs.bands > 1 ? "#define BANDS\n" : "") +
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + light_of(frame, model.has_colours()) +
          shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
@@ -120,22 +119,19 @@ const CoatTextures& Renderer::textures_of(const Coat& coat) {
 
 Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
-  const GLenum colour = frame.knobs.accumulation == Accumulation::half ? GL_RGBA16F : GL_RGBA32F;
-  const int samples = frame.knobs.samples;
   view_ = kept_.take(frame, picture);
-  bool complete = fit(view_.drawn, colour, width, height, samples, true);
-  if (samples > 1) complete = complete && fit(view_.single, colour, width, height, 1, false);
-  complete = complete && fit(view_.picture, picture, frame.width, frame.height, 1, false);
+  const bool complete = fit(view_.drawn, GL_RGBA32F, width, height, true) &&
+                        fit(view_.picture, picture, frame.width, frame.height, false);
   if (complete) return {};
   view_ = KeptView();
   kept_.give_back();
   return no_memory();
 }
 
-bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, int samples, bool depth) {
-  if (target.matches(format, width, height, samples)) return true;
+bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, bool depth) {
+  if (target.matches(format, width, height)) return true;
   target = RenderTarget();
-  target = RenderTarget(gl_, format, width, height, samples, depth);
+  target = RenderTarget(gl_, format, width, height, depth);
   return target.complete();
 }
 
@@ -219,16 +215,11 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
   if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");
-  if (frame.knobs.samples == 1) return {};
-  const int width = view_.drawn.width(), height = view_.drawn.height();
-  gl_.BlitNamedFramebuffer(view_.drawn.framebuffer(), view_.single.framebuffer(), 0, 0, width, height, 0, 0, width, height,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
   return {};
 }
 
 // The shells in the order of layers, from far to near: most lists then are in order already.
 Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
-  assert(frame.knobs.samples == 1);
   fur_.draw_skin(gl_, scene.drawing(frame));
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
   const std::string variant = scene.variant + "#define SORTED\n";
@@ -310,7 +301,7 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   if (shown && shown->picture) finished = finished_area(*scene.part, view_.drawn, view_.picture);
   {
     const ScissorTest part(gl_, finished);
-    resolve_.draw(gl_, frame, light(frame), view_.picture, largest, overlay->texture());
+    resolve_.draw(gl_, frame, view_.drawn, view_.picture, largest, overlay->texture());
   }
   if (const Status built = programs(); !built.ok()) return built;
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;

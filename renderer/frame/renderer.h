@@ -90,7 +90,7 @@ class Renderer {
   /// Makes `view_` what the frame is drawn into: what shows its light already, or targets of its size.
   Status prepare_targets(const FurFrame& frame, GLenum picture);
   /// Makes a target anew where it is of another kind; whether it could be made.
-  bool fit(RenderTarget& target, GLenum format, int width, int height, int samples, bool depth);
+  bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
   const CoatTextures& textures_of(const Coat& coat);
   FrameCounters take_counters() const;
   /// What a frame draws, with its blocks and maps bound.
@@ -106,7 +106,6 @@ class Renderer {
   Status draw_light(const FurFrame& frame, const Prepared& scene);
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
-  const RenderTarget& light(const FurFrame& frame) const { return frame.knobs.samples > 1 ? view_.single : view_.drawn; }
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
   Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
                                          const ModelBuffers::DrawList& triangles);

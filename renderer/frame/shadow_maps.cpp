@@ -134,11 +134,11 @@ void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView
 void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
                            const std::vector<LightView>& views, const FurDrawing& drawing, CurvesPass& curves) {
   const int resolution = frame.knobs.shadow_resolution, reduced = width_texels(resolution);
-  const RenderTarget kept(gl, GL_R16F, resolution, resolution, 1, true),
-      depth(gl, GL_R32F, resolution, resolution, 1, true), occlusion(gl, GL_RG32F, resolution, resolution, 1, false),
-      width(gl, GL_RG32F, reduced, reduced, 1, false);
+  const RenderTarget kept(gl, GL_R16F, resolution, resolution, true),
+      depth(gl, GL_R32F, resolution, resolution, true), occlusion(gl, GL_RG32F, resolution, resolution, false),
+      width(gl, GL_RG32F, reduced, reduced, false);
   const RenderTarget crossed =
-      curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, 1, false) : RenderTarget();
+      curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, false) : RenderTarget();
   std::size_t next = 0;
   for (std::size_t i = 0; i < slots_.slots.size() && next < views.size(); ++i) {
     const glm::ivec2 slot(slots_.slots[i]);
@@ -168,9 +168,9 @@ std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame
   const float radius = radius_around(drawing.model);
   const std::optional<LightView> view = view_of_light(*light, radius, resolution);
   if (!view) return {};
-  Maps maps{RenderTarget(gl, GL_R32F, resolution, resolution, 1, true),
-            RenderTarget(gl, GL_RG32F, resolution, resolution, 1, false),
-            RenderTarget(gl, GL_RG32F, reduced, reduced, 1, false), *view, radius};
+  Maps maps{RenderTarget(gl, GL_R32F, resolution, resolution, true),
+            RenderTarget(gl, GL_RG32F, resolution, resolution, false),
+            RenderTarget(gl, GL_RG32F, reduced, reduced, false), *view, radius};
   if (!maps.complete()) return maps;
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     gl.TextureParameteri(maps.width.texture(), name, GL_LINEAR);  // enlarged again, as shadows read it

@@ -61,10 +61,9 @@ void Gl::NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, con
   counted_.NamedBufferSubData(buffer, offset, size, data);
 }
 
-void Gl::NamedRenderbufferStorageMultisample(GLuint buffer, GLsizei samples, GLenum format, GLsizei width,
-                                             GLsizei height) const {
-  counts_.allocated += volume(width, height, std::max(samples, 1)) * stored_bytes(format);
-  counted_.NamedRenderbufferStorageMultisample(buffer, samples, format, width, height);
+void Gl::NamedRenderbufferStorage(GLuint buffer, GLenum format, GLsizei width, GLsizei height) const {
+  counts_.allocated += volume(width, height, 1) * stored_bytes(format);
+  counted_.NamedRenderbufferStorage(buffer, format, width, height);
 }
 
 void Gl::TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const {
@@ -111,7 +110,6 @@ std::string Gl::load(const LoadFunction& find) {
   get(BlendEquation, "glBlendEquation");
   get(BlendEquationSeparate, "glBlendEquationSeparate");
   get(BlendFunc, "glBlendFunc");
-  get(BlitNamedFramebuffer, "glBlitNamedFramebuffer");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
   get(ClearNamedBufferData, "glClearNamedBufferData");
   get(ClearNamedFramebufferfi, "glClearNamedFramebufferfi");
@@ -168,7 +166,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(NamedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers");
   get(NamedFramebufferRenderbuffer, "glNamedFramebufferRenderbuffer");
   get(NamedFramebufferTexture, "glNamedFramebufferTexture");
-  get(counted_.NamedRenderbufferStorageMultisample, "glNamedRenderbufferStorageMultisample");
+  get(counted_.NamedRenderbufferStorage, "glNamedRenderbufferStorage");
   get(PixelStorei, "glPixelStorei");
   get(ReadPixels, "glReadPixels");
   get(Scissor, "glScissor");

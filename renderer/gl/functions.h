@@ -29,7 +29,6 @@ struct Gl {
   PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
   PFNGLBLENDEQUATIONSEPARATEPROC BlendEquationSeparate = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
-  PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
   PFNGLCLEARNAMEDBUFFERDATAPROC ClearNamedBufferData = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERFIPROC ClearNamedFramebufferfi = nullptr;
@@ -103,8 +102,7 @@ struct Gl {
   void DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) const;
   void DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) const;
   void NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const;
-  void NamedRenderbufferStorageMultisample(GLuint buffer, GLsizei samples, GLenum format, GLsizei width,
-                                           GLsizei height) const;
+  void NamedRenderbufferStorage(GLuint buffer, GLenum format, GLsizei width, GLsizei height) const;
   void NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, const void* data) const;
   void TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const;
   void TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
@@ -132,7 +130,7 @@ struct Gl {
     PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
     PFNGLNAMEDBUFFERDATAPROC NamedBufferData = nullptr;
     PFNGLNAMEDBUFFERSUBDATAPROC NamedBufferSubData = nullptr;
-    PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample = nullptr;
+    PFNGLNAMEDRENDERBUFFERSTORAGEPROC NamedRenderbufferStorage = nullptr;
     PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
     PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
     PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = nullptr;

@@ -2,23 +2,15 @@
 
 namespace pelage {
 
-RenderTarget::RenderTarget(const Gl& gl, GLenum colour, int width, int height, int samples, bool depth)
-    : colour_(colour), width_(width), height_(height), samples_(samples), framebuffer_(gl) {
-  const GLsizei storage_samples = samples > 1 ? samples : 0;
-  if (samples > 1) {
-    colour_buffer_ = Renderbuffer(gl);
-    gl.NamedRenderbufferStorageMultisample(colour_buffer_.id(), storage_samples, colour, width, height);
-    gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_buffer_.id());
-  } else {
-    texture_ = Texture(gl, GLenum{GL_TEXTURE_2D});
-    gl.TextureStorage2D(texture_.id(), 1, colour, width, height);
-    gl.TextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl.TextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl.NamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
-  }
+RenderTarget::RenderTarget(const Gl& gl, GLenum colour, int width, int height, bool depth)
+    : colour_(colour), width_(width), height_(height), framebuffer_(gl), texture_(gl, GLenum{GL_TEXTURE_2D}) {
+  gl.TextureStorage2D(texture_.id(), 1, colour, width, height);
+  gl.TextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.NamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
   if (depth) {
     depth_buffer_ = Renderbuffer(gl);
-    gl.NamedRenderbufferStorageMultisample(depth_buffer_.id(), storage_samples, GL_DEPTH32F_STENCIL8, width, height);
+    gl.NamedRenderbufferStorage(depth_buffer_.id(), GL_DEPTH32F_STENCIL8, width, height);
     gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_buffer_.id());
   }
   complete_ = gl.GetError() == GL_NO_ERROR &&

@@ -29,7 +29,6 @@ std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Kno
           fragments * view.lights,
           sides,
           sides * steps,
-          fragments * (knobs.samples - 1),
           view.scatters ? (fragments + sides) * view.lights : 0,
           view.varies ? fragments + sides : 0,
           sorted * fragments,

@@ -14,7 +14,6 @@ constexpr float full_bending = 1.5f;  // of the normal over the length of the fu
 constexpr float most_bending = 1e3f;    // more is the same
 constexpr float shells_per_pixel = 1.0f;
 constexpr float past_skin = 2.0f;  // of the tangent below: with 1 a fifth more fragments bring .001 of FLIP
-constexpr int band_count = 32;   // over the height of the fur: as many as slices
 constexpr int most_steps = 16;   // in a slab
 
 float cosine_to_eye(const LayerMesh& mesh, std::size_t triangle, glm::vec3 eye) {
@@ -41,11 +40,9 @@ int sets_of(int shells, ShellPolicy policy) {
   return sets;
 }
 
-SlabSteps steps_of_set(const Knobs& knobs, int set) {
+int steps_of_set(const Knobs& knobs, int set) {
   const int own = shells_of_set(knobs.shells, set);
-  const int whole = std::min(most_steps, (knobs.steps * knobs.shells + own - 1) / own);
-  const int bands = std::clamp(band_count / own, 1, std::min(knobs.bands, whole));
-  return {bands, (whole + bands - 1) / bands};
+  return std::min(most_steps, (knobs.steps * knobs.shells + own - 1) / own);
 }
 
 float layer_level(const LayerView& view, const LayerVertex& vertex) {

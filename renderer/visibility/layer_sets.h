@@ -27,13 +27,8 @@ int shells_of_set(int shells, int set);
 /// Sets that differ, in [1, most_layer_sets].
 int sets_of(int shells, ShellPolicy policy);
 
-/// How a shell of a set is drawn: `bands` of its slab, at most Knobs::bands, are lit on their own, so that a thick one
-/// looks as thin ones would, and `steps` texture steps are taken in each band.
-struct SlabSteps {
-  int bands = 1, steps = 1;
-  bool operator==(const SlabSteps&) const = default;
-};
-SlabSteps steps_of_set(const Knobs& knobs, int set);
+/// Texture steps in a slab of a set: as many over the height of the fur as with all shells, at most 16 a slab.
+int steps_of_set(const Knobs& knobs, int set);
 
 /// Cosine between view and normal: fur on triangles turned further away lies behind the skin that faces the eye, but for
 /// long fur on thin parts.

@@ -30,7 +30,6 @@ std::vector<Knobs> candidate_ladder() {
     Knobs knobs = knobs_of(Tier::interactive);
     knobs.shells = row.shells, knobs.steps = row.steps, knobs.scale = row.scale;
     knobs.shell_policy = ShellPolicy::uniform, knobs.order = row.order;
-    knobs.accumulation = Accumulation::full;
     ladder.push_back(knobs);
   }
   return ladder;

@@ -29,7 +29,6 @@ std::optional<double> mean_error(std::span<const Image> truths, std::span<const 
 Knobs reference_knobs(int shells) {
   Knobs knobs = knobs_of(Tier::interactive);
   knobs.shells = shells, knobs.shell_policy = ShellPolicy::uniform, knobs.order = FragmentOrder::sorted;
-  knobs.accumulation = Accumulation::full;
   return knobs;
 }
 

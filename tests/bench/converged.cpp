@@ -40,7 +40,6 @@ FurFrame frame_of(const testing::FurredModel& model, const View& view, int size,
   request.knobs.order = order;
   request.knobs.shells = shells;
   request.knobs.shell_policy = ShellPolicy::uniform;
-  request.knobs.accumulation = Accumulation::full;
   return make_frame(model.view(), request);
 }
 

@@ -20,8 +20,8 @@ from support.server import Server  # noqa: E402
 
 FOV = 35
 SETTINGS = [("draft", "draft"), ("interactive", "interactive"), ("detailed", "detailed"),
-            ("uniform 256", {"shells": 256, "shell_policy": "uniform", "accumulation": "full"}),
-            ("sorted 256", {"shells": 256, "shell_policy": "uniform", "accumulation": "full", "order": "sorted"})]
+            ("uniform 256", {"shells": 256, "shell_policy": "uniform"}),
+            ("sorted 256", {"shells": 256, "shell_policy": "uniform", "order": "sorted"})]
 
 
 def camera_at(degrees, centre, distance):

@@ -19,24 +19,21 @@ double run(const Gl& gl, Renderer& renderer, const char* name, const testing::Fu
   request.background = Background::colour;
   request.tone_map = ToneMap::filmic;
   request.knobs.shells = 16;
-  request.knobs.samples = 4;
   const Image picture = testing::draw(renderer, model, request);
   const FurFrame frame = make_frame(model.view(), request);
-  FurFrame single = frame, draft = frame;
-  single.knobs.samples = 1;
+  FurFrame draft = frame;
   draft.knobs = knobs_of(Tier::draft);
-  NaiveRenderer naive(gl, model, single);
+  NaiveRenderer naive(gl, model, frame);
   const double difference = testing::mean_difference(picture, naive.draw());
-  Cost ours, ours_single, ours_draft, theirs;
+  Cost ours, ours_draft, theirs;
   for (int i = 0; i < repetitions; ++i) {
     theirs.least(measure([&] { naive.draw(); }));
     ours.least(measure([&] { draw(renderer, frame); }));
-    ours_single.least(measure([&] { draw(renderer, single); }));
     ours_draft.least(measure([&] { draw(renderer, draft); }));
   }
-  std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
-              model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours_single.wall, ours_single.cpu,
-              theirs.cpu / ours_single.cpu, ours.wall, ours.cpu, theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu,
+  std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
+              model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours.wall, ours.cpu,
+              theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu,
               theirs.cpu / ours_draft.cpu, difference);
   std::fflush(stdout);
   return difference;
@@ -56,8 +53,8 @@ int main(int count, char** arguments) {
   }
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | %17s %5s | mean difference /255\n", "16 shells", "tri", "px", "naive: wall cpu ms",
-              "1 sample: wall cpu", "ratio", "4 samples: wall cpu", "ratio", "draft: wall cpu", "ratio");
+  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | mean difference /255\n", "16 shells", "tri", "px", "naive: wall cpu ms",
+              "ours: wall cpu", "ratio", "draft: wall cpu", "ratio");
   double difference = 0;
   const auto add = [&](const char* name, const testing::FurredModel& model) {
     difference = std::max(difference, run(opened.context->gl(), *opened.renderer, name, model, size, repetitions));

@@ -29,10 +29,8 @@ FurFrame frame_of(const testing::FurredModel& model, int size, float distance) {
   return frame;
 }
 
-/// Thick slabs are lit in bands: fragments that cost more, and fewer of them.
 FurFrame with(FurFrame frame, ShellPolicy policy, int shells) {
   frame.knobs.shell_policy = policy, frame.knobs.shells = shells;
-  if (policy == ShellPolicy::adaptive) frame.knobs.bands = 4;
   return frame;
 }
 
@@ -72,7 +70,7 @@ double cost_at(const std::vector<Point>& curve, double error, double Point::*cos
 
 void run(Renderer& renderer, const testing::FurredModel& model, float distance, const Setup& setup) {
   FurFrame frame = frame_of(model, setup.size, distance), converged = with(frame, ShellPolicy::uniform, setup.truth);
-  converged.knobs.accumulation = Accumulation::full, converged.knobs.order = FragmentOrder::sorted;
+  converged.knobs.order = FragmentOrder::sorted;
   const Image truth = draw(renderer, converged);
   converged.knobs.shells /= 2;
   double outline = 0;

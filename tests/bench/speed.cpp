@@ -1,7 +1,7 @@
 // Frames against the naive version at equal error: masked LDR-FLIP against the converged picture (sorted fragments) of
 // the creature, spot and the torus, from three cameras each: for each number of naive shells the cheapest of our settings
 // that is no further from the truth, at full and at part size; and what the tiers cost there.
-// usage: bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N] [--try SHELLS,STEPS,SCALE,BANDS,ADAPTIVE]
+// usage: bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N] [--try SHELLS,STEPS,SCALE,ADAPTIVE]
 #include <array>
 #include <cstdio>
 #include <span>
@@ -54,7 +54,7 @@ std::vector<Named> frames_of(const char* tried) {
   if (tried) {
     Knobs knobs;
     int adaptive = 0;
-    std::sscanf(tried, "%d,%d,%lf,%d,%d", &knobs.shells, &knobs.steps, &knobs.scale, &knobs.bands, &adaptive);
+    std::sscanf(tried, "%d,%d,%lf,%d", &knobs.shells, &knobs.steps, &knobs.scale, &adaptive);
     knobs.shell_policy = adaptive ? ShellPolicy::adaptive : ShellPolicy::uniform;
     return {{tried, knobs}};
   }

@@ -9,7 +9,7 @@ from support.server import ServedTest
 GREY = [{"at": 0, "colour": [1, 1, 1]}, {"at": 1, "colour": [1, 1, 1]}]
 HEIGHT = [{"at": 0, "colour": [0, 0, 0]}, {"at": 1, "colour": [1, 1, 1]}]
 COAT = {"count": 8400, "width_root": 0.00044, "width_tip": 0.00011, "clump": 0.2}
-SHELLS = {"order": "sorted", "shells": 32, "steps": 3, "shadow_maps": False, "samples": 1, "scale": 2}
+SHELLS = {"order": "sorted", "shells": 32, "steps": 3, "shadow_maps": False, "scale": 2}
 STRANDS = {"method": "strands", "trace": {"passes": 8, "scattering": "look"}}
 
 

@@ -134,10 +134,9 @@ std::string any_camera() {
 
 std::string any_shells() {
   return any_object({{"shells", {"1", "2", "7", "40"}}, {"shell_policy", {"\"uniform\"", "\"adaptive\""}},
-                     {"samples", {"1", "4"}}, {"steps", {"1", "4", "16"}}, {"scale", {"0.25", "0.7", "2"}},
-                     {"least_radius", {"0", "5", "8192"}}, {"bands", {"1", "4"}}, {"eye_steps", {"0", "1", "64"}},
+                     {"steps", {"1", "4", "16"}}, {"scale", {"0.25", "0.7", "2"}},
+                     {"least_radius", {"0", "5", "8192"}}, {"eye_steps", {"0", "1", "64"}},
                      {"self_shadow", truth}, {"shadow_maps", truth}, {"shadow_resolution", {"1", "7", "64"}},
-                     {"accumulation", {"\"half\"", "\"full\""}},
                      {"order", {"\"layers\"", "\"layers\"", "\"sorted\""}}, {"fins", truth}, {"guard_hairs", {"0", "1", "3000"}}},
                     50);
 }

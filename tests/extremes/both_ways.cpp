@@ -33,8 +33,8 @@ bool fine(FrameLayer layer, std::size_t channel, float value) {
 
 FrameRequest sorted_with_all(FrameRequest request) {
   Knobs& knobs = request.knobs;
-  knobs.order = FragmentOrder::sorted, knobs.samples = 1, knobs.shell_policy = ShellPolicy::uniform;
-  knobs.accumulation = Accumulation::full, knobs.fins = true, knobs.guard_hairs = std::max(knobs.guard_hairs, 200);
+  knobs.order = FragmentOrder::sorted, knobs.shell_policy = ShellPolicy::uniform;
+  knobs.fins = true, knobs.guard_hairs = std::max(knobs.guard_hairs, 200);
   knobs.scale = 1;
   return request;
 }

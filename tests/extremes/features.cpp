@@ -57,8 +57,6 @@ std::vector<Feature> of_the_frame() {
   return {{"fins", "", quality(R"("fins": true)"), "", quality(R"("fins": false)")},
           {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
           {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "layers")")},
-          {"four samples", "", quality(R"("samples": 4)"), "", quality(R"("samples": 1)")},
-          {"half float accumulation", "", quality(R"("accumulation": "half")"), "", quality(R"("accumulation": "full")")},
           {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},
           {"overlay of a field", "", R"("overlay": "direction")", "", R"("overlay": "none")"},
           {"overlay of strokes", "", R"("overlay": "strokes")", "", R"("overlay": "none")"},

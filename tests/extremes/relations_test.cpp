@@ -152,7 +152,6 @@ TEST_P(Relations, LightIsAdditive) {
   const auto lit = [&](const std::string& lamps, bool strands) {
     Row row = moved(stay);
     row.commands = {R"({"op": "set_lights", "lights": [)" + lamps + "]}"};
-    row.frame.insert(row.frame.size() - 1, R"(, "quality": {"accumulation": "full"})");
     return pictured(row, strands)[7];  // direct
   };
   const FloatImage a = lit(left, false), b = lit(right, false), both = lit(left + ", " + right, false);
@@ -204,7 +203,6 @@ TEST_P(Relations, DoublingTheShellsShrinksTheError) {
   const std::shared_ptr<Scene> scene = scene_of(moved(stay), *store_).value();
   FrameRequest asked = request(moved(stay), false);
   asked.knobs.order = FragmentOrder::sorted, asked.knobs.shell_policy = ShellPolicy::uniform;
-  asked.knobs.accumulation = Accumulation::full;
   const auto with = [&](int shells) {
     asked.knobs.shells = shells;
     return ways_->draw(*scene, asked).value()[0].rgba;

@@ -130,7 +130,7 @@ Rows camera_rows() {
                            R"("width": 2048, "height": 1)"})
     rows.push_back(of_frame(std::string("picture: ") + size, size));
   rows.push_back(of_frame("1 x 1 at a quarter of the size", R"("width": 1, "height": 1, "quality": {"scale": 0.25})"));
-  rows.push_back(of_frame("1 x 1 at twice the size, 4 samples", R"("width": 1, "height": 1, "quality": {"scale": 2, "samples": 4})"));
+  rows.push_back(of_frame("1 x 1 at twice the size", R"("width": 1, "height": 1, "quality": {"scale": 2})"));
   rows.push_back(of_frame("exposure 20", small + R"(, "exposure": 20)"));
   rows.push_back(of_frame("exposure -20", small + R"(, "exposure": -20)"));
   rows.push_back(of_frame("exposure 21", small + R"(, "exposure": 21)", "/exposure"));

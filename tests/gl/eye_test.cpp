@@ -47,7 +47,7 @@ class Eyes : public OnBackend {
   }
 
   std::vector<glm::vec4> draw(const FurFrame& frame) {
-    const RenderTarget target(gl(), GL_RGBA32F, size, size, 1, true);
+    const RenderTarget target(gl(), GL_RGBA32F, size, size, true);
     const glm::vec4 nothing(0);
     const float far_away = 0;
     gl().ClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, &nothing.x);

@@ -167,13 +167,10 @@ TEST_P(Fins, ExtremesGiveFinitePictures) {
       FurredModel model = furred({Builtin::sphere, 300}, {.length = length, .inclination = inclination});
       model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};
       model.settings.look.specular_exponent = 1e6;
-      for (const int samples : {1, 4}) {
-        FrameRequest request = request_with(true, 500, 24);
-        request.knobs.samples = samples;
-        request.background = Background::colour;
-        const Image image = draw(*renderer, model, request);
-        for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);  // a NaN would leave 0
-      }
+      FrameRequest request = request_with(true, 500, 24);
+      request.background = Background::colour;
+      const Image image = draw(*renderer, model, request);
+      for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);  // a NaN would leave 0
     }
   }
 }

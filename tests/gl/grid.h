@@ -31,7 +31,7 @@ Buffer send_block(const Gl& gl, GLuint binding, const Block& block) {
 
 /// What the program in use answers for each pixel.
 inline std::vector<glm::vec4> answers(const Gl& gl, int side) {
-  const RenderTarget target(gl, GL_RGBA32F, side, side, 1, false);
+  const RenderTarget target(gl, GL_RGBA32F, side, side, false);
   const VertexArray nothing(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   gl.Viewport(0, 0, side, side);

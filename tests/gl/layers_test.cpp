@@ -70,7 +70,6 @@ TEST_P(Layers, DenseShortFurLiesOnTheSphere) {
 TEST_P(Layers, WithoutAmbientAllLightIsDirect) {
   FurredModel model = furred({Builtin::torus, 1000});
   FrameRequest request = small_frame();
-  request.knobs.accumulation = Accumulation::full;
   for (const ShadingModel shading : {ShadingModel::kajiya, ShadingModel::lengyel, ShadingModel::marschner}) {
     model.settings.look.shading = shading;
     model.settings.look.ambient = 0;
@@ -90,7 +89,6 @@ TEST_P(Layers, WithoutAmbientAllLightIsDirect) {
 TEST_P(Layers, ShadowIsTheShareOfLightThatIsLeft) {
   FurredModel model = furred({Builtin::torus, 1000});
   FrameRequest request = small_frame();
-  request.knobs.accumulation = Accumulation::full;
   request.knobs.self_shadow = true;
   const auto shadowed = layers_of(model, request, {FrameLayer::direct, FrameLayer::shadow});
   request.knobs.self_shadow = false;
@@ -273,7 +271,6 @@ FurredModel with_eye() {
 TEST_P(Layers, HoldEyes) {
   const FurredModel model = with_eye();
   FrameRequest request = small_frame();
-  request.knobs.accumulation = Accumulation::full;
   const FurFrame frame = make_frame(model.view(), request);
   const auto images = layers_of(model, request, {FrameLayer::depth, FrameLayer::position, FrameLayer::normal, FrameLayer::albedo,
                                                  FrameLayer::direct, FrameLayer::beauty, FrameLayer::shadow, FrameLayer::tangent});
@@ -298,7 +295,6 @@ TEST_P(Layers, WithoutAmbientAnEyesLightIsDirect) {
   model.settings.look.ambient = 0;
   FrameRequest request = small_frame();
   request.background_colour = glm::vec3(0);  // which the cornea mirrors
-  request.knobs.accumulation = Accumulation::full;
   const auto images = layers_of(model, request, {FrameLayer::beauty, FrameLayer::direct});
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i)
     ASSERT_LT(glm::distance(pixel(images[0], i), pixel(images[1], i)), 2e-3f);  // the edge of a highlight is steep, and two programs round differently
@@ -335,7 +331,6 @@ TEST_P(Layers, HoldFinsAndGuardHairs) {
   // Beyond the outline there is nothing but them, and the layers cover what the picture covers.
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.3});
   FrameRequest request = small_frame();
-  request.knobs.accumulation = Accumulation::full;
   const std::vector<FrameLayer> layers{FrameLayer::alpha, FrameLayer::albedo, FrameLayer::depth, FrameLayer::tangent};
   const auto plain = layers_of(model, request, layers);
   for (const bool fins : {true, false}) {

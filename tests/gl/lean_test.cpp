@@ -21,7 +21,7 @@ constexpr int side = 33;
 class Lean : public OnBackend {
  protected:
   std::vector<float> on_gpu(LeanCurve curve, double root_share) {
-    const RenderTarget target(gl(), GL_RGBA32F, side, side, 1, false);
+    const RenderTarget target(gl(), GL_RGBA32F, side, side, false);
     const Program program(gl(), shaders::lean_grid_vert, shaders::lean_grid_frag);
     EXPECT_EQ(program.log(), "");
     const VertexArray nothing(gl());

@@ -31,7 +31,7 @@ TEST_P(PatternOnGpu, MixesAsTheCpuDoes) {
   const PatternBlock block = make_pattern_block(coat);
   const std::array<glm::vec4, 5> uniforms{block.colour, block.inner_colour, block.belly_colour,
                                           glm::vec4(0, 0, 0, block.axis.w), glm::vec4(1)};
-  const RenderTarget target(gl(), GL_RGBA32F, side, side, 1, false);
+  const RenderTarget target(gl(), GL_RGBA32F, side, side, false);
   const Program program(gl(), shaders::lean_grid_vert, shaders::pattern_grid_frag);
   ASSERT_EQ(program.log(), "");
   const VertexArray nothing(gl());

@@ -59,7 +59,7 @@ class Stack : public OnBackend {
 
   /// What the pass makes of quads, over depth `behind` and nothing else.
   Drawn sorted(const std::vector<Quad>& quads, std::size_t bytes = 1 << 22, float behind = 0) {
-    const RenderTarget target(gl(), GL_RGBA32F, side, side, 1, true);
+    const RenderTarget target(gl(), GL_RGBA32F, side, side, true);
     set_draw_state(gl(), target);
     gl().DepthMask(GL_TRUE);
     clear_target(gl(), target, {});
@@ -163,7 +163,7 @@ TEST_P(Stack, AListThatIsTooLongIsRefused) {
 TEST_P(Stack, WithoutBuffersInFragmentShadersItIsRefused) {
   Gl without = gl();
   without.GetIntegerv = [](GLenum, GLint* value) { *value = 0; };
-  const RenderTarget target(gl(), GL_RGBA32F, side, side, 1, true);
+  const RenderTarget target(gl(), GL_RGBA32F, side, side, true);
   SortedPass pass(without, 1 << 20);
   const Status status = pass.draw(without, target, 1, [] { FAIL() << "must not draw"; });
   EXPECT_EQ(status.code, Code::invalid);
@@ -189,7 +189,6 @@ class Sorted : public WithRenderer {
     request.knobs.shells = shells;
     request.knobs.steps = 1;
     request.knobs.shell_policy = ShellPolicy::uniform;
-    request.knobs.accumulation = Accumulation::full;
     return request;
   }
 

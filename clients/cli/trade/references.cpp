@@ -25,8 +25,8 @@ Knobs converged(int shells, const Knobs& wanted) {
   Knobs knobs;
   knobs.shells = shells;
   knobs.shell_policy = ShellPolicy::uniform;
-  knobs.samples = 1, knobs.scale = truth_scale(wanted), knobs.fins = false, knobs.guard_hairs = 0;
-  knobs.order = FragmentOrder::sorted, knobs.accumulation = Accumulation::full;
+  knobs.scale = truth_scale(wanted), knobs.fins = false, knobs.guard_hairs = 0;
+  knobs.order = FragmentOrder::sorted;
   knobs.self_shadow = wanted.self_shadow, knobs.shadow_maps = wanted.shadow_maps;
   knobs.shadow_resolution = wanted.shadow_resolution;
   return knobs;

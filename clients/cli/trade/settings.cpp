@@ -51,14 +51,10 @@ void add_numbers(Collector& collect, const Base& base, bool quick) {
 }
 
 void add_choices(Collector& collect, const Base& base) {
-  collect.numbers(base, "bands", &Knobs::bands, std::vector<int>{1, 2, 4});
-  collect.numbers(base, "samples", &Knobs::samples, std::vector<int>{1, 4});
   collect.choice(base, "shell policy", "uniform", [](Knobs& k) { k.shell_policy = ShellPolicy::uniform; });
   collect.choice(base, "shell policy", "adaptive", [](Knobs& k) { k.shell_policy = ShellPolicy::adaptive; });
   collect.choice(base, "order", "layers", [](Knobs& k) { k.order = FragmentOrder::layers; });
-  collect.choice(base, "order", "sorted", [](Knobs& k) { k.order = FragmentOrder::sorted, k.samples = 1; });
-  collect.choice(base, "accumulation", "half", [](Knobs& k) { k.accumulation = Accumulation::half; });
-  collect.choice(base, "accumulation", "full", [](Knobs& k) { k.accumulation = Accumulation::full; });
+  collect.choice(base, "order", "sorted", [](Knobs& k) { k.order = FragmentOrder::sorted; });
   collect.choice(base, "fins", "off", [](Knobs& k) { k.fins = false; });
   collect.choice(base, "fins", "on", [](Knobs& k) { k.fins = true; });
   collect.numbers(base, "guard hairs", &Knobs::guard_hairs, std::vector<int>{0, 5000, 20000});

@@ -16,7 +16,7 @@ std::string text(const Gl& gl, GLenum name) {
 }
 
 bool draws_a_pixel(const Gl& gl) {
-  const RenderTarget target(gl, GL_RGBA8, 1, 1, 1, false);
+  const RenderTarget target(gl, GL_RGBA8, 1, 1, false);
   if (!target.complete()) return false;
   const std::array<float, 4> colour{0.2f, 0.4f, 0.6f, 1.0f};
   gl.ClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, colour.data());

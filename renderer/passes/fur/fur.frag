@@ -37,12 +37,7 @@ in vec2 vertex_share;
 #endif
 #endif
 
-#ifdef BANDS
-uniform int band_count;  // parts of the slab that are lit on their own
-#else
-const int band_count = 1;  // known when it is compiled: a loop that is none takes a fifth off a frame
-#endif
-uniform int step_count;  // texture steps inside each
+uniform int step_count;  // texture steps inside the slab
 
 #ifdef PAINT_COLOUR
 const float mean_level = 7.0;  // whose texels hold the mean of many strands
@@ -55,8 +50,8 @@ float lightness_over(vec3 strand, vec3 mean) {
 
 const float least_opacity = 0.002;  // over the whole height: half a step of 255
 
-// Light of a band, times its opacity; `kept` is what the bands before it let through.
-vec4 lit_band(Slab slab, vec3 normal, float kept) {
+// Premultiplied.
+vec4 lit(Slab slab, vec3 normal) {
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;
   vec4 strand = slab.strand * share;
@@ -102,9 +97,9 @@ vec4 lit_band(Slab slab, vec3 normal, float kept) {
   direct_light = colour * vertex_direct;
   light_share = vertex_share;
 #endif
-  add_layers(place, normal, tangent, colour, kept * slab.opacity);
+  add_layers(place, normal, tangent, colour, slab.opacity);
 #endif
-  return kept * vec4(light * slab.opacity, slab.opacity);
+  return vec4(light * slab.opacity, slab.opacity);
 }
 
 void main() {
@@ -117,13 +112,8 @@ void main() {
 #ifdef LAYERS
   write_layers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 1.0, 0.0);
 #endif
-  vec4 sum = vec4(0.0);
-  float thickness = 1.0 / float(shell_count * band_count);
-  for (int i = 0; i < band_count && sum.a < 0.985; ++i) {
-    float off = (0.5 * float(band_count - 1) - float(i)) * thickness * float(shell_side);
-    Slab band = march(step_count, 0.0, density_share, shell_height() + off, thickness);
-    if (band.opacity > least_opacity * thickness) sum += lit_band(band, normal, 1.0 - sum.a);
-  }
-  if (sum.a == 0.0 || !in_part()) discard;
-  put_fragment(sum);
+  float thickness = 1.0 / float(shell_count);
+  Slab slab = march(step_count, 0.0, density_share, shell_height(), thickness);
+  if (!(slab.opacity > least_opacity * thickness) || !in_part()) discard;
+  put_fragment(lit(slab, normal));
 }

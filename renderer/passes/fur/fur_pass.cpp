@@ -143,7 +143,7 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {every_pixel, shell, solid_shells, {1, 1}, drawing.lists.shown, 1, {}});
+    draw_shell(gl, solid, {every_pixel, shell, solid_shells, 1, drawing.lists.shown, 1, {}});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
@@ -177,8 +177,7 @@ void FurPass::draw_shell(const Gl& gl, const Program& program, const Shell& shel
   program.set("shell_count", shell.shells);
   program.set("shell", shell.shell);
   program.set("shell_side", shell.side);
-  program.set("band_count", shell.slab.bands);
-  program.set("step_count", shell.slab.steps);
+  program.set("step_count", shell.steps);
   program.set("part_begin", shell.range.inverse_begin());
   program.set("part_end", shell.range.inverse_end());
   draw_list(gl, shell.list);

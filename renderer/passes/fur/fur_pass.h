@@ -53,8 +53,7 @@ class FurPass {
   /// drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
   static constexpr int every_pixel = -1;
   struct Shell {
-    int set, shell, shells;
-    SlabSteps slab;
+    int set, shell, shells, steps;  // texture steps in the slab
     ModelBuffers::DrawList list;
     int side;
     DepthRange range{};

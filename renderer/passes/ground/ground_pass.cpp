@@ -17,7 +17,7 @@ constexpr float contact_radius = 0.75f;  // of the view from below: the model an
 }  // namespace
 
 GroundPass::GroundPass(const Gl& gl)
-    : nothing_(gl), view_block_(gl), contact_(gl, GL_R32F, contact_texels, contact_texels, 1, true) {
+    : nothing_(gl), view_block_(gl), contact_(gl, GL_R32F, contact_texels, contact_texels, true) {
   from_below_ = *view_of_light({.direction = {0, 1, 0}}, contact_radius, contact_texels);
   gl.TextureParameteri(contact_.texture(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TextureParameteri(contact_.texture(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

@@ -9,7 +9,6 @@ in float density_share;
 in vec3 tile_u;
 #endif
 
-uniform int band_count;  // as fur.frag
 uniform int step_count;
 
 layout(location = 0) out vec4 result;
@@ -23,7 +22,7 @@ void main() {
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif
-  float own = march(step_count * band_count, 0.0, density_share, shell_height(), 1.0 / float(shell_count)).opacity;
+  float own = march(step_count, 0.0, density_share, shell_height(), 1.0 / float(shell_count)).opacity;
   if (own * float(shell_count) < 0.002) discard;  // as fur.frag does
   result = covering(own);
 }

@@ -40,7 +40,7 @@ LayerTarget::LayerTarget(const Gl& gl, std::span<const FrameLayer> layers, int w
     gl.NamedFramebufferTexture(framebuffer_.id(), buffers[place], texture.id(), 0);
     textures_[place] = std::move(texture);
   }
-  gl.NamedRenderbufferStorageMultisample(depth_.id(), 0, GL_DEPTH32F_STENCIL8, width, height);
+  gl.NamedRenderbufferStorage(depth_.id(), GL_DEPTH32F_STENCIL8, width, height);
   gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
   gl.NamedFramebufferDrawBuffers(framebuffer_.id(), static_cast<GLsizei>(places), buffers.data());
   complete_ = gl.GetError() == GL_NO_ERROR &&

@@ -61,7 +61,7 @@ std::string OverlayPass::failure() const {
 }
 
 RenderTarget OverlayPass::begin_skin(const Gl& gl, const FurFrame& frame, const ModelBuffers& model) const {
-  RenderTarget field(gl, GL_RGBA16F, frame.width, frame.height, 1, true);
+  RenderTarget field(gl, GL_RGBA16F, frame.width, frame.height, true);
   if (!field.complete()) return field;
   set_draw_state(gl, field);
   gl.DepthMask(GL_TRUE);
@@ -84,7 +84,7 @@ RenderTarget OverlayPass::draw_field(const Gl& gl, const FurFrame& frame, const 
   with.field.set("strength", strength);
   draw_list(gl, triangles);
   if (frame.overlay != Overlay::strokes) return field;
-  RenderTarget lines(gl, GL_RGBA16F, frame.width, frame.height, 1, false);
+  RenderTarget lines(gl, GL_RGBA16F, frame.width, frame.height, false);
   if (!lines.complete()) return lines;
   with.strokes.use();
   draw_whole(gl, lines, field.texture());
@@ -109,7 +109,7 @@ RenderTarget OverlayPass::draw_difference(const Gl& gl, const FurFrame& frame, c
 }
 
 RenderTarget OverlayPass::draw_count(const Gl& gl, const FurFrame& frame, GLuint counts, float scale) {
-  RenderTarget colours(gl, GL_RGBA16F, frame.width, frame.height, 1, false);
+  RenderTarget colours(gl, GL_RGBA16F, frame.width, frame.height, false);
   if (!colours.complete()) return colours;
   const Program& count = programs(gl).count;
   count.use();
@@ -125,7 +125,7 @@ bool OverlayPass::is_map(Overlay overlay) {
 }
 
 RenderTarget OverlayPass::draw_map(const Gl& gl, const FurFrame& frame, GLuint map, std::array<float, 2> ends) {
-  RenderTarget greys(gl, GL_RGBA16F, frame.width, frame.height, 1, false);
+  RenderTarget greys(gl, GL_RGBA16F, frame.width, frame.height, false);
   if (!greys.complete()) return greys;
   for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl.TextureParameteri(map, name, GL_CLAMP_TO_EDGE);
   const int side = std::min(frame.width, frame.height);

@@ -90,8 +90,7 @@ inline void fit(Tracing& tracing) {
   if (tracing.transport == Transport::paths) tracing.scattering = StrandScattering::energy_conserving;
 }
 inline void fit(Knobs& knobs) {
-  if (knobs.samples != 1) knobs.samples = 4;
-  if (knobs.order == FragmentOrder::sorted) knobs.samples = 1, knobs.shells = std::min(knobs.shells, 128);
+  if (knobs.order == FragmentOrder::sorted) knobs.shells = std::min(knobs.shells, 128);
 }
 inline void fit(FrameRequest& frame) {
   frame.knobs.scale = std::min(frame.knobs.scale, 8192.0 / std::max(frame.width, frame.height));

@@ -31,7 +31,8 @@ TEST(DecodeFrame, QualityIsATierOrKnobs) {
   EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 7}})")->knobs, expected);
   EXPECT_EQ(decode_frame_request(R"({"quality": "finest"})").status().pointer, "/quality");
   EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 1025}})").status().pointer, "/quality/shells");
-  EXPECT_EQ(decode_frame_request(R"({"quality": {"samples": 2}})").status().limit, "1 | 4");
+  for (const std::string gone : {"bands", "samples", "accumulation"})
+    EXPECT_EQ(decode_frame_request(R"({"quality": {")" + gone + R"(": 1}})").status().pointer, "/quality/" + gone);
 }
 
 TEST(DecodeFrame, Sizes) {
@@ -84,7 +85,6 @@ TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
   EXPECT_EQ(sorted->knobs.order, FragmentOrder::sorted);
   EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::layers);
   EXPECT_EQ(pointer_of(R"({"quality": {"order": "depth"}})"), "/quality/order");
-  EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "samples": 4}})"), "/quality/order");
   EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"), "/quality");
   EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "shells": 1024, "scale": 2.0}, "width": 1024})"), "/quality");
 }

@@ -41,7 +41,7 @@ TEST(CalibrationJson, WhatIsBrokenIsRefused) {
   EXPECT_FALSE(decode_calibration("").ok());
   EXPECT_FALSE(decode_calibration("{\"version\": 1").ok());
   expect_refusal("{}", "/version");
-  expect_refusal(changed("\"version\":2", "\"version\":1"), "/version");
+  expect_refusal(changed("\"version\":3", "\"version\":2"), "/version");
   expect_refusal(changed("\"cost\":[1.0,", "\"cost\":["), "/cost");
   expect_refusal(changed("\"cost\":[1.0,", "\"cost\":[-1.0,"), "/cost/0");
   expect_refusal(changed("\"learnt_safety\":1.0", "\"learnt_safety\":0"), "/learnt_safety");

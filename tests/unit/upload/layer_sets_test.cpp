@@ -73,7 +73,7 @@ TEST(LayerSets, ExtremesAreLevels) {
   }
 }
 
-Knobs knobs(int shells, int steps, int bands) { return {.shells = shells, .steps = steps, .bands = bands}; }
+Knobs knobs(int shells, int steps) { return {.shells = shells, .steps = steps}; }
 
 TEST(LayerSets, ShellsAndSteps) {
   EXPECT_EQ(sets_of(32, ShellPolicy::adaptive), 3);
@@ -84,12 +84,12 @@ TEST(LayerSets, ShellsAndSteps) {
   EXPECT_EQ(sets_of(12, ShellPolicy::adaptive), 2);
   EXPECT_EQ(shells_of_set(12, 1), 8);
   EXPECT_EQ(shells_of_set(1, 0), 1);
-  EXPECT_EQ(steps_of_set(knobs(32, 4, 4), 0), (SlabSteps{1, 4}));
-  EXPECT_EQ(steps_of_set(knobs(32, 4, 4), 1), (SlabSteps{2, 4}));
-  EXPECT_EQ(steps_of_set(knobs(32, 4, 4), 2), (SlabSteps{4, 4}));
-  EXPECT_EQ(steps_of_set(knobs(1, 1, 4), 0), (SlabSteps{1, 1}));
-  EXPECT_EQ(steps_of_set(knobs(32, 4, 1), 2), (SlabSteps{1, 16}));
-  EXPECT_EQ(steps_of_set(knobs(1024, 16, 4), 2), (SlabSteps{1, 16}));
+  EXPECT_EQ(steps_of_set(knobs(32, 4), 0), 4);
+  EXPECT_EQ(steps_of_set(knobs(32, 4), 1), 8);
+  EXPECT_EQ(steps_of_set(knobs(32, 4), 2), 16);
+  EXPECT_EQ(steps_of_set(knobs(1, 1), 0), 1);
+  EXPECT_EQ(steps_of_set(knobs(32, 4), 2), 16);
+  EXPECT_EQ(steps_of_set(knobs(1024, 16), 2), 16);
 }
 
 /// Three triangles of three vertices each about `places`: one that faces the eye, one turned a little away, one far.
