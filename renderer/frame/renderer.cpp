@@ -105,6 +105,11 @@ void Renderer::forget(std::uint64_t original) {
   std::erase_if(models_, [&](const auto& model) { return model.second.original() == original; });
 }
 
+void Renderer::forget_all() {
+  models_.clear();
+  kept_.give_back();
+}
+
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
   const auto found =
       std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });

@@ -83,6 +83,8 @@ class Renderer {
 
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
+  /// Drops the copies of all models, and the pictures kept of them.
+  void forget_all();
 
  private:
   Renderer(const Gl& gl, std::size_t sorted_bytes);

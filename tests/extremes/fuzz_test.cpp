@@ -40,7 +40,7 @@ std::string traced_frame(const std::string& tracing) {
   return R"({"width": 9, "height": 7, "quality": )" + tracing + "}";
 }
 
-class Fuzz : public ::testing::TestWithParam<Backend> {};
+class Fuzz : public WithRenderer {};
 
 class Worker {
  public:
@@ -92,14 +92,9 @@ class Worker {
 };
 
 TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
-  Result<std::unique_ptr<Context>> context = open(GetParam());
-  if (!context && !in_ci()) GTEST_SKIP() << context.status().message;
-  ASSERT_TRUE(context.ok()) << context.status().message;
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
-  ASSERT_TRUE(renderer.ok());
   FreshStore store("pelage_fuzz" + std::to_string(static_cast<int>(GetParam())));
   setenv("RC_PARAMS", "max_success=2 seed=1", 0);  // the same few scenes where nobody asks for others
-  Worker worker(**renderer, *store);
+  Worker worker(*renderer, *store);
   EXPECT_TRUE(rc::check("any scene", [&] { worker.any_case(); }));
 }
 

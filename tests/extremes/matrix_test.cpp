@@ -2,6 +2,7 @@
 // refused with a pointer and a limit. The page docs/extremes.md lists the same rows.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -18,23 +19,29 @@ namespace {
 class Matrix : public ::testing::TestWithParam<std::tuple<Backend, std::string>> {
  protected:
   void SetUp() override {
-    Result<std::unique_ptr<Context>> opened = open(std::get<0>(GetParam()));
-    if (!opened && !in_ci()) GTEST_SKIP() << opened.status().message;
-    ASSERT_TRUE(opened.ok()) << opened.status().message;
-    context_ = std::move(opened).value();
-    Result<std::unique_ptr<Renderer>> made = Renderer::create(context_->gl());
+    const Result<Renderer*> made = stage.renderer(std::get<0>(GetParam()));
+    if (!made && !in_ci()) GTEST_SKIP() << made.status().message;
     ASSERT_TRUE(made.ok()) << made.status().message;
-    renderer_ = std::move(made).value();
+    renderer_ = *made;
   }
   void TearDown() override {
-    renderer_.reset();
-    if (!context_) return;
-    EXPECT_EQ(context_->gl().GetError(), GLenum{GL_NO_ERROR});
+    if (!renderer_) return;
+    EXPECT_EQ((*stage.context(std::get<0>(GetParam())))->gl().GetError(), GLenum{GL_NO_ERROR});
   }
 
-  std::unique_ptr<Context> context_;
-  std::unique_ptr<Renderer> renderer_;
+  Renderer* renderer_ = nullptr;
 };
+
+/// The rows that a driver draws: EGL all, OSMesa, whose pictures have the same bytes, an eighth of each area where
+/// PELAGE_OSMESA_EIGHTH says which of 0 to 7. CI says another one each day.
+Rows rows_on(Backend backend, const std::string& area) {
+  const Rows all = rows_of(area);
+  const char* eighth = std::getenv("PELAGE_OSMESA_EIGHTH");
+  if (backend != Backend::osmesa || !eighth) return all;
+  Rows some;
+  for (auto row = static_cast<std::size_t>(std::atoi(eighth)); row < all.size(); row += 8) some.push_back(all[row]);
+  return some;
+}
 
 Status outcome_of(const Row& row, SceneStore& store, BothWays& ways, std::string& complaint) {
   const Result<std::shared_ptr<Scene>> scene = scene_of(row, store);
@@ -56,8 +63,10 @@ TEST_P(Matrix, IsDrawnFiniteOrRefused) {
   const auto& [backend, area] = GetParam();
   FreshStore store("pelage_matrix_" + area + std::to_string(static_cast<int>(backend)));
   BothWays ways(*renderer_);
+  const Rows rows = rows_on(backend, area);
+  ASSERT_FALSE(rows.empty());
   std::size_t refused = 0;
-  for (const Row& row : rows_of(area)) {
+  for (const Row& row : rows) {
     SCOPED_TRACE(row.area + ": " + row.value);
     std::string complaint;
     const Status status = outcome_of(row, *store, ways, complaint);
@@ -74,12 +83,12 @@ TEST_P(Matrix, IsDrawnFiniteOrRefused) {
       EXPECT_TRUE(store->remove(scene.id).ok());
     }
   }
-  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows_of(area).size(), refused,
+  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows.size(), refused,
               ways.pictures());
 }
 
 std::string name_of_area(const ::testing::TestParamInfo<std::tuple<Backend, std::string>>& info) {
-  return (std::get<0>(info.param) == Backend::osmesa ? "osmesa_" : "egl_") + std::get<1>(info.param);
+  return name_of_backend(std::get<0>(info.param)) + "_" + std::get<1>(info.param);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Matrix, ::testing::Combine(both_backends(), ::testing::ValuesIn(areas())), name_of_area);

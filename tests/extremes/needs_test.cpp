@@ -29,17 +29,12 @@ Status status_of(const Result<T>& result) {
   return result ? Status{} : result.status();
 }
 
-class Needs : public ::testing::TestWithParam<Backend> {
+class Needs : public WithRenderer {
  protected:
   void SetUp() override {
-    Result<std::unique_ptr<Context>> opened = open(GetParam());
-    if (!opened && !in_ci()) GTEST_SKIP() << opened.status().message;
-    ASSERT_TRUE(opened.ok()) << opened.status().message;
-    context_ = std::move(opened).value();
-    renderer_ = std::move(Renderer::create(context_->gl())).value();
-    scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
+    WithRenderer::SetUp();
+    if (renderer) scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
   }
-  void TearDown() override { renderer_.reset(); }
 
   static FrameRequest request(const std::string& members) {
     return request_of({.area = "", .value = "", .frame = R"({"width": 48, "height": 32)" +
@@ -50,14 +45,14 @@ class Needs : public ::testing::TestWithParam<Backend> {
   FrameCounters drawn(const FrameRequest& request) {
     std::optional<FurFrame> frame;
     scene_->read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-      sync_scene(*renderer_, view, dirty);
+      sync_scene(*renderer, view, dirty);
       frame = make_frame(view, request);
     });
     DrawTimes times;
-    renderer_->forget_kept();
+    renderer->forget_kept();
     const bool exr = request.format == FrameFormat::exr;
-    const Status drawn = exr ? status_of(renderer_->draw_layers(*frame, request.layers, &times))
-                             : status_of(renderer_->draw(*frame, &times));
+    const Status drawn = exr ? status_of(renderer->draw_layers(*frame, request.layers, &times))
+                             : status_of(renderer->draw(*frame, &times));
     EXPECT_TRUE(drawn.ok()) << drawn.message;
     return times.counters;
   }
@@ -79,8 +74,6 @@ class Needs : public ::testing::TestWithParam<Backend> {
   void undo() { EXPECT_TRUE(scene_->move(Undo{1}).ok()); }
 
   FreshStore store_{"pelage_needs" + std::to_string(static_cast<int>(GetParam()))};
-  std::unique_ptr<Context> context_;
-  std::unique_ptr<Renderer> renderer_;
   std::shared_ptr<Scene> scene_;
 };
 

@@ -84,17 +84,12 @@ void expect_near(const Layers& a, const Layers& b, double share) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(first[k], second[k], share * second[k]) << "channel " << k;
 }
 
-class Relations : public ::testing::TestWithParam<Backend> {
+class Relations : public WithRenderer {
  protected:
   void SetUp() override {
-    Result<std::unique_ptr<Context>> opened = open(GetParam());
-    if (!opened && !in_ci()) GTEST_SKIP() << opened.status().message;
-    ASSERT_TRUE(opened.ok()) << opened.status().message;
-    context_ = std::move(opened).value();
-    renderer_ = std::move(Renderer::create(context_->gl())).value();
-    ways_.emplace(*renderer_);
+    WithRenderer::SetUp();
+    if (renderer) ways_.emplace(*renderer);
   }
-  void TearDown() override { renderer_.reset(); }
 
   FrameRequest request(const Row& row, bool strands) const {
     FrameRequest asked = request_of(row).value();
@@ -111,8 +106,6 @@ class Relations : public ::testing::TestWithParam<Backend> {
   }
 
   FreshStore store_{"pelage_relations" + std::to_string(static_cast<int>(GetParam()))};
-  std::unique_ptr<Context> context_;
-  std::unique_ptr<Renderer> renderer_;
   std::optional<BothWays> ways_;
 };
 

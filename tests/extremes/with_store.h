@@ -1,15 +1,14 @@
-// A store of scenes in a folder of its own, and a renderer on each of the two backends.
+// A store of scenes in a folder of its own.
 #pragma once
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 
 #include "server/scene/scene_store.h"
 #include "server/import/import.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 
 namespace pelage::testing {
 

@@ -4,31 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <memory>
 #include <string>
 
-#include "renderer/gl/context/context.h"
+#include "tests/gl/stage.h"
 
 namespace pelage::testing {
 
-enum class Backend { egl_device, egl_surfaceless, osmesa };
-
-inline std::string name_of(const ::testing::TestParamInfo<Backend>& info) {
+inline std::string name_of_backend(Backend backend) {
   static const char* const names[] = {"egl_device", "egl_surfaceless", "osmesa"};
-  return names[static_cast<int>(info.param)];
+  return names[static_cast<int>(backend)];
 }
 
-inline Result<std::unique_ptr<Context>> open(Backend backend) {
-  switch (backend) {
-    case Backend::egl_device: {
-      Result<std::unique_ptr<Context>> hardware = open_egl(EglPlatform::hardware_device);
-      return hardware ? std::move(hardware) : open_egl(EglPlatform::software_device);
-    }
-    case Backend::egl_surfaceless: return open_egl(EglPlatform::surfaceless);
-    case Backend::osmesa: break;
-  }
-  return open_osmesa();
-}
+/// CMake runs a driver's tests by this end of their names.
+inline std::string name_of(const ::testing::TestParamInfo<Backend>& info) { return name_of_backend(info.param); }
 
 inline bool in_ci() {
   const char* ci = std::getenv("CI");
@@ -38,9 +26,9 @@ inline bool in_ci() {
 class OnBackend : public ::testing::TestWithParam<Backend> {
  protected:
   void SetUp() override {
-    Result<std::unique_ptr<Context>> opened = open(GetParam());
+    const Result<Context*> opened = stage.context(GetParam());
     if (opened) {
-      context = std::move(opened).value();
+      context = *opened;
       return;
     }
     if (in_ci()) FAIL() << opened.status().message;
@@ -52,7 +40,7 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
   }
   const Gl& gl() const { return context->gl(); }
 
-  std::unique_ptr<Context> context;
+  Context* context = nullptr;
 };
 
 /// The two drivers. Surfaceless EGL is the driver of the EGL device, and Backends holds it to the same bytes.

@@ -4,10 +4,9 @@
 #include <set>
 
 #include "renderer/coat/side_view.h"
-#include "renderer/frame/renderer.h"
 #include "renderer/passes/fins/strips.h"
 #include "server/frames/fur_view.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
@@ -55,18 +54,7 @@ Change change_between(const Image& a, const Image& b, int reach) {
   return {sum.band / count.band, sum.inside / count.inside, sum.outside / count.outside};
 }
 
-class Fins : public OnBackend {
- protected:
-  void SetUp() override {
-    OnBackend::SetUp();
-    if (context) renderer = Renderer::create(gl()).value();
-  }
-  void TearDown() override {
-    renderer.reset();
-    OnBackend::TearDown();
-  }
-  std::unique_ptr<Renderer> renderer;
-};
+class Fins : public WithRenderer {};
 
 TEST_P(Fins, AFrameWithoutThemIsAsBefore) {
   const FurredModel model = furred({Builtin::creature, 3000});

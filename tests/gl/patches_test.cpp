@@ -1,15 +1,14 @@
 // Pieces of patches that share a place let through what one would.
 #include <algorithm>
 
-#include "renderer/frame/renderer.h"
 #include "server/frames/fur_view.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
 namespace {
 
-class SharedFur : public OnBackend {};
+class SharedFur : public WithRenderer {};
 
 /// The model with each piece drawn once for every weight.
 Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std::vector<float>& weights) {
@@ -34,7 +33,6 @@ Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std:
 
 TEST_P(SharedFur, PiecesWithSharesMakeOneFur) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
-  const std::unique_ptr<Renderer> renderer = Renderer::create(gl()).value();
   const auto with = [&](const std::vector<float>& weights) { return draw_with_weights(*renderer, model, weights); };
   const Image one = with({1}), shared = with({0.3f, 0.7f}), twice = with({1, 1}), half = with({0.5f});
   const double difference = mean_difference(shared, one);
@@ -47,7 +45,6 @@ TEST_P(SharedFur, OverlapsKeepCoverAndColour) {
   const FurredModel model = furred({Builtin::creature, 3000});
   FurredModel hard = furred({Builtin::creature, 3000});
   hard.model.patches = hard_pieces(hard.model.patches);
-  const std::unique_ptr<Renderer> renderer = Renderer::create(gl()).value();
   const FrameRequest request = small_frame(AutoView::three_quarter, 192);
   const Image soft_image = draw(*renderer, model, request), hard_image = draw(*renderer, hard, request);
   EXPECT_NEAR(covered(soft_image), covered(hard_image), 0.01 * covered(hard_image));

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage {
@@ -23,7 +22,7 @@ namespace {
 
 constexpr int side = 33;
 
-class PatternOnGpu : public OnBackend {};
+class PatternOnGpu : public WithRenderer {};
 
 TEST_P(PatternOnGpu, MixesAsTheCpuDoes) {
   Coat coat;
@@ -57,15 +56,13 @@ TEST_P(PatternOnGpu, MixesAsTheCpuDoes) {
 }
 
 TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(gl());
-  ASSERT_TRUE(renderer.ok());
   for (const double length : {0.02, 0.002}) {
     FurredModel model = furred({Builtin::sphere, 1000}, {.length = length});
-    const Image plain = draw(**renderer, model, small_frame());
+    const Image plain = draw(*renderer, model, small_frame());
     model.settings.coat.pattern.kind = PatternKind::stripes;
     model.settings.coat.pattern.scale = 0.2;
     model.settings.coat.pattern.colour = {0, 0, 0};
-    const Image striped = draw(**renderer, model, small_frame());
+    const Image striped = draw(*renderer, model, small_frame());
     int darker = 0, same = 0;
     for (std::size_t i = 0; i < plain.rgba.size(); i += 4) {
       if (plain.rgba[i + 3] < 255) continue;
@@ -80,12 +77,10 @@ TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
 }
 
 TEST_P(PatternOnGpu, VariationOfLengthChangesTheOutline) {
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(gl());
-  ASSERT_TRUE(renderer.ok());
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.1});
-  const Image even = draw(**renderer, model, small_frame());
+  const Image even = draw(*renderer, model, small_frame());
   model.settings.coat.variation.length = 0.8;
-  EXPECT_GT(mean_difference(even, draw(**renderer, model, small_frame())), 1);
+  EXPECT_GT(mean_difference(even, draw(*renderer, model, small_frame())), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, PatternOnGpu, both_backends(), name_of);

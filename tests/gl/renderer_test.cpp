@@ -278,12 +278,12 @@ TEST(Backends, GiveTheSameBytesOnOneMesa) {
   const FurredModel model = furred({Builtin::creature, 2000});
   std::vector<std::vector<std::uint8_t>> pictures;
   for (const Backend backend : {Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa}) {
-    const Result<std::unique_ptr<Context>> context = open(backend);
+    const Result<Context*> context = stage.context(backend);
     if (!context && !in_ci()) GTEST_SKIP() << context.status().message;
     ASSERT_TRUE(context.ok()) << context.status().message;
     if (!(*context)->is_software()) GTEST_SKIP() << "a hardware driver draws other bits: " << (*context)->description();
-    Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
-    ASSERT_TRUE(renderer.ok());
+    const Result<Renderer*> renderer = stage.renderer(backend);
+    ASSERT_TRUE(renderer.ok()) << renderer.status().message;
     pictures.push_back(draw(**renderer, model, small_frame(AutoView::three_quarter, 200)).rgba);
   }
   EXPECT_EQ(pictures[0], pictures[1]);

@@ -1,9 +1,6 @@
 // A renderer on each backend.
 #pragma once
 
-#include <memory>
-
-#include "renderer/frame/renderer.h"
 #include "tests/gl/backends.h"
 
 namespace pelage::testing {
@@ -13,16 +10,12 @@ class WithRenderer : public OnBackend {
   void SetUp() override {
     OnBackend::SetUp();
     if (!context) return;
-    Result<std::unique_ptr<Renderer>> made = Renderer::create(gl());
+    const Result<Renderer*> made = stage.renderer(GetParam());
     ASSERT_TRUE(made.ok()) << made.status().message;
-    renderer = std::move(made).value();
-  }
-  void TearDown() override {
-    renderer.reset();
-    OnBackend::TearDown();
+    renderer = *made;
   }
 
-  std::unique_ptr<Renderer> renderer;
+  Renderer* renderer = nullptr;
 };
 
 }  // namespace pelage::testing

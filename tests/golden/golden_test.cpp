@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "renderer/image/image.h"
-#include "tests/gl/backends.h"
+#include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
@@ -49,18 +49,16 @@ const Golden goldens[] = {
      }, 0.5, 60},
 };
 
-class Pictures : public OnBackend {};
+class Pictures : public WithRenderer {};
 
 TEST_P(Pictures, MatchWhatWasLookedAt) {
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(gl());
-  ASSERT_TRUE(renderer.ok()) << renderer.status().message;
   for (const Golden& golden : goldens) {
     FurredModel model = furred(golden.model, golden.fur);
     FrameRequest request = small_frame(AutoView::three_quarter, 320);
     request.tone_map = ToneMap::filmic;
     request.background = Background::colour;
     golden.change(model, request);
-    const Image image = draw(**renderer, model, request);
+    const Image image = draw(*renderer, model, request);
     const std::string path = std::string(PELAGE_GOLDEN_FOLDER "/") + golden.name + ".png";
     if (std::getenv("PELAGE_UPDATE_GOLDEN")) {
       const std::string png = encode_png(image, true);

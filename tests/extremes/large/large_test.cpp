@@ -11,25 +11,15 @@
 namespace pelage::testing {
 namespace {
 
-class Large : public ::testing::TestWithParam<Backend> {
+class Large : public WithRenderer {
  protected:
-  void SetUp() override {
-    Result<std::unique_ptr<Context>> opened = open(GetParam());
-    ASSERT_TRUE(opened.ok()) << opened.status().message;
-    context_ = std::move(opened).value();
-    renderer_ = std::move(Renderer::create(context_->gl())).value();
-  }
-  void TearDown() override { renderer_.reset(); }
-
-  std::unique_ptr<Context> context_;
-  std::unique_ptr<Renderer> renderer_;
   FreshStore store_{"pelage_large" + std::to_string(static_cast<int>(GetParam()))};
 };
 
 TEST_P(Large, APictureOf8192IsDrawnByShellsAndRefusedToStrands) {
   const Row row{.area = "camera", .value = "8192 x 8192", .frame = R"({"width": 8192, "height": 8192, "quality": {"shells": 1}})"};
   const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
-  BothWays ways(*renderer_);
+  BothWays ways(*renderer);
   FrameRequest request = request_of(row).value();
   const Result<Image> image = ways.show(*scene, request);
   ASSERT_TRUE(image.ok()) << image.status().message;
@@ -47,7 +37,7 @@ TEST_P(Large, AModelOfAMillionTriangles) {
                 .scene = R"({"model": {"builtin": "torus", "triangles": 1000000}, "fur": {"length": 0.05}})"};
   const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
   EXPECT_GT(scene->model()->surface.mesh().triangles.size(), 990'000u);
-  BothWays ways(*renderer_);
+  BothWays ways(*renderer);
   std::string complaint;
   const Status status = ways.look_at(*scene, request_of(row).value(), complaint);
   EXPECT_TRUE(status.ok()) << status.message;
