@@ -1,0 +1,66 @@
+"""Checks that every relative link and picture of the Markdown pages leads to a file, and every #anchor to a heading.
+
+usage: links.py ROOT | --self-test
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+ELSEWHERE = re.compile(r"[a-z]+:")
+CODE = re.compile(r"^```.*?^```|^(?: {4}|\t).*?$|`[^`\n]*`", re.M | re.S)
+
+
+def anchors(text):
+    """Headings as the anchors that Markdown viewers make of them."""
+    titles = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def problems(root, page):
+    text = (root / page).read_text(encoding="utf-8")
+    found = []
+    for target in LINK.findall(CODE.sub("", text)):
+        if ELSEWHERE.match(target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = root / page.parent / path if path else root / page
+        if not file.exists():
+            found.append(f"{page}: {target} is not there")
+        elif anchor and file.suffix == ".md" and anchor not in anchors(file.read_text(encoding="utf-8")):
+            found.append(f"{page}: {target} has no such heading")
+    return found
+
+
+def self_test():
+    with tempfile.TemporaryDirectory() as folder:
+        root, page = pathlib.Path(folder), pathlib.Path("a.md")
+        (root / "b.md").write_text("# One `two`, three\n", encoding="utf-8")
+        for text, count in (("[x](b.md) [y](b.md#one-two-three) `[z](c.md)` [w](https://a.b/c)", 0), ("[x](c.md)", 1),
+                            ("![](c.png)", 1), ("[x](b.md#four)", 1), ("# Here\n[x](#here) [y](#there)", 1)):
+            (root / page).write_text(text, encoding="utf-8")
+            assert len(problems(root, page)) == count, text
+    print("the checker finds what it should")
+
+
+def pages(root):
+    listed = subprocess.run(["git", "-C", str(root), "ls-files", "*.md"], capture_output=True, text=True)
+    names = listed.stdout.split() if listed.returncode == 0 else []
+    return [pathlib.Path(name) for name in names] or [
+        path.relative_to(root) for top in (".", "docs") for path in sorted((root / top).glob("*.md" if top == "." else "**/*.md"))]
+
+
+def main():
+    if sys.argv[1] == "--self-test":
+        return self_test()
+    root = pathlib.Path(sys.argv[1])
+    checked = [page for page in pages(root) if (root / page).exists()]
+    found = [line for page in checked for line in problems(root, page)]
+    print(f"{len(checked)} pages")
+    if found or not checked:
+        sys.exit("\n".join(found) or "no pages found")
+
+
+main()
