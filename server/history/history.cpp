@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "protocol/json/decode.h"
@@ -142,13 +144,13 @@ Result<FieldDelta> History::redo(std::uint64_t steps) const {
   return change_of_last(undone_, steps);
 }
 
-void History::drop(Step& step) {
+void History::drop(Step& step) noexcept {
   held_bytes_ -= step.octets.size();
   step.octets = {};
 }
 
 /// The oldest steps give way first, and what is farthest to redo after all that can be undone.
-void History::keep_to_budget() {
+void History::keep_to_budget() noexcept {
   dropped_ = std::min(dropped_, done_.size());
   for (; held_bytes_ > memory_.bytes && dropped_ < done_.size(); ++dropped_) drop(done_[dropped_]);
   for (std::size_t i = 0; held_bytes_ > memory_.bytes; ++i) drop(undone_[i]);
@@ -169,80 +171,118 @@ bool History::accepts(const Entry& entry) const {
   return false;
 }
 
-void History::record(const Entry& entry) {
-  assert(accepts(entry));
+/// Room for as many more, at least doubling: a log that grows entry by entry is copied seldom.
+template <class T>
+static void reserve_more(std::vector<T>& list, std::size_t more) {
+  if (list.capacity() - list.size() < more) list.reserve(std::max(2 * list.size(), list.size() + more));
+}
+
+void History::reserve(std::size_t entries) {
+  reserve_more(records_, entries);
+  reserve_more(done_, std::max(entries, undone_.size()));
+  reserve_more(undone_, done_.size());
+}
+
+/// The record at `index`, after `last`.
+History::Record History::next_record(const Entry& entry, std::size_t index, const Record& last) const {
   Record record;
   record.line = {entry.revision, name_of(entry.kind), entry.commands, entry.delta.vertices().size()};
+  const auto arrive = [&](std::size_t state) {
+    record.top = records_[state].top;
+    record.settings = records_[state].settings;
+  };
   switch (entry.kind) {
-    case EntryKind::command: record_do(entry, record); break;
+    case EntryKind::undo:
+      arrive(entry.argument == 0 ? records_.size() - 1 : done_[done_.size() - entry.argument].before);
+      break;
+    case EntryKind::redo:
+      arrive(entry.argument == 0 ? records_.size() - 1 : undone_[undone_.size() - entry.argument].after);
+      break;
+    case EntryKind::revert: arrive(entry.argument - first_); break;
+    case EntryKind::command:
     case EntryKind::join:
-    case EntryKind::replay: record_join(entry, record); break;
-    case EntryKind::undo: record_undo(entry, record); break;
-    case EntryKind::redo: record_redo(entry, record); break;
-    case EntryKind::revert: record_revert(entry, record); break;
+    case EntryKind::replay:  // its commands follow those that lead to the record before it
+      record.top = index;
+      record.below = last.top;
+      record.settings = entry.settings ? entry.settings : last.settings;
+  }
+  return record;
+}
+
+History::Prepared History::prepare(std::span<const Entry> entries) {
+  assert(!entries.empty() && accepts(entries.front()));
+  reserve(entries.size());
+  Prepared prepared;
+  std::optional<FieldDelta> step;  // that a part would join; none where the journal alone has it
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Entry& entry = entries[i];
+    const Record& last = i == 0 ? records_.back() : prepared.changes_.back().record;
+    Prepared::Change change{entry.kind, entry.argument, next_record(entry, records_.size() + i, last), {}};
+    if (entry.kind == EntryKind::command || entry.kind == EntryKind::revert) {
+      step = entry.delta;
+    } else if (entry.kind == EntryKind::join || entry.kind == EntryKind::replay) {
+      if (i == 0) step = change_in_memory(done_.back());
+      if (step) step = compose(*step, entry.delta);
+    } else {
+      step.reset();
+    }
+    if (step) change.octets = encode_delta(*step), change.octets.shrink_to_fit();
+    prepared.changes_.push_back(std::move(change));
+  }
+  return prepared;
+}
+
+/// None where only the journal has it.
+std::optional<FieldDelta> History::change_in_memory(const Step& step) const {
+  if (step.octets.empty()) return std::nullopt;
+  Result<FieldDelta> decoded = change(step);
+  assert(decoded.ok());  // encode_delta wrote it
+  return std::move(*decoded);
+}
+
+void History::record(const Entry& entry) { record(prepare(std::span(&entry, 1))); }
+
+void History::record(Prepared prepared) noexcept {
+  for (Prepared::Change& change : prepared.changes_) {
+    record_one(change.kind, change.argument, std::move(change.record), std::move(change.octets));
+  }
+}
+
+void History::record_one(EntryKind kind, std::uint64_t argument, Record record, std::string octets) noexcept {
+  const auto move_steps = [argument](std::vector<Step>& from, std::vector<Step>& to) {
+    for (std::uint64_t i = 0; i < argument; ++i) {
+      to.push_back(std::move(from.back()));
+      from.pop_back();
+    }
+  };
+  switch (kind) {
+    case EntryKind::command:
+    case EntryKind::revert: add_step(std::move(octets)); break;
+    case EntryKind::join:
+    case EntryKind::replay: join_step(std::move(octets)); break;
+    case EntryKind::undo: move_steps(done_, undone_); break;
+    case EntryKind::redo: move_steps(undone_, done_); break;
   }
   records_.push_back(std::move(record));
   keep_to_budget();
 }
 
-/// A new step that leads from a record to the next one; what could be redone is gone.
-void History::add_step(const FieldDelta& delta, std::size_t before) {
+/// A new step that leads from the last record to the next one; what could be redone is gone.
+void History::add_step(std::string octets) noexcept {
   std::for_each(undone_.begin(), undone_.end(), [&](Step& step) { drop(step); });
   undone_.clear();
-  done_.push_back({encode_delta(delta), before, before + 1});
-  done_.back().octets.shrink_to_fit();
-  held_bytes_ += done_.back().octets.size();
+  held_bytes_ += octets.size();
+  done_.push_back({std::move(octets), records_.size() - 1, records_.size()});
 }
 
-void History::arrive(std::size_t state, Record& record) const {
-  record.top = records_[state].top;
-  record.settings = records_[state].settings;
-}
-
-/// The entry's commands follow those that lead to the record before it.
-void History::list(const Entry& entry, Record& record) const {
-  record.top = records_.size();
-  record.below = records_.back().top;
-  record.settings = entry.settings ? entry.settings : records_.back().settings;
-}
-
-void History::record_do(const Entry& entry, Record& record) {
-  list(entry, record);
-  add_step(entry.delta, records_.size() - 1);
-}
-
-void History::record_join(const Entry& entry, Record& record) {
-  list(entry, record);
+/// The last step leads on to the next record. Where its octets are gone, the journal has both parts.
+void History::join_step(std::string octets) noexcept {
   Step& step = done_.back();
   step.after = records_.size();
-  if (step.octets.empty()) return;  // the journal has both parts
-  const Result<FieldDelta> so_far = change(step);
-  assert(so_far.ok());  // encode_delta wrote it
+  if (step.octets.empty()) return;
   drop(step);
-  step.octets = encode_delta(compose(*so_far, entry.delta));
-  step.octets.shrink_to_fit();
-  held_bytes_ += step.octets.size();
-}
-
-void History::record_undo(const Entry& entry, Record& record) {
-  for (std::uint64_t i = 0; i < entry.argument; ++i) {
-    undone_.push_back(std::move(done_.back()));
-    done_.pop_back();
-    arrive(undone_.back().before, record);
-  }
-}
-
-void History::record_redo(const Entry& entry, Record& record) {
-  for (std::uint64_t i = 0; i < entry.argument; ++i) {
-    done_.push_back(std::move(undone_.back()));
-    undone_.pop_back();
-    arrive(done_.back().after, record);
-  }
-}
-
-void History::record_revert(const Entry& entry, Record& record) {
-  arrive(entry.argument - first_, record);
-  add_step(entry.delta, records_.size() - 1);
+  held_bytes_ += octets.size();
+  step.octets = std::move(octets);
 }
 
 std::vector<LogEntry> History::log() const {

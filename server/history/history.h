@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -97,7 +98,13 @@ class History {
 
   /// Whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
-  /// Takes an accepted entry. Both a running scene and a restart come through here.
+  /// What recording entries adds, with all memory that it takes.
+  class Prepared;
+  /// Entries that follow one another, the first of them accepted; an undo or redo comes alone. Changes nothing that can
+  /// be seen.
+  Prepared prepare(std::span<const Entry> entries);
+  /// Takes what was just prepared, and cannot fail. Both a running scene and a restart come through here.
+  void record(Prepared prepared) noexcept;
   void record(const Entry& entry);
 
   /// One line for each entry, oldest first.
@@ -122,19 +129,16 @@ class History {
   };
 
   bool is_last(EntryKind kind) const;
+  void reserve(std::size_t entries);
+  Record next_record(const Entry& entry, std::size_t index, const Record& last) const;
   Result<FieldDelta> change(const Step& step) const;
+  std::optional<FieldDelta> change_in_memory(const Step& step) const;
   Result<FieldDelta> change_of_last(const std::vector<Step>& steps, std::uint64_t count) const;
-  void add_step(const FieldDelta& delta, std::size_t before);
-  void drop(Step& step);
-  void keep_to_budget();
-
-  void record_do(const Entry& entry, Record& record);
-  void record_join(const Entry& entry, Record& record);
-  void record_undo(const Entry& entry, Record& record);
-  void record_redo(const Entry& entry, Record& record);
-  void record_revert(const Entry& entry, Record& record);
-  void list(const Entry& entry, Record& record) const;
-  void arrive(std::size_t state, Record& record) const;
+  void add_step(std::string octets) noexcept;
+  void join_step(std::string octets) noexcept;
+  void drop(Step& step) noexcept;
+  void keep_to_budget() noexcept;
+  void record_one(EntryKind kind, std::uint64_t argument, Record record, std::string octets) noexcept;
 
   Revision first_;
   std::vector<Record> records_;
@@ -142,6 +146,22 @@ class History {
   UndoMemory memory_;
   std::size_t held_bytes_ = 0;
   std::size_t dropped_ = 0;  // as many of the oldest steps of done_ are known to be without octets
+};
+
+class History::Prepared {
+ public:
+  /// Those that hold once the entries are recorded.
+  const SceneSettings& settings() const { return *changes_.back().record.settings; }
+
+ private:
+  friend class History;
+  struct Change {
+    EntryKind kind;
+    std::uint64_t argument;
+    Record record;
+    std::string octets;  // of the step as it will be; "" where the journal alone has it, and of undo and redo
+  };
+  std::vector<Change> changes_;
 };
 
 }  // namespace pelage

@@ -99,9 +99,15 @@ Status Database::execute(const char* sql) {
 
 Status Database::transaction(const std::function<Status()>& work) {
   if (Status begun = execute("BEGIN IMMEDIATE"); !begun.ok()) return begun;
+  struct RollBack {  // also where `work` throws: an open transaction would refuse every later one
+    Database* database;
+    ~RollBack() {
+      if (database != nullptr) sqlite3_exec(database->database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
+  } roll_back{this};
   Status done = work();
   if (done.ok()) done = execute("COMMIT");
-  if (!done.ok()) execute("ROLLBACK");
+  if (done.ok()) roll_back.database = nullptr;
   return done;
 }
 

@@ -41,8 +41,7 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   }
 
   if (!options.dry_run) {
-    if (Status written = commit_all(replay->entries); !written.ok()) return written;
-    live_.end();
+    if (Status written = commit(replay->entries, std::move(replay->fields), {}); !written.ok()) return written;
   }
   return answer(std::move(replay->results));
 }
@@ -89,11 +88,11 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
   Outcome outcome = evaluate_batch(steps, {}, model_->surface, replay.fields, *replay.settings, next);
   std::move(outcome.results.begin(), outcome.results.end(), std::back_inserter(replay.results));
   if (!outcome.changed()) return {};
-  replay.fields.apply(outcome.delta);
+  replay.fields = std::move(outcome.fields);
   if (outcome.settings) replay.settings = outcome.settings;
   const std::vector<Command> logged = chosen(resolved, outcome.effective);
-  replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta), outcome.fields_hash,
-                            outcome.settings, pictures_read_by(logged)});
+  replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta),
+                            replay.fields.hash(), outcome.settings, pictures_read_by(logged)});
   return {};
 }
 

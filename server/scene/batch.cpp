@@ -120,8 +120,9 @@ CommandResult describe_change(const char* op, const FieldDelta& delta, const Fie
 }
 
 Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
-                       FieldSet& fields, const SceneSettings& settings, Revision next) {
-  Outcome outcome;
+                       const FieldSet& before, const SceneSettings& settings, Revision next) {
+  Outcome outcome{before, {}, {}, {}, {}};
+  FieldSet& fields = outcome.fields;
   SceneSettings set_so_far = settings;
   bool any_set = false;
   fields.apply(start);
@@ -140,9 +141,7 @@ Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, 
     any_set = any_set || setting;
     if (setting || !change.empty()) outcome.effective.push_back(k);
   }
-  outcome.fields_hash = fields.hash();
   if (any_set) outcome.settings = std::make_shared<const SceneSettings>(std::move(set_so_far));
-  fields.apply(outcome.delta);
   return outcome;
 }
 

@@ -15,9 +15,9 @@
 namespace pelage {
 
 struct Outcome {
+  FieldSet fields;                                // after all commands
   FieldDelta delta;                               // of all commands together
   std::shared_ptr<const SceneSettings> settings;  // after them; null when they changed none
-  FieldsHash fields_hash;                         // after them
   std::vector<CommandResult> results;             // of each command
   std::vector<std::size_t> effective;             // numbers of the commands that changed anything
 
@@ -36,10 +36,9 @@ struct Step {
 Status in_batch(Status status, std::size_t command, std::size_t commands);
 
 /// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted
-/// from before that change has happened to `fields`, which are used on the way and are left as they were. `next` is the
-/// revision that they lead to.
+/// from before that change has happened to `fields`. `next` is the revision that they lead to.
 Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
-                       FieldSet& fields, const SceneSettings& settings, Revision next);
+                       const FieldSet& fields, const SceneSettings& settings, Revision next);
 
 /// Refused (invalid, "/stroke/part") for a part of a stroke.
 Status check_whole(const Command& command);

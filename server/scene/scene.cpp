@@ -20,8 +20,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t many_ranges = 1 << 12;  // when nobody draws, ranges are merged now and then
-
 std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_cast<std::uint32_t>(vertices)}}; }
 
 Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
@@ -74,7 +72,11 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first, std::shared
     return Status{};
   });
   announce();
-  return taken.ok() ? take_up_picture() : taken;
+  if (!taken.ok()) return taken;
+  Result<LaidPicture> picture = picture_of(history_.settings());
+  if (!picture) return picture.status();
+  picture_ = std::move(*picture);
+  return {};
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
@@ -94,20 +96,24 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
 
+  // The next part of this stroke will join it; after anything else it cannot.
+  LiveStroke live = live_;
+  if (commands.size() == 1) {
+    live.accept({planned->whole[0].command, planned->logged[0], planned->joins}, commands[0], changed);
+  } else if (changed) {
+    live.end();
+  }
+
   // On disk, and only then in the fields and the log. A stroke that misses makes no step.
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
     const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
-    Status written = commit({history_.revision() + 1, kind, 0, encode(logged), std::move(outcome.delta),
-                             outcome.fields_hash, outcome.settings, pictures_read_by(logged)});
+    const Entry entry{history_.revision() + 1, kind, 0, encode(logged), std::move(outcome.delta),
+                      outcome.fields.hash(), outcome.settings, pictures_read_by(logged)};
+    Status written = commit(std::span(&entry, 1), std::move(outcome.fields), std::move(live));
     if (!written.ok()) return written;
-  }
-
-  // The next part of this stroke will join it; after anything else it cannot.
-  if (commands.size() == 1) {
-    live_.accept({planned->whole[0].command, planned->logged[0], planned->joins}, commands[0], changed);
-  } else if (changed) {
-    live_.end();
+  } else {
+    live_ = std::move(live);
   }
   return answer(std::move(outcome.results));
 }
@@ -118,13 +124,14 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
   if (Status refused = admit(options); !refused.ok()) return refused;
   Result<Entry> entry = entry_of(move);
   if (!entry) return entry.status();
-  const CommandResult result = describe_change(name_of(entry->kind), entry->delta, fields_);
+  std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, fields_)};
   const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
   if (!options.dry_run && !stays) {
-    if (Status written = commit(*entry); !written.ok()) return written;
-    live_.end();
+    FieldSet after = fields_;
+    after.apply(entry->delta);
+    if (Status written = commit(std::span(&*entry, 1), std::move(after), {}); !written.ok()) return written;
   }
-  return answer({result});
+  return answer(std::move(results));
 }
 
 Status Scene::admit(const ExecuteOptions& options) const {
@@ -171,19 +178,6 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   return step;
 }
 
-Status Scene::commit_all(std::span<const Entry> entries) {
-  if (Status written = journal_.append(id_, entries); !written.ok()) return written;
-  for (const Entry& entry : entries) {
-    fields_.apply(entry.delta);
-    history_.record(entry);
-    const std::vector<VertexRange> dirty = entry.delta.dirty_ranges();
-    dirty_.insert(dirty_.end(), dirty.begin(), dirty.end());
-  }
-  if (dirty_.size() > many_ranges) dirty_ = merge_ranges(std::move(dirty_));
-  announce();
-  return take_up_picture();
-}
-
 /// What a command names has to be there: in the scene, or made by the commands before it in its batch.
 Status Scene::check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const {
   for (const Command& earlier : before) settings = with_setting(settings, earlier).value_or(settings);
@@ -227,31 +221,8 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
   return step;
 }
 
-/// The journal keeps the pictures that logs name, so that undo and redo find them.
-Status Scene::take_up_picture() {
-  const std::string& name = history_.settings().base_picture;
-  if (name == picture_name_) return {};
-  std::shared_ptr<const RawImage> picture;
-  if (!name.empty()) {
-    const Result<std::string> octets = journal_.picture(name);
-    if (!octets) return octets.status();
-    Result<RawImage> image = decode_raw_image(std::as_bytes(std::span(*octets)));
-    if (!image) return damaged();
-    picture = std::make_shared<const RawImage>(std::move(*image));
-  }
-  picture_ = std::move(picture);
-  picture_name_ = name;
-  return {};
-}
-
-/// To those who wait, and to those who look without the lock.
-void Scene::announce() {
-  newest_ = history_.revision();
-  changed_.notify_all();
-}
-
 SceneView Scene::view() const {
-  return {*model_, fields_, history_.settings(), history_.revision(), picture_.get(), copy_id_, model_, picture_};
+  return {*model_, fields_, history_.settings(), history_.revision(), picture_.image.get(), copy_id_, model_, picture_.image};
 }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
@@ -361,7 +332,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   copy_id_ = model_->id;
   fields_ = std::move(first);
   history_ = new_history(revision, first_settings(*model_));
-  picture_.reset(), picture_name_.clear();
+  picture_ = {};
   live_.end();
   dirty_ = whole_range(fields_.size());
   announce();

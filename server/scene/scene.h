@@ -191,12 +191,17 @@ class Scene {
     std::vector<CommandResult> results;
   };
 
+  /// That the settings name; none for the model's own colours.
+  struct LaidPicture {
+    std::shared_ptr<const RawImage> image = {};
+    std::string name = {};
+  };
+
   // All of these need the lock.
   Status admit(const ExecuteOptions& options) const;
   Result<Plan> plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const;
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
-  Status commit(const Entry& entry) { return commit_all(std::span(&entry, 1)); }
-  Status commit_all(std::span<const Entry> entries);
+  Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
   Result<Replay> begin_replay(Revision before) const;
   Status replay_step(Replay& replay, const std::vector<Command>& commands,
                      const std::vector<GroomSource>& sources) const;
@@ -206,7 +211,7 @@ class Scene {
   Status check_revision(Revision revision, std::string pointer = "/revision") const;
   Result<Step> with_rest(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
-  Status take_up_picture();
+  Result<LaidPicture> picture_of(const SceneSettings& settings) const;
   void announce();
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
@@ -222,8 +227,7 @@ class Scene {
   FieldSet fields_;
   History history_;
   LiveStroke live_;
-  std::shared_ptr<const RawImage> picture_;  // that the settings name
-  std::string picture_name_;
+  LaidPicture picture_;
   std::vector<VertexRange> dirty_;  // since the last frame
   std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
   std::atomic<bool> removed_{false};
