@@ -91,7 +91,7 @@ glm::vec3 FibrePaths::value(glm::vec3 light) const {
   return sum;
 }
 
-float FibrePaths::density(glm::vec3 light) const {
+float FibrePaths::pdf(glm::vec3 light) const {
   const std::array<float, lobe_count> shape = shapes(light);
   float sum = 0;
   for (std::size_t p = 0; p < lobe_count; ++p) sum += shape[p] * lobes_[p].share;
@@ -134,12 +134,12 @@ FibreSample FibrePaths::sample(glm::vec2 u, glm::vec2 v) const {
   glm::vec3 value(0);
   for (std::size_t k = 0; k < lobe_count; ++k) {
     value += shape[k] * lobes_[k].left;
-    sample.density += shape[k] * lobes_[k].share;
+    sample.pdf += shape[k] * lobes_[k].share;
   }
-  if (sample.density > 1e-30f) {
-    sample.weight = value / sample.density;
+  if (sample.pdf > 1e-30f) {
+    sample.weight = value / sample.pdf;
   } else {  // the direction's rounding has left a narrow lobe: weigh it by itself
-    sample.density = 1e-30f;
+    sample.pdf = 1e-30f;
   }
   return sample;
 }

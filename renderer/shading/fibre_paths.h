@@ -11,8 +11,8 @@ namespace pelage {
 
 struct FibreSample {
   glm::vec3 direction{1, 0, 0};  // where the light comes from
-  glm::vec3 weight{0};           // value over density; never more than 1 but for rounding and the cuticle's tilt
-  float density = 0;             // 1 / steradian; 0 where no light comes
+  glm::vec3 weight{0};           // value over pdf; never more than 1 but for rounding and the cuticle's tilt
+  float pdf = 0;                 // 1 / steradian; 0 where no light comes
 };
 
 /// One fibre seen from one direction at one offset: worked out once, asked for many lights.
@@ -23,7 +23,7 @@ class FibrePaths {
 
   /// Sum of Mp Ap Np for light from a unit direction: the cosine is in it, 1 / steradian.
   glm::vec3 value(glm::vec3 light) const;
-  float density(glm::vec3 light) const;  // of sample(), 1 / steradian
+  float pdf(glm::vec3 light) const;  // of sample(), 1 / steradian
   /// u chooses the lobe and the azimuth, v the inclination; all in [0, 1).
   FibreSample sample(glm::vec2 u, glm::vec2 v) const;
 

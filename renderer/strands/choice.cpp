@@ -9,13 +9,13 @@ namespace pelage {
 
 float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-void Chances::add(float weight) {
+void DiscreteDistribution::add(float weight) {
   assert(count_ < static_cast<int>(weights_.size()));
   weights_[static_cast<std::size_t>(count_)] = std::max(weight, 0.0f);
   total_ += weights_[static_cast<std::size_t>(count_++)];
 }
 
-Choice Chances::choose(float u) const {
+DiscreteSample DiscreteDistribution::sample(float u) const {
   if (!(total_ > 0) || !std::isfinite(total_)) return {};
   float left = u * total_;
   int chosen = -1;  // rounding may pass the last: then the last that has a weight

@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-/// What one ray through a pixel saw. All but radiance and alpha are of the first thing it met, 0 where it met nothing.
+/// What one ray through a pixel saw. All but radiance and alpha are of the first hit, 0 where there was none.
 struct FilmSample {
   glm::vec3 radiance{0};  // multiplied by alpha
   float alpha = 0;        // [0, 1]; the ground darkens: black with an alpha

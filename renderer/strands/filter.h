@@ -14,7 +14,7 @@ namespace pelage {
 inline constexpr std::uint32_t filtered_samples = 64;
 
 /// Means over a pixel's samples, rows from the top. Features are multiplied by body, depth is with the share of samples
-/// that met something.
+/// that hit something.
 struct FilterSource {
   int width = 0, height = 0;
   std::span<const std::uint32_t> samples;          // of each pixel

@@ -184,7 +184,7 @@ EnvironmentSample StrandLights::sample_environment(glm::vec2 u) const {
   return {direction, environment(direction), cell_share(row.index, column.index) * (rows * columns / (4 * pi))};
 }
 
-float StrandLights::environment_density(glm::vec3 direction) const {
+float StrandLights::environment_pdf(glm::vec3 direction) const {
   const float turn = std::atan2(direction.z, direction.x) / (2 * pi);
   const float across = turn < 0 ? turn + 1 : turn, up = (direction.y + 1) / 2;
   const int column = std::clamp(static_cast<int>(across * columns), 0, columns - 1);

@@ -21,7 +21,7 @@ struct LightSample {
 struct EnvironmentSample {
   glm::vec3 direction{0, 1, 0};  // unit
   glm::vec3 radiance{0};         // true radiance
-  float density = 0;             // of the direction, 1 / steradian, above 0
+  float pdf = 0;                 // of the direction, 1 / steradian, above 0
 };
 
 class StrandLights {
@@ -40,7 +40,7 @@ class StrandLights {
   bool has_environment() const { return environment_bright_; }
   glm::vec3 environment(glm::vec3 direction) const;  // radiance, not negative
   EnvironmentSample sample_environment(glm::vec2 u) const;
-  float environment_density(glm::vec3 direction) const;
+  float environment_pdf(glm::vec3 direction) const;
   float mean_environment() const { return mean_environment_; }  // luminance, over all directions
 
  private:

@@ -1,5 +1,5 @@
 // The true way to light traced strands: light goes from strand to strand and to the skin, along whole paths (Kajiya
-// 1986), scattered by energy_conserving at the offset where each strand was met. Nothing is made or lost but at the
+// 1986), scattered by energy_conserving at the offset where each strand was hit. Nothing is made or lost but at the
 // bound of bounces and of brightness.
 #pragma once
 

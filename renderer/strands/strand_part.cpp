@@ -86,7 +86,7 @@ Hit StrandPart::hit(const Ray& ray, float distance, std::uint32_t segment, float
 
   const StrandId strand = strand_of(segment);
   const StrandRoot& root = strands_.roots[strand.strand];
-  Hit hit{.met = Met::strand, .distance = distance, .normal = root.normal, .strand = strand};
+  Hit hit{.kind = HitKind::strand, .distance = distance, .normal = root.normal, .strand = strand};
   hit.tangent = unit_or(glm::mix(before, after, u), along);
   hit.radius = glm::mix(point[0].radius, point[1].radius, u);
   const glm::vec3 off = ray.origin + ray.direction * distance - glm::mix(low, high, u);

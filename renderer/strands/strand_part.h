@@ -47,7 +47,7 @@ class StrandPart {
   RTCScene index() const { return index_.get(); }         // null without strands
   glm::vec3 root_colour() const { return root_colour_; }  // mean, linear
 
-  /// Fills in what a ray met: `u` along the segment. Distance and `met` are the caller's.
+  /// Fills in what a ray hit: `u` along the segment. Distance and `kind` are the caller's.
   Hit hit(const Ray& ray, float distance, std::uint32_t segment, float u) const;
   /// How much light of each channel the strand stops there, over that of a black one: [1 - kept_by_pale, 1].
   glm::vec3 stopped(std::uint32_t segment, float u) const;

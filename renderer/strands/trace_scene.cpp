@@ -71,8 +71,8 @@ bool TraceScene::near_eye(const Ray& ray) const {
   return std::any_of(frame_.eyes.begin(), frame_.eyes.end(), [&](const FurEye& eye) {
     const glm::vec3 to_eye = eye.position - ray.origin;
     const float along = glm::dot(to_eye, ray.direction), square = glm::dot(to_eye, to_eye) - along * along;
-    const float reach = eye_margin * eye.radius;
-    return square < reach * reach && along > -reach;
+    const float margin = eye_margin * eye.radius;
+    return square < margin * margin && along > -margin;
   });
 }
 

@@ -133,7 +133,7 @@ bool Tracer::Impl::trace_tile(int tile, const GoOn& go_on) {
   return true;
 }
 
-/// Parts with little noise are left alone, but for those that no ray met anything in: those are cheap.
+/// Parts with little noise are left alone, but for those that no ray hit anything in: those are cheap.
 bool Tracer::Impl::still_noisy(int tile) const {
   const double limit = scene->frame().knobs.trace.noise;
   return limit == 0 || report.passes < judged_passes || film->noise(tile, scene->frame().exposure) >= limit;

@@ -41,42 +41,42 @@ glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light,
   return model == ShadingModel::marschner ? with_more(scene, hit, to_light, once) : once;
 }
 
-/// As ambient_share in lighting.glsl, with what gets through in place of the estimate.
-glm::vec3 ambient_share(const Look& look, glm::vec3 passed) {
+/// As ambient_share in lighting.glsl, with the transmittance in place of the estimate.
+glm::vec3 ambient_share(const Look& look, glm::vec3 transmittance) {
   const float floor = static_cast<float>(look.ambient_floor);
-  return floor + (1 - floor) * glm::pow(passed, glm::vec3(0.6f));
+  return floor + (1 - floor) * glm::pow(transmittance, glm::vec3(0.6f));
 }
 
-/// A strand's light, from one lamp or from all around.
+/// A strand's light, from one light source or from all around.
 void light_strand(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
   const StrandLights& lights = scene.lights();
   const Hit& hit = seen.hit;
   const glm::vec3 place = sample.position, to_eye = -seen.ray.direction;
-  Chances chances;
-  for (int i = 0; i < lights.count(); ++i) chances.add(lights.importance(i, place));
-  chances.add(lights.mean_environment());
-  const Choice choice = chances.choose(sampler.next());
+  DiscreteDistribution distribution;
+  for (int i = 0; i < lights.count(); ++i) distribution.add(lights.importance(i, place));
+  distribution.add(lights.mean_environment());
+  const DiscreteSample chosen = distribution.sample(sampler.next());
   const glm::vec2 u = sampler.next2();
-  if (choice.index < 0) return;
-  if (choice.index == lights.count()) {
-    const glm::vec3 way = cosine_direction(hit.normal, u);
-    const glm::vec3 passed =
-        world.passed({.origin = place, .direction = way, .without = hit.strand}, scene.self_shadow());
+  if (chosen.index < 0) return;
+  if (chosen.index == lights.count()) {
+    const glm::vec3 direction = cosine_direction(hit.normal, u);
+    const glm::vec3 transmittance =
+        world.transmittance({.origin = place, .direction = direction, .without = hit.strand}, scene.self_shadow());
     sample.radiance +=
-        hit.colour * lights.environment(way) * ambient_share(scene.frame().look, passed) / choice.probability;
+        hit.colour * lights.environment(direction) * ambient_share(scene.frame().look, transmittance) / chosen.probability;
     return;
   }
-  const LightSample light = lights.sample(choice.index, place, u);
+  const LightSample light = lights.sample(chosen.index, place, u);
   const ShadingModel model = scene.shading().model();
   const float behind = static_cast<float>(
       light_behind(model, glm::dot(hit.normal, light.to_light), scene.frame().look.back_attenuation));
   if (behind <= 0) return;
-  const glm::vec3 whole = light.radiance * behind / choice.probability * scattered(scene, hit, light.to_light, to_eye);
-  const glm::vec3 passed =
-      world.passed({.origin = place, .direction = light.to_light, .reach = light.distance, .without = hit.strand},
+  const glm::vec3 whole = light.radiance * behind / chosen.probability * scattered(scene, hit, light.to_light, to_eye);
+  const glm::vec3 transmittance =
+      world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance, .without = hit.strand},
                    scene.self_shadow());
-  sample.radiance += whole * passed, sample.direct += whole * passed;
-  sample.light += glm::vec2(luminance(whole * passed), luminance(whole));
+  sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
+  sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
 }
 
 void bound(const TraceScene& scene, FilmSample& sample) {
@@ -91,30 +91,30 @@ void bound(const TraceScene& scene, FilmSample& sample) {
 
 Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place) {
   Seen seen{.ray = scene.ray_at(place), .hit = {}, .base = {}};
-  seen.hit = world.meet(seen.ray);
-  const bool strand = seen.hit.met == Met::strand;
+  seen.hit = world.intersect(seen.ray);
+  const bool strand = seen.hit.kind == HitKind::strand;
   const bool eye = scene.near_eye(seen.ray);
-  if (!eye && seen.hit.met != Met::skin) return seen;
+  if (!eye && seen.hit.kind != HitKind::skin) return seen;
   seen.base = scene.base_at(place);
-  if (seen.hit.met == Met::skin) {
+  if (seen.hit.kind == HitKind::skin) {
     const glm::dvec3 place_on_skin(seen.ray.origin + seen.ray.direction * seen.hit.distance);
     seen.bare = fur_kept(scene.frame().skin, place_on_skin, glm::dvec3(seen.base.normal)) < 0.5;
   }
   if (!eye) return seen;
-  // Lids and cornea stand before the ball that rays meet.
+  // Lids and cornea stand before the ball that rays hit.
   const float along = glm::dot(seen.ray.direction, scene.frame().camera.forward);
   const float distance = seen.base.distance / std::max(along, 1e-6f);
-  const bool before = seen.base.there && (seen.hit.met == Met::nothing || distance < seen.hit.distance);
+  const bool before = seen.base.there && (seen.hit.kind == HitKind::none || distance < seen.hit.distance);
   if (strand && !before) return seen;
-  seen.eye = before || seen.hit.met == Met::skin;
-  if (before) seen.hit = {.met = Met::skin, .distance = distance, .normal = seen.base.normal};
+  seen.eye = before || seen.hit.kind == HitKind::skin;
+  if (before) seen.hit = {.kind = HitKind::skin, .distance = distance, .normal = seen.base.normal};
   return seen;
 }
 
 FilmSample features_of(const TraceScene& scene, const Seen& seen) {
   FilmSample sample;
-  if (seen.hit.met == Met::nothing) return sample;
-  const bool strand = seen.hit.met == Met::strand;
+  if (seen.hit.kind == HitKind::none) return sample;
+  const bool strand = seen.hit.kind == HitKind::strand;
   sample.alpha = sample.body = 1;
   const float along = glm::dot(seen.ray.direction, scene.frame().camera.forward);
   sample.over_depth = 1 / std::max(seen.hit.distance * along, 1e-9f);
@@ -137,26 +137,26 @@ void light_base(const TraceScene& scene, const World& world, const Seen& seen, S
   const glm::vec2 u = sampler.next2();
   if (!(total > 0) || !std::isfinite(total)) return;
   if (pick * total < ambient) {
-    const glm::vec3 way = cosine_direction(base.normal, u);
-    const glm::vec3 passed = world.passed({.origin = place, .direction = way}, scene.self_shadow());
-    sample.radiance += base.ambient * ambient_share(scene.frame().look, passed) * (total / ambient);
+    const glm::vec3 direction = cosine_direction(base.normal, u);
+    const glm::vec3 transmittance = world.transmittance({.origin = place, .direction = direction}, scene.self_shadow());
+    sample.radiance += base.ambient * ambient_share(scene.frame().look, transmittance) * (total / ambient);
     return;
   }
-  Chances chances;
+  DiscreteDistribution distribution;
   for (int i = 0; i < lights.count(); ++i) {
     const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
     const float facing = glm::dot(middle.to_light, base.normal);
-    chances.add(lights.importance(i, place) * std::max(facing + (seen.eye ? 0.3f : 0.0f), 0.0f));
+    distribution.add(lights.importance(i, place) * std::max(facing + (seen.eye ? 0.3f : 0.0f), 0.0f));
   }
-  const Choice choice = chances.choose(which);
+  const DiscreteSample chosen = distribution.sample(which);
   const glm::vec3 whole = base.direct * (total / direct);
-  glm::vec3 passed(1);  // lit by what no lamp is seen to bring: nothing holds it off
-  if (choice.index >= 0) {
-    const LightSample light = lights.sample(choice.index, place, u);
-    passed = world.passed({.origin = place, .direction = light.to_light, .reach = light.distance}, scene.self_shadow());
+  glm::vec3 transmittance(1);  // light that no light source explains is never occluded
+  if (chosen.index >= 0) {
+    const LightSample light = lights.sample(chosen.index, place, u);
+    transmittance = world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance}, scene.self_shadow());
   }
-  sample.radiance += whole * passed, sample.direct += whole * passed;
-  sample.light += glm::vec2(luminance(whole * passed), luminance(whole));
+  sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
+  sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
 }
 
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample) {
@@ -168,34 +168,34 @@ void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, S
   if (!(from_middle < 3.5f)) return;
   const StrandLights& lights = scene.lights();
   const Look& look = scene.frame().look;
-  Chances chances;
+  DiscreteDistribution distribution;
   for (int i = 0; i < lights.count(); ++i) {
     const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
-    chances.add(static_cast<float>(look.diffuse) * lights.importance(i, place) * std::max(middle.to_light.y, 0.0f));
+    distribution.add(static_cast<float>(look.diffuse) * lights.importance(i, place) * std::max(middle.to_light.y, 0.0f));
   }
-  chances.add(static_cast<float>(look.ambient));
-  const Choice choice = chances.choose(sampler.next());
+  distribution.add(static_cast<float>(look.ambient));
+  const DiscreteSample chosen = distribution.sample(sampler.next());
   const glm::vec2 u = sampler.next2();
-  if (choice.index < 0) return;
+  if (chosen.index < 0) return;
   Ray towards{.origin = place, .direction = cosine_direction({0, 1, 0}, u)};
   float strength = ground->contact;
-  if (choice.index < lights.count()) {
-    const LightSample light = lights.sample(choice.index, place, u);
-    towards.direction = light.to_light, towards.reach = light.distance;
+  if (chosen.index < lights.count()) {
+    const LightSample light = lights.sample(chosen.index, place, u);
+    towards.direction = light.to_light, towards.t_max = light.distance;
     strength = ground->shadow;
   }
-  const float kept = towards.direction.y > 0 ? luminance(world.passed(towards, scene.self_shadow())) : 1.0f;
+  const float lit = towards.direction.y > 0 ? luminance(world.transmittance(towards, scene.self_shadow())) : 1.0f;
   const float edge = 1 - glm::smoothstep(1.0f, 3.5f, from_middle);
-  sample.alpha = strength * (1 - kept) * edge;
+  sample.alpha = strength * (1 - lit) * edge;
 }
 
 FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler) {
   const Seen seen = look_at(scene, world, place);
   FilmSample sample = features_of(scene, seen);
-  switch (seen.hit.met) {
-    case Met::nothing: shade_ground(scene, world, seen.ray, sampler, sample); break;
-    case Met::strand: light_strand(scene, world, seen, sampler, sample); break;
-    case Met::skin: light_base(scene, world, seen, sampler, sample); break;
+  switch (seen.hit.kind) {
+    case HitKind::none: shade_ground(scene, world, seen.ray, sampler, sample); break;
+    case HitKind::strand: light_strand(scene, world, seen, sampler, sample); break;
+    case HitKind::skin: light_base(scene, world, seen, sampler, sample); break;
   }
   bound(scene, sample);
   return sample;

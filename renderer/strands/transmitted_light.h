@@ -1,5 +1,5 @@
-// The fast way to light traced strands: each sample follows one ray to one light, and fur on its way lets through what
-// its colour and count leave (science.md 4, coloured transmittance). What a strand then scatters is as shells have it
+// The fast way to light traced strands: each sample follows one ray to one light, and the fur that it crosses leaves a transmittance
+// by its colour and count (science.md 4, coloured transmittance). What a strand then scatters is as shells have it
 // (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace pelage {
 /// What a ray through a place of the picture sees.
 FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler);
 
-/// What of the picture a ray through a place meets: shared with paths.
+/// What a camera ray through a pixel position hits: shared with paths.
 struct Seen {
   Ray ray;
   Hit hit;         // nothing, a strand, or skin
@@ -25,10 +25,10 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place);
 /// Position, normal, tangent and what else is not light.
 FilmSample features_of(const TraceScene& scene, const Seen& seen);
 
-/// Skin and eyes in the light that fur and body let through to them: the base picture's, one light at a time.
+/// Skin and eyes in the light that fur and body transmit to them: the base picture's, one light at a time.
 void light_base(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample);
 
-/// Darkness on the ground where the ray meets it: black with an alpha.
+/// Darkness on the ground where the ray hits it: black with an alpha.
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample);
 
 }  // namespace pelage

@@ -64,7 +64,7 @@ bool can_be_cast(const Ray& ray) {
   const glm::vec3 furthest = glm::max(glm::abs(ray.origin), glm::abs(ray.direction));
   const bool in_range = furthest.x <= farthest && furthest.y <= farthest && furthest.z <= farthest;  // NaN is not
   const float square = glm::dot(ray.direction, ray.direction);
-  return in_range && square > 0.5f && square < 2 && ray.reach >= 0;
+  return in_range && square > 0.5f && square < 2 && ray.t_max >= 0;
 }
 
 RTCRay ray_of(const Ray& ray) {
@@ -76,7 +76,7 @@ RTCRay ray_of(const Ray& ray) {
           ray.direction.y,
           ray.direction.z,
           0,
-          ray.reach,
+          ray.t_max,
           ~0u,
           0,
           0};
@@ -248,7 +248,7 @@ Result<World::Change> World::update(const FurModel& model, const FurFields& fiel
 
 std::size_t World::bytes() const { return impl_->budget.used(); }
 
-Hit World::meet(const Ray& ray) const {
+Hit World::intersect(const Ray& ray) const {
   if (!can_be_cast(ray)) return {};
   const Impl& world = *impl_;
   Query query;
@@ -262,7 +262,7 @@ Hit World::meet(const Ray& ray) const {
   if (found.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
     return world.parts[found.hit.instID[0]]->hit(ray, found.ray.tfar, found.hit.primID, found.hit.u);
   }
-  Hit hit{.met = Met::skin, .distance = found.ray.tfar};
+  Hit hit{.kind = HitKind::skin, .distance = found.ray.tfar};
   const glm::vec3 across(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z);
   hit.normal = across * (1 / std::max(glm::length(across), 1e-30f));
   if (glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
@@ -271,7 +271,7 @@ Hit World::meet(const Ray& ray) const {
   return hit;
 }
 
-bool World::blocked(const Ray& ray) const {
+bool World::occluded(const Ray& ray) const {
   if (!can_be_cast(ray)) return false;
   Query query;
   rtcInitIntersectContext(&query.context);
@@ -282,7 +282,7 @@ bool World::blocked(const Ray& ray) const {
   return towards.tfar < 0;
 }
 
-glm::vec3 World::passed(const Ray& ray, float depth) const {
+glm::vec3 World::transmittance(const Ray& ray, float depth) const {
   if (!can_be_cast(ray)) return glm::vec3(1);
   Query query;
   rtcInitIntersectContext(&query.context);

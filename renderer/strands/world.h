@@ -1,4 +1,4 @@
-// What rays meet: the strands, the skin and the eyeballs, in Embree. Strands are ribbons that face the ray, in parts
+// What rays hit: the strands, the skin and the eyeballs, in Embree. Strands are ribbons that face the ray, in parts
 // with an index each, so that a stroke rebuilds only what it changed.
 #pragma once
 
@@ -24,16 +24,16 @@ struct StrandId {
 
 struct Ray {
   glm::vec3 origin{0}, direction{0, 0, 1};  // unit
-  float reach = 1e30f;
+  float t_max = 1e30f;
   StrandId without = {};
 };
 
-enum class Met { nothing, strand, skin };
+enum class HitKind { none, strand, skin };
 
-/// Where a ray met something. Only `met`, `distance` and `normal` mean something on skin, and `colour`, which is the
+/// Where a ray hits something. Only `kind`, `distance` and `normal` mean something on skin, and `colour`, which is the
 /// mean of the roots around.
 struct Hit {
-  Met met = Met::nothing;
+  HitKind kind = HitKind::none;
   float distance = 0;         // sizes
   glm::vec3 normal{0, 1, 0};  // of the skin, or of that below the strand; unit
   glm::vec3 tangent{0};       // of the strand, root to tip, unit
@@ -45,7 +45,7 @@ struct Hit {
   StrandId strand = {};
 };
 
-/// How light passes a strand of a colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), t for black.
+/// Transmittance of a strand of a colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), t for black.
 inline constexpr float kept_by_pale = 0.82f;
 
 class World {
@@ -60,18 +60,19 @@ class World {
     std::size_t strands = 0;
   };
   /// Brings strands, skin and eyes up to date. Fails with too_large when memory does not do, with unavailable when
-  /// `go_on` answered false; what a ray meets is then undefined until an update succeeds.
+  /// `go_on` answered false; what a ray hits is then undefined until an update succeeds.
   Result<Change> update(const FurModel& model, const FurFields& fields, const FurFrame& frame, const GrowRecipe& recipe,
                         const Workers& workers, const std::function<bool()>& go_on);
 
   std::size_t bytes() const;  // of strands and index
 
-  /// Rays from beyond 1e18 sizes, of no direction or of numbers that are not finite meet nothing.
-  Hit meet(const Ray& ray) const;
-  bool blocked(const Ray& ray) const;
-  /// Light that gets through along a ray, by channel: nothing through skin, and past each strand what its colour
-  /// leaves of `depth` = -ln t; below 1/250 it counts as nothing.
-  glm::vec3 passed(const Ray& ray, float depth) const;
+  /// Rays from beyond 1e18 sizes, of no direction or of numbers that are not finite hit nothing.
+  Hit intersect(const Ray& ray) const;
+  /// Whether anything lies on the ray before t_max.
+  bool occluded(const Ray& ray) const;
+  /// Transmittance along a ray, by channel: 0 through skin; each strand adds an optical depth of `depth` times what its
+  /// colour absorbs; below 1/250 it counts as 0.
+  glm::vec3 transmittance(const Ray& ray, float depth) const;
 
  private:
   struct Impl;

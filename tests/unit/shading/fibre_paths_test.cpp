@@ -116,17 +116,17 @@ double over_directions(const std::function<double(glm::vec3)>& f) {
 TEST(FibrePaths, DensityIntegratesToOneAndIsSampled) {
   for (const double alpha : {0.0, 2.0}) {
     const FibrePaths paths(lobes_of(0.4, 0.5, alpha), direction_of(25, 40), 0.4f, {0.1f, 0.5f, 1});
-    EXPECT_NEAR(over_directions([&](glm::vec3 d) { return double(paths.density(d)); }), 1, 1e-3);
+    EXPECT_NEAR(over_directions([&](glm::vec3 d) { return double(paths.pdf(d)); }), 1, 1e-3);
     constexpr int count = 400000;
     double covered = 0;
     glm::dvec3 sum(0);
     for (int i = 0; i < count; ++i) {
       const glm::vec4 u = numbers(i);
       const FibreSample s = paths.sample({u.x, u.y}, {u.z, u.w});
-      ASSERT_NEAR(s.density, paths.density(s.direction), 1e-5f * s.density);
-      ASSERT_NEAR(s.weight.r, paths.value(s.direction).r / s.density, 1e-4f);
+      ASSERT_NEAR(s.pdf, paths.pdf(s.direction), 1e-5f * s.pdf);
+      ASSERT_NEAR(s.weight.r, paths.value(s.direction).r / s.pdf, 1e-4f);
       ASSERT_LE(std::max({s.weight.r, s.weight.g, s.weight.b}), 1.00001f);
-      covered += 1 / double(s.density) / count;
+      covered += 1 / double(s.pdf) / count;
       sum += glm::dvec3(s.weight) / double(count);
     }
     EXPECT_NEAR(covered, 4 * pi, 0.3);
@@ -168,7 +168,7 @@ TEST(FibrePaths, HistogramIsTheDensity) {
     const double x = 2 * (i / (columns * finer) + 0.5) / (rows * finer) - 1, c = std::sqrt(1 - x * x);
     const double phi = 2 * pi * (i % (columns * finer) + 0.5) / (columns * finer);
     const glm::vec3 d(x, c * std::cos(phi), c * std::sin(phi));
-    expected[cell_of(d)] += double(paths.density(d)) * 4 * pi / (rows * columns * finer * finer);
+    expected[cell_of(d)] += double(paths.pdf(d)) * 4 * pi / (rows * columns * finer * finer);
   }
   for (int i = 0; i < count; ++i) {
     const glm::vec4 u = numbers(i);
@@ -189,9 +189,9 @@ TEST(FibrePaths, SamplesOfSmoothFibresStayFinite) {
             glm::vec4 u = numbers(i);
             for (int k = 0; k < 4 && i < 16; ++k) u[k] = i >> k & 1 ? 0x1.fffffep-1f : 0.0f;  // all corners
             const FibreSample s = paths.sample({u.x, u.y}, {u.z, u.w});
-            ASSERT_TRUE(std::isfinite(s.weight.r + s.weight.g + s.weight.b + s.density));
+            ASSERT_TRUE(std::isfinite(s.weight.r + s.weight.g + s.weight.b + s.pdf));
             ASSERT_NEAR(glm::length(s.direction), 1, 1e-5f);
-            ASSERT_GT(s.density, 0);
+            ASSERT_GT(s.pdf, 0);
             ASSERT_NEAR(s.weight.r, 1, 0.001f) << "roughness " << roughness << " theta " << theta;
           }
         }
@@ -203,9 +203,9 @@ TEST(FibrePaths, SamplesOfSmoothFibresStayFinite) {
 TEST(FibrePaths, BlackFibreWithoutASurfaceAnswersNothing) {
   const FibrePaths paths(lobes_of(0.3, 0.3, 0, 1), direction_of(20, 0), 0.2f, glm::vec3(1e4f));
   const FibreSample s = paths.sample({0.4f, 0.4f}, {0.4f, 0.4f});
-  EXPECT_EQ(s.density, 0);
+  EXPECT_EQ(s.pdf, 0);
   EXPECT_EQ(s.weight, glm::vec3(0));
-  EXPECT_EQ(paths.density(direction_of(-20, 180)), 0);
+  EXPECT_EQ(paths.pdf(direction_of(-20, 180)), 0);
 }
 
 TEST(Fibre, LogisticIsSampledByItsInverse) {

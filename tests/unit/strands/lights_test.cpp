@@ -213,7 +213,7 @@ TEST(StrandLights, EnvironmentIsSampledByItsDensity) {
   for (const Environment& environment : {Environment{}, lopsided()}) {
     const StrandLights lights({}, environment, 0.5);
     ASSERT_TRUE(lights.has_environment());
-    EXPECT_NEAR(over_directions([&](glm::vec3 d) { return double(lights.environment_density(d)); }), 1, 1e-4);
+    EXPECT_NEAR(over_directions([&](glm::vec3 d) { return double(lights.environment_pdf(d)); }), 1, 1e-4);
     const auto lightness = [&](glm::vec3 d) {
       return double(glm::dot(lights.environment(d), {0.2126f, 0.7152f, 0.0722f}));
     };
@@ -223,12 +223,12 @@ TEST(StrandLights, EnvironmentIsSampledByItsDensity) {
     constexpr int side = 512;
     for (int i = 0; i < side * side; ++i) {
       const EnvironmentSample s = lights.sample_environment((glm::vec2(i / side, i % side) + 0.5f) / float(side));
-      const float density = lights.environment_density(s.direction);
-      if (std::abs(density / s.density - 1) > 1e-4f) ADD_FAILURE() << "at " << s.direction.x << ' ' << s.direction.y;
+      const float density = lights.environment_pdf(s.direction);
+      if (std::abs(density / s.pdf - 1) > 1e-4f) ADD_FAILURE() << "at " << s.direction.x << ' ' << s.direction.y;
       EXPECT_NEAR(glm::length(s.direction), 1, 1e-5f);
-      sum += lightness(s.direction) / double(s.density) / (side * side);
-      upper += double(s.direction.y * s.direction.y) / double(s.density) / (side * side);
-      covered += 1 / double(s.density) / (side * side);
+      sum += lightness(s.direction) / double(s.pdf) / (side * side);
+      upper += double(s.direction.y * s.direction.y) / double(s.pdf) / (side * side);
+      covered += 1 / double(s.pdf) / (side * side);
     }
     EXPECT_NEAR(sum, truth, 2e-3 * truth);
     EXPECT_NEAR(upper, 4 * pi / 3, 0.03);
@@ -239,7 +239,7 @@ TEST(StrandLights, EnvironmentIsSampledByItsDensity) {
 TEST(StrandLights, WhiteEnvironmentIsItsAmbient) {
   const StrandLights lights({}, Environment{}, 0.5);
   EXPECT_NEAR(lights.environment({0.6f, 0.8f, 0}).g, 0.5f, 5e-4f);
-  EXPECT_NEAR(lights.sample_environment({0.3f, 0.3f}).density, 1 / (4 * pi), 1e-4);
+  EXPECT_NEAR(lights.sample_environment({0.3f, 0.3f}).pdf, 1 / (4 * pi), 1e-4);
 }
 
 TEST(StrandLights, NoEnvironment) {
@@ -247,7 +247,7 @@ TEST(StrandLights, NoEnvironment) {
     EXPECT_FALSE(lights.has_environment());
     const EnvironmentSample s = lights.sample_environment({0.3f, 0.9f});
     EXPECT_EQ(s.radiance, glm::vec3(0));
-    EXPECT_NEAR(s.density, 1 / (4 * pi), 1e-5);
+    EXPECT_NEAR(s.pdf, 1 / (4 * pi), 1e-5);
     EXPECT_EQ(lights.mean_environment(), 0);
   }
 }

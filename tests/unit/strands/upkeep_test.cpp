@@ -97,10 +97,10 @@ std::vector<float> met_by_grid(const World& world) {
   for (int y = -40; y <= 40; ++y) {
     for (int x = -40; x <= 40; ++x) {
       const Ray ray{.origin = {0.0085f * float(x), 0.0085f * float(y), 2}, .direction = {0, 0, -1}};
-      const Hit hit = world.meet(ray);
-      const glm::vec3 passed = world.passed(ray, 0.3f);
-      for (const float value : {float(int(hit.met)), hit.distance, hit.offset, hit.height, hit.colour.r, hit.tangent.x,
-                                hit.normal.y, hit.number, passed.r, passed.g, float(world.blocked(ray))})
+      const Hit hit = world.intersect(ray);
+      const glm::vec3 transmittance = world.transmittance(ray, 0.3f);
+      for (const float value : {float(int(hit.kind)), hit.distance, hit.offset, hit.height, hit.colour.r, hit.tangent.x,
+                                hit.normal.y, hit.number, transmittance.r, transmittance.g, float(world.occluded(ray))})
         numbers.push_back(value);
     }
   }
@@ -160,13 +160,13 @@ FurFrame view_from(double distance) {
 /// Share of such a picture that a world covers.
 double covered(const World& world, const FurFrame& frame) {
   constexpr int side = 160;
-  int met = 0;
+  int hits = 0;
   for (int i = 0; i < side * side; ++i) {
     const glm::vec2 off = (glm::vec2(i % side, i / side) + 0.5f) * (2.0f / side) - 1.0f;
     const glm::vec3 towards(off * frame.camera.tan_half_fov, -1);
-    met += world.meet({.origin = frame.camera.eye, .direction = glm::normalize(towards)}).met != Met::nothing;
+    hits += world.intersect({.origin = frame.camera.eye, .direction = glm::normalize(towards)}).kind != HitKind::none;
   }
-  return double(met) / (side * side);
+  return double(hits) / (side * side);
 }
 
 // Strands that are thinner than a pixel are thinned out and widened: what they cover stays, from wherever it is seen.

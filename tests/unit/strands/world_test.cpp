@@ -40,8 +40,8 @@ TEST(World, RayMeetsAStrandWhereItIs) {
   grown(world, patch, thick_coat());
   const StrandSet set = patch.grow({thick_coat()});
   for (const float offset : {-0.9f, -0.3f, 0.0f, 0.6f}) {
-    const Hit hit = world.meet(past_first(set, offset * 0.001f));
-    ASSERT_EQ(hit.met, Met::strand);
+    const Hit hit = world.intersect(past_first(set, offset * 0.001f));
+    ASSERT_EQ(hit.kind, HitKind::strand);
     EXPECT_NEAR(hit.distance, 0.005f, 2e-4f);
     EXPECT_NEAR(hit.tangent.z, 1, 1e-4f);
     EXPECT_NEAR(hit.normal.z, 1, 1e-6f);
@@ -54,7 +54,7 @@ TEST(World, RayMeetsAStrandWhereItIs) {
     EXPECT_NEAR(hit.offset, h, 1e-2f);
     EXPECT_NEAR(hit.colour.r, 0.4f, 2e-3f);
   }
-  EXPECT_NE(world.meet(past_first(set, 0.0011f)).strand, world.meet(past_first(set, 0)).strand);
+  EXPECT_NE(world.intersect(past_first(set, 0.0011f)).strand, world.intersect(past_first(set, 0)).strand);
 }
 
 TEST(World, AStrandIsLeftOutByRaysThatStartOnIt) {
@@ -62,14 +62,14 @@ TEST(World, AStrandIsLeftOutByRaysThatStartOnIt) {
   World world(plenty);
   grown(world, patch, thick_coat());
   Ray ray = past_first(patch.grow({thick_coat()}), 0);
-  const Hit first = world.meet(ray);
+  const Hit first = world.intersect(ray);
   ray.without = first.strand;
-  EXPECT_NE(world.meet(ray).strand, first.strand);
+  EXPECT_NE(world.intersect(ray).strand, first.strand);
   Ray short_ray = ray;
-  short_ray.reach = 0.007f;
-  EXPECT_FALSE(world.blocked(short_ray));
+  short_ray.t_max = 0.007f;
+  EXPECT_FALSE(world.occluded(short_ray));
   short_ray.without = {};
-  EXPECT_TRUE(world.blocked(short_ray));
+  EXPECT_TRUE(world.occluded(short_ray));
 }
 
 TEST(World, LightPassesStrandsByColourAndCount) {
@@ -86,11 +86,11 @@ TEST(World, LightPassesStrandsByColourAndCount) {
       for (std::size_t i = 0; i < set.count(); ++i) {
         if (std::abs(knot(set, i, 0).place.x - ray.origin.x) < 0.001f) ++crossed;
       }
-      const glm::vec3 passed = world.passed(ray, 0.4f);
+      const glm::vec3 transmittance = world.transmittance(ray, 0.4f);
       const float depth = 0.4f * static_cast<float>(crossed);
-      EXPECT_NEAR(passed.r, std::exp(-depth * (1 - kept_by_pale * std::sqrt(red))), 2e-3f) << crossed;
-      EXPECT_NEAR(passed.g, std::exp(-depth), 1e-5f);
-      EXPECT_NEAR(passed.b, std::exp(-depth * (1 - kept_by_pale)), 2e-3f);
+      EXPECT_NEAR(transmittance.r, std::exp(-depth * (1 - kept_by_pale * std::sqrt(red))), 2e-3f) << crossed;
+      EXPECT_NEAR(transmittance.g, std::exp(-depth), 1e-5f);
+      EXPECT_NEAR(transmittance.b, std::exp(-depth * (1 - kept_by_pale)), 2e-3f);
     }
   }
 }
@@ -103,13 +103,13 @@ TEST(World, SkinAndEyesStopLight) {
   frame.eyes[0].position = {0, 0, 1}, frame.eyes[0].radius = 0.1f;
   EXPECT_EQ(grown(world, patch, thick_coat(), frame).strands, 0u);
   const Ray down{.origin = {0.05f, 0.05f, 0.5f}, .direction = {0, 0, -1}};
-  EXPECT_EQ(world.meet(down).met, Met::skin);
-  EXPECT_NEAR(world.meet(down).distance, 0.5f, 1e-6f);
-  EXPECT_NEAR(world.meet(down).normal.z, 1, 1e-6f);
-  EXPECT_EQ(world.passed(down, 0), glm::vec3(0));
-  EXPECT_EQ(world.passed({.origin = down.origin, .direction = {1, 0, 0}}, 1), glm::vec3(1));
-  EXPECT_EQ(world.meet({.origin = {0, 0, 0.5f}, .direction = {0, 0, 1}}).met, Met::skin);
-  EXPECT_EQ(world.meet({.origin = {0, 1, 0.5f}, .direction = {0, 1, 0}}).met, Met::nothing);
+  EXPECT_EQ(world.intersect(down).kind, HitKind::skin);
+  EXPECT_NEAR(world.intersect(down).distance, 0.5f, 1e-6f);
+  EXPECT_NEAR(world.intersect(down).normal.z, 1, 1e-6f);
+  EXPECT_EQ(world.transmittance(down, 0), glm::vec3(0));
+  EXPECT_EQ(world.transmittance({.origin = down.origin, .direction = {1, 0, 0}}, 1), glm::vec3(1));
+  EXPECT_EQ(world.intersect({.origin = {0, 0, 0.5f}, .direction = {0, 0, 1}}).kind, HitKind::skin);
+  EXPECT_EQ(world.intersect({.origin = {0, 1, 0.5f}, .direction = {0, 1, 0}}).kind, HitKind::none);
 }
 
 TEST(World, OnlyWhatChangedIsGrownAgain) {

@@ -1,0 +1,94 @@
+"""Words that must not come back: each thing has one word, and these are the old ones. docs/notes/ tells of the past and may use
+any, and so may CHANGELOG.md.
+
+usage: words.py ROOT [--count] | --self-test
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+# old word -> (what to say, what the old one looks like, where it is looked for). Parts of identifiers count as words:
+# PARTS is put around each.
+EVERYWHERE = r""
+CODE = r"\.(cpp|h|glsl|frag|vert)$"
+PARTS = r"(?<![A-Za-z]){}(?![a-z])"
+WORDS = {
+    "lamp": ("light", r"[lL]amps?|LAMPS?", EVERYWHERE),
+    "octet": ("byte", r"[oO]ctets?(?!-stream)", EVERYWHERE),
+    "FrameLayer": ("Aov", r"FrameLayers?", EVERYWHERE),
+    "layer_count": ("shell_count", r"layer_count", EVERYWHERE),
+    "layer of shells": ("shell", r"layer_(sets?|level|depth|maps?)|Layer(Sets?|Mesh|View|Lists|Vertex)", EVERYWHERE),
+    "layer in the renderer": ("shell, AOV or array index", r"layers?", r"^renderer/(coat|frame|image|passes|quality|shaders|strands|visibility)/"),
+    "base picture": ("skin texture or backplate", r"[bB]ase[ _-]?[pP]ictures?", EVERYWHERE),
+    "refine": ("progressive or subdivide", r"[rR]efine(d|s|ments?|ment)?|[rR]efinements?|refining", EVERYWHERE),
+    "patience": ("idle_timeout", r"patience|manners", EVERYWHERE),
+    "errand": ("task", r"[eE]rrands?", EVERYWHERE),
+    "kept view": ("cached view", r"[kK]ept[ _]?[vV]iews?|KeptFrames|KeptPicture", EVERYWHERE),
+    "place on a stroke": ("SurfaceSample, PositionSample, ScreenSample", r"(Surface|Position|Screen)Place", EVERYWHERE),
+    "outline": ("silhouette", r"[oO]utlines?", EVERYWHERE),
+    "turned away": ("back-facing", r"turned away|averted", EVERYWHERE),
+    "faces the eye": ("front-facing", r"faces? the eye", EVERYWHERE),
+    "to the eye": ("to the camera", r"to_eye|camera(\.|/)eye", EVERYWHERE),
+    "odd hairs": ("ticking", r"odd_hairs|OddHairs", EVERYWHERE),
+    "most, least": ("max, min", r"(most|least)_(?!squares)\w+", EVERYWHERE),
+    "at rest": ("at its default", r"at_rest", EVERYWHERE),
+    "meet": ("intersect, hit", r"Met::\w+|world\.meet|met_environment", r"^(renderer/strands|tests/unit/strands)/"),
+    "blocked": ("occluded", r"blocked", r"^renderer/strands/"),
+    "carried": ("throughput", r"carried|goes_on", r"^renderer/strands/"),
+    "density of a direction": ("pdf", r"environment_density|density\(to_light\)", r"^renderer/strands/"),
+    "chances": ("discrete distribution", r"[cC]hances", r"^renderer/strands/"),
+}
+PATTERNS = {name: (say, re.compile(PARTS.format(f"(?:{look})")), re.compile(where)) for name, (say, look, where) in WORDS.items()}
+EXEMPT = re.compile(r"^(docs/notes/|CHANGELOG\.md$|tests/arch/words\.py$|docs/trade/.*\.html$)")
+LOOKED_AT = re.compile(r"\.(cpp|h|glsl|frag|vert|py|sh|cmake|in|json|yaml|csv|md|txt)$")
+
+
+def hits_in(path, text):
+    """(line, old word, what to say) for each old word in a file; the file's name counts as its line 0."""
+    found = []
+    for name, (say, pattern, where) in PATTERNS.items():
+        if not where.search(path):
+            continue
+        if pattern.search(path):
+            found.append((0, name, say))
+        found += [(text.count("\n", 0, match.start()) + 1, name, say) for match in pattern.finditer(text)]
+    return sorted(found)
+
+
+def files(root):
+    listed = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True, check=True).stdout
+    return [name for name in listed.splitlines()
+            if LOOKED_AT.search(name) and not EXEMPT.search(name) and (pathlib.Path(root) / name).is_file()]
+
+
+def self_test():
+    assert hits_in("renderer/a.h", "int lamp_count;\nclamp(octets)") == [(1, "lamp", "light"), (2, "octet", "byte")]
+    assert hits_in("a.cpp", "application/octet-stream; almost; outermost; clamped") == []
+    assert hits_in("tests/kept_views_test.cpp", "") == [(0, "kept view", "cached view")]
+    assert [hit[1] for hit in hits_in("a.json", '{"least_radius": 1}')] == ["most, least"]
+    assert [hit[1] for hit in hits_in("docs/a.md", "A base picture\nis refined.")] == ["base picture", "refine"]
+    assert hits_in("renderer/strands/a.cpp", "world.blocked(ray)") and not hits_in("server/a.cpp", "blocked")
+    assert EXEMPT.search("docs/notes/2026-shells.md") and not EXEMPT.search("docs/fur.md")
+
+
+def main():
+    if "--self-test" in sys.argv:
+        self_test()
+        return 0
+    counts, total = {}, 0
+    for name in files(sys.argv[1]):
+        text = (pathlib.Path(sys.argv[1]) / name).read_text(encoding="utf-8", errors="replace")
+        for line, word, say in hits_in(name, text):
+            counts[word], total = counts.get(word, 0) + 1, total + 1
+            if "--count" not in sys.argv:
+                print(f"{name}:{line}: {word}; say {say}")
+    if "--count" in sys.argv:
+        for word, count in sorted(counts.items(), key=lambda item: -item[1]):
+            print(f"{count:6} {word}")
+    print(f"{total} old words")
+    return 1 if total else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
