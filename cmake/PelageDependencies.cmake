@@ -8,6 +8,7 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 # Through pkg-config and not find_package: its macros change the size of cpp-httplib's structures.
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)

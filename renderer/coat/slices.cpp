@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>
-#include <thread>
 
+#include "protocol/base/parallel.h"
 #include "renderer/coat/mip_levels.h"
 #include "renderer/coat/strand_tile.h"
 
@@ -88,12 +88,9 @@ std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& 
 Slices bake_slices(const Coat& coat) {
   const std::vector<Strand> strands = make_strands(coat);
   std::vector<std::vector<SliceTexel>> stack(slice_count);
-  const auto bake_half = [&](int first) {
-    for (int i = first; i < slice_count; i += 2) stack[static_cast<std::size_t>(i)] = bake_slice(coat, strands, i);
-  };
-  std::thread other(bake_half, 1);  // slices do not depend on each other, so the split changes no bit
-  bake_half(0);
-  other.join();
+  // Slices do not depend on each other, so the split changes no bit. Two threads: others draw meanwhile.
+  for_each_in_parallel(
+      slice_count, [&](std::uint32_t i) { stack[i] = bake_slice(coat, strands, static_cast<int>(i)); }, 2);
   return build_levels(coat, strands, std::move(stack));
 }
 

@@ -1,11 +1,10 @@
 #include "renderer/compare/flip.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
-#include <thread>
 
+#include "protocol/base/parallel.h"
 #include "renderer/compare/colour.h"
 #include "renderer/compare/flip_kernels.h"
 
@@ -156,11 +155,6 @@ void write_errors(const Seen& reference, const Seen& test, float* errors) {
   }
 }
 
-int count_of(int threads, int strips) {
-  const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(wanted, 1, strips);
-}
-
 }  // namespace
 
 std::vector<float> flip_map(const FloatImage& reference, const FloatImage& test, double pixels_per_degree,
@@ -171,18 +165,12 @@ std::vector<float> flip_map(const FloatImage& reference, const FloatImage& test,
   const std::size_t width = static_cast<std::size_t>(reference.width);
   const int strips = (reference.height + strip_rows - 1) / strip_rows;
   std::vector<float> errors(width * static_cast<std::size_t>(reference.height));
-  std::atomic<int> next = 0;
-  const auto work = [&] {
-    for (int strip = next++; strip < strips; strip = next++) {
-      const int begin = strip * strip_rows, end = std::min(begin + strip_rows, reference.height);
-      write_errors(see(reference, begin, end, kernels), see(test, begin, end, kernels),
-                   errors.data() + width * static_cast<std::size_t>(begin));
-    }
+  const auto work = [&](std::uint32_t strip) {
+    const int begin = static_cast<int>(strip) * strip_rows, end = std::min(begin + strip_rows, reference.height);
+    write_errors(see(reference, begin, end, kernels), see(test, begin, end, kernels),
+                 errors.data() + width * static_cast<std::size_t>(begin));
   };
-  std::vector<std::thread> others;
-  for (int i = 1; i < count_of(threads, strips); ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  for_each_in_parallel(static_cast<std::uint32_t>(strips), work, threads > 0 ? threads : default_threads());
   return errors;
 }
 

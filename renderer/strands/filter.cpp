@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <thread>
 #include <vector>
+
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 
@@ -311,19 +311,13 @@ void Band::write(FloatImage& image) const {
 FloatImage filter_beauty(const FilterSource& source, int threads) {
   FloatImage image{source.width, source.height, std::vector<float>(source.beauty.size())};
   const int bands = (source.height + band_rows - 1) / band_rows;
-  std::atomic<int> next{0};
-  const auto work = [&] {
-    for (int band = next++; band < bands; band = next++) {
-      Band part(source, band * band_rows, std::min((band + 1) * band_rows, source.height));
-      part.filter();
-      part.write(image);
-    }
+  const auto work = [&](std::uint32_t i) {
+    const int band = static_cast<int>(i);
+    Band part(source, band * band_rows, std::min((band + 1) * band_rows, source.height));
+    part.filter();
+    part.write(image);
   };
-  const int wanted = threads > 0 ? threads : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
-  std::vector<std::thread> others;
-  for (int i = 1; i < std::min(wanted, bands); ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  for_each_in_parallel(static_cast<std::uint32_t>(bands), work, threads > 0 ? threads : default_threads());
   return image;
 }
 

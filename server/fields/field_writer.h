@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "server/fields/field_set.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 

@@ -7,7 +7,7 @@
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 #include "server/surface/corners_around.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 

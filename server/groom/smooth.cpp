@@ -6,7 +6,7 @@
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 #include "server/surface/transport.h"
 
 namespace pelage {

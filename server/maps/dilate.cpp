@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "server/maps/map_image.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 

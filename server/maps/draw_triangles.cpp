@@ -3,7 +3,7 @@
 
 #include "server/maps/bilinear.h"
 #include "server/maps/map_image.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "protocol/base/random.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 #include "server/patches/patch_cells.h"
 #include "server/patches/patch_points.h"
 #include "server/patches/patch_weights.h"

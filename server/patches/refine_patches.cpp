@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "server/surface/frames.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 

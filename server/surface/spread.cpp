@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "server/surface/monotone_queue.h"
-#include "server/surface/parallel.h"
+#include "protocol/base/parallel.h"
 #include "server/surface/transport.h"
 
 namespace pelage {

@@ -63,6 +63,7 @@ ONLY_IN = {
     r"embree3/.*": ["server/surface", "renderer/strands"],
     r"Eigen/.*": ["server/surface", "server/patches"],
     r"sqlite3\.h": ["server/history"],
+    r"(tbb|oneapi)/.*": ["protocol/base"],
     r"assimp/.*|tiny_obj_loader\.h|seccomp\.h": ["server/import_worker"],
 }
 

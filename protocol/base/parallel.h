@@ -1,0 +1,49 @@
+// Work on several threads whose result does not depend on their number. The only place that knows oneTBB.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+namespace pelage {
+
+/// Threads that a parallel loop uses where nobody asks for a number: one for each core, at most 16.
+int default_threads();
+
+/// Calls `run` once on each of at most `threads` threads (at least 1), the caller's among them, and waits for all.
+/// There may be fewer where the machine has none to give, so `run` takes its work from a common counter. Each call has an
+/// arena of its own, so the caller never carries out another caller's work while it waits. The first exception of a run
+/// is thrown again when all have ended.
+void run_on_threads(int threads, const std::function<void()>& run);
+
+/// Calls work(0) ... work(count - 1) on at most `threads` threads, in no order. Each call writes its own results only.
+/// After an exception, which is thrown again, no further call begins.
+template <class Work>
+void for_each_in_parallel(std::uint32_t count, const Work& work, int threads = default_threads()) {
+  std::atomic<std::uint32_t> next = 0;
+  std::atomic<bool> failed = false;
+  run_on_threads(static_cast<int>(std::min<std::uint32_t>(static_cast<std::uint32_t>(threads), count)), [&] {
+    struct StopOthers {
+      std::atomic<bool>& failed;
+      bool done = false;
+      ~StopOthers() {
+        if (!done) failed = true;
+      }
+    } stop_others{failed};
+    for (std::uint32_t i = next++; i < count && !failed; i = next++) work(i);
+    stop_others.done = true;
+  });
+}
+
+/// Calls work(begin, end) for runs of [0, count) on all cores, in no order; one run where there is little to do.
+template <class Work>
+void for_each_run_in_parallel(std::uint32_t count, const Work& work) {
+  constexpr std::uint32_t run_length = 1 << 14;
+  const std::uint32_t runs = (count + run_length - 1) / run_length;
+  for_each_in_parallel(runs, [&](std::uint32_t run) {
+    work(run * run_length, std::min(count, (run + 1) * run_length));
+  });
+}
+
+}  // namespace pelage
