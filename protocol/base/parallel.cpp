@@ -4,6 +4,8 @@
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
+#include <exception>
+#include <mutex>
 #include <thread>
 
 namespace pelage {
@@ -12,8 +14,23 @@ int default_threads() { return static_cast<int>(std::clamp(std::thread::hardware
 
 void run_on_threads(int threads, const std::function<void()>& run) {
   if (threads <= 1) return run();
-  tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(0, threads, [&](int) { run(); }, tbb::simple_partitioner()); });
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto guarded = [&] {
+    try {
+      run();
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  try {
+    tbb::task_arena arena(threads);
+    arena.execute([&] { tbb::parallel_for(0, threads, [&](int) { guarded(); }, tbb::simple_partitioner()); });
+  } catch (const std::exception&) {  // not of `run`: oneTBB could not start a thread, so the caller's own does the work
+    guarded();
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace pelage

@@ -36,6 +36,12 @@ void for_each_in_parallel(std::uint32_t count, const Work& work, int threads = d
   });
 }
 
+/// Calls both, on two threads where the machine has two to give. They write different results.
+template <class First, class Second>
+void run_both(const First& first, const Second& second) {
+  for_each_in_parallel(2, [&](std::uint32_t k) { k == 0 ? first() : second(); });
+}
+
 /// Calls work(begin, end) for runs of [0, count) on all cores, in no order; one run where there is little to do.
 template <class Work>
 void for_each_run_in_parallel(std::uint32_t count, const Work& work) {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <thread>
 
+#include "protocol/base/parallel.h"
 #include "renderer/coat/strand_cover.h"
 #include "renderer/coat/strand_tile.h"
 
@@ -316,22 +316,24 @@ Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack 
   assert(stack.size() == slice_count);
   LetThrough open;
   const auto let_through = [&](std::size_t k) { open[k] = rays_let_through(coat, strands, slants[k]); };
-  std::thread steep([&] { let_through(1), let_through(3); });
-  let_through(0), let_through(2);
-  const CrossingGrid crossings = crossings_of(coat, strands);
-  light_from_above(crossings, stack);
-  steep.join();
   Slices slices;
-  slices.depth_above = depth_above(crossings);
+  run_both([&] { let_through(1), let_through(3); },
+           [&] {
+             let_through(0), let_through(2);
+             const CrossingGrid crossings = crossings_of(coat, strands);
+             light_from_above(crossings, stack);
+             slices.depth_above = depth_above(crossings);
+           });
   slices.levels.resize(slice_levels);
-  std::thread finest([&] { slices.levels[0] = make_level(coat, stack, slice_texels, open); });
-  const float outside = seen_from_outside(coat);
-  Stack coarse = halve(stack, slice_texels, outside);
-  for (int level = 1, texels = slice_texels / 2; level < slice_levels; ++level, texels /= 2) {
-    slices.levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, texels, open);
-    coarse = halve(coarse, texels, outside);
-  }
-  finest.join();
+  run_both([&] { slices.levels[0] = make_level(coat, stack, slice_texels, open); },
+           [&] {
+             const float outside = seen_from_outside(coat);
+             Stack coarse = halve(stack, slice_texels, outside);
+             for (int level = 1, texels = slice_texels / 2; level < slice_levels; ++level, texels /= 2) {
+               slices.levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, texels, open);
+               coarse = halve(coarse, texels, outside);
+             }
+           });
   return slices;
 }
 

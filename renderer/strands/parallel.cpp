@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
+
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 
@@ -16,6 +19,23 @@ namespace {
 void run_only_when_idle() {
   const sched_param none{};
   pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);
+}
+
+/// At most `count` threads of the lowest priority that call `run`: fewer where the machine has no more to give. Not
+/// oneTBB's, because a thread without privileges cannot leave SCHED_IDLE again.
+std::vector<std::thread> start_idle_threads(std::size_t count, const std::function<void()>& run) {
+  std::vector<std::thread> team;
+  team.reserve(count);
+  try {
+    while (team.size() < count) {
+      team.emplace_back([&run] {
+        run_only_when_idle();
+        run();
+      });
+    }
+  } catch (const std::system_error&) {  // those that started do the work
+  }
+  return team;
 }
 
 }  // namespace
@@ -33,13 +53,12 @@ bool for_each_piece(const Workers& workers, std::size_t count, const std::functi
     run();
     return whole;
   }
-  std::vector<std::thread> team;
-  for (std::size_t i = 0; i < threads; ++i) {
-    team.emplace_back([&] {
-      if (workers.yielding) run_only_when_idle();
-      run();
-    });
+  if (!workers.yielding) {
+    run_on_threads(static_cast<int>(threads), run);
+    return whole;
   }
+  std::vector<std::thread> team = start_idle_threads(threads, run);
+  if (team.empty()) run();  // the machine has no thread to give: the caller's own, which cannot yield
   for (std::thread& member : team) member.join();
   return whole;
 }

@@ -1,0 +1,73 @@
+#include "protocol/base/parallel.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace pelage {
+namespace {
+
+TEST(Parallel, EachNumberIsWorkedOnOnce) {
+  for (const int threads : {1, 2, 5, 64}) {
+    std::vector<int> visits(1000, 0);
+    for_each_in_parallel(1000, [&](std::uint32_t i) { ++visits[i]; }, threads);
+    EXPECT_EQ(visits, std::vector<int>(1000, 1)) << threads << " threads";
+  }
+  for_each_in_parallel(0, [](std::uint32_t) { FAIL() << "there is nothing to do"; });
+}
+
+TEST(Parallel, RunsCoverTheRangeWithoutOverlap) {
+  constexpr std::uint32_t count = 100'001;
+  std::vector<int> visits(count, 0);
+  for_each_run_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) ++visits[i];
+  });
+  EXPECT_EQ(visits, std::vector<int>(count, 1));
+}
+
+TEST(Parallel, AnExceptionReachesTheCallerAndStopsTheRest) {
+  std::atomic<int> calls = 0;
+  const auto work = [&](std::uint32_t i) {
+    ++calls;
+    if (i == 0) throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(for_each_in_parallel(1'000'000, work, 2), std::runtime_error);
+  EXPECT_LT(calls, 1'000'000);
+}
+
+TEST(Parallel, BothAreCalled) {
+  int first = 0, second = 0;
+  run_both([&] { first = 1; }, [&] { second = 2; });
+  EXPECT_EQ(first, 1);
+  EXPECT_EQ(second, 2);
+}
+
+/// No address space is left for the stack of another thread.
+void allow_no_more_threads() {
+  std::ifstream status("/proc/self/statm");
+  rlim_t pages = 0;
+  status >> pages;
+  const rlim_t bytes = pages * 4096 + (rlim_t{6} << 20);  // less than a stack
+  const rlimit limit{bytes, bytes};
+  if (setrlimit(RLIMIT_AS, &limit) != 0) std::abort();
+}
+
+TEST(ParallelDeathTest, WorkIsDoneWhereNoThreadCanStart) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  EXPECT_EXIT(
+      {
+        std::atomic<int> calls = 0;
+        allow_no_more_threads();
+        for (int loop = 0; loop < 3; ++loop) for_each_in_parallel(100, [&](std::uint32_t) { ++calls; }, 4);
+        std::exit(calls == 300 ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace pelage
