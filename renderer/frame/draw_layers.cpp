@@ -18,16 +18,24 @@ void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, c
 }
 
 Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
-                                                      DrawTimes* times) {
+                                                      DrawTimes* times, const Pause& pause) {
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
-  const Stopwatch drawing;
-  const CpuStopwatch working;
   DrawTimes taken;
-  fragments_.begin();
-  const Prepared scene = prepare_scene(frame, {}, taken);
-  const Status drawn = draw_light(frame, scene);
-  fragments_.end();
-  if (!drawn.ok()) return drawn;
+  const Result<Prepared> scene = draw_in_pieces(frame, {}, pause, taken);
+  if (!scene) return scene.status();
+  Result<std::vector<FloatImage>> images = gather_layers(frame, *scene, layers, taken);
+  if (!images) return images;
+  if (const Status built = programs(); !built.ok()) return built;
+  add_counts(taken.counters, take_counts());
+  if (times) *times = taken;
+  view_.shown.reset();
+  kept_.keep(std::move(view_));
+  return images;
+}
+
+Result<std::vector<FloatImage>> Renderer::gather_layers(const FurFrame& frame, const Prepared& scene,
+                                                        std::span<const FrameLayer> layers, DrawTimes& times) {
+  const DrawClock clock(times);
   std::optional<LayerTarget> target;
   if (std::any_of(layers.begin(), layers.end(), LayerTarget::holds)) {
     target.emplace(gl_, layers, view_.drawn.width(), view_.drawn.height());
@@ -40,13 +48,6 @@ Result<std::vector<FloatImage>> Renderer::draw_layers(const FurFrame& frame, std
     if (!image) return image.status();
     images.push_back(std::move(image).value());
   }
-  if (const Status built = programs(); !built.ok()) return built;
-  taken.draw = drawing.milliseconds() - taken.shadow;
-  taken.cpu = working.milliseconds();
-  taken.counters = take_counters();
-  if (times) *times = taken;
-  view_.shown.reset();
-  kept_.keep(std::move(view_));
   return images;
 }
 

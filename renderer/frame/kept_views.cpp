@@ -67,7 +67,7 @@ glm::ivec2 pixels_of(float low, float high, int pixels) {
 }
 
 /// All that hold one of the pixels, and one more on each side.
-glm::ivec2 cells_of(glm::ivec2 range, int pixels) {
+glm::ivec2 cells_in(glm::ivec2 range, int pixels) {
   const auto cell = [&](int pixel) { return static_cast<int>(std::int64_t{pixel} * cells_a_side / pixels); };
   return {std::max(0, cell(range.x) - 1), std::min(cells_a_side - 1, cell(range.y) + 1)};
 }
@@ -141,11 +141,18 @@ std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& no
   return all;
 }
 
-PicturePart part_of(const std::optional<ClipBox>& box, int width, int height) {
-  if (!box) return {{}, {0, 0, -2, -2}};
+Area area_of(const std::optional<ClipBox>& box, int width, int height) {
+  if (!box) return {};
   const glm::ivec2 across = pixels_of(box->low.x, box->high.x, width), up = pixels_of(box->low.y, box->high.y, height);
-  const glm::ivec2 columns = cells_of(across, width), rows = cells_of(up, height);
-  return {{across.x, height - up.y, across.y - across.x, up.y - up.x}, {columns.x, rows.x, columns.y, rows.y}};
+  return {across.x, height - up.y, across.y - across.x, up.y - up.x};
+}
+
+CellBox cells_of(const Area& area, int width, int height) {
+  if (area.pixels() == 0) return {0, 0, -2, -2};
+  const int low = height - area.top - area.height;
+  const glm::ivec2 columns = cells_in({area.left, area.left + area.width}, width);
+  const glm::ivec2 rows = cells_in({low, low + area.height}, height);
+  return {columns.x, rows.x, columns.y, rows.y};
 }
 
 Area finished_area(const Area& area, const RenderTarget& light, const RenderTarget& picture) {

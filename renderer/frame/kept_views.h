@@ -49,14 +49,10 @@ class KeptViews {
 /// The part of the picture where curves are not, or do not look, the same in both frames.
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip);
 
-/// A part of a picture that is drawn on its own, and all cells that it touches.
-struct PicturePart {
-  Area area;
-  CellBox cells;
-};
-
 /// The pixels that the box touches; no pixels for no box.
-PicturePart part_of(const std::optional<ClipBox>& box, int width, int height);
+Area area_of(const std::optional<ClipBox>& box, int width, int height);
+/// All cells that an area of a picture of that size touches.
+CellBox cells_of(const Area& area, int width, int height);
 
 /// The pixels of a finished picture that an area of its light touches.
 Area finished_area(const Area& area, const RenderTarget& light, const RenderTarget& picture);

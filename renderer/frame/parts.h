@@ -35,6 +35,24 @@ class CpuStopwatch {
   double start_ = now();
 };
 
+/// Adds the time that it lives to a frame's, but what was added to `shadow` meanwhile.
+class DrawClock {
+ public:
+  explicit DrawClock(DrawTimes& times) : times_(times), shadow_(times.shadow) {}
+  ~DrawClock() {
+    times_.draw += passed_.milliseconds() - (times_.shadow - shadow_);
+    times_.cpu += worked_.milliseconds();
+  }
+  DrawClock(const DrawClock&) = delete;
+  DrawClock& operator=(const DrawClock&) = delete;
+
+ private:
+  DrawTimes& times_;
+  double shadow_;
+  Stopwatch passed_;
+  CpuStopwatch worked_;
+};
+
 /// Draws and clears touch an area alone while it lives; nothing is set where there is none.
 class ScissorTest {
  public:
@@ -66,6 +84,11 @@ struct Renderer::Prepared {
 };
 
 Status no_memory();
+
+Area area_of(const RenderTarget& target);  // all of it
+
+/// Adds what was counted; `redrawn` stays.
+void add_counts(FrameCounters& total, const FrameCounters& more);
 
 /// The #define lines of a frame's light and colours: light from all around that is not white from everywhere, how many
 /// lamps there are, whether all are far away, and whether the coat's ramp alone gives the colours.

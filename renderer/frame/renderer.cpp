@@ -31,8 +31,6 @@ std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
-Area area_of(const RenderTarget& target) { return {0, 0, target.width(), target.height()}; }
-
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
 
 }  // namespace
@@ -140,27 +138,33 @@ bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, b
   return target.complete();
 }
 
-Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<ShownFrame>& shown,
+FrameBlock Renderer::block_of(const FurFrame& frame) {
+  return make_frame_block(frame, textures_of(frame.coat).slices(), models_.at(frame.model).has_colours(),
+                          view_.drawn.height());
+}
+
+Area Renderer::changed_area(const FurFrame& frame, const ShownFrame& shown) {
+  const glm::mat4 to_clip = block_of(frame).world_to_clip;
+  std::optional<ClipBox> changed = models_.at(frame.model).changed_box(frame.coat, to_clip, shown.changes);
+  if (const std::optional<ClipBox> curves = changed_curves(shown.frame, frame, to_clip))
+    changed = union_of(changed, *curves);
+  return area_of(changed, view_.drawn.width(), view_.drawn.height());
+}
+
+Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part,
                                            DrawTimes& times) {
   const auto found = models_.find(frame.model);
   assert(found != models_.end());
   ModelBuffers& model = found->second;
   const CoatTextures& coat = textures_of(frame.coat);
   const Stopwatch making;
-  const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), view_.drawn.height());
+  const FrameBlock block = block_of(frame);
   const bool sorted = frame.knobs.order == FragmentOrder::sorted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
   LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy,
                  sorted ? -2.0f : furthest_averted, block.world_to_clip, stretch};
   view.depth_parts = sorted ? 1 : depth_part_count;
-  std::optional<Area> part;
-  if (shown) {
-    std::optional<ClipBox> changed = model.changed_box(frame.coat, view.to_clip, shown->changes);
-    if (const std::optional<ClipBox> curves = changed_curves(shown->frame, frame, view.to_clip))
-      changed = union_of(changed, *curves);
-    const PicturePart touched = part_of(changed, view_.drawn.width(), view_.drawn.height());
-    part = touched.area, view.part = touched.cells;
-  }
+  if (part) view.part = cells_of(*part, view_.drawn.width(), view_.drawn.height());
   const auto lists = model.sort_for(gl_, frame.coat, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
@@ -168,7 +172,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   const FurDrawing shaped{frame.knobs, shape, model, lists, coat};
   if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
     gl_.Finish();
-    times.shadow = making.milliseconds();
+    times.shadow += making.milliseconds();
   }
   if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
   bind_blocks(frame, block);
@@ -229,7 +233,7 @@ Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
   const std::string variant = scene.variant + "#define SORTED\n";
   const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
-  return sorted_.draw(gl_, view_.drawn, frame.knobs.shells, [&] {
+  return sorted_.draw(gl_, view_.drawn, scene.part.value_or(area_of(view_.drawn)), frame.knobs.shells, [&] {
     draw_fur(frame, drawing);
     if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
     if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
@@ -279,59 +283,63 @@ Result<RenderTarget> Renderer::draw_skin_overlay(const FurFrame& frame, const Mo
   return overlay;
 }
 
-Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times) {
-  return draw_picture<Image>(frame, GL_RGBA8, GL_UNSIGNED_BYTE, 255, times);
+Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  return draw_picture<Image>(frame, GL_RGBA8, GL_UNSIGNED_BYTE, 255, times, pause);
 }
 
-Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times) {
-  return draw_picture<Image16>(frame, GL_RGBA16, GL_UNSIGNED_SHORT, 65535, times);
+Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  return draw_picture<Image16>(frame, GL_RGBA16, GL_UNSIGNED_SHORT, 65535, times, pause);
 }
 
 template <class Picture>
 Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
-                                       DrawTimes* times) {
+                                       DrawTimes* times, const Pause& pause) {
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const std::optional<ShownFrame> shown = std::exchange(view_.shown, {});
-  const Stopwatch drawing;
-  const CpuStopwatch working;
   DrawTimes taken;
-  fragments_.begin();
-  const Prepared scene = prepare_scene(frame, shown, taken);
-  const Status drawn = draw_light(frame, scene);
-  fragments_.end();
-  if (!drawn.ok()) return drawn;
+  const Result<Prepared> scene = draw_in_pieces(frame, shown, pause, taken);
+  if (!scene) return scene.status();
+  std::optional<Area> finished;
+  if (shown && shown->picture) finished = finished_area(*scene->part, view_.drawn, view_.picture);
+  if (const Status done = finish_light(frame, *scene, finished, largest, taken); !done.ok()) return done;
+  const Stopwatch reading;
+  Result<Picture> image = read_back<Picture>(view_.picture, type);
+  taken.read = reading.milliseconds();
+  add_counts(taken.counters, take_counts());
+  if (scene->part) taken.counters.redrawn = scene->part->pixels() / area_of(view_.drawn).pixels();
+  if (times) *times = taken;
+  view_.shown = {frame, format, scene->model.changes()};
+  kept_.keep(std::move(view_));
+  return image;
+}
+
+Status Renderer::finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished,
+                              int largest, DrawTimes& times) {
+  const DrawClock clock(times);
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();
-  std::optional<Area> finished;
-  if (shown && shown->picture) finished = finished_area(*scene.part, view_.drawn, view_.picture);
   {
     const ScissorTest part(gl_, finished);
     resolve_.draw(gl_, frame, view_.drawn, view_.picture, largest, overlay->texture());
   }
   if (const Status built = programs(); !built.ok()) return built;
-  if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
-  taken.draw = drawing.milliseconds() - taken.shadow;
-  taken.cpu = working.milliseconds();
-  const Stopwatch reading;
-  Result<Picture> image = read_back<Picture>(view_.picture, type);
-  taken.read = reading.milliseconds();
-  taken.counters = take_counters();
-  if (scene.part) taken.counters.redrawn = scene.part->pixels() / area_of(view_.drawn).pixels();
-  if (times) *times = taken;
-  view_.shown = {frame, format, scene.model.changes()};
-  kept_.keep(std::move(view_));
-  return image;
+  return wait_for(gl_);
 }
 
-FrameCounters Renderer::take_counters() const {
+FrameCounters Renderer::take_counts() const {
   const GlCounts counts = gl_.take_counts();
   return {.passes = counts.programs,
           .draws = counts.draws,
           .textures = counts.textures,
           .bytes = counts.bytes,
-          .fragments = fragments_.result(),
           .objects = counts.objects,
           .allocated = counts.allocated};
+}
+
+FrameCounters Renderer::take_counters() const {
+  FrameCounters counters = take_counts();
+  counters.fragments = fragments_.result();
+  return counters;
 }
 
 }  // namespace pelage

@@ -11,6 +11,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "renderer/frame/kept_views.h"
+#include "renderer/frame/pieces.h"
 #include "renderer/frame/shadow_maps.h"
 #include "renderer/gl/fragment_counter.h"
 #include "renderer/gl/render_target.h"
@@ -58,18 +59,20 @@ class Renderer {
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
   /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch, with
-  /// the same bits. Fails with unavailable when the GL does not answer within a minute,
-  /// with too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
-  Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the pause is called in
+  /// between; its time does not count. Fails with conflict when the pause gives the drawing up, with unavailable when the
+  /// GL does not answer within a minute, with too_large when there is no memory for the size, and with invalid when the
+  /// GL cannot sort as asked.
+  Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// Makes the next frame be drawn whole, for who measures or doubts.
   void forget_kept() { kept_.forget_shown(); }
   /// The same picture with 16 bits.
-  Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr);
+  Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// Light and what is asked for beside it, one picture for each layer, in internal coordinates: without exposure, tone
   /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
   /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
   Result<std::vector<FloatImage>> draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
-                                              DrawTimes* times = nullptr);
+                                              DrawTimes* times = nullptr, const Pause& pause = {});
 
   /// What traced strands stand on: skin, bare skin and eyes in the light of all lamps, without fur, shadows, ground and
   /// curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
@@ -94,11 +97,15 @@ class Renderer {
   /// Makes a target anew where it is of another kind; whether it could be made.
   bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
   const CoatTextures& textures_of(const Coat& coat);
-  FrameCounters take_counters() const;
+  FrameCounters take_counts() const;    // but for fragments
+  FrameCounters take_counters() const;  // waits for the GL
   /// What a frame draws, with its blocks and maps bound.
   struct Prepared;
-  /// `shown` is what the target shows; a frame is drawn whole without it.
-  Prepared prepare_scene(const FurFrame& frame, const std::optional<ShownFrame>& shown, DrawTimes& times);
+  /// `part` is what will be drawn; all of the picture without it.
+  Prepared prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  /// Where the frame's light is not what the target shows.
+  Area changed_area(const FurFrame& frame, const ShownFrame& shown);
+  FrameBlock block_of(const FurFrame& frame);
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
@@ -106,6 +113,14 @@ class Renderer {
   void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
   void draw_fur(const FurFrame& frame, const FurDrawing& drawing);
   Status draw_light(const FurFrame& frame, const Prepared& scene);
+  /// Prepares and draws the light of a part, and waits for it.
+  Result<Prepared> draw_part(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  /// The light of what changed since `shown`, or all of it, in pieces where there is a pause. What is drawn last, as it
+  /// was prepared.
+  Result<Prepared> draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
+                                  DrawTimes& times);
+  Prepared prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  bool let_in(const Pause& pause);  // whether to go on
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
@@ -113,7 +128,13 @@ class Renderer {
                                          const ModelBuffers::DrawList& triangles);
   Result<RenderTarget> draw_light_map(const FurFrame& frame, const Prepared& scene);
   template <class Picture>
-  Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times);
+  Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
+                               const Pause& pause);
+  /// Overlay and picture of the light that was drawn, in an area of the picture or all of it.
+  Status finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished, int largest,
+                      DrawTimes& times);
+  Result<std::vector<FloatImage>> gather_layers(const FurFrame& frame, const Prepared& scene,
+                                                std::span<const FrameLayer> layers, DrawTimes& times);
   Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
                                 const LayerTarget* target);
   void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,

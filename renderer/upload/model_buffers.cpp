@@ -313,12 +313,14 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, c
 
   std::vector<glm::uvec3> elements;
   const std::span<const glm::uvec3> skin(skin_elements());
-  // What lies outside the picture may throw a shadow into it.
-  const CellBox part = view.part == CellBox{} ? CellBox{-1, -1, cells_a_side, cells_a_side} : view.part;
   DrawLists result;
-  result.bare = append(triangles_in(part, mesh, skin.first(bare_count_)), elements);
-  result.furred = append(triangles_in(part, mesh, skin.subspan(bare_count_)), elements);
-  result.all = {0, result.bare.count + result.furred.count};
+  result.all = append(skin_elements(), elements);  // what lies outside the picture may throw a shadow into it
+  const auto bare = static_cast<GLsizei>(3 * bare_count_);
+  result.bare = {0, bare}, result.furred = {bare, result.all.count - bare};
+  if (view.part != CellBox{}) {
+    result.bare = append(triangles_in(view.part, mesh, skin.first(bare_count_)), elements);
+    result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)), elements);
+  }
   result.shown = append(shown_triangles(mesh, view), elements);
   for (std::size_t set = 0; set < most_layer_sets; ++set) result.marks[set] = append(lists.marks[set], elements);
   result.parts = parts_of_fur(lists, coat, view, elements);

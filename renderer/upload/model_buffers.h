@@ -85,7 +85,8 @@ class ModelBuffers {
     std::vector<ShellList> averted, facing;
   };
   struct DrawLists {
-    DrawList all, bare, furred;  // every triangle; those that bare skin may touch, and the others
+    DrawList all;                // every triangle
+    DrawList bare, furred;       // those in the view's part that bare skin may touch, and the others
     DrawList shown;              // those whose fur is drawn
     std::array<DrawList, most_layer_sets> marks;  // as LayerLists
     std::vector<DepthPart> parts;                 // of the fur, far to near

@@ -47,8 +47,12 @@ Knobs nearer_knobs(const Knobs& knobs) {
   return reference_knobs(knobs.shells == 48 ? 64 : 48);
 }
 
-ErrorProbe::ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells)
-    : renderer_(renderer), truth_(reference_knobs(truth_shells)), views_{fur_alone(frame)} {
+ErrorProbe::ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells,
+                       Pause pause)
+    : renderer_(renderer),
+      truth_(reference_knobs(truth_shells)),
+      pause_(std::move(pause)),
+      views_{fur_alone(frame)} {
   const int side = window_side(frame.width, frame.height);
   for (const glm::vec2& place : places) views_.push_back(window_of(frame, place, side));
 }
@@ -56,8 +60,9 @@ ErrorProbe::ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<cons
 std::optional<ErrorProbe::Pictures> ErrorProbe::draw(std::span<const FurFrame> views, const Knobs& knobs) {
   Pictures pictures;
   for (FurFrame view : views) {
+    if (pause_ && !pause_()) return {};
     view.knobs = knobs;
-    Result<Image> image = renderer_.draw(view);
+    Result<Image> image = renderer_.draw(view, nullptr, pause_);
     if (!image) return {};
     pictures.push_back(std::move(image).value());
   }

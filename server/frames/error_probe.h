@@ -36,7 +36,9 @@ Knobs nearer_knobs(const Knobs& knobs);
 class ErrorProbe {
  public:
   /// About `places` of the frame's picture (ViewFeatures::places), against so many sorted shells.
-  ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells);
+  /// `pause` is called between the pieces of what is drawn; once it gives up, nothing more can be measured.
+  ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells,
+             Pause pause = {});
 
   /// Mean FLIP over the fur of the view; none where its windows show none or cannot be drawn.
   std::optional<double> error(const Knobs& knobs);
@@ -50,6 +52,7 @@ class ErrorProbe {
 
   Renderer& renderer_;
   Knobs truth_;
+  Pause pause_;
   std::vector<FurFrame> views_;  // the whole, and its windows
   Pictures truths_;              // of the windows, drawn when first asked for
   std::vector<std::pair<Knobs, Pictures>> nearer_;  // of all views

@@ -10,6 +10,17 @@ CostUnit cost_unit(bool software, int threads) {
   return {software, threads > 0 ? threads : all};
 }
 
+double expected_cost(const FrameRequest& request) {
+  constexpr double any_frame = 10, shell_pixel = 5e-6, sorted = 4;  // milliseconds; times as much
+  constexpr double probe_shells = 256;
+  if (request.budget_ms) return any_frame + *request.budget_ms;
+  const Knobs& knobs = request.knobs;
+  const double pixels = static_cast<double>(request.width) * request.height;
+  if (request.max_error) return any_frame + pixels * probe_shells * sorted * shell_pixel;
+  const double layers = knobs.scale * knobs.scale * knobs.shells * knobs.samples;
+  return any_frame + pixels * layers * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
+}
+
 FurredSkin furred_skin(const SceneView& scene) {
   const Mesh& mesh = scene.model.surface.mesh();
   FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles, scene.fields.length()};

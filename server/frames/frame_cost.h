@@ -1,6 +1,7 @@
 // What a drawn frame has cost, and what a view's estimates are told from.
 #pragma once
 
+#include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/quality/view_features.h"
 #include "server/scene/scene.h"
@@ -16,6 +17,9 @@ struct CostUnit {
 };
 /// `threads` as of select_context: 0 for all cores.
 CostUnit cost_unit(bool software, int threads);
+
+/// Milliseconds that a frame of shells may take, above 0: a guess before its view is known, to order requests by.
+double expected_cost(const FrameRequest& request);
 
 /// Views of the scene.
 FurredSkin furred_skin(const SceneView& scene);

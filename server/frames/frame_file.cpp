@@ -86,12 +86,12 @@ std::string encode_layers(std::vector<FloatImage> images, const FrameRequest& re
 }  // namespace
 
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
-                                     DrawTimes& times) {
+                                     DrawTimes& times, const Pause& pause) {
   switch (request.format) {
     case FrameFormat::png:
-    case FrameFormat::jpeg: return drawn(renderer.draw(frame, &times));
-    case FrameFormat::png16: return drawn(renderer.draw_deep(frame, &times));
-    case FrameFormat::exr: return drawn(renderer.draw_layers(frame, request.layers, &times));
+    case FrameFormat::jpeg: return drawn(renderer.draw(frame, &times, pause));
+    case FrameFormat::png16: return drawn(renderer.draw_deep(frame, &times, pause));
+    case FrameFormat::exr: return drawn(renderer.draw_layers(frame, request.layers, &times, pause));
   }
   assert(false);
   return failure(Code::internal, "no such format");

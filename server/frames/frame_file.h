@@ -17,7 +17,7 @@ using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 
 /// On the render thread.
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
-                                     DrawTimes& times);
+                                     DrawTimes& times, const Pause& pause = {});
 
 /// The same of light that was traced, for all formats but EXR. Conflict where an overlay needs a model that the
 /// renderer no longer has.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <optional>
@@ -12,12 +13,12 @@
 #include <utility>
 
 #include "renderer/frame/renderer.h"
-#include "server/frames/difference_view.h"
 #include "server/frames/error_probe.h"
 #include "server/frames/frame_cost.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/frame_planner.h"
-#include "server/frames/fur_view.h"
+#include "server/frames/shortest_first.h"
+#include "server/frames/shown_scene.h"
 
 namespace pelage {
 
@@ -41,19 +42,12 @@ struct DrawnFrame {
   std::optional<FrameEstimate> estimate;
 };
 
-/// What is drawn of a scene, and which of it.
-struct Shown {
-  FurFrame fur;
-  ModelPlacement placement;
-  Revision revision = 0;
-  std::optional<SceneCopy> copy = {};
-  std::optional<ViewFeatures> features = {};  // where the frame is planned or can be estimated
-};
-
 /// What tracing needs of the render thread; null when that is stopping.
 using Errand = std::function<void(Renderer*)>;
 
-/// A frame that waits for the render thread.
+constexpr int most_restarts = 2;  // of a frame whose scene changed meanwhile
+
+/// A frame that waits for the render thread or is drawn there.
 struct Job {
   std::shared_ptr<Scene> scene;
   FrameRequest request;
@@ -61,7 +55,15 @@ struct Job {
   std::optional<PastFields> past = {};  // what the overlay compares with
   Clock::time_point asked = Clock::now();
   std::promise<Result<DrawnFrame>> answer;
+  // While it is drawn:
+  double cost = 0;  // as expected, milliseconds
+  Revision revision = 0;
+  bool outdated = false;  // a frame that was let in shows another revision of the scene
+  bool given_up = false;
+  int restarts = 0;
+  double paused = 0;  // milliseconds
 
+  bool left() const { return abandoned && abandoned(); }
   bool same_view(const Job& other) const {
     return !request.view.empty() && scene == other.scene && request.view == other.request.view;
   }
@@ -75,7 +77,7 @@ struct FrameService::Impl {
   YieldGate& gate;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<std::unique_ptr<Job>> jobs;
+  ShortestFirst<std::unique_ptr<Job>> jobs;
   std::deque<Errand> errands;  // after all jobs
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
@@ -86,14 +88,22 @@ struct FrameService::Impl {
   FramePlanner planner;
   CostUnit unit;
   PngEncoder png;  // of whoever asked, not of the render thread
+  const Clock::time_point epoch = Clock::now();
+  std::vector<Job*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
   void run(GlChoice choice, int threads, std::promise<Status>& started);
   void serve(Renderer& renderer);
+  /// Draws a job that was taken and answers it.
+  void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, Job& job);
+  /// Between the pieces of a job: draws those that wait now and are short beside it. Whether the job goes on.
+  bool let_in(Renderer& renderer, Job& job);
+  /// Running frames of the job's scene that show another revision have to begin anew.
+  void mark_outdated(const Job& job);
   /// Gives the frame its knobs; `probed` says how long parts of it were drawn for that.
-  std::optional<FrameEstimate> plan(Renderer& renderer, const FrameRequest& request, Shown& shown, double& probed);
-  void count(Clock::time_point start, const Status& outcome);
+  std::optional<FrameEstimate> plan(Renderer& renderer, Job& job, Shown& shown, double& probed);
+  void count(double milliseconds, const Status& outcome);
   void add(std::unique_ptr<Job> job);
   /// Runs `work` on the render thread and waits for it.
   template <class T>
@@ -114,76 +124,88 @@ void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>&
 
 void FrameService::Impl::serve(Renderer& renderer) {
   for (;;) {
-    std::unique_ptr<Job> job;
+    std::optional<ShortestFirst<std::unique_ptr<Job>>::Taken> job;
     Errand errand;
     {
       std::unique_lock lock(mutex);
       wake.wait(lock, [&] { return stopping || !jobs.empty() || !errands.empty() || !forgotten.empty(); });
       for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model);
       if (stopping) break;
-      if (!jobs.empty()) {
-        job = std::move(jobs.front());
-        jobs.pop_front();
-      } else if (!errands.empty()) {
+      job = jobs.take();
+      if (!job && !errands.empty()) {
         errand = std::move(errands.front());
         errands.pop_front();
       }
     }
-    if (job) job->answer.set_value(draw(renderer, *job));
+    if (job) finish(renderer, std::move(*job));
     if (errand) errand(&renderer);
   }
-  for (const std::unique_ptr<Job>& job : jobs) job->answer.set_value(stopped());
+  while (auto job = jobs.take()) job->job->answer.set_value(stopped());
   for (const Errand& errand : errands) errand(nullptr);
-  jobs.clear(), errands.clear();
+  errands.clear();
 }
 
-/// Brings the renderer's copy of the scene up to date; all of the answer is of one revision.
-Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, const std::optional<PastFields>& past,
-                   bool with_copy, bool with_features) {
-  Shown shown;
-  bool comparable = true;
-  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-    shown.revision = view.revision;
-    shown.fur = make_frame(view, request);
-    const Mesh& mesh = view.model.surface.mesh();
-    shown.placement = {mesh.centre, mesh.size};
-    sync_scene(renderer, view, dirty);
-    comparable = !past || past->model.get() == &view.model;
-    if (past && comparable) shown.fur.difference = change_shares(past->fields, view.fields);
-    if (with_copy) shown.copy.emplace(view);
-    if (with_features) shown.features = view_features(shown.fur, furred_skin(view));
-  });
-  if (comparable) return shown;
-  return failure(Code::conflict, "the scene has another model since the frame was asked for");
+void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
+  Job& job = *taken.job;
+  job.cost = taken.cost;
+  running.push_back(&job);
+  Result<DrawnFrame> frame = draw(renderer, job);
+  for (; !frame && job.outdated; ++job.restarts) {
+    job.outdated = job.given_up = false;
+    frame = draw(renderer, job);
+  }
+  running.pop_back();
+  job.answer.set_value(std::move(frame));
 }
 
-/// Read by whoever asks, where it holds up no other frame.
-Result<std::optional<PastFields>> past_of(const Scene& scene, const FrameRequest& request) {
-  if (request.overlay != Overlay::difference) return std::optional<PastFields>();
-  Result<PastFields> past = scene.past_fields(request.overlay_from.value_or(0));
-  if (!past) return past.status();
-  return std::optional(std::move(past).value());
+bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
+  const Clock::time_point start = Clock::now();
+  const auto may = [&](const std::unique_ptr<Job>& other) {
+    return job.restarts < most_restarts || other->scene != job.scene;
+  };
+  auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
+    const std::lock_guard lock(mutex);
+    job.given_up = job.given_up || stopping;
+    if (!moment) moment = jobs.moment();
+    return jobs.take_beside(job.cost, *moment, may);
+  };
+  while (auto other = next()) finish(renderer, std::move(*other));
+  job.given_up = job.given_up || job.outdated || job.left();
+  job.paused += milliseconds_since(start);
+  return !job.given_up;
 }
 
-void FrameService::Impl::count(Clock::time_point start, const Status& outcome) {
-  seconds = seconds + milliseconds_since(start) / 1e3;
+void FrameService::Impl::mark_outdated(const Job& job) {
+  for (Job* other : running)
+    other->outdated = other->outdated || (other->scene == job.scene && other->revision != job.revision);
+}
+
+void FrameService::Impl::count(double milliseconds, const Status& outcome) {
+  seconds = seconds + milliseconds / 1e3;
   if (outcome.code == Code::unavailable) healthy = false;
 }
 
 Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
-  if (job.abandoned && job.abandoned()) return failure(Code::unavailable, "nobody waits for this frame any more");
+  const Status left = failure(Code::unavailable, "nobody waits for this frame any more");
+  if (job.left()) return left;
   DrawnFrame frame;
   frame.timings.queue = milliseconds_since(job.asked);
   const Clock::time_point start = Clock::now();
+  const double paused = job.paused;
   Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false, planner.looks_at(job.request));
   if (!shown) return shown.status();
-  if (shown->features) frame.estimate = plan(renderer, job.request, *shown, frame.timings.probe);
+  job.revision = shown->revision;
+  mark_outdated(job);
+  if (shown->features) frame.estimate = plan(renderer, job, *shown, frame.timings.probe);
   frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
-  frame.timings.upload = milliseconds_since(start);
+  frame.timings.upload = milliseconds_since(start) - (job.paused - paused);
   DrawTimes times;
-  Result<DrawnPicture> picture = draw_for_format(renderer, shown->fur, job.request, times);
-  count(start, picture ? Status{} : picture.status());
+  Result<DrawnPicture> picture = failure(Code::conflict, "given up while its error was measured");
+  if (!job.given_up)
+    picture = draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
+  count(milliseconds_since(start) - (job.paused - paused), picture ? Status{} : picture.status());
+  if (job.given_up) return job.outdated || !job.left() ? stopped() : left;
   ++drawn;
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
@@ -194,16 +216,19 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   return frame;
 }
 
-std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, const FrameRequest& request, Shown& shown,
-                                                      double& probed) {
+std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, Job& job, Shown& shown, double& probed) {
   const Clock::time_point start = Clock::now();
+  const double paused = job.paused;
+  const FrameRequest& request = job.request;
   std::optional<ErrorProbe> probe;
   const MeasureError measure = [&](const Knobs& knobs) {
-    if (!probe) probe.emplace(renderer, shown.fur, shown.features->places, truth_shells(*request.max_error));
+    if (!probe)
+      probe.emplace(renderer, shown.fur, shown.features->places, truth_shells(*request.max_error),
+                    [&] { return let_in(renderer, job); });
     return probe->error(knobs);
   };
   std::optional<FrameEstimate> estimate = planner.plan(request, *shown.features, shown.fur, measure);
-  if (probe) probed = milliseconds_since(start);
+  if (probe) probed = milliseconds_since(start) - (job.paused - paused);
   return estimate;
 }
 
@@ -222,12 +247,13 @@ Result<T> FrameService::Impl::run_errand(const std::function<Result<T>(Renderer&
 
 void FrameService::Impl::add(std::unique_ptr<Job> job) {
   const std::lock_guard lock(mutex);
-  const auto older = std::find_if(jobs.begin(), jobs.end(), [&](const auto& other) { return other->same_view(*job); });
-  if (older != jobs.end()) {
+  std::unique_ptr<Job>* older = jobs.find([&](const auto& other) { return other->same_view(*job); });
+  if (older) {  // whose turn it takes
     (*older)->answer.set_value(failure(Code::conflict, "superseded by a newer frame of the same view"));
     *older = std::move(job);
   } else {
-    jobs.push_back(std::move(job));
+    const double cost = expected_cost(job->request);
+    jobs.add(std::move(job), cost, milliseconds_since(epoch));
   }
   wake.notify_one();
 }
@@ -292,7 +318,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     timings.upload = milliseconds_since(start);
     DrawTimes times;
     Result<BasePicture> base = renderer.draw_base(shown->fur, &times);
-    impl_->count(start, base ? Status{} : base.status());
+    impl_->count(milliseconds_since(start), base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
     return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings,
@@ -308,7 +334,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
     finished = impl_->run_errand<DrawnPicture>([&](Renderer& renderer) {
       const Clock::time_point start = Clock::now();
       Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.layers.front());
-      impl_->count(start, shown ? Status{} : shown.status());
+      impl_->count(milliseconds_since(start), shown ? Status{} : shown.status());
       return shown;
     });
   }

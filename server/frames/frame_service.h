@@ -52,9 +52,11 @@ class FrameService {
   /// Threads that costs are divided by.
   int threads() const;
 
-  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked
-  /// before drawing starts; a frame that nobody waits for is dropped (unavailable). Refused (invalid, "/overlay_from")
-  /// when the scene's model has no such revision.
+  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Short frames go before long
+  /// ones, and between the pieces of one that is drawn; a frame whose scene changed meanwhile begins anew. Superseded by
+  /// a newer request of the same scene and named view: conflict. `abandoned` is asked on the render thread before
+  /// drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused (invalid,
+  /// "/overlay_from") when the scene's model has no such revision.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
 

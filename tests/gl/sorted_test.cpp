@@ -75,7 +75,7 @@ class Stack : public OnBackend {
     gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer.id());
     SortedPass pass(gl(), bytes);
     Drawn drawn;
-    drawn.status = pass.draw(gl(), target, 1, [&] {
+    drawn.status = pass.draw(gl(), target, {0, 0, target.width(), target.height()}, 1, [&] {
       ++drawn.areas;
       program.use();
       gl().BindVertexArray(array.id());
@@ -165,7 +165,7 @@ TEST_P(Stack, WithoutBuffersInFragmentShadersItIsRefused) {
   without.GetIntegerv = [](GLenum, GLint* value) { *value = 0; };
   const RenderTarget target(gl(), GL_RGBA32F, side, side, true);
   SortedPass pass(without, 1 << 20);
-  const Status status = pass.draw(without, target, 1, [] { FAIL() << "must not draw"; });
+  const Status status = pass.draw(without, target, {}, 1, [] { FAIL() << "must not draw"; });
   EXPECT_EQ(status.code, Code::invalid);
   EXPECT_EQ(status.pointer, "/quality/order");
 }

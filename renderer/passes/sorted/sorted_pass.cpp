@@ -40,7 +40,7 @@ void SortedPass::make_programs(const Gl& gl) {
   failure_ = merge_->log() + compose_->log();
 }
 
-Status SortedPass::draw(const Gl& gl, const RenderTarget& target, int expected,
+Status SortedPass::draw(const Gl& gl, const RenderTarget& target, const Area& within, int expected,
                         const std::function<void()>& draw_fragments) {
   if (!FragmentLists::possible(gl)) return impossible();
   make_programs(gl);
@@ -49,7 +49,7 @@ Status SortedPass::draw(const Gl& gl, const RenderTarget& target, int expected,
   const FragmentLists& lists = *lists_;
   const double fitting = lists.capacity() / (guessed_cover * std::max(expected, 1));
   std::vector<Area> areas =
-      cut({0, 0, target.width(), target.height()}, std::min(fitting, FragmentLists::most_pixels));
+      cut(within, std::min(fitting, FragmentLists::most_pixels));
   Status status;
   gl.Enable(GL_SCISSOR_TEST);
   while (!areas.empty() && status.ok()) {

@@ -1,0 +1,33 @@
+// A scene as one frame shows it.
+#pragma once
+
+#include <optional>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/frame.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/quality/view_features.h"
+#include "server/frames/frame_parts.h"
+#include "server/scene/scene.h"
+#include "server/scene/scene_copy.h"
+
+namespace pelage {
+
+/// What is drawn of a scene, and which of it.
+struct Shown {
+  FurFrame fur;
+  ModelPlacement placement;
+  Revision revision = 0;
+  std::optional<SceneCopy> copy = {};
+  std::optional<ViewFeatures> features = {};  // where the frame is planned or can be estimated
+};
+
+/// Brings the renderer's copy of the scene up to date; all of the answer is of one revision.
+/// Conflict where the overlay compares with fields of a model that the scene no longer has.
+Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, const std::optional<PastFields>& past,
+                   bool with_copy, bool with_features);
+
+/// Read by whoever asks, where it holds up no other frame.
+Result<std::optional<PastFields>> past_of(const Scene& scene, const FrameRequest& request);
+
+}  // namespace pelage

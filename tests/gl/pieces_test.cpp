@@ -1,0 +1,94 @@
+// A long frame is drawn in pieces, with the bits of a whole one, and others may be drawn in between.
+#include "server/frames/fur_view.h"
+#include "tests/gl/with_renderer.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+namespace {
+
+class FramesInPieces : public WithRenderer {
+ protected:
+  FurFrame frame_of(const FurredModel& model, const FrameRequest& request) {
+    sync_scene(*renderer, model.view(), {});
+    return make_frame(model.view(), request);
+  }
+  std::vector<std::uint8_t> whole(const FurFrame& frame) {
+    renderer->forget_kept();
+    return renderer->draw(frame).value().rgba;
+  }
+};
+
+FrameRequest large(Tier tier, int pixels) {
+  FrameRequest request = small_frame(AutoView::three_quarter, pixels);
+  request.knobs = knobs_of(tier);
+  request.knobs.scale = 1;
+  return request;
+}
+
+FurredModel lit(const Light& light) {
+  FurredModel model = furred({Builtin::creature, 2000});
+  model.settings.lights = {light};
+  model.settings.ground.visible = true;
+  return model;
+}
+
+TEST_P(FramesInPieces, HaveTheBitsOfAWholeOne) {
+  const FurredModel model = lit({.self_shadow_maps = true, .cast_shadow = CastShadow::soft});
+  FurredModel other = furred({Builtin::sphere, 300});
+  const FurFrame between = frame_of(other, small_frame());
+  FrameRequest layers = large(Tier::interactive, 512);
+  layers.knobs.shells = 128;
+  FrameRequest hairy = layers;
+  hairy.knobs.fins = true, hairy.knobs.guard_hairs = 200, hairy.knobs.shadow_maps = true;
+  FrameRequest shown = layers;
+  shown.overlay = Overlay::layer_count;
+  for (const FrameRequest& request : {layers, hairy, shown, large(Tier::detailed, 400)}) {
+    const FurFrame frame = frame_of(model, request);
+    const std::vector<std::uint8_t> expected = whole(frame);
+    int pauses = 0;
+    renderer->forget_kept();
+    const Result<Image> image = renderer->draw(frame, nullptr, [&] {
+      // Another picture leaves targets, maps and tables of its own.
+      if (++pauses == 2) {
+        EXPECT_TRUE(renderer->draw(between).ok());
+      }
+      return true;
+    });
+    ASSERT_TRUE(image.ok()) << image.status().message;
+    EXPECT_GT(pauses, 2);
+    EXPECT_TRUE(image->rgba == expected);
+  }
+}
+
+TEST_P(FramesInPieces, LayersBesideLightToo) {
+  const FurredModel model = lit({});
+  const FurFrame frame = frame_of(model, large(Tier::detailed, 400));
+  const std::array asked{FrameLayer::beauty, FrameLayer::normal};
+  const auto expected = renderer->draw_layers(frame, asked).value();
+  int pauses = 0;
+  const auto images = renderer->draw_layers(frame, asked, nullptr, [&] { return ++pauses > 0; }).value();
+  EXPECT_GT(pauses, 2);
+  for (std::size_t i = 0; i < asked.size(); ++i) EXPECT_TRUE(images[i].rgba == expected[i].rgba) << i;
+}
+
+TEST_P(FramesInPieces, CanBeGivenUpHalfWay) {
+  const FurredModel model = lit({});
+  const FurFrame frame = frame_of(model, large(Tier::detailed, 400));
+  const std::vector<std::uint8_t> expected = whole(frame);
+  int pauses = 0;
+  EXPECT_EQ(renderer->draw(frame, nullptr, [&] { return ++pauses < 3; }).status().code, Code::conflict);
+  EXPECT_EQ(pauses, 3);
+  EXPECT_TRUE(renderer->draw(frame).value().rgba == expected);  // nothing of the half is taken for a picture
+}
+
+TEST_P(FramesInPieces, ASmallFrameIsOne) {
+  const FurredModel model = lit({});
+  int pauses = 0;
+  EXPECT_TRUE(renderer->draw(frame_of(model, small_frame()), nullptr, [&] { return ++pauses > 0; }).ok());
+  EXPECT_EQ(pauses, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, FramesInPieces, both_backends(), name_of);
+
+}  // namespace
+}  // namespace pelage::testing

@@ -1,0 +1,68 @@
+#include "server/frames/shortest_first.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace pelage {
+namespace {
+
+using Queue = ShortestFirst<std::string>;
+
+std::string order_of(Queue& queue) {
+  std::string order;
+  while (auto taken = queue.take()) order += taken->job;
+  return order;
+}
+
+TEST(ShortestFirst, ServesTheShortBeforeTheLong) {
+  Queue queue;
+  queue.add("c", 300, 0);
+  queue.add("a", 1, 2);
+  queue.add("b", 20, 1);
+  EXPECT_EQ(order_of(queue), "abc");
+  EXPECT_TRUE(queue.empty());
+}
+
+TEST(ShortestFirst, OfEqualOnesTheFirst) {
+  Queue queue;
+  for (const char* name : {"a", "b", "c"}) queue.add(name, 5, 0);
+  EXPECT_EQ(order_of(queue), "abc");
+}
+
+TEST(ShortestFirst, ALongOneDoesNotStarve) {
+  Queue queue;
+  queue.add("long", 1000, 0);
+  int served = 0;
+  for (double now = 0; now < 1e5; now += 10) {
+    queue.add("short", 10, now);
+    if (queue.take()->job == "long") break;
+    ++served;
+  }
+  EXPECT_EQ(served, 792);  // until one was due when it was
+}
+
+TEST(ShortestFirst, LetsInWhatIsShortBesideARunningOne) {
+  Queue queue;
+  queue.add("as long", 90, 0);
+  queue.add("short", 40, 1);
+  queue.add("barred", 1, 2);
+  const std::uint64_t pause = queue.moment();
+  queue.add("late", 1, 3);
+  const auto may = [](const std::string& job) { return job != "barred"; };
+  EXPECT_EQ(queue.take_beside(100, pause, may)->job, "short");
+  EXPECT_FALSE(queue.take_beside(100, pause, may));  // so the running one goes on
+  EXPECT_EQ(queue.take_beside(100, queue.moment(), may)->job, "late");
+  EXPECT_EQ(queue.size(), 2u);
+}
+
+TEST(ShortestFirst, FindsOneToReplace) {
+  Queue queue;
+  queue.add("a", 1, 0);
+  *queue.find([](const std::string& job) { return job == "a"; }) = "b";
+  EXPECT_EQ(queue.find([](const std::string& job) { return job == "a"; }), nullptr);
+  EXPECT_EQ(order_of(queue), "b");
+}
+
+}  // namespace
+}  // namespace pelage
