@@ -251,9 +251,10 @@ Tracing tracing(const Value& value) {
   object.integer("seed", result.seed);
   object.finish();
   const bool paths = result.transport == Transport::paths;
-  if (paths && result.scattering == StrandScattering::look) {
+  if (paths && object.has("scattering") && result.scattering == StrandScattering::look) {
     value.refuse_below("scattering", "Paths need a model that makes no light.", "energy_conserving");
   }
+  if (paths) result.scattering = StrandScattering::energy_conserving;
   if (!paths && object.has("bounces")) value.refuse_below("bounces", "Only paths bounce.", "transport paths");
   return result;
 }

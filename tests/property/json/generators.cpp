@@ -199,6 +199,7 @@ Tracing tracing() {
                  .filter = *rc::gen::arbitrary<bool>(),
                  .seed = *rc::gen::arbitrary<std::uint32_t>()};
   if (result.transport == Transport::paths) {
+    result.scattering = StrandScattering::energy_conserving;
     result.bounces = *rc::gen::inRange(1, 4097);
   } else {
     result.scattering = one_of(StrandScattering::energy_conserving);
