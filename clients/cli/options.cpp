@@ -215,7 +215,7 @@ void add_tracing(CLI::App* command, Options& options) {
   add("--noise", "noise", "Ends when the mean error of a shown channel is below, 0 to 1; 0 never [0]");
   add("--seconds", "seconds", "Ends after so much tracing, 0 to 3600; 0 never [0]");
   add("--transport", "transport", "transmittance, or paths that scatter from strand to strand [transmittance]");
-  add("--scattering", "scattering", "look or energy_conserving [energy_conserving]");
+  add("--scattering", "scattering", "look or energy_conserving; paths take energy_conserving alone [look]");
   add("--bounces", "bounces", "With --transport paths: at most, 1 to 4096 [32]");
   add("--strands", "strands", "At most, 1 to 8000000; fewer are drawn wider [2000000]");
   add("--filter", "filter", "true or false: smooths pictures of few passes [true]");

@@ -19,7 +19,8 @@ enum class Method { shells, strands };                  // strands: every strand
 /// How light gets through traced fur: by the colour and count of the strands that a ray to the light crosses, or along
 /// whole paths that scatter from strand to strand.
 enum class Transport { transmittance, paths };
-/// Which model traced strands scatter by: the look's, or energy_conserving whatever the look says.
+/// Which model traced strands scatter by: the look's, as shells, or energy_conserving whatever the look says. Paths
+/// scatter by energy_conserving in either case: no other model conserves energy.
 enum class StrandScattering { look, energy_conserving };
 enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
 enum class FragmentOrder { layers, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
@@ -53,7 +54,7 @@ enum class FrameLayer {
 struct Tracing {
   int passes = 64;                    // at most, [1, 65536]
   Transport transport = Transport::transmittance;
-  StrandScattering scattering = StrandScattering::energy_conserving;  // paths take no other
+  StrandScattering scattering = StrandScattering::look;
   int bounces = 32;                   // of a path, [1, 4096]; paths
   int strands = 2'000'000;            // at most, [1, 8000000]; fewer are drawn wider
   double noise = 0;                   // stops once the estimate is below, [0, 1]: mean error of a shown channel; 0 never

@@ -27,8 +27,8 @@ void members(V& v, Visited<V, Tracing>& c) {
          "transmittance: light comes through the strands that it crosses by their colour and count. paths: light goes "
          "from strand to strand.");
   v.name("scattering", c.scattering, json_names::strand_scatterings,
-         "What a strand scatters by: the look's shading, or energy_conserving whatever the look says. Paths take no "
-         "other.");
+         "What a strand scatters by: the look's shading, or energy_conserving whatever the look says. Paths scatter "
+         "by energy_conserving and refuse `look`.");
   if (v.shows(c.transport == Transport::paths))
     v.integer("bounces", c.bounces, {1, 4096}, "Of a path at most; with `paths` only.");
   v.integer("strands", c.strands, {1, limits::strands}, "At most; fewer are drawn wider, so that they cover as much.");

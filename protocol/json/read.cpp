@@ -297,6 +297,7 @@ T read(const Value& value) {
   T result;
   members(reader, result);
   object.finish();
+  settle(value, result);
   check(value, result);
   return result;
 }

@@ -93,6 +93,11 @@ void check(const Value& value, const FrameRequest& request) {
 
 void check(const Value& value, const Knobs& knobs) { check_method(value, knobs); }
 
+void settle(const Value& value, Tracing& tracing) {
+  if (tracing.transport == Transport::paths && !given(value, "scattering"))
+    tracing.scattering = StrandScattering::energy_conserving;
+}
+
 void check(const Value& value, const Tracing& tracing) {
   const bool paths = tracing.transport == Transport::paths;
   if (paths && tracing.scattering == StrandScattering::look)

@@ -10,6 +10,11 @@
 
 namespace pelage::json_parts {
 
+/// Fills in what follows from the members that were given.
+template <class T>
+void settle(const Value&, T&) {}
+void settle(const Value& value, Tracing& tracing);
+
 template <class T>
 void check(const Value&, const T&) {}
 void check(const Value& value, const Stroke& stroke);

@@ -14,7 +14,8 @@ constexpr int wetness_steps = 8;
 Look traced_look(const FurFrame& frame) {
   Look look = frame.look;
   look.fibre = wet_look(frame.coat, look).fibre;
-  if (frame.knobs.trace.scattering == StrandScattering::energy_conserving)
+  const Tracing& trace = frame.knobs.trace;
+  if (trace.transport == Transport::paths || trace.scattering == StrandScattering::energy_conserving)
     look.shading = ShadingModel::energy_conserving;
   return look;
 }

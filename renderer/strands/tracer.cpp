@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -93,8 +92,6 @@ Status Tracer::admit(int width, int height, std::span<const FrameLayer> layers, 
 Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
                      std::span<const FrameLayer> layers, const GoOn& go_on) {
   Impl& tracer = *impl_;
-  [[maybe_unused]] const Tracing& trace = frame.knobs.trace;
-  assert(trace.transport == Transport::transmittance || trace.scattering == StrandScattering::energy_conserving);
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
   if (Status refused = admit(frame.width, frame.height, layers, frame.knobs.trace.filter); !refused.ok())
     return refused;

@@ -27,8 +27,8 @@ class Tracer {
   /// Whether a picture may be begun in that memory with its base picture and its layers, before any of it is made.
   /// too_large where not.
   Status admit(int width, int height, std::span<const FrameLayer> layers, bool filter) const;
-  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths are for
-  /// energy_conserving scattering alone, as the contract has it. Fails with too_large where memory does not do,
+  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths scatter by
+  /// energy_conserving, as the contract has it. Fails with too_large where memory does not do,
   /// unavailable when it was not to go on.
   Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
                std::span<const FrameLayer> layers, const GoOn& go_on);

@@ -100,8 +100,9 @@ TEST(Query, HowStrandsAreTraced) {
   const auto tracing = decode_tracing_query({{"passes", "9"}, {"transport", "paths"}, {"bounces", "3"}, {"noise", "0.01"},
                                              {"seconds", "2.5"}, {"strands", "1000"}, {"filter", "false"}, {"seed", "7"}});
   ASSERT_TRUE(tracing.ok()) << tracing.status().message;
-  EXPECT_EQ(*tracing, (Tracing{.passes = 9, .transport = Transport::paths, .bounces = 3, .strands = 1000, .noise = 0.01,
-                               .seconds = 2.5, .filter = false, .seed = 7}));
+  EXPECT_EQ(*tracing, (Tracing{.passes = 9, .transport = Transport::paths,
+                               .scattering = StrandScattering::energy_conserving, .bounces = 3, .strands = 1000,
+                               .noise = 0.01, .seconds = 2.5, .filter = false, .seed = 7}));
   EXPECT_EQ(*decode_tracing_query({}), Tracing{});
   EXPECT_EQ(decode_tracing_query({{"passes", "0"}}).status().pointer, "/passes");
   EXPECT_EQ(decode_tracing_query({{"bounces", "3"}}).status().pointer, "/bounces");

@@ -65,6 +65,7 @@ TEST(Trace, ReadsEachMember) {
       "strands": 1234, "noise": 0.25, "seconds": 1.5, "filter": false, "seed": 4294967295)";
   const Tracing expected{.passes = 7,
                          .transport = Transport::paths,
+                         .scattering = StrandScattering::energy_conserving,
                          .bounces = 9,
                          .strands = 1234,
                          .noise = 0.25,
@@ -73,7 +74,15 @@ TEST(Trace, ReadsEachMember) {
                          .seed = 4294967295u};
   EXPECT_EQ(decoded(traced(members)).knobs.trace, expected);
   EXPECT_EQ(decoded(refined(members)).refine, expected);
-  EXPECT_EQ(decoded(traced(R"("scattering": "look")")).knobs.trace.scattering, StrandScattering::look);
+  EXPECT_EQ(decoded(traced(R"("scattering": "energy_conserving")")).knobs.trace.scattering,
+            StrandScattering::energy_conserving);
+}
+
+TEST(Trace, StrandsScatterByTheLooksModelAndPathsByTheOneThatMakesNoLight) {
+  EXPECT_EQ(knobs_of(Tier::reference).trace.scattering, StrandScattering::look);
+  EXPECT_EQ(decoded(traced(R"("passes": 7)")).knobs.trace.scattering, StrandScattering::look);
+  const Tracing paths = decoded(traced(R"("transport": "paths")")).knobs.trace;
+  EXPECT_EQ(paths.scattering, StrandScattering::energy_conserving);
 }
 
 TEST(Trace, TakesTheEndsOfRangesAndRefusesWhatLiesBeyond) {
@@ -158,10 +167,12 @@ TEST(Trace, MapsOfShellsAreNotOfStrands) {
 TEST(Trace, ComesBackThroughEncode) {
   FrameRequest strands;
   strands.knobs = knobs_of(Tier::reference);
-  strands.knobs.trace = {.passes = 3, .scattering = StrandScattering::look, .strands = 77, .noise = 0.01, .seed = 9};
+  strands.knobs.trace = {.passes = 3, .scattering = StrandScattering::energy_conserving, .strands = 77, .noise = 0.01,
+                         .seed = 9};
   EXPECT_EQ(decoded(encode(strands)).knobs, strands.knobs);
   FrameRequest refine;
-  refine.refine = Tracing{.passes = 5, .transport = Transport::paths, .bounces = 100, .seconds = 2, .filter = false};
+  refine.refine = Tracing{.passes = 5, .transport = Transport::paths,
+                          .scattering = StrandScattering::energy_conserving, .bounces = 100, .seconds = 2, .filter = false};
   EXPECT_EQ(decoded(encode(refine)).refine, refine.refine);
   EXPECT_EQ(decoded(encode(refine)).knobs, refine.knobs);
 }
