@@ -49,7 +49,7 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
       skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame, model)),
       shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame, model)),
       resolve_(gl), scattering_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, true),
-      picture_(gl, GL_RGBA8, frame.width, frame.height, 1, false) {
+      picture_(gl, GL_RGBA8, frame.width, frame.height, false) {
   assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());
   gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
 }
