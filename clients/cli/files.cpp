@@ -13,27 +13,27 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
   std::ifstream file;
   if (path != "-") file.open(path, std::ios::binary);
   std::istream& stream = path == "-" ? std::cin : file;
-  std::string octets;
+  std::string bytes;
   char block[1 << 16];
   while (stream.read(block, sizeof block) || stream.gcount() > 0) {
-    octets.append(block, static_cast<std::size_t>(stream.gcount()));
-    if (octets.size() > most_bytes) {
+    bytes.append(block, static_cast<std::size_t>(stream.gcount()));
+    if (bytes.size() > most_bytes) {
       return failure(Code::too_large, path + " is too large.", "", fmt::format("at most {} bytes", most_bytes));
     }
   }
   // A folder opens as a file and fails at the first read.
   if (stream.bad() || (path != "-" && !file.is_open())) return failure(Code::not_found, "Cannot read " + path + ".");
-  return octets;
+  return bytes;
 }
 
-Status write_file(const std::string& path, const std::string& octets) {
+Status write_file(const std::string& path, const std::string& bytes) {
   if (path == "-") {
-    std::cout.write(octets.data(), static_cast<std::streamsize>(octets.size())).flush();
+    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
     return std::cout ? Status{} : failure(Code::internal, "Cannot write to standard output.");
   }
   const std::string temporary = fmt::format("{}.{}", path, getpid());
   std::ofstream file(temporary, std::ios::binary);
-  file.write(octets.data(), static_cast<std::streamsize>(octets.size()));
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
   if (file && std::rename(temporary.c_str(), path.c_str()) == 0) return {};
   std::remove(temporary.c_str());

@@ -12,6 +12,6 @@ namespace pelage {
 Result<std::string> read_file(const std::string& path, std::size_t most_bytes);
 
 /// Under a temporary name in the same folder, then renamed; "-" is standard output.
-Status write_file(const std::string& path, const std::string& octets);
+Status write_file(const std::string& path, const std::string& bytes);
 
 }  // namespace pelage

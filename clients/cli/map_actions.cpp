@@ -68,21 +68,21 @@ ExitCode get_map(Session& session) {
 ExitCode put_map(Session& session) {
   const Options& options = session.options();
   if (const auto checked = decode_map_upload_query(checked_query(options)); !checked) return report(checked.status());
-  const auto octets = read_file(options.file, limits::picture_bytes);
-  if (!octets) return report(octets.status(), options.file);
+  const auto bytes = read_file(options.file, limits::picture_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  return print_change(session, Session::accepted(session.connection().put_octets(address_of(*path, options), *octets)),
+  return print_change(session, Session::accepted(session.connection().put_bytes(address_of(*path, options), *bytes)),
                       options.file);
 }
 
 ExitCode put_picture(Session& session) {
   const Options& options = session.options();
-  const auto octets = read_file(options.file, limits::picture_bytes);
-  if (!octets) return report(octets.status(), options.file);
+  const auto bytes = read_file(options.file, limits::picture_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  const auto answer = Session::accepted(session.connection().put_octets(*path + "/pictures", *octets));
+  const auto answer = Session::accepted(session.connection().put_bytes(*path + "/pictures", *bytes));
   if (!answer) return report(answer.status(), options.file);
   const auto kept = decode_picture_answer(answer->body);
   if (!kept) return report(kept.status());

@@ -45,14 +45,14 @@ Query import_query(const Options& options) {
 
 /// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.
 Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t most_bytes) {
-  const auto octets = read_file(session.options().file, most_bytes);
-  if (!octets) return octets.status();
+  const auto bytes = read_file(session.options().file, most_bytes);
+  if (!bytes) return bytes.status();
   const auto path = session.scene_path();
   if (!path) return path.status();
   std::string address = *path + "/" + name;
   char separator = '?';
   for (const auto& [parameter, value] : query) address += std::exchange(separator, '&') + parameter + "=" + value;
-  return Session::accepted(session.connection().put_octets(address, *octets));
+  return Session::accepted(session.connection().put_bytes(address, *bytes));
 }
 
 ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {

@@ -130,7 +130,7 @@ FIGURES = [
                           quality={**FINE, "self_shadow": shadow, "shadow_maps": maps})
                   for title, shadow, maps in (("none", False, False), ("estimate", True, False), ("maps", True, True))]},
     {"name": "cast_shadow", "title": "Shadow of the body on itself (GPU fur, figure 8)",
-     "text": "No shadow, a hard one from the depth map, a soft one with the shadow width (the paper's), and the penumbra of a lamp of 8 degrees.",
+     "text": "No shadow, a hard one from the depth map, a soft one with the shadow width (the paper's), and the penumbra of a light of 8 degrees.",
      "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "angle_degrees": 8, "cast_shadow": kind}),
                           fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft", "penumbra")]},
     {"name": "light_maps", "title": "The three maps of a soft shadow (GPU fur, figure 9)",
@@ -261,7 +261,7 @@ FIGURES = [
                   for tier in ("interactive", "detailed")]},
     {"name": "recipes", "title": "Four reference animals, groomed by scripts",
      "text": "`clients/recipes/{koala_plush,cat_fox,spot_sleek,koala_white}.json` on models by others (docs/models.md), as traced "
-             "strands: fur laid to the ends of limbs and ears, eyes, bare skin, markings, lamps with a size.",
+             "strands: fur laid to the ends of limbs and ears, eyes, bare skin, markings, lights with a size.",
      "pictures": [picture(name.replace("_", " "), shared(model, **options), {"recipe": name}, quality="reference", background="studio")
                   for name, model, options in (("koala_plush", "koala_low.obj", {}), ("cat_fox", "cat.obj", {"front": "-x"}),
                                                ("spot_sleek", "spot.obj", {"front": "-z"}), ("koala_white", "koala_low.obj", {}))]},
@@ -289,10 +289,10 @@ FIGURES = [
                                                                                         **({"bounces": 32} if transport == "paths" else {})}})
                   for title, colour in (("white", [0.85, 0.83, 0.8]), ("red", [0.5, 0.16, 0.05]), ("black", [0.02, 0.02, 0.022]))
                   for transport in ("transmittance", "paths")]},
-    {"name": "lamps", "title": "Lamps with a size",
+    {"name": "lights", "title": "Lights with a size",
      "text": "A directional light of half angle 0 and 15 degrees, and a rectangle near the body.",
-     "pictures": [picture(title, TORUS, lights(lamp), studio(), fur_of=fur(0.05, 0.5), quality="reference")
-                  for title, lamp in (("0 degrees", {**ONE_LIGHT, "angle_degrees": 0}), ("15 degrees", {**ONE_LIGHT, "angle_degrees": 15}),
+     "pictures": [picture(title, TORUS, lights(light), studio(), fur_of=fur(0.05, 0.5), quality="reference")
+                  for title, light in (("0 degrees", {**ONE_LIGHT, "angle_degrees": 0}), ("15 degrees", {**ONE_LIGHT, "angle_degrees": 15}),
                                       ("rectangle", {"kind": "area", "position": [0.4, 0.9, 0.9], "direction": [-0.3, -0.7, -0.7],
                                                      "width": 0.6, "height": 0.6, "intensity": 0.5}))]},
     {"name": "passes", "title": "A refinement, pass by pass",

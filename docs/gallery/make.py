@@ -42,8 +42,8 @@ class Server:
 
     def call(self, method, path, body):
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=600)
-        octets = body if isinstance(body, bytes) else json.dumps(body).encode()
-        connection.request(method, path, octets, {"Content-Type": "application/json"} if method == "POST" else {})
+        content = body if isinstance(body, bytes) else json.dumps(body).encode()
+        connection.request(method, path, content, {"Content-Type": "application/json"} if method == "POST" else {})
         answer = connection.getresponse()
         data = answer.read()
         if answer.status not in (200, 201, 204):

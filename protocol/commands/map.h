@@ -41,7 +41,7 @@ struct MapRequest {
   Units units = Units::relative;
 };
 
-/// What comes with the octets of an uploaded map.
+/// What comes with the bytes of an uploaded map.
 struct MapUpload {
   Field field = Field::length;
   MapEncoding encoding = MapEncoding::automatic;

@@ -1,4 +1,4 @@
-// How a scene begins: with a built-in model or with the octets of a file.
+// How a scene begins: with a built-in model or with the bytes of a file.
 #pragma once
 
 #include <string>
@@ -36,7 +36,7 @@ struct NewScene {
   FurPatches fur_patches = FurPatches::overlapping;
 };
 
-/// Parameters of PUT model: how to read the octets that come with it. `up` and `front` say which of the file's axes
+/// Parameters of PUT model: how to read the bytes that come with it. `up` and `front` say which of the file's axes
 /// point up and forward; they differ in more than sign.
 struct ImportOptions {
   ModelFormat format = ModelFormat::obj;

@@ -30,17 +30,17 @@ using Query = std::vector<std::pair<std::string, std::string>>;
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How strands are traced: the members of Tracing by their names.
 Result<Tracing> decode_tracing_query(const Query& query);
-/// How to read a model's octets: format (required), up, front, length, inclination, fur_patches.
+/// How to read a model's bytes: format (required), up, front, length, inclination, fur_patches.
 Result<ImportOptions> decode_import_query(const Query& query);
 
-/// What comes with the octets of an environment's picture: intensity and turn_degrees.
+/// What comes with the bytes of an environment's picture: intensity and turn_degrees.
 Result<Environment> decode_environment_query(const Query& query);
 /// `from` and `to`, both required.
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 
 /// Which map: field (required), format, encoding, size, dilate, scale, units.
 Result<MapRequest> decode_map_query(const Query& query);
-/// What comes with the octets of a map: field (required), encoding, scale, units, strength.
+/// What comes with the bytes of a map: field (required), encoding, scale, units, strength.
 Result<MapUpload> decode_map_upload_query(const Query& query);
 
 struct PickRequest {

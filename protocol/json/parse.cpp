@@ -40,7 +40,7 @@ class TreeBuilder {
     const std::string text = error.what();
     const bool overflow = error.id == 406;
     failure_ = failure(Code::malformed,
-                       overflow ? "A number overflows a double, at octet " + std::to_string(position) + "."
+                       overflow ? "A number overflows a double, at byte " + std::to_string(position) + "."
                                 : "The body is not JSON: " + text.substr(text.find("] ") + 2),
                        pointer(), overflow ? "finite double" : "");
     return false;

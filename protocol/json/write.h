@@ -18,7 +18,7 @@ Json written(const T& value);
 template <>
 Json written(const Command& command);
 
-/// In one line; octets that are no UTF-8 are replaced.
+/// In one line; bytes that are no UTF-8 are replaced.
 inline std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace pelage::json_parts

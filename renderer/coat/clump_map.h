@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// `side * side` texels of 4 octets, x fastest, over the periodic tile: the way to the middle of the place's clump over
+/// `side * side` texels of 4 bytes, x fastest, over the periodic tile: the way to the middle of the place's clump over
 /// +-reach (x, y), how far inside of the clump it lies (0 on the border to the next, 1 in the middle), and the clump's
 /// pull (Clump).
 struct ClumpMap {

@@ -206,8 +206,8 @@ double reaching_scale(const Stack& stack, const Factors& factors, int texels, do
   });
 }
 
-/// Brings the largest depth to what an octet holds. Answers the factor that undoes it.
-double fit_to_octets(const Stack& stack, Factors& factors) {
+/// Brings the largest depth to what an byte holds. Answers the factor that undoes it.
+double fit_to_bytes(const Stack& stack, Factors& factors) {
   float largest = 1e-3f;
   for (std::size_t i = 0; i < stack.size(); ++i) {
     for (const SliceTexel& texel : stack[i]) largest = std::max(largest, texel.depth * factors[i]);
@@ -217,7 +217,7 @@ double fit_to_octets(const Stack& stack, Factors& factors) {
   return 1 / static_cast<double>(fitting);
 }
 
-std::uint8_t octet(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5); }
+std::uint8_t byte(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5); }
 
 /// What a texel's strand looks like, whatever light and depth it has.
 struct Look {
@@ -227,16 +227,16 @@ struct Look {
 
 Look look_of(const SliceTexel& texel) {
   const float weight = std::max(texel.depth, 1e-6f);
-  const auto slope = [&](float sum) { return octet(0.5 + 0.5 * static_cast<double>(sum / weight) / stored_slope); };
-  const auto root = [&](float sum) { return octet(std::sqrt(static_cast<double>(sum / weight))); };
+  const auto slope = [&](float sum) { return byte(0.5 + 0.5 * static_cast<double>(sum / weight) / stored_slope); };
+  const auto root = [&](float sum) { return byte(std::sqrt(static_cast<double>(sum / weight))); };
   return {{slope(texel.slope.x), slope(texel.slope.y)},
-          {root(texel.colour.r), root(texel.colour.g), root(texel.colour.b), octet(static_cast<double>(texel.number))}};
+          {root(texel.colour.r), root(texel.colour.g), root(texel.colour.b), byte(static_cast<double>(texel.number))}};
 }
 
 void store(float depth, float light, const Look& look, std::uint8_t* shape, std::uint8_t* colour) {
   std::copy(look.slope.begin(), look.slope.end(), shape);
-  shape[2] = octet(static_cast<double>(light));
-  shape[3] = octet(static_cast<double>(depth) / stored_depth);
+  shape[2] = byte(static_cast<double>(light));
+  shape[3] = byte(static_cast<double>(depth) / stored_depth);
   std::copy(look.colour.begin(), look.colour.end(), colour);
 }
 
@@ -301,7 +301,7 @@ using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
 SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const LetThrough& open) {
   const double across = nominal_length / slice_count / coat.tile * texels;  // for each slice of a ray at 45 degrees, in texels
   Factors factors = match_slices(stack, texels, slants[1] * across, open[1]);
-  const double scale = fit_to_octets(stack, factors);
+  const double scale = fit_to_bytes(stack, factors);
   SliceLevel level = pack(stack, factors, texels);
   const auto at_slant = [&](std::size_t k) {
     return reaching_scale(stack, factors, texels, slants[k] * across, mean_of(open[k])) / std::hypot(1.0, slants[k]);

@@ -17,7 +17,7 @@ inline constexpr double stored_depth = 6;     // optical depth (natural log) of 
 inline constexpr double stored_light = 4;     // strands over a texel for which the stored light is 1/e
 inline constexpr double stored_slope = 0.06;  // sideways per height, in sizes, of a stored +-1
 
-/// One level: `texels * texels * slice_count` texels of 4 octets, x fastest, then y, then the slice.
+/// One level: `texels * texels * slice_count` texels of 4 bytes, x fastest, then y, then the slice.
 ///  shape: the strand's slope (x, y; unnormalised mean, .5 is upright), exp(-n / stored_light) where n strands lie
 ///  between the texel and light that comes at 45 degrees, optical depth (linear).
 ///  colour: the strand's colour (sqrt of linear, so that dark ones keep their steps), and its number.

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// One octet for each pixel, rows from the top: 1 inside, 0 outside.
+/// One byte for each pixel, rows from the top: 1 inside, 0 outside.
 struct Mask {
   int width = 0, height = 0;
   std::vector<std::uint8_t> inside;

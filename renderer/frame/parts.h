@@ -91,7 +91,7 @@ Area area_of(const RenderTarget& target);  // all of it
 void add_counts(FrameCounters& total, const FrameCounters& more);
 
 /// The #define lines of a frame's light and colours: light from all around that is not white from everywhere, how many
-/// lamps there are, whether all are far away, and whether the coat's ramp alone gives the colours.
+/// lights there are, whether all are far away, and whether the coat's ramp alone gives the colours.
 std::string light_of(const FurFrame& frame, bool model_has_colours);
 
 /// The #define lines of what shapes and colours the fur beside its fields.

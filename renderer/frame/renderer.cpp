@@ -43,8 +43,8 @@ std::string light_of(const FurFrame& frame, bool model_has_colours) {
                         around.ground == around.sky && around.intensity == 1;
   const bool far = std::all_of(frame.lights.begin(), frame.lights.end(),
                                [](const FurLight& light) { return light.kind == LightKind::directional; });
-  return std::string(constant ? "" : "#define ENVIRONMENT\n") + (far ? "#define FAR_LAMPS\n" : "") +
-         (takes_model_colours(frame.look, model_has_colours) ? "" : "#define RAMP_COLOURS\n") + "#define LAMPS " +
+  return std::string(constant ? "" : "#define ENVIRONMENT\n") + (far ? "#define FAR_LIGHTS\n" : "") +
+         (takes_model_colours(frame.look, model_has_colours) ? "" : "#define RAMP_COLOURS\n") + "#define LIGHTS " +
          std::to_string(frame.lights.size()) + "\n";
 }
 

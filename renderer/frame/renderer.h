@@ -74,7 +74,7 @@ class Renderer {
   Result<std::vector<FloatImage>> draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
                                               DrawTimes* times = nullptr, const Pause& pause = {});
 
-  /// What traced strands stand on: skin, bare skin and eyes in the light of all lamps, without fur, shadows, ground and
+  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground and
   /// curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
   /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
   Result<BasePicture> draw_base(const FurFrame& frame, DrawTimes* times = nullptr);

@@ -18,7 +18,7 @@ bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShado
 bool casts_penumbra(const FurLight& light) { return light.cast_shadow == CastShadow::penumbra; }
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
-/// Half of a lamp's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63 degrees.
+/// Half of a light's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63 degrees.
 float spread_of(const FurLight& light) {
   constexpr float widest = 2;
   switch (light.kind) {

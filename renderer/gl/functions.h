@@ -107,7 +107,7 @@ struct Gl {
   void TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const;
   void TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
                         GLsizei depth) const;
-  /// Of 1, 2 or 4 channels (GL_RED, GL_RG, GL_RGBA) in octets or floats.
+  /// Of 1, 2 or 4 channels (GL_RED, GL_RG, GL_RGBA) in bytes or floats.
   void TextureSubImage2D(GLuint texture, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                          GLenum type, const void* pixels) const;
   void TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "renderer/image/float_image.h"
-#include "renderer/image/octets.h"
+#include "renderer/image/bytes.h"
 
 namespace pelage {
 
@@ -36,7 +36,7 @@ float within_half(float value) { return std::isfinite(value) ? std::clamp(value,
 /// Pixel by pixel, each channel in its own type, as the file keeps them.
 std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<const ExrPlane> planes) {
   const std::size_t pixel_bytes = spec.pixel_bytes(true), pixels = spec.image_pixels();
-  std::vector<std::byte> octets(pixels * pixel_bytes);
+  std::vector<std::byte> bytes(pixels * pixel_bytes);
   std::size_t at = 0;
   for (const ExrPlane& plane : planes) {
     const OIIO::TypeDesc type = type_of(plane.sample);
@@ -48,11 +48,11 @@ std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<cons
     std::vector<std::byte> native(pixels * type.size());
     OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT, values.data(), type, native.data(), static_cast<int>(pixels));
     for (std::size_t i = 0; i < pixels; ++i) {
-      std::memcpy(&octets[i * pixel_bytes + at], &native[i * type.size()], type.size());
+      std::memcpy(&bytes[i * pixel_bytes + at], &native[i * type.size()], type.size());
     }
     at += type.size();
   }
-  return octets;
+  return bytes;
 }
 
 [[maybe_unused]] bool are_whole(std::size_t pixels, std::span<const ExrPlane> planes) {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string_view>
 
-#include "renderer/image/octets.h"
+#include "renderer/image/bytes.h"
 
 namespace pelage {
 
@@ -113,14 +113,14 @@ struct ReadFile {
   FloatImage image;
 };
 
-Result<ReadFile> read_file(std::span<const std::byte> octets, std::size_t max_pixels) {
-  const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
+Result<ReadFile> read_file(std::span<const std::byte> bytes, std::size_t max_pixels) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const PictureFormat format = format_of(text);
   if (format == PictureFormat::unknown) return unreadable("it is neither PNG, JPEG, EXR nor HDR.");
   if (is_cut_off(format, text)) return unreadable("it is cut off.");
 
   const char* name = name_of(format);
-  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(octets.data()), octets.size());
+  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(bytes.data()), bytes.size());
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);
@@ -140,8 +140,8 @@ Result<ReadFile> read_file(std::span<const std::byte> octets, std::size_t max_pi
 
 }  // namespace
 
-Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels) {
-  Result<ReadFile> file = read_file(octets, max_pixels);
+Result<FloatImage> decode_float_image(std::span<const std::byte> bytes, std::size_t max_pixels) {
+  Result<ReadFile> file = read_file(bytes, max_pixels);
   if (!file) return file.status();
   FloatImage& image = file->image;
   image.display_referred = file->format == PictureFormat::png || file->format == PictureFormat::jpeg;
@@ -149,8 +149,8 @@ Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::si
   return std::move(image);
 }
 
-Result<DataImage> decode_data_image(std::span<const std::byte> octets, std::size_t max_pixels, const std::string& key) {
-  Result<ReadFile> file = read_file(octets, max_pixels);
+Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_t max_pixels, const std::string& key) {
+  Result<ReadFile> file = read_file(bytes, max_pixels);
   if (!file) return file.status();
   const OIIO::ImageSpec& spec = file->spec;
   const int bits = spec.format == OIIO::TypeDesc::UINT8 ? 8 : spec.format == OIIO::TypeDesc::UINT16 ? 16 : 32;

@@ -27,7 +27,7 @@ FloatImage linear_image(const Image& image);
 /// PNG (8 and 16 bit, taken as sRGB), JPEG, EXR or Radiance HDR from memory. Of an EXR the first part is read: R, G, B
 /// and A, else those of the first layer that has them ("beauty.R"), else Y as grey; alpha is 1 where there is none. NaN
 /// and infinity stay. Refused (invalid) when it is none of these, broken, without colour, or over `max_pixels`.
-Result<FloatImage> decode_float_image(std::span<const std::byte> octets, std::size_t max_pixels);
+Result<FloatImage> decode_float_image(std::span<const std::byte> bytes, std::size_t max_pixels);
 
 /// A picture whose numbers are data: no curve is undone and nothing is multiplied by alpha. 8 and 16 bits are over
 /// their largest, 4 * width * height numbers, rows from the top.
@@ -39,7 +39,7 @@ struct DataImage {
 };
 
 /// The same files, refused as decode_float_image does.
-Result<DataImage> decode_data_image(std::span<const std::byte> octets, std::size_t max_pixels, const std::string& key);
+Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_t max_pixels, const std::string& key);
 
 /// Under which a map's file says what 1 in it stands for.
 inline constexpr const char* map_scale_text = "pelage:scale";
@@ -60,7 +60,7 @@ struct ExrPlane {
 /// R, G, B and A of interleaved RGBA; with a layer's name their names are "LAYER.R" and so on.
 std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& layer = {});
 
-/// An EXR with these channels, zip compressed (lossless); the same input gives the same octets. Finite numbers beyond
+/// An EXR with these channels, zip compressed (lossless); the same input gives the same bytes. Finite numbers beyond
 /// the range of half are held at its largest; NaN and infinity stay.
 std::string encode_exr(int width, int height, std::span<const ExrPlane> planes, std::span<const ImageText> texts = {});
 

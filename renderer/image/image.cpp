@@ -7,7 +7,7 @@
 #include <memory>
 #include <string_view>
 
-#include "renderer/image/octets.h"
+#include "renderer/image/bytes.h"
 #include "renderer/image/png_bands.h"
 
 namespace pelage {
@@ -63,14 +63,14 @@ std::string encode_jpeg(const Image& image, int quality) {
   return write_picture(PictureFormat::jpeg, spec, spec.format, without_alpha(image.rgba).data());
 }
 
-Result<Image> decode_image(std::span<const std::byte> octets, std::size_t max_pixels) {
-  const std::string_view text(reinterpret_cast<const char*>(octets.data()), octets.size());
+Result<Image> decode_image(std::span<const std::byte> bytes, std::size_t max_pixels) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const PictureFormat format = format_of(text);
   if (format != PictureFormat::png && format != PictureFormat::jpeg) return unreadable("it is neither PNG nor JPEG.");
   if (is_cut_off(format, text)) return unreadable("it is cut off.");
 
   const char* name = name_of(format);
-  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(octets.data()), octets.size());
+  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(bytes.data()), bytes.size());
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);

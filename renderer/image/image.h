@@ -11,7 +11,7 @@
 
 namespace pelage {
 
-/// 8-bit sRGB, straight alpha, rows from the top, 4 * width * height octets.
+/// 8-bit sRGB, straight alpha, rows from the top, 4 * width * height bytes.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
@@ -41,6 +41,6 @@ std::string encode_png(const Image16& image, bool keep_alpha, std::span<const Im
 std::string encode_jpeg(const Image& image, int quality);
 
 /// PNG or JPEG from memory; refused (invalid) when it is neither, broken, or over `max_pixels`.
-Result<Image> decode_image(std::span<const std::byte> octets, std::size_t max_pixels);
+Result<Image> decode_image(std::span<const std::byte> bytes, std::size_t max_pixels);
 
 }  // namespace pelage

@@ -31,11 +31,11 @@ bool is_whole(const Picture& image) {
              std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-void put_big_endian(std::string& octets, std::uint32_t value) {
-  for (int shift = 24; shift >= 0; shift -= 8) octets.push_back(static_cast<char>(value >> shift & 0xff));
+void put_big_endian(std::string& bytes, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(value >> shift & 0xff));
 }
 
-const Bytef* octets_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
+const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
 
 /// Length, name, data, and the checksum of name and data.
 std::string chunk_of(std::string_view name, std::string_view data) {
@@ -44,46 +44,46 @@ std::string chunk_of(std::string_view name, std::string_view data) {
   chunk.reserve(data.size() + 12);
   put_big_endian(chunk, static_cast<std::uint32_t>(data.size()));
   chunk.append(name).append(data);
-  put_big_endian(chunk, static_cast<std::uint32_t>(crc32_z(0, octets_of(chunk) + 4, chunk.size() - 4)));
+  put_big_endian(chunk, static_cast<std::uint32_t>(crc32_z(0, bytes_of(chunk) + 4, chunk.size() - 4)));
   return chunk;
 }
 
-/// The octets of a row's samples, the highest first, after as many zeros as a pixel has octets.
+/// The bytes of a row's samples, the highest first, after as many zeros as a pixel has bytes.
 template <class Sample>
 void put_row(std::span<const Sample> rgba, std::size_t channels, std::vector<Bytef>& row) {
   Bytef* to = row.data() + channels * sizeof(Sample);
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
     for (std::size_t k = 0; k < channels; ++k) {
-      for (std::size_t octet = sizeof(Sample); octet-- > 0;) *to++ = static_cast<Bytef>(rgba[i + k] >> (8 * octet));
+      for (std::size_t byte = sizeof(Sample); byte-- > 0;) *to++ = static_cast<Bytef>(rgba[i + k] >> (8 * byte));
     }
   }
 }
 
-/// Each row as a 1 and the differences of its octets from those of the pixel on the left.
+/// Each row as a 1 and the differences of its bytes from those of the pixel on the left.
 template <class Sample>
 std::vector<Bytef> filtered(const PngLayout& layout, std::span<const Sample> rgba) {
   constexpr Bytef sub_filter = 1;
   const auto width = static_cast<std::size_t>(layout.width), channels = static_cast<std::size_t>(layout.channels);
   const std::size_t pixel = channels * sizeof(Sample);
-  std::vector<Bytef> octets(rgba.size() / (4 * width) * (1 + width * pixel)), row((width + 1) * pixel);
-  for (Bytef* to = octets.data(); !rgba.empty(); rgba = rgba.subspan(4 * width)) {
+  std::vector<Bytef> bytes(rgba.size() / (4 * width) * (1 + width * pixel)), row((width + 1) * pixel);
+  for (Bytef* to = bytes.data(); !rgba.empty(); rgba = rgba.subspan(4 * width)) {
     put_row(rgba.first(4 * width), channels, row);
     *to++ = sub_filter;
     to = std::transform(row.begin() + static_cast<std::ptrdiff_t>(pixel), row.end(), row.begin(), to,
                         [](Bytef here, Bytef left) { return static_cast<Bytef>(here - left); });
   }
-  return octets;
+  return bytes;
 }
 
-/// Blocks of deflate without an end, which others can follow: up to an octet's border, and pointing at nothing before.
-std::string deflated(std::span<const Bytef> octets) {
+/// Blocks of deflate without an end, which others can follow: up to an byte's border, and pointing at nothing before.
+std::string deflated(std::span<const Bytef> bytes) {
   z_stream stream{};
   constexpr int fastest = 1, raw = -15, most_memory = 9;
   [[maybe_unused]] int status = deflateInit2(&stream, fastest, Z_DEFLATED, raw, most_memory, Z_RLE);
   assert(status == Z_OK);
-  std::string result(deflateBound(&stream, static_cast<uLong>(octets.size())) + 16, '\0');
-  stream.next_in = const_cast<Bytef*>(octets.data());
-  stream.avail_in = static_cast<uInt>(octets.size());
+  std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())) + 16, '\0');
+  stream.next_in = const_cast<Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(result.data());
   stream.avail_out = static_cast<uInt>(result.size());
   status = deflate(&stream, Z_SYNC_FLUSH);
@@ -97,9 +97,9 @@ template <class Sample>
 PngBand compressed(const PngLayout& layout, std::span<const Sample> rgba) {
   assert(!rgba.empty() && rgba.size() % (4 * static_cast<std::size_t>(layout.width)) == 0);
   assert(layout.bits == 8 * static_cast<int>(sizeof(Sample)));
-  const std::vector<Bytef> octets = filtered(layout, rgba);
-  return {chunk_of("IDAT", deflated(octets)),
-          static_cast<std::uint32_t>(adler32_z(1, octets.data(), octets.size())), octets.size()};
+  const std::vector<Bytef> bytes = filtered(layout, rgba);
+  return {chunk_of("IDAT", deflated(bytes)),
+          static_cast<std::uint32_t>(adler32_z(1, bytes.data(), bytes.size())), bytes.size()};
 }
 
 std::string header(const PngLayout& layout) {
@@ -115,7 +115,7 @@ std::string header(const PngLayout& layout) {
 /// The end of deflate: an empty last block, and the checksum of all rows.
 std::string end_of(std::span<const std::shared_ptr<const PngBand>> bands) {
   uLong adler = 1;
-  for (const auto& band : bands) adler = adler32_combine(adler, band->adler, static_cast<z_off_t>(band->octets));
+  for (const auto& band : bands) adler = adler32_combine(adler, band->adler, static_cast<z_off_t>(band->bytes));
   std::string data("\x03\0"sv);
   put_big_endian(data, static_cast<std::uint32_t>(adler));
   return chunk_of("IDAT", data);

@@ -1,5 +1,5 @@
 // PNG files (ISO/IEC 15948) out of bands of rows that are compressed one by one. As a band says nothing of the rows
-// around it, equal rows give equal octets, and a file can be put together from bands of a file before it.
+// around it, equal rows give equal bytes, and a file can be put together from bands of a file before it.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ PngLayout png_layout(const Image& image, bool keep_alpha);
 PngLayout png_layout(const Image16& image, bool keep_alpha);
 
 /// Bands of 16 rows, the last one with what is left: so short that a stroke changes few, so long that what each costs
-/// by itself (some 30 octets) does not show.
+/// by itself (some 30 bytes) does not show.
 int png_band_count(const PngLayout& layout);
 
 /// The samples of a band, from the top; RGBA, also where the layout leaves out alpha.
@@ -34,7 +34,7 @@ std::span<const std::uint16_t> png_band_of(const Image16& image, int band);
 struct PngBand {
   std::string chunk;           // IDAT, with its length and checksum
   std::uint32_t adler = 1;     // of the filtered rows
-  std::size_t octets = 0;      // of the filtered rows
+  std::size_t bytes = 0;      // of the filtered rows
 };
 
 /// Compressed by sub filter and run lengths: matches of the noise of fur take a fifth longer and are larger.

@@ -11,7 +11,7 @@
 
 namespace pelage {
 
-/// Thread-safe. Keeps the last pictures and what they were compressed to, and compares: the octets are those that
+/// Thread-safe. Keeps the last pictures and what they were compressed to, and compares: the bytes are those that
 /// encode_png gives.
 class PngEncoder {
  public:

@@ -86,7 +86,7 @@ vec4 leather(vec3 at) {
   return vec4(away * (6.0 * x * (1.0 - x) / crease) - 2.0 * first, x * x * (3.0 - 2.0 * x));
 }
 
-// Blinn's highlight, its energy the same at any width, and Schlick's reflectance. A lamp is not a point, so that no
+// Blinn's highlight, its energy the same at any width, and Schlick's reflectance. A light is not a point, so that no
 // highlight is narrower than that of roughness 0.15.
 float highlight(vec3 normal, vec3 to_light, vec3 to_eye, float f0, float roughness) {
   vec3 between = to_light + to_eye;
@@ -131,7 +131,7 @@ SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
                    min(bare.finish.x + lost, 1.0), min(film_roughness + uneven * lost, 1.0));
 }
 
-vec3 lamp_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
+vec3 light_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
   vec3 wrap = bare.scatter * vec3(0.45, 0.20, 0.14);
   vec3 wrapped = max((dot(point.normal, to_light) + wrap) / (1.0 + wrap), 0.0);
   vec3 diffuse = frame.weights.y * point.open * point.colour * wrapped;
@@ -148,10 +148,10 @@ vec3 bare_light(Bare bare, vec3 place, vec4 open, vec3 normal) {
   vec3 dry = vec3(0.0);
   if (bare.colour.w > 0.0) dry = mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
   sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.wet_roughness), bare.finish.y);
-  for (int i = 0; i < LAMPS; ++i) {
+  for (int i = 0; i < LIGHTS; ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
-    vec3 sent = lamp_on_skin(bare, point, to_light), kept = radiance * sent;
+    vec3 sent = light_on_skin(bare, point, to_light), kept = radiance * sent;
 #ifdef SHADOW_MAPS
     kept *= cast_light(i, place, open, normal);
 #endif

@@ -6,17 +6,17 @@
 
 #include "scattering.glsl"
 
-#ifndef LAMPS
-#define LAMPS int(frame.counts.z)  // of any frame; a number that is known when it is compiled makes light cheaper
+#ifndef LIGHTS
+#define LIGHTS int(frame.counts.z)  // of any frame; a number that is known when it is compiled makes light cheaper
 #endif
 #ifndef SHADING_MODEL
 #define SHADING_MODEL model_kajiya
 #endif
 
-// Where the light comes from, unit, and what arrives at the place. FAR_LAMPS: none stands at a place.
+// Where the light comes from, unit, and what arrives at the place. FAR_LIGHTS: none stands at a place.
 void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
   Light light = frame.lights[i];
-#ifdef FAR_LAMPS
+#ifdef FAR_LIGHTS
   to_light = -light.direction.xyz;
   radiance = light.radiance.rgb;
 #else
@@ -106,7 +106,7 @@ vec3 scatter_again(vec3 tangent, vec3 to_light, vec3 colour) {
 }
 
 #ifdef LAYERS
-vec3 direct_light = vec3(0.0);  // of lamps alone, summed up by what lights a fragment
+vec3 direct_light = vec3(0.0);  // of lights alone, summed up by what lights a fragment
 vec2 light_share = vec2(0.0);   // luminance of that light, and what it would be without shadows
 
 void keep_direct(vec3 kept, vec3 whole) {
@@ -153,7 +153,7 @@ vec3 fibre_light(Fibre fibre) {
   vec3 crossed = colour_crossed(fibre.colour, fibre.over);
   vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.above, crossed) *
              environment_light(fibre.normal);
-  for (int i = 0; i < LAMPS; ++i) {
+  for (int i = 0; i < LIGHTS; ++i) {
     vec3 to_light, radiance;
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);

@@ -4,7 +4,7 @@ layout(std140, binding = 2) uniform ShadowBlock {
   mat4 to_light[8];
   vec4 axis[8];   // linear depth: dot(xyz, place) + w, sizes
   vec4 slots[8];  // slot of the layer maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
-                  // 1 soft, 2 penumbra), its scale or the lamp's spread (-1: casts none)
+                  // 1 soft, 2 penumbra), its scale or the light's spread (-1: casts none)
 } shadow;
 
 layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
@@ -74,30 +74,30 @@ float past_body(int i, vec3 place) {
 }
 
 // How a penumbra light's blocked share is looked for around a place: the map's plane, and the skin's slope on it.
-struct LampDisc {
+struct LightDisc {
   vec2 at;
   float depth;     // of the place, sizes
-  float spread;    // half of the lamp's width over its distance
+  float spread;    // half of the light's width over its distance
   float per_size;  // of the map's side
   float texel;     // sizes
   vec2 slope;      // of the skin: depth over distance across
   float room;      // in front of the skin's plane, where nothing counts
 };
 
-LampDisc lamp_disc(int i, vec3 place, vec3 normal, float room) {
+LightDisc light_disc(int i, vec3 place, vec3 normal, float room) {
   mat4 to_clip = shadow.to_light[i];
   vec4 clip = to_clip * vec4(place, 1.0);
-  clip.w = max(clip.w, 1e-4);  // beside a lamp that does not see the place
+  clip.w = max(clip.w, 1e-4);  // beside a light that does not see the place
   vec3 right = vec3(to_clip[0].x, to_clip[1].x, to_clip[2].x), up = vec3(to_clip[0].y, to_clip[1].y, to_clip[2].y);
   float scale = length(right), facing = -dot(normal, shadow.axis[i].xyz), per_size = 0.5 * scale / clip.w;
   vec2 slope = facing > 0.0 ? vec2(dot(normal, right), dot(normal, up)) / (scale * max(facing, 0.2)) : vec2(0.0);
-  return LampDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, place) + shadow.axis[i].w,
+  return LightDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, place) + shadow.axis[i].w,
                   shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope, room);
 }
 
 // How far in front of the skin's plane the body lies on `taps` places of a disc, even over it: the sum over those that lie
 // in front, and their count. A map's texel reaches past its middle, so slopes need more room.
-vec2 blockers(int i, LampDisc disc, float radius, int taps) {
+vec2 blockers(int i, LightDisc disc, float radius, int taps) {
   const mat2 golden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);  // 137.5 degrees
   float bias = disc.room + disc.texel * length(disc.slope);
   vec2 toward = vec2(1.0, 0.0), sum = vec2(0.0);
@@ -111,11 +111,11 @@ vec2 blockers(int i, LampDisc disc, float radius, int taps) {
   return sum;
 }
 
-// What part of the lamp the body leaves in sight of a place: as wide as the lamp is seen, the map is looked at where its
+// What part of the light the body leaves in sight of a place: as wide as the light is seen, the map is looked at where its
 // rays pass what hides it (Fernando 2005).
 // What lies no further in front than fur is high is fur that it grows into, in folds, and does not count.
 float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
-  LampDisc disc = lamp_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, least_fold)));
+  LightDisc disc = light_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, least_fold)));
   float least = 1.5 * disc.texel, most = disc.spread * furthest_caster;
   vec2 found = blockers(i, disc, max(most, least), search_taps);
   float radius = clamp(disc.spread * found.x / max(found.y, 1.0), least, max(most, least));

@@ -20,7 +20,7 @@ struct FilmSample {
   float body = 0;         // the same without the ground
   float over_depth = 0;   // 1 / distance along the view, 1 / sizes; 0 for none
   glm::vec3 position{0}, normal{0}, tangent{0}, albedo{0};
-  glm::vec3 direct{0};  // of lamps alone, without the ambient part
+  glm::vec3 direct{0};  // of lights alone, without the ambient part
   glm::vec2 light{0};   // luminance of that, and what it would be without shadows
 };
 

@@ -1,4 +1,4 @@
-// The scene's lights as what a traced ray samples: lamps with a size, and the light from all around.
+// The scene's lights as what a traced ray samples: lights with a size, and the light from all around.
 #pragma once
 
 #include <glm/glm.hpp>

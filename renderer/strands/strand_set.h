@@ -23,7 +23,7 @@ struct StrandRoot {
   float wetness = 0;          // painted beyond the coat's own, [0, 1]
 };
 
-/// Linear colour in 4 octets, 10 bits a channel over [0, 4] by their square roots.
+/// Linear colour in 4 bytes, 10 bits a channel over [0, 4] by their square roots.
 std::uint32_t pack_colour(glm::vec3 colour);
 glm::vec3 unpack_colour(std::uint32_t packed);
 

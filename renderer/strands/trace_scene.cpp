@@ -32,7 +32,7 @@ TraceScene::TraceScene(const FurFrame& frame, BasePicture base, const StrandShad
       shading_(shading),
       self_shadow_(strand_depth * static_cast<float>(frame.look.self_shadow)) {
   float light = lights_.mean_environment();
-  for (const FurLight& lamp : frame.lights) light += luminance(lamp.radiance);
+  for (const FurLight& light : frame.lights) light += luminance(light.radiance);
   brightest_ = brightest_over_light * std::max(light, 1e-6f);
 }
 

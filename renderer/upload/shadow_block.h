@@ -26,7 +26,7 @@ struct ShadowBlock {
   std::array<glm::mat4, 8> to_light{};
   std::array<glm::vec4, 8> axis{};
   // Slot of the layer maps or -1; slot of the depth map or -1; the cast shadow's edge: 0 hard, 1 soft, 2 a penumbra; the
-  // soft one's scale, the penumbra's half width over the distance to what casts it times that to the lamp, -1 for none.
+  // soft one's scale, the penumbra's half width over the distance to what casts it times that to the light, -1 for none.
   std::array<glm::vec4, 8> slots{};
 };
 static_assert(sizeof(ShadowBlock) == 8 * (64 + 16 + 16));

@@ -24,7 +24,7 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty);
 
-/// The picture as a file of the asked format; the same picture gives the same octets. EXR: the channels are R, G, B and A
+/// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and A
 /// of beauty, A of alpha, Z of depth, and LAYER.X, .Y, .Z (position, normal, tangent), LAYER.R, .G, .B (albedo, direct)
 /// or LAYER.Y (shadow, layer_count) of the others. `png` remembers pictures of 8 bits.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,

@@ -43,7 +43,7 @@ struct DrawnFrame {
 };
 
 /// What tracing needs of the render thread; null when that is stopping.
-using Errand = std::function<void(Renderer*)>;
+using Task = std::function<void(Renderer*)>;
 
 constexpr int most_restarts = 2;  // of a frame whose scene changed meanwhile
 
@@ -78,7 +78,7 @@ struct FrameService::Impl {
   std::mutex mutex;
   std::condition_variable wake;
   ShortestFirst<std::unique_ptr<Job>> jobs;
-  std::deque<Errand> errands;  // after all jobs
+  std::deque<Task> tasks;  // after all jobs
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
   std::string description;
@@ -107,7 +107,7 @@ struct FrameService::Impl {
   void add(std::unique_ptr<Job> job);
   /// Runs `work` on the render thread and waits for it.
   template <class T>
-  Result<T> run_errand(const std::function<Result<T>(Renderer&)>& work);
+  Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
 };
 
 void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>& started) {
@@ -125,24 +125,24 @@ void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>&
 void FrameService::Impl::serve(Renderer& renderer) {
   for (;;) {
     std::optional<ShortestFirst<std::unique_ptr<Job>>::Taken> job;
-    Errand errand;
+    Task task;
     {
       std::unique_lock lock(mutex);
-      wake.wait(lock, [&] { return stopping || !jobs.empty() || !errands.empty() || !forgotten.empty(); });
+      wake.wait(lock, [&] { return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty(); });
       for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model);
       if (stopping) break;
       job = jobs.take();
-      if (!job && !errands.empty()) {
-        errand = std::move(errands.front());
-        errands.pop_front();
+      if (!job && !tasks.empty()) {
+        task = std::move(tasks.front());
+        tasks.pop_front();
       }
     }
     if (job) finish(renderer, std::move(*job));
-    if (errand) errand(&renderer);
+    if (task) task(&renderer);
   }
   while (auto job = jobs.take()) job->job->answer.set_value(stopped());
-  for (const Errand& errand : errands) errand(nullptr);
-  errands.clear();
+  for (const Task& task : tasks) task(nullptr);
+  tasks.clear();
 }
 
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
@@ -233,13 +233,13 @@ std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, Job& j
 }
 
 template <class T>
-Result<T> FrameService::Impl::run_errand(const std::function<Result<T>(Renderer&)>& work) {
+Result<T> FrameService::Impl::run_task(const std::function<Result<T>(Renderer&)>& work) {
   std::promise<Result<T>> promise;
   std::future<Result<T>> answer = promise.get_future();
   {
     const std::lock_guard lock(mutex);
     if (stopping) return stopped();
-    errands.push_back([&](Renderer* renderer) { promise.set_value(renderer ? work(*renderer) : Result<T>(stopped())); });
+    tasks.push_back([&](Renderer* renderer) { promise.set_value(renderer ? work(*renderer) : Result<T>(stopped())); });
     wake.notify_one();
   }
   return answer.get();
@@ -295,7 +295,7 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   Result<DrawnFrame> drawn = answer.get();
   if (!drawn) return drawn.status();
   const Clock::time_point start = Clock::now();
-  FrameAnswer result{.octets = encode_frame(std::move(drawn->picture), request, drawn->placement, impl_->png),
+  FrameAnswer result{.bytes = encode_frame(std::move(drawn->picture), request, drawn->placement, impl_->png),
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
                      .knobs = drawn->knobs,
@@ -310,7 +310,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   const Result<std::optional<PastFields>> past = past_of(*scene, request);
   if (!past) return past.status();
   const Clock::time_point asked = Clock::now();
-  return impl_->run_errand<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
+  return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
     FrameTimings timings{.queue = milliseconds_since(asked)};
     const Clock::time_point start = Clock::now();
     Result<Shown> shown = show(renderer, *scene, request, *past, true, false);
@@ -331,7 +331,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   const Clock::time_point asked = Clock::now();
   Result<DrawnPicture> finished = DrawnPicture(picture.layers);
   if (request.format != FrameFormat::exr) {  // an EXR is light as it was traced
-    finished = impl_->run_errand<DrawnPicture>([&](Renderer& renderer) {
+    finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Clock::time_point start = Clock::now();
       Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.layers.front());
       impl_->count(milliseconds_since(start), shown ? Status{} : shown.status());
@@ -341,7 +341,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   if (!finished) return finished.status();
   timings.read += milliseconds_since(asked);
   const Clock::time_point start = Clock::now();
-  FrameAnswer answer{.octets = encode_frame(std::move(*finished), request, picture.placement, impl_->png),
+  FrameAnswer answer{.bytes = encode_frame(std::move(*finished), request, picture.placement, impl_->png),
                      .content_type = content_type_of(request.format),
                      .revision = picture.revision,
                      .knobs = knobs_of(picture),

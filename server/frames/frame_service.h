@@ -18,7 +18,7 @@
 namespace pelage {
 
 struct FrameAnswer {
-  std::string octets;
+  std::string bytes;
   const char* content_type = "";
   Revision revision = 0;
   Knobs knobs;  // as used

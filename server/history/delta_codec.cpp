@@ -23,18 +23,18 @@ void put_words(std::string& text, const std::vector<std::uint32_t>& words) {
   if (bytes > 0) std::memcpy(text.data() + size, words.data(), bytes);
 }
 
-/// Takes octets from the front; once something is missing, everything after fails too.
-class Octets {
+/// Takes bytes from the front; once something is missing, everything after fails too.
+class Bytes {
  public:
-  explicit Octets(std::span<const std::byte> octets) : left_(octets) {}
+  explicit Bytes(std::span<const std::byte> bytes) : left_(bytes) {}
 
   std::uint64_t number() {
     std::uint64_t value = 0;
     for (int shift = 0; shift < 64 && !left_.empty(); shift += 7) {
-      const auto octet = std::to_integer<std::uint64_t>(left_.front());
+      const auto byte = std::to_integer<std::uint64_t>(left_.front());
       left_ = left_.subspan(1);
-      value |= (octet & 0x7f) << shift;
-      if (octet < 0x80) return value;
+      value |= (byte & 0x7f) << shift;
+      if (byte < 0x80) return value;
     }
     good_ = false;
     return 0;
@@ -66,7 +66,7 @@ void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices)
 }
 
 /// False when a vertex would pass 32 bits.
-bool take_vertices(Octets& in, std::uint64_t count, std::vector<std::uint32_t>& vertices) {
+bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& vertices) {
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   std::uint64_t next = 0;
   for (std::uint64_t i = 0; i < count && in.good(); ++i) {
@@ -79,12 +79,12 @@ bool take_vertices(Octets& in, std::uint64_t count, std::vector<std::uint32_t>& 
   return true;
 }
 
-/// One field's change on one sheet; false when the octets hold none that could follow `before`.
-bool take_part(Octets& in, const FieldDelta& before, FieldDelta::Part& part) {
+/// One field's change on one sheet; false when the bytes hold none that could follow `before`.
+bool take_part(Bytes& in, const FieldDelta& before, FieldDelta::Part& part) {
   const std::uint64_t place = in.number(), count = in.number();
   const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet;
   if (field >= field_count || sheet >= sheet_count) return false;
-  if (count == 0 || count > in.left()) return false;  // each vertex takes an octet or more
+  if (count == 0 || count > in.left()) return false;  // each vertex takes an byte or more
   part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet);
   if (!before.parts.empty() && !comes_before(before.parts.back(), part)) return false;
   if (!take_vertices(in, count, part.vertices)) return false;
@@ -106,8 +106,8 @@ std::string encode_delta(const FieldDelta& delta) {
   return text;
 }
 
-Result<FieldDelta> decode_delta(std::span<const std::byte> octets) {
-  Octets in(octets);
+Result<FieldDelta> decode_delta(std::span<const std::byte> bytes) {
+  Bytes in(bytes);
   FieldDelta delta;
   const std::uint64_t parts = in.number();
   bool good = in.good() && parts <= field_count * sheet_count;

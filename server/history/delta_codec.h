@@ -1,4 +1,4 @@
-// Changes of fields as octets, for the journal and the undo log. Little-endian.
+// Changes of fields as bytes, for the journal and the undo log. Little-endian.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 namespace pelage {
 
 /// For each field that changes: its number, the count, the gaps between vertices as variable-length numbers, then the
-/// flips as 32-bit words. A combed vertex takes 9 to 11 octets.
+/// flips as 32-bit words. A combed vertex takes 9 to 11 bytes.
 std::string encode_delta(const FieldDelta& delta);
 
-/// Refused (internal) unless the octets are a whole delta of rising fields and vertices.
-Result<FieldDelta> decode_delta(std::span<const std::byte> octets);
+/// Refused (internal) unless the bytes are a whole delta of rising fields and vertices.
+Result<FieldDelta> decode_delta(std::span<const std::byte> bytes);
 
 }  // namespace pelage

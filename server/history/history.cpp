@@ -120,8 +120,8 @@ History::History(Revision first, SceneSettings settings, UndoMemory memory)
 
 // Also right for a step whose parts were joined after other entries: those turned over twice in between.
 Result<FieldDelta> History::change(const Step& step) const {
-  if (step.octets.empty()) return memory_.read(first_ + step.before, first_ + step.after);
-  return decode_delta(std::as_bytes(std::span(step.octets)));
+  if (step.bytes.empty()) return memory_.read(first_ + step.before, first_ + step.after);
+  return decode_delta(std::as_bytes(std::span(step.bytes)));
 }
 
 Result<FieldDelta> History::change_of_last(const std::vector<Step>& steps, std::uint64_t count) const {
@@ -145,8 +145,8 @@ Result<FieldDelta> History::redo(std::uint64_t steps) const {
 }
 
 void History::drop(Step& step) noexcept {
-  held_bytes_ -= step.octets.size();
-  step.octets = {};
+  held_bytes_ -= step.bytes.size();
+  step.bytes = {};
 }
 
 /// The oldest steps give way first, and what is farthest to redo after all that can be undone.
@@ -226,7 +226,7 @@ History::Prepared History::prepare(std::span<const Entry> entries) {
     } else {
       step.reset();
     }
-    if (step) change.octets = encode_delta(*step), change.octets.shrink_to_fit();
+    if (step) change.bytes = encode_delta(*step), change.bytes.shrink_to_fit();
     prepared.changes_.push_back(std::move(change));
   }
   return prepared;
@@ -234,7 +234,7 @@ History::Prepared History::prepare(std::span<const Entry> entries) {
 
 /// None where only the journal has it.
 std::optional<FieldDelta> History::change_in_memory(const Step& step) const {
-  if (step.octets.empty()) return std::nullopt;
+  if (step.bytes.empty()) return std::nullopt;
   Result<FieldDelta> decoded = change(step);
   assert(decoded.ok());  // encode_delta wrote it
   return std::move(*decoded);
@@ -244,11 +244,11 @@ void History::record(const Entry& entry) { record(prepare(std::span(&entry, 1)))
 
 void History::record(Prepared prepared) noexcept {
   for (Prepared::Change& change : prepared.changes_) {
-    record_one(change.kind, change.argument, std::move(change.record), std::move(change.octets));
+    record_one(change.kind, change.argument, std::move(change.record), std::move(change.bytes));
   }
 }
 
-void History::record_one(EntryKind kind, std::uint64_t argument, Record record, std::string octets) noexcept {
+void History::record_one(EntryKind kind, std::uint64_t argument, Record record, std::string bytes) noexcept {
   const auto move_steps = [argument](std::vector<Step>& from, std::vector<Step>& to) {
     for (std::uint64_t i = 0; i < argument; ++i) {
       to.push_back(std::move(from.back()));
@@ -257,9 +257,9 @@ void History::record_one(EntryKind kind, std::uint64_t argument, Record record, 
   };
   switch (kind) {
     case EntryKind::command:
-    case EntryKind::revert: add_step(std::move(octets)); break;
+    case EntryKind::revert: add_step(std::move(bytes)); break;
     case EntryKind::join:
-    case EntryKind::replay: join_step(std::move(octets)); break;
+    case EntryKind::replay: join_step(std::move(bytes)); break;
     case EntryKind::undo: move_steps(done_, undone_); break;
     case EntryKind::redo: move_steps(undone_, done_); break;
   }
@@ -268,21 +268,21 @@ void History::record_one(EntryKind kind, std::uint64_t argument, Record record, 
 }
 
 /// A new step that leads from the last record to the next one; what could be redone is gone.
-void History::add_step(std::string octets) noexcept {
+void History::add_step(std::string bytes) noexcept {
   std::for_each(undone_.begin(), undone_.end(), [&](Step& step) { drop(step); });
   undone_.clear();
-  held_bytes_ += octets.size();
-  done_.push_back({std::move(octets), records_.size() - 1, records_.size()});
+  held_bytes_ += bytes.size();
+  done_.push_back({std::move(bytes), records_.size() - 1, records_.size()});
 }
 
-/// The last step leads on to the next record. Where its octets are gone, the journal has both parts.
-void History::join_step(std::string octets) noexcept {
+/// The last step leads on to the next record. Where its bytes are gone, the journal has both parts.
+void History::join_step(std::string bytes) noexcept {
   Step& step = done_.back();
   step.after = records_.size();
-  if (step.octets.empty()) return;
+  if (step.bytes.empty()) return;
   drop(step);
-  held_bytes_ += octets.size();
-  step.octets = std::move(octets);
+  held_bytes_ += bytes.size();
+  step.bytes = std::move(bytes);
 }
 
 std::vector<LogEntry> History::log() const {

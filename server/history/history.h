@@ -124,7 +124,7 @@ class History {
     std::shared_ptr<const SceneSettings> settings;
   };
   struct Step {
-    std::string octets;                 // encode_delta of what it changes; "" where only the journal has it
+    std::string bytes;                 // encode_delta of what it changes; "" where only the journal has it
     std::size_t before = 0, after = 0;  // records that describe the states
   };
 
@@ -134,18 +134,18 @@ class History {
   Result<FieldDelta> change(const Step& step) const;
   std::optional<FieldDelta> change_in_memory(const Step& step) const;
   Result<FieldDelta> change_of_last(const std::vector<Step>& steps, std::uint64_t count) const;
-  void add_step(std::string octets) noexcept;
-  void join_step(std::string octets) noexcept;
+  void add_step(std::string bytes) noexcept;
+  void join_step(std::string bytes) noexcept;
   void drop(Step& step) noexcept;
   void keep_to_budget() noexcept;
-  void record_one(EntryKind kind, std::uint64_t argument, Record record, std::string octets) noexcept;
+  void record_one(EntryKind kind, std::uint64_t argument, Record record, std::string bytes) noexcept;
 
   Revision first_;
   std::vector<Record> records_;
   std::vector<Step> done_, undone_;  // the last one is the next to undo or redo
   UndoMemory memory_;
   std::size_t held_bytes_ = 0;
-  std::size_t dropped_ = 0;  // as many of the oldest steps of done_ are known to be without octets
+  std::size_t dropped_ = 0;  // as many of the oldest steps of done_ are known to be without bytes
 };
 
 class History::Prepared {
@@ -159,7 +159,7 @@ class History::Prepared {
     EntryKind kind;
     std::uint64_t argument;
     Record record;
-    std::string octets;  // of the step as it will be; "" where the journal alone has it, and of undo and redo
+    std::string bytes;  // of the step as it will be; "" where the journal alone has it, and of undo and redo
   };
   std::vector<Change> changes_;
 };

@@ -34,7 +34,7 @@ constexpr const char* schema = R"(
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
     hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL,
     PRIMARY KEY(scene, revision));
-  CREATE TABLE pictures(name TEXT PRIMARY KEY, octets BLOB NOT NULL);
+  CREATE TABLE pictures(name TEXT PRIMARY KEY, bytes BLOB NOT NULL);
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
@@ -269,9 +269,9 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   });
 }
 
-Status Journal::add_picture(const std::string& name, const std::string& octets) {
+Status Journal::add_picture(const std::string& name, const std::string& bytes) {
   const std::lock_guard lock(mutex_);
-  return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(octets).run();
+  return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(bytes).run();
 }
 
 bool Journal::has_picture(const std::string& name) const {
@@ -282,12 +282,12 @@ bool Journal::has_picture(const std::string& name) const {
 
 Result<std::string> Journal::picture(const std::string& name) const {
   const std::lock_guard lock(mutex_);
-  Statement row = database_->prepare("SELECT octets FROM pictures WHERE name = ?");
+  Statement row = database_->prepare("SELECT bytes FROM pictures WHERE name = ?");
   const Result<bool> found = row.text(name).step();
   if (!found) return found.status();
   if (!*found) return damaged("a picture is missing");
-  const std::span<const std::byte> octets = row.blob_at(0);
-  return std::string(reinterpret_cast<const char*>(octets.data()), octets.size());
+  const std::span<const std::byte> bytes = row.blob_at(0);
+  return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
 Result<std::vector<std::string>> Journal::scene_ids() const {

@@ -61,7 +61,7 @@ class Journal {
 
   /// Keeps a picture (encode_raw_image, encode_map_picture) under its name, for as long as a scene's log names it. One
   /// that is known stays.
-  Status add_picture(const std::string& name, const std::string& octets);
+  Status add_picture(const std::string& name, const std::string& bytes);
   bool has_picture(const std::string& name) const;
   /// Fails (internal) when there is none of that name.
   Result<std::string> picture(const std::string& name) const;

@@ -30,11 +30,11 @@ std::string encode_refinements(const std::vector<ChosenTriangles>& refinements) 
   return text;
 }
 
-Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> octets) {
+Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> bytes) {
   const auto damaged = [] { return failure(Code::internal, "the stored refinements of a model are damaged"); };
-  if (octets.size() % sizeof(std::uint32_t) != 0) return damaged();
-  std::vector<std::uint32_t> words(octets.size() / sizeof(std::uint32_t));
-  if (!words.empty()) std::memcpy(words.data(), octets.data(), octets.size());
+  if (bytes.size() % sizeof(std::uint32_t) != 0) return damaged();
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
   std::vector<ChosenTriangles> refinements;
   std::span<const std::uint32_t> left(words);
   while (!left.empty()) {

@@ -1,4 +1,4 @@
-// Refinements of a model as octets, for the journal. Little-endian.
+// Refinements of a model as bytes, for the journal. Little-endian.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace pelage {
 /// For each refinement the count of its runs, then where each begins and ends, as 32-bit words.
 std::string encode_refinements(const std::vector<ChosenTriangles>& refinements);
 
-/// Refused (internal) unless the octets are whole refinements of rising runs.
-Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> octets);
+/// Refused (internal) unless the bytes are whole refinements of rising runs.
+Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> bytes);
 
 }  // namespace pelage

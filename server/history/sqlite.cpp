@@ -41,9 +41,9 @@ Statement& Statement::text(std::string_view value) {
   return *this;
 }
 
-Statement& Statement::blob(std::string_view octets) {
-  // No copy: the octets of a model are large, and outlive the statement.
-  if (statement_) keep(sqlite3_bind_blob64(statement_.get(), ++bound_, octets.data(), octets.size(), SQLITE_STATIC));
+Statement& Statement::blob(std::string_view bytes) {
+  // No copy: the bytes of a model are large, and outlive the statement.
+  if (statement_) keep(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_STATIC));
   return *this;
 }
 
@@ -76,9 +76,9 @@ std::string Statement::text_at(int column) const {
 }
 
 std::span<const std::byte> Statement::blob_at(int column) const {
-  const void* octets = sqlite3_column_blob(statement_.get(), column);
+  const void* bytes = sqlite3_column_blob(statement_.get(), column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
-  return {static_cast<const std::byte*>(octets), octets != nullptr ? size : 0};
+  return {static_cast<const std::byte*>(bytes), bytes != nullptr ? size : 0};
 }
 
 bool Statement::null_at(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }

@@ -23,7 +23,7 @@ class Statement {
 
   Statement& number(std::uint64_t value);
   Statement& text(std::string_view value);
-  Statement& blob(std::string_view octets);
+  Statement& blob(std::string_view bytes);
   Statement& null();
 
   /// True for a row, false at the end.
@@ -31,7 +31,7 @@ class Statement {
   /// Steps a statement that gives no rows.
   Status run();
 
-  // Columns of the row, from 0; texts and octets last until the next step.
+  // Columns of the row, from 0; texts and bytes last until the next step.
   std::uint64_t number_at(int column) const;
   std::string text_at(int column) const;
   std::span<const std::byte> blob_at(int column) const;

@@ -43,8 +43,8 @@ ClientSocket::ClientSocket(const httplib::Request& request) {
 }
 
 bool ClientSocket::gone() const {
-  char octet = 0;
-  return descriptor_ >= 0 && recv(descriptor_, &octet, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  char byte = 0;
+  return descriptor_ >= 0 && recv(descriptor_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
 }
 
 }  // namespace pelage

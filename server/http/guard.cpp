@@ -59,7 +59,7 @@ std::optional<Refusal> refused_framing(const Request& request) {
   const std::size_t lengths = request.get_header_value_count("Content-Length");
   if (lengths > 1) return refuse(400, Code::malformed, "There is more than one Content-Length.", "one");
   if (lengths == 1 && !content_length(request)) {
-    return refuse(400, Code::malformed, "Content-Length is no number of octets.", "digits");
+    return refuse(400, Code::malformed, "Content-Length is no number of bytes.", "digits");
   }
   if (request.get_header_value_count("Range") > 1 || request.ranges.size() > 1) {
     return refuse(416, Code::malformed, "Only one range can be asked for.", "one");
@@ -73,11 +73,11 @@ std::optional<Refusal> refused_body(const Request& request) {
   if (length == 0) return {};
   if (request.method == "PUT") {
     if (length > limits::model_bytes) {
-      return refuse(413, Code::too_large, fmt::format("The upload has {} octets.", length),
-                    fmt::format("at most {} octets", limits::model_bytes));
+      return refuse(413, Code::too_large, fmt::format("The upload has {} bytes.", length),
+                    fmt::format("at most {} bytes", limits::model_bytes));
     }
     if (type.starts_with("multipart/") || type.starts_with("application/x-www-form-urlencoded")) {
-      return refuse(415, Code::unsupported, "An upload comes as plain octets, not as a form.",
+      return refuse(415, Code::unsupported, "An upload comes as plain bytes, not as a form.",
                     "application/octet-stream");
     }
     return {};
@@ -86,8 +86,8 @@ std::optional<Refusal> refused_body(const Request& request) {
     return refuse(400, Code::malformed, "A " + request.method + " has no body.", "Content-Length 0");
   }
   if (length > patient_body_bytes) {
-    return refuse(413, Code::too_large, fmt::format("The body has {} octets.", length),
-                  fmt::format("at most {} octets", limits::command_body_bytes));
+    return refuse(413, Code::too_large, fmt::format("The body has {} bytes.", length),
+                  fmt::format("at most {} bytes", limits::command_body_bytes));
   }
   // Only JSON: pages of other sites can send forms and plain text without asking first.
   if (!type.empty() && !type.starts_with("application/json")) {
@@ -116,7 +116,7 @@ bool Guard::is_our_name(const std::string& host) const {
 bool Guard::has_token(const Request& request) const {
   const std::string given = request.get_header_value("Authorization");
   const std::string wanted = "Bearer " + token_;
-  // Every octet is looked at, so that the time does not tell how many were right.
+  // Every byte is looked at, so that the time does not tell how many were right.
   unsigned difference = given.size() == wanted.size() ? 0 : 1;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     difference |= static_cast<unsigned char>(wanted[i] ^ (i < given.size() ? given[i] : '\0'));

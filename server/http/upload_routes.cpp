@@ -14,76 +14,76 @@ namespace {
 
 using httplib::Request;
 using httplib::Response;
-using Octets = std::span<const std::byte>;
+using Bytes = std::span<const std::byte>;
 
-void load_model(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+void load_model(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   const auto options = decode_import_query(query_of(request));
   if (!options) return reply_problem(response, options.status());
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
   const std::uint64_t old_model = model_id_of(scene);
-  const auto summary = service.scenes.load_model(scene, *options, octets, {.if_match = *if_match});
+  const auto summary = service.scenes.load_model(scene, *options, bytes, {.if_match = *if_match});
   if (!summary) return reply_problem(response, summary.status());
   service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);
 }
 
-void load_environment(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+void load_environment(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   const auto how = decode_environment_query(query_of(request));
   if (!how) return reply_problem(response, how.status());
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_environment(scene, *how, octets, {.if_match = *if_match});
+  const auto answer = service.scenes.load_environment(scene, *how, bytes, {.if_match = *if_match});
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void load_base_picture(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+void load_base_picture(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_base_picture(scene, octets, {.if_match = *if_match});
+  const auto answer = service.scenes.load_base_picture(scene, bytes, {.if_match = *if_match});
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void load_map(Service& service, Scene& scene, const Request& request, Response& response, Octets octets) {
+void load_map(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   const auto how = decode_map_upload_query(map_query_of(request));
   if (!how) return reply_problem(response, how.status());
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_map(scene, *how, octets, {.if_match = *if_match});
+  const auto answer = service.scenes.load_map(scene, *how, bytes, {.if_match = *if_match});
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void keep_picture(Service& service, Scene&, const Request& request, Response& response, Octets octets) {
+void keep_picture(Service& service, Scene&, const Request& request, Response& response, Bytes bytes) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
-  const auto answer = service.scenes.keep_picture(octets);
+  const auto answer = service.scenes.keep_picture(bytes);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer));
 }
 
 /// One kind of upload.
 struct Kind {
-  std::size_t most_octets;
-  void (*use)(Service& service, Scene& scene, const Request& request, Response& response, Octets octets);
+  std::size_t most_bytes;
+  void (*use)(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes);
 };
 
-/// The whole body; a refusal leaves octets unread, so the connection has to end.
-Result<std::string> read_body(const Request& request, const httplib::ContentReader& read, std::size_t most_octets) {
+/// The whole body; a refusal leaves bytes unread, so the connection has to end.
+Result<std::string> read_body(const Request& request, const httplib::ContentReader& read, std::size_t most_bytes) {
   const auto length = request.get_header_value<std::uint64_t>("Content-Length");
-  if (length > most_octets) {
-    return failure(Code::too_large, fmt::format("The upload has {} octets.", length), "",
-                   fmt::format("at most {} octets", most_octets));
+  if (length > most_bytes) {
+    return failure(Code::too_large, fmt::format("The upload has {} bytes.", length), "",
+                   fmt::format("at most {} bytes", most_bytes));
   }
-  std::string octets;
+  std::string bytes;
   const bool whole = read([&](const char* data, std::size_t size) {
-    octets.append(data, size);
-    return octets.size() <= most_octets;
+    bytes.append(data, size);
+    return bytes.size() <= most_bytes;
   });
   if (!whole) return failure(Code::malformed, "The body ended before its Content-Length.");
-  return octets;
+  return bytes;
 }
 
 /// The body is read only once there is room for it.
@@ -94,13 +94,13 @@ void upload(Service& service, const Kind& kind, const Request& request, Response
     reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", "4 at a time"));
     return close_after(response);
   }
-  const Result<std::string> octets = read_body(request, read, kind.most_octets);
-  if (!octets) {
-    reply_problem(response, octets.status());
+  const Result<std::string> bytes = read_body(request, read, kind.most_bytes);
+  if (!bytes) {
+    reply_problem(response, bytes.status());
     return close_after(response);
   }
   with_scene(service, request, response, [&](const auto& scene) {
-    kind.use(service, *scene, request, response, std::as_bytes(std::span(*octets)));
+    kind.use(service, *scene, request, response, std::as_bytes(std::span(*bytes)));
   });
 }
 

@@ -143,7 +143,7 @@ class Conversation {
     shutdown(stream_.get(), SHUT_WR);
   }
 
-  /// Appends what is there, up to `most` octets in all; the rest is read and forgotten. Closes at the end.
+  /// Appends what is there, up to `most` bytes in all; the rest is read and forgotten. Closes at the end.
   static void receive(Descriptor& from, std::string& to, std::size_t most) {
     std::array<char, 65536> buffer;
     const ssize_t count = recv(from.get(), buffer.data(), buffer.size(), MSG_DONTWAIT);

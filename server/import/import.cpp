@@ -41,7 +41,7 @@ std::string seconds_text(double seconds) {
 Status outcome(const std::string& subject, const ChildResult& result, const ImportLimits& limits) {
   if (result.timed_out) return refusal(subject, "it takes longer than " + seconds_text(limits.seconds) + " s.");
   if (result.too_long) {
-    return refusal(subject, "it becomes larger than " + std::to_string(limits.answer_bytes) + " octets in memory.");
+    return refusal(subject, "it becomes larger than " + std::to_string(limits.answer_bytes) + " bytes in memory.");
   }
   if (result.signal != 0) return refusal(subject, reason_of_signal(result.signal));
   switch (result.exit_code) {
@@ -56,19 +56,19 @@ Status outcome(const std::string& subject, const ChildResult& result, const Impo
 
 /// The worker's answer.
 Result<std::string> run_worker(const std::string& worker, const char* job, const std::string& subject,
-                               std::span<const std::byte> octets, const ImportLimits& limits) {
+                               std::span<const std::byte> bytes, const ImportLimits& limits) {
   const std::vector<std::string> arguments = {worker, job, std::to_string(limits.seconds),
                                               std::to_string(limits.memory_bytes)};
-  Result<ChildResult> result = run_child(arguments, octets, {limits.seconds, limits.answer_bytes});
+  Result<ChildResult> result = run_child(arguments, bytes, {limits.seconds, limits.answer_bytes});
   if (!result.ok()) return result.status();
   if (Status status = outcome(subject, *result, limits); !status.ok()) return status;
   return std::move(result->answer);
 }
 
-Status check_picture_bytes(std::span<const std::byte> octets) {
-  if (octets.size() <= limits::picture_bytes) return {};
+Status check_picture_bytes(std::span<const std::byte> bytes) {
+  if (bytes.size() <= limits::picture_bytes) return {};
   return failure(Code::too_large, "The picture is too large.", "",
-                 "at most " + std::to_string(limits::picture_bytes) + " octets");
+                 "at most " + std::to_string(limits::picture_bytes) + " bytes");
 }
 
 }  // namespace
@@ -78,37 +78,37 @@ std::string program_folder() {
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
-Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> octets,
+Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
                               const ImportLimits& limits) {
-  if (octets.size() > limits::model_bytes) {
-    return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " octets");
+  if (bytes.size() > limits::model_bytes) {
+    return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " bytes");
   }
   const char* job = worker_format_names[static_cast<std::size_t>(format)];
-  const Result<std::string> answer = run_worker(worker, job, "model", octets, limits);
+  const Result<std::string> answer = run_worker(worker, job, "model", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_raw_model(std::as_bytes(std::span(*answer)));
 }
 
-Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> octets,
+Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> bytes,
                                               const ImportLimits& limits) {
-  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
-  const Result<std::string> answer = run_worker(worker, worker_environment, "environment", octets, limits);
+  if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_environment, "environment", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_harmonics(std::as_bytes(std::span(*answer)));
 }
 
-Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> octets,
+Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> bytes,
                                 const ImportLimits& limits) {
-  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
-  const Result<std::string> answer = run_worker(worker, worker_picture, "picture", octets, limits);
+  if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_picture, "picture", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_raw_image(std::as_bytes(std::span(*answer)));
 }
 
-Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> octets,
+Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> bytes,
                               const ImportLimits& limits) {
-  if (Status status = check_picture_bytes(octets); !status.ok()) return status;
-  const Result<std::string> answer = run_worker(worker, worker_map, "picture", octets, limits);
+  if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
+  const Result<std::string> answer = run_worker(worker, worker_map, "picture", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_map_picture(std::as_bytes(std::span(*answer)));
 }

@@ -20,29 +20,29 @@ struct ImportLimits {
 /// The folder that holds this program, where its workers lie too.
 std::string program_folder();
 
-/// Runs `worker` (path of pelage-import), sends it `octets`, reads and validates its answer. A worker that crashes,
+/// Runs `worker` (path of pelage-import), sends it `bytes`, reads and validates its answer. A worker that crashes,
 /// runs over a limit or answers nonsense gives a Status (invalid) that says so; the caller lives on.
-Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> octets,
+Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
                               const ImportLimits& limits = {});
 
 /// The same for a picture of all directions (EXR or HDR; renderer/light/equirectangular.h): the light that it stands
 /// for.
-Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> octets,
+Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> bytes,
                                               const ImportLimits& limits = {});
 
 /// The same for a picture that is laid on a model (PNG or JPEG).
-Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> octets,
+Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> bytes,
                                 const ImportLimits& limits = {});
 
 /// The worker's wire format, also what the journal stores. decode checks every count and index. Native byte order.
 std::string encode_raw_model(const RawModel& model);
-Result<RawModel> decode_raw_model(std::span<const std::byte> octets);
+Result<RawModel> decode_raw_model(std::span<const std::byte> bytes);
 
 /// The worker's answers for pictures; decoding refuses (invalid) numbers beyond limits::harmonic, sizes beyond
-/// limits::picture_pixels and octets that do not fit them.
+/// limits::picture_pixels and bytes that do not fit them.
 std::string encode_harmonics(const SphericalHarmonics& harmonics);
-Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> octets);
+Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> bytes);
 std::string encode_raw_image(const RawImage& image);
-Result<RawImage> decode_raw_image(std::span<const std::byte> octets);
+Result<RawImage> decode_raw_image(std::span<const std::byte> bytes);
 
 }  // namespace pelage

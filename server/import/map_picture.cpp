@@ -20,18 +20,18 @@ struct Header {
 };
 
 template <class Sample>
-void append(std::string& octets, const std::vector<float>& rgba, float most) {
+void append(std::string& bytes, const std::vector<float>& rgba, float most) {
   std::vector<Sample> samples;
   samples.reserve(rgba.size());
   for (const float value : rgba) samples.push_back(static_cast<Sample>(std::lround(value * most)));
-  octets.append(reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(Sample));
+  bytes.append(reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(Sample));
 }
 
 template <class Sample>
-void take(std::span<const std::byte> octets, std::vector<float>& rgba, float most) {
+void take(std::span<const std::byte> bytes, std::vector<float>& rgba, float most) {
   for (std::size_t i = 0; i < rgba.size(); ++i) {
     Sample sample;
-    std::memcpy(&sample, octets.data() + i * sizeof sample, sizeof sample);
+    std::memcpy(&sample, bytes.data() + i * sizeof sample, sizeof sample);
     rgba[i] = static_cast<float>(sample) / most;
   }
 }
@@ -43,10 +43,10 @@ bool is_good(const Header& header) {
          std::isfinite(header.scale) && header.scale >= 0;
 }
 
-Status misfit() { return failure(Code::invalid, "The octets are no picture of a map."); }
+Status misfit() { return failure(Code::invalid, "The bytes are no picture of a map."); }
 
-Result<MapPicture> from_raw_image(std::span<const std::byte> octets) {
-  const Result<RawImage> image = decode_raw_image(octets);
+Result<MapPicture> from_raw_image(std::span<const std::byte> bytes) {
+  const Result<RawImage> image = decode_raw_image(bytes);
   if (!image) return misfit();
   MapPicture picture{image->width, image->height, 8, {}, {}};
   picture.rgba.reserve(image->rgba.size());
@@ -58,34 +58,34 @@ Result<MapPicture> from_raw_image(std::span<const std::byte> octets) {
 
 std::string encode_map_picture(const MapPicture& picture) {
   const Header header{signature, picture.width, picture.height, picture.bits, 0, picture.scale.value_or(0)};
-  std::string octets(reinterpret_cast<const char*>(&header), sizeof header);
-  octets.reserve(sizeof header + picture.rgba.size() * static_cast<std::size_t>(picture.bits) / 8);
+  std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
+  bytes.reserve(sizeof header + picture.rgba.size() * static_cast<std::size_t>(picture.bits) / 8);
   if (picture.bits == 8)
-    append<std::uint8_t>(octets, picture.rgba, 255);
+    append<std::uint8_t>(bytes, picture.rgba, 255);
   else if (picture.bits == 16)
-    append<std::uint16_t>(octets, picture.rgba, 65535);
+    append<std::uint16_t>(bytes, picture.rgba, 65535);
   else
-    octets.append(reinterpret_cast<const char*>(picture.rgba.data()), picture.rgba.size() * sizeof(float));
-  return octets;
+    bytes.append(reinterpret_cast<const char*>(picture.rgba.data()), picture.rgba.size() * sizeof(float));
+  return bytes;
 }
 
-Result<MapPicture> decode_map_picture(std::span<const std::byte> octets) {
+Result<MapPicture> decode_map_picture(std::span<const std::byte> bytes) {
   Header header{0};
-  if (octets.size() >= sizeof header) std::memcpy(&header, octets.data(), sizeof header);
-  if (header.mark != signature) return from_raw_image(octets);
+  if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.mark != signature) return from_raw_image(bytes);
   if (!is_good(header)) return misfit();
   const std::size_t samples = 4 * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
   const auto sample_bytes = static_cast<std::size_t>(header.bits) / 8;
-  octets = octets.subspan(sizeof header);
-  if (octets.size() != samples * sample_bytes) return misfit();
+  bytes = bytes.subspan(sizeof header);
+  if (bytes.size() != samples * sample_bytes) return misfit();
   MapPicture picture{header.width, header.height, header.bits, {}, std::vector<float>(samples)};
   if (header.scale > 0) picture.scale = header.scale;
   if (header.bits == 8)
-    take<std::uint8_t>(octets, picture.rgba, 255);
+    take<std::uint8_t>(bytes, picture.rgba, 255);
   else if (header.bits == 16)
-    take<std::uint16_t>(octets, picture.rgba, 65535);
+    take<std::uint16_t>(bytes, picture.rgba, 65535);
   else
-    std::memcpy(picture.rgba.data(), octets.data(), octets.size());
+    std::memcpy(picture.rgba.data(), bytes.data(), bytes.size());
   for (const float value : picture.rgba) {
     if (!std::isfinite(value)) return misfit();
   }

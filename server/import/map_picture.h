@@ -24,11 +24,11 @@ struct MapPicture {
 
 /// The picture of a PNG, JPEG, EXR or HDR, read by the worker; refused as import_picture, and (invalid, with the count)
 /// where numbers are NaN or infinite.
-Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> octets,
+Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> bytes,
                               const ImportLimits& limits = {});
 
 /// The worker's answer, also what the journal stores: 8 and 16 bits take as much. Decoding takes encode_raw_image too.
 std::string encode_map_picture(const MapPicture& picture);
-Result<MapPicture> decode_map_picture(std::span<const std::byte> octets);
+Result<MapPicture> decode_map_picture(std::span<const std::byte> bytes);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// The worker's answers for pictures: nine vectors of doubles, or width, height and octets. Native byte order.
+// The worker's answers for pictures: nine vectors of doubles, or width, height and bytes. Native byte order.
 #include <cmath>
 #include <cstring>
 
@@ -23,10 +23,10 @@ std::string encode_harmonics(const SphericalHarmonics& harmonics) {
   return {reinterpret_cast<const char*>(harmonics.data()), sizeof harmonics};
 }
 
-Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> octets) {
+Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> bytes) {
   SphericalHarmonics harmonics{};
-  if (octets.size() != sizeof harmonics) return failure(Code::invalid, "The octets are no spherical harmonics.");
-  std::memcpy(harmonics.data(), octets.data(), octets.size());
+  if (bytes.size() != sizeof harmonics) return failure(Code::invalid, "The bytes are no spherical harmonics.");
+  std::memcpy(harmonics.data(), bytes.data(), bytes.size());
   for (const glm::dvec3& v : harmonics) {
     if (!is_harmonic(v.x) || !is_harmonic(v.y) || !is_harmonic(v.z)) {
       return failure(Code::invalid, "A spherical harmonic is out of range.");
@@ -37,20 +37,20 @@ Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> octets) {
 
 std::string encode_raw_image(const RawImage& image) {
   const Sides sides{image.width, image.height};
-  std::string octets(reinterpret_cast<const char*>(&sides), sizeof sides);
-  return octets.append(reinterpret_cast<const char*>(image.rgba.data()), image.rgba.size());
+  std::string bytes(reinterpret_cast<const char*>(&sides), sizeof sides);
+  return bytes.append(reinterpret_cast<const char*>(image.rgba.data()), image.rgba.size());
 }
 
-Result<RawImage> decode_raw_image(std::span<const std::byte> octets) {
+Result<RawImage> decode_raw_image(std::span<const std::byte> bytes) {
   Sides sides;
-  if (octets.size() >= sizeof sides) std::memcpy(&sides, octets.data(), sizeof sides);
+  if (bytes.size() >= sizeof sides) std::memcpy(&sides, bytes.data(), sizeof sides);
   if (!is_side(sides.width) || !is_side(sides.height)) {
     return failure(Code::invalid, "The sides of the picture are out of range.");
   }
   const auto pixels = static_cast<std::size_t>(sides.width) * static_cast<std::size_t>(sides.height);
-  if (octets.size() != sizeof sides + 4 * pixels) return failure(Code::invalid, "The picture's octets do not fit it.");
+  if (bytes.size() != sizeof sides + 4 * pixels) return failure(Code::invalid, "The picture's bytes do not fit it.");
   RawImage image{sides.width, sides.height, std::vector<std::uint8_t>(4 * pixels)};
-  std::memcpy(image.rgba.data(), octets.data() + sizeof sides, image.rgba.size());
+  std::memcpy(image.rgba.data(), bytes.data() + sizeof sides, image.rgba.size());
   return image;
 }
 

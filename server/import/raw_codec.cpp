@@ -17,26 +17,26 @@ class Writer {
   template <class T>
   void value(const T& v) {
     static_assert(std::is_trivially_copyable_v<T>);
-    octets_.append(reinterpret_cast<const char*>(&v), sizeof v);
+    bytes_.append(reinterpret_cast<const char*>(&v), sizeof v);
   }
 
   template <class T>
   void array(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     value(static_cast<std::uint64_t>(values.size()));
-    octets_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
 
-  std::string take() { return std::move(octets_); }
+  std::string take() { return std::move(bytes_); }
 
  private:
-  std::string octets_;
+  std::string bytes_;
 };
 
 /// After the first value that is not there, everything reads as zero or empty and ok() is false.
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> octets) : left_(octets) {}
+  explicit Reader(std::span<const std::byte> bytes) : left_(bytes) {}
 
   template <class T>
   T value() {
@@ -152,10 +152,10 @@ std::string encode_raw_model(const RawModel& model) {
   return out.take();
 }
 
-Result<RawModel> decode_raw_model(std::span<const std::byte> octets) {
-  Reader in(octets);
+Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
+  Reader in(bytes);
   const bool is_ours = in.value<std::uint64_t>() == signature;
-  if (!is_ours) return failure(Code::invalid, "The octets are no raw model.");
+  if (!is_ours) return failure(Code::invalid, "The bytes are no raw model.");
   RawModel model = read_model(in);
   if (!in.at_end()) return failure(Code::invalid, "The raw model is cut off, or counts more than it holds.");
   if (!counts_agree(model)) return failure(Code::invalid, "The counts of the raw model do not agree.");

@@ -67,8 +67,8 @@ Result<int> MaterialReader::read_image(const char* path) {
   if (!texture) return -1;
   if (const auto known = images_.find(texture); known != images_.end()) return known->second;
   if (texture->mHeight != 0) return broken("a picture inside it is stored in an unknown way.");
-  const std::span octets(reinterpret_cast<const std::byte*>(texture->pcData), texture->mWidth);
-  Result<Image> image = decode_image(octets, most_pixels);
+  const std::span bytes(reinterpret_cast<const std::byte*>(texture->pcData), texture->mWidth);
+  Result<Image> image = decode_image(bytes, most_pixels);
   if (!image.ok()) return image.status();
   model_.images.push_back({image->width, image->height, std::move(image->rgba)});
   return images_.emplace(texture, static_cast<int>(model_.images.size()) - 1).first->second;

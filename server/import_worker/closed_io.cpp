@@ -9,38 +9,38 @@ namespace pelage {
 
 namespace {
 
-class OctetsStream : public Assimp::IOStream {
+class BytesStream : public Assimp::IOStream {
  public:
-  explicit OctetsStream(std::string_view octets) : octets_(octets) {}
+  explicit BytesStream(std::string_view bytes) : bytes_(bytes) {}
 
   std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
     if (size == 0) return 0;
-    const std::size_t whole = std::min(count, (octets_.size() - place_) / size);
-    if (whole > 0) std::memcpy(buffer, octets_.data() + place_, whole * size);
+    const std::size_t whole = std::min(count, (bytes_.size() - place_) / size);
+    if (whole > 0) std::memcpy(buffer, bytes_.data() + place_, whole * size);
     place_ += whole * size;
     return whole;
   }
   std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
   aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-    const std::size_t base = origin == aiOrigin_SET ? 0 : (origin == aiOrigin_CUR ? place_ : octets_.size());
+    const std::size_t base = origin == aiOrigin_SET ? 0 : (origin == aiOrigin_CUR ? place_ : bytes_.size());
     const std::size_t wanted = base + offset;  // wraps for a negative offset, and comes out right
-    if (wanted > octets_.size()) return aiReturn_FAILURE;
+    if (wanted > bytes_.size()) return aiReturn_FAILURE;
     place_ = wanted;
     return aiReturn_SUCCESS;
   }
   std::size_t Tell() const override { return place_; }
-  std::size_t FileSize() const override { return octets_.size(); }
+  std::size_t FileSize() const override { return bytes_.size(); }
   void Flush() override {}
 
  private:
-  std::string_view octets_;
+  std::string_view bytes_;
   std::size_t place_ = 0;
 };
 
 }  // namespace
 
 Assimp::IOStream* ClosedIo::Open(const char* file, const char* mode) {
-  if (name_ == file && std::string_view(mode).starts_with('r')) return new OctetsStream(octets_);
+  if (name_ == file && std::string_view(mode).starts_with('r')) return new BytesStream(bytes_);
   if (refused_.empty()) refused_ = file;
   return nullptr;
 }

@@ -1,4 +1,4 @@
-// The only files that assimp sees: the octets of the upload.
+// The only files that assimp sees: the bytes of the upload.
 #pragma once
 
 #include <assimp/IOSystem.hpp>
@@ -9,7 +9,7 @@ namespace pelage {
 /// Knows one file by its name; every other open, and every write, fails and is remembered.
 class ClosedIo : public Assimp::IOSystem {
  public:
-  ClosedIo(std::string name, const std::string& octets) : name_(std::move(name)), octets_(octets) {}
+  ClosedIo(std::string name, const std::string& bytes) : name_(std::move(name)), bytes_(bytes) {}
 
   bool Exists(const char* file) const override { return name_ == file; }
   char getOsSeparator() const override { return '/'; }
@@ -21,7 +21,7 @@ class ClosedIo : public Assimp::IOSystem {
 
  private:
   std::string name_;
-  const std::string& octets_;
+  const std::string& bytes_;
   std::string refused_;
 };
 

@@ -14,9 +14,9 @@ namespace {
 
 using nlohmann::json;
 
-std::uint32_t number_at(std::string_view octets, std::size_t place) {
+std::uint32_t number_at(std::string_view bytes, std::size_t place) {
   std::uint32_t number = 0;
-  std::memcpy(&number, octets.data() + place, sizeof number);  // little-endian, as this machine
+  std::memcpy(&number, bytes.data() + place, sizeof number);  // little-endian, as this machine
   return number;
 }
 
@@ -80,12 +80,12 @@ Status check_uris(const json& root) {
   return {};
 }
 
-Status check_buffers(const json& root, std::size_t binary_octets) {
+Status check_buffers(const json& root, std::size_t binary_bytes) {
   const json& buffers = list(root, "buffers");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     if (!text(buffers[i], "uri").empty()) continue;
     const std::int64_t size = index(buffers[i], "byteLength");
-    if (i > 0 || size < 0 || static_cast<std::uint64_t>(size) > binary_octets) {
+    if (i > 0 || size < 0 || static_cast<std::uint64_t>(size) > binary_bytes) {
       return broken("buffer " + std::to_string(i) + " has no data, or less than its byteLength.");
     }
   }
@@ -116,7 +116,7 @@ Status check_nodes(const json& root) {
   return reached.size() == nodes.size() ? Status() : broken("its node graph has a cycle.");
 }
 
-/// Assimp copies the octets of other types as if they were floats.
+/// Assimp copies the bytes of other types as if they were floats.
 Status check_attribute_types(const json& root) {
   constexpr std::int64_t float_type = 5126;
   const json& accessors = list(root, "accessors");
@@ -142,47 +142,47 @@ struct Chunk {
   std::string_view data;
 };
 
-/// Takes the next chunk off `octets`; false when it is cut off.
-bool take_chunk(std::string_view& octets, Chunk& chunk) {
+/// Takes the next chunk off `bytes`; false when it is cut off.
+bool take_chunk(std::string_view& bytes, Chunk& chunk) {
   constexpr std::size_t header = 8;
-  if (octets.size() < header) return false;
-  const std::uint32_t size = number_at(octets, 0);
-  chunk.type = number_at(octets, 4);
-  octets.remove_prefix(header);
-  if (size > octets.size()) return false;
-  chunk.data = octets.substr(0, size);
-  octets.remove_prefix(size);
+  if (bytes.size() < header) return false;
+  const std::uint32_t size = number_at(bytes, 0);
+  chunk.type = number_at(bytes, 4);
+  bytes.remove_prefix(header);
+  if (size > bytes.size()) return false;
+  chunk.data = bytes.substr(0, size);
+  bytes.remove_prefix(size);
   return true;
 }
 
 }  // namespace
 
-Status check_glb(std::string_view octets) {
+Status check_glb(std::string_view bytes) {
   constexpr std::size_t header = 12;
   constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
-  if (octets.size() < header || !octets.starts_with("glTF")) return broken("it does not begin with the GLB magic.");
-  if (number_at(octets, 4) != 2) return broken("its GLB version is not 2.");
-  if (number_at(octets, 8) != octets.size()) {
-    return broken("its header says " + std::to_string(number_at(octets, 8)) + " octets, but it has " +
-                  std::to_string(octets.size()) + "; it is cut off or broken.");
+  if (bytes.size() < header || !bytes.starts_with("glTF")) return broken("it does not begin with the GLB magic.");
+  if (number_at(bytes, 4) != 2) return broken("its GLB version is not 2.");
+  if (number_at(bytes, 8) != bytes.size()) {
+    return broken("its header says " + std::to_string(number_at(bytes, 8)) + " bytes, but it has " +
+                  std::to_string(bytes.size()) + "; it is cut off or broken.");
   }
-  octets.remove_prefix(header);
+  bytes.remove_prefix(header);
   Chunk document, binary;
-  if (!take_chunk(octets, document)) return broken("its first chunk is cut off.");
+  if (!take_chunk(bytes, document)) return broken("its first chunk is cut off.");
   if (document.type != json_type) return broken("its first chunk is not JSON.");
-  for (Chunk chunk; !octets.empty();) {
-    if (!take_chunk(octets, chunk)) return broken("a chunk is cut off.");
+  for (Chunk chunk; !bytes.empty();) {
+    if (!take_chunk(bytes, chunk)) return broken("a chunk is cut off.");
     if (chunk.type == binary_type && binary.data.empty()) binary = chunk;
   }
   return check_gltf(document.data, binary.data.size());
 }
 
-Status check_gltf(std::string_view document, std::size_t binary_octets) {
+Status check_gltf(std::string_view document, std::size_t binary_bytes) {
   const Result<json> root = parse_json(document);
   if (!root.ok()) return broken("its JSON is broken: " + printable(root.status().message));
   if (!root->is_object()) return broken("its JSON is no object.");
   for (const Status& status : {check_version(*root), check_extensions(*root), check_uris(*root),
-                               check_buffers(*root, binary_octets), check_nodes(*root), check_attribute_types(*root)}) {
+                               check_buffers(*root, binary_bytes), check_nodes(*root), check_attribute_types(*root)}) {
     if (!status.ok()) return status;
   }
   return {};

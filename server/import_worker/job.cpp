@@ -13,26 +13,26 @@ namespace pelage {
 namespace {
 
 template <ModelFormat format>
-Result<std::string> read_model(std::string octets) {
-  const Result<RawModel> model = parse_model(format, std::move(octets));
+Result<std::string> read_model(std::string bytes) {
+  const Result<RawModel> model = parse_model(format, std::move(bytes));
   if (!model.ok()) return model.status();
   return encode_raw_model(*model);
 }
 
-Result<std::string> read_light(std::string octets) {
-  const Result<SphericalHarmonics> harmonics = read_environment(octets);
+Result<std::string> read_light(std::string bytes) {
+  const Result<SphericalHarmonics> harmonics = read_environment(bytes);
   if (!harmonics.ok()) return harmonics.status();
   return encode_harmonics(*harmonics);
 }
 
-Result<std::string> read_data(std::string octets) {
-  const Result<MapPicture> picture = read_map_picture(octets);
+Result<std::string> read_data(std::string bytes) {
+  const Result<MapPicture> picture = read_map_picture(bytes);
   if (!picture.ok()) return picture.status();
   return encode_map_picture(*picture);
 }
 
-Result<std::string> read_base(std::string octets) {
-  const Result<RawImage> image = read_base_picture(octets);
+Result<std::string> read_base(std::string bytes) {
+  const Result<RawImage> image = read_base_picture(bytes);
   if (!image.ok()) return image.status();
   return encode_raw_image(*image);
 }

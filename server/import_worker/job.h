@@ -8,8 +8,8 @@
 
 namespace pelage {
 
-/// From the octets of a file to the octets of the answer. Refused (invalid) with the reason.
-using Job = Result<std::string> (*)(std::string octets);
+/// From the bytes of a file to the bytes of the answer. Refused (invalid) with the reason.
+using Job = Result<std::string> (*)(std::string bytes);
 
 /// The job of that name (server/import/worker_contract.h); null when there is none.
 Job job_of(std::string_view name);

@@ -17,21 +17,21 @@ namespace {
 
 using namespace pelage;
 
-bool read_all(std::string& octets) {
+bool read_all(std::string& bytes) {
   static char buffer[1 << 16];
   for (;;) {
     const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
     if (count == 0) return true;
     if (count < 0 && errno != EINTR) return false;
-    if (count > 0) octets.append(buffer, static_cast<std::size_t>(count));
+    if (count > 0) bytes.append(buffer, static_cast<std::size_t>(count));
   }
 }
 
-bool write_all(int stream, std::string_view octets) {
-  while (!octets.empty()) {
-    const ssize_t count = write(stream, octets.data(), octets.size());
+bool write_all(int stream, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(stream, bytes.data(), bytes.size());
     if (count < 0 && errno != EINTR) return false;
-    if (count > 0) octets.remove_prefix(static_cast<std::size_t>(count));
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
 }
@@ -45,9 +45,9 @@ int complain(std::string message, int code) {
 }
 
 int convert(Job job) {
-  std::string octets;
-  if (!read_all(octets)) return complain("The input cannot be read.", worker_exit::bad_input);
-  const Result<std::string> answer = job(std::move(octets));
+  std::string bytes;
+  if (!read_all(bytes)) return complain("The input cannot be read.", worker_exit::bad_input);
+  const Result<std::string> answer = job(std::move(bytes));
   if (!answer.ok()) return complain(answer.status().message, worker_exit::bad_input);
   return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
 }

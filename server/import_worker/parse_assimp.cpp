@@ -118,19 +118,19 @@ class Collector {
 };
 
 /// The first chunk of a 3DS file spans all of it.
-Status check_3ds(std::string_view octets) {
-  if (octets.size() < 6 || !octets.starts_with("MM")) return broken("it does not begin as a 3DS file does.");
+Status check_3ds(std::string_view bytes) {
+  if (bytes.size() < 6 || !bytes.starts_with("MM")) return broken("it does not begin as a 3DS file does.");
   std::uint32_t size = 0;
-  std::memcpy(&size, octets.data() + 2, sizeof size);
-  if (size > octets.size()) return broken("it is cut off.");
+  std::memcpy(&size, bytes.data() + 2, sizeof size);
+  if (size > bytes.size()) return broken("it is cut off.");
   return {};
 }
 
-Status check(ModelFormat format, std::string_view octets) {
+Status check(ModelFormat format, std::string_view bytes) {
   switch (format) {
-    case ModelFormat::glb: return check_glb(octets);
-    case ModelFormat::gltf: return check_gltf(octets);
-    default: return check_3ds(octets);
+    case ModelFormat::glb: return check_glb(bytes);
+    case ModelFormat::gltf: return check_gltf(bytes);
+    default: return check_3ds(bytes);
   }
 }
 
@@ -142,10 +142,10 @@ Status refusal(const Assimp::Importer& importer, const ClosedIo& io) {
 
 }  // namespace
 
-Result<RawModel> parse_with_assimp(ModelFormat format, const std::string& octets) {
-  if (Status status = check(format, octets); !status.ok()) return status;
+Result<RawModel> parse_with_assimp(ModelFormat format, const std::string& bytes) {
+  if (Status status = check(format, bytes); !status.ok()) return status;
   const std::string name = std::string("model.") + worker_format_names[static_cast<std::size_t>(format)];
-  auto* io = new ClosedIo(name, octets);  // the importer deletes it
+  auto* io = new ClosedIo(name, bytes);  // the importer deletes it
   Assimp::Importer importer;
   importer.SetIOHandler(io);
   keep_only(importer, format == ModelFormat::tds ? "Discreet 3DS Importer" : "glTF2 Importer");

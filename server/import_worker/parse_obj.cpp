@@ -18,10 +18,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A stream over octets that somebody else owns.
-class OctetsBuffer : public std::streambuf {
+/// A stream over bytes that somebody else owns.
+class BytesBuffer : public std::streambuf {
  public:
-  explicit OctetsBuffer(std::string& octets) { setg(octets.data(), octets.data(), octets.data() + octets.size()); }
+  explicit BytesBuffer(std::string& bytes) { setg(bytes.data(), bytes.data(), bytes.data() + bytes.size()); }
 };
 
 /// A backslash at the end of a line joins the next one; so does a blank of the same length.
@@ -110,7 +110,7 @@ Result<RawModel> parse_obj(std::string text) {
   callbacks.vertex_cb = count_vertex;
   callbacks.texcoord_cb = add_texture;
   callbacks.index_cb = add_face;
-  OctetsBuffer buffer(text);
+  BytesBuffer buffer(text);
   std::istream stream(&buffer);
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &faces)) return broken("the OBJ text cannot be read.");
   if (model.corners.empty()) return broken("it has no faces.");

@@ -52,7 +52,7 @@ Result<Header> read_header(std::string_view& text) {
   if (line.find_first_not_of(" \t\v\f") == std::string_view::npos) line = take_full_line(text);
   header.vertices = to_index(take_word(line));
   header.faces = to_index(take_word(line));
-  // A vertex takes six octets or more, a face two.
+  // A vertex takes six bytes or more, a face two.
   if (header.vertices > text.size() / 6 + 1 || header.faces > text.size() / 2 + 1) {
     return broken("its counts are no numbers, or larger than what follows.");
   }
@@ -71,7 +71,7 @@ double take_number(std::string_view& line, bool& good) {
   return number.value_or(nan);
 }
 
-/// False when the line is not three numbers and what the header promises; colours are [0, 1] or octets.
+/// False when the line is not three numbers and what the header promises; colours are [0, 1] or bytes.
 bool read_vertex(std::string_view line, const Header& header, Vertex& vertex) {
   bool good = true;
   for (int i = 0; i < 3; ++i) vertex.position[i] = take_number(line, good);
@@ -79,8 +79,8 @@ bool read_vertex(std::string_view line, const Header& header, Vertex& vertex) {
   if (header.has_colour) {
     glm::vec3 colour(0);
     for (int i = 0; i < 3; ++i) colour[i] = static_cast<float>(take_number(line, good));
-    const bool octets = colour.x > 1 || colour.y > 1 || colour.z > 1;
-    vertex.colour = glm::vec4(srgb_to_linear(octets ? colour / 255.0f : colour), 1);
+    const bool bytes = colour.x > 1 || colour.y > 1 || colour.z > 1;
+    vertex.colour = glm::vec4(srgb_to_linear(bytes ? colour / 255.0f : colour), 1);
   }
   if (header.has_texture) {
     // An alpha may stand between the colour and the texture coordinates, so these are the last two.
@@ -110,8 +110,8 @@ bool read_face(std::string_view line, RawModel& model) {
 
 }  // namespace
 
-Result<RawModel> parse_off(const std::string& octets) {
-  std::string_view text = octets;
+Result<RawModel> parse_off(const std::string& bytes) {
+  std::string_view text = bytes;
   const Result<Header> header = read_header(text);
   if (!header.ok()) return header.status();
   RawModel model;

@@ -23,7 +23,7 @@ class Numbers {
 
   double next(PlyType type) { return encoding_ == PlyEncoding::text ? next_word() : next_binary(type); }
   bool ok() const { return ok_; }
-  std::size_t octets_left() const { return left_.size(); }
+  std::size_t bytes_left() const { return left_.size(); }
 
  private:
   double next_word() {
@@ -36,28 +36,28 @@ class Numbers {
     const std::size_t size = size_of(type);
     ok_ = ok_ && size <= left_.size();
     if (!ok_) return 0;
-    char octets[8];
-    std::memcpy(octets, left_.data(), size);
+    char bytes[8];
+    std::memcpy(bytes, left_.data(), size);
     left_.remove_prefix(size);
     const auto file_order = encoding_ == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
-    if (file_order != std::endian::native) std::reverse(octets, octets + size);
+    if (file_order != std::endian::native) std::reverse(bytes, bytes + size);
     switch (type) {
-      case PlyType::int8: return as<std::int8_t>(octets);
-      case PlyType::uint8: return as<std::uint8_t>(octets);
-      case PlyType::int16: return as<std::int16_t>(octets);
-      case PlyType::uint16: return as<std::uint16_t>(octets);
-      case PlyType::int32: return as<std::int32_t>(octets);
-      case PlyType::uint32: return as<std::uint32_t>(octets);
-      case PlyType::float32: return as<float>(octets);
-      case PlyType::float64: return as<double>(octets);
+      case PlyType::int8: return as<std::int8_t>(bytes);
+      case PlyType::uint8: return as<std::uint8_t>(bytes);
+      case PlyType::int16: return as<std::int16_t>(bytes);
+      case PlyType::uint16: return as<std::uint16_t>(bytes);
+      case PlyType::int32: return as<std::int32_t>(bytes);
+      case PlyType::uint32: return as<std::uint32_t>(bytes);
+      case PlyType::float32: return as<float>(bytes);
+      case PlyType::float64: return as<double>(bytes);
     }
     return 0;
   }
 
   template <class T>
-  static double as(const char* octets) {
+  static double as(const char* bytes) {
     T value;
-    std::memcpy(&value, octets, sizeof value);
+    std::memcpy(&value, bytes, sizeof value);
     return static_cast<double>(value);
   }
 
@@ -70,7 +70,7 @@ class Numbers {
 std::optional<std::size_t> take_count(Numbers& numbers, PlyType type) {
   const double count = numbers.next(type);
   const bool good =
-      numbers.ok() && count >= 0 && count <= static_cast<double>(numbers.octets_left()) && count == std::floor(count);
+      numbers.ok() && count >= 0 && count <= static_cast<double>(numbers.bytes_left()) && count == std::floor(count);
   return good ? std::optional(static_cast<std::size_t>(count)) : std::nullopt;
 }
 
@@ -193,8 +193,8 @@ class BodyReader {
 
 }  // namespace
 
-Result<RawModel> parse_ply(const std::string& octets) {
-  std::string_view body = octets;
+Result<RawModel> parse_ply(const std::string& bytes) {
+  std::string_view body = bytes;
   const Result<PlyHeader> header = take_ply_header(body);
   if (!header.ok()) return header.status();
   return BodyReader(body, *header).read();

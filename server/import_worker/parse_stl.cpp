@@ -11,24 +11,24 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is read as it lies in memory");
 
-constexpr std::size_t header_octets = 84, facet_octets = 50;
+constexpr std::size_t header_bytes = 84, facet_bytes = 50;
 
 void add_corner(RawModel& model, glm::dvec3 position) {
   model.corners.push_back(static_cast<std::uint32_t>(model.positions.size()));
   model.positions.push_back(position);
 }
 
-std::uint32_t facet_count(const std::string& octets) {
+std::uint32_t facet_count(const std::string& bytes) {
   std::uint32_t count = 0;
-  std::memcpy(&count, octets.data() + header_octets - sizeof count, sizeof count);
+  std::memcpy(&count, bytes.data() + header_bytes - sizeof count, sizeof count);
   return count;
 }
 
-Result<RawModel> parse_binary(const std::string& octets) {
-  const std::uint32_t count = facet_count(octets);
-  if (count > (octets.size() - header_octets) / facet_octets) {
+Result<RawModel> parse_binary(const std::string& bytes) {
+  const std::uint32_t count = facet_count(bytes);
+  if (count > (bytes.size() - header_bytes) / facet_bytes) {
     return broken("it counts " + std::to_string(count) + " triangles, but has only room for " +
-                  std::to_string((octets.size() - header_octets) / facet_octets) + "; it is cut off or broken.");
+                  std::to_string((bytes.size() - header_bytes) / facet_bytes) + "; it is cut off or broken.");
   }
   if (count == 0) return broken("it has no faces.");
   RawModel model;
@@ -36,7 +36,7 @@ Result<RawModel> parse_binary(const std::string& octets) {
   model.face_sizes.assign(count, 3);
   for (std::size_t facet = 0; facet < count; ++facet) {
     float numbers[12];  // the normal, then three corners
-    std::memcpy(numbers, octets.data() + header_octets + facet * facet_octets, sizeof numbers);
+    std::memcpy(numbers, bytes.data() + header_bytes + facet * facet_bytes, sizeof numbers);
     for (int k = 3; k < 12; k += 3) add_corner(model, {numbers[k], numbers[k + 1], numbers[k + 2]});
   }
   return model;
@@ -82,20 +82,20 @@ class TextReader {
 };
 
 /// A binary file may begin with "solid" too, so its size decides first.
-bool is_binary(const std::string& octets) {
-  if (octets.size() < header_octets) return false;
-  if (octets.size() == header_octets + std::size_t{facet_count(octets)} * facet_octets) return true;
-  std::string_view text = octets;
-  return take_word(text) != "solid" || octets.substr(0, 4096).find('\0') != std::string::npos;
+bool is_binary(const std::string& bytes) {
+  if (bytes.size() < header_bytes) return false;
+  if (bytes.size() == header_bytes + std::size_t{facet_count(bytes)} * facet_bytes) return true;
+  std::string_view text = bytes;
+  return take_word(text) != "solid" || bytes.substr(0, 4096).find('\0') != std::string::npos;
 }
 
 }  // namespace
 
-Result<RawModel> parse_stl(const std::string& octets) {
-  if (is_binary(octets)) return parse_binary(octets);
-  std::string_view text = octets;
+Result<RawModel> parse_stl(const std::string& bytes) {
+  if (is_binary(bytes)) return parse_binary(bytes);
+  std::string_view text = bytes;
   if (take_word(text) != "solid") return broken("it is neither a text nor a binary STL.");
-  return TextReader(octets).read();
+  return TextReader(bytes).read();
 }
 
 }  // namespace pelage

@@ -66,14 +66,14 @@ bool read_property(std::string_view line, PlyHeader& header) {
   return true;
 }
 
-/// Fewest octets that one element takes.
-std::size_t least_octets(const PlyElement& element, PlyEncoding encoding) {
-  std::size_t octets = 0;
+/// Fewest bytes that one element takes.
+std::size_t least_bytes(const PlyElement& element, PlyEncoding encoding) {
+  std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
     const std::size_t binary = size_of(property.is_list ? property.count_type : property.type);
-    octets += encoding == PlyEncoding::text ? 2 : binary;  // a digit and a blank
+    bytes += encoding == PlyEncoding::text ? 2 : binary;  // a digit and a blank
   }
-  return octets;
+  return bytes;
 }
 
 /// False for a line that is not understood.
@@ -97,16 +97,16 @@ std::size_t size_of(PlyType type) {
   return sizes[static_cast<std::size_t>(type)];
 }
 
-Result<PlyHeader> take_ply_header(std::string_view& octets) {
+Result<PlyHeader> take_ply_header(std::string_view& bytes) {
   constexpr std::size_t longest = 65536;
   PlyHeader header;
   bool has_format = false, first = true;
   for (std::size_t taken = 0;; first = false) {
-    const std::size_t end = octets.find('\n');
+    const std::size_t end = bytes.find('\n');
     taken += end;
     if (end == std::string_view::npos || taken > longest) return broken("its header does not end.");
-    std::string_view line = octets.substr(0, end);
-    octets.remove_prefix(end + 1);
+    std::string_view line = bytes.substr(0, end);
+    bytes.remove_prefix(end + 1);
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (first && line != "ply") return broken("it does not begin with ply.");
     if (line == "end_header") break;
@@ -114,8 +114,8 @@ Result<PlyHeader> take_ply_header(std::string_view& octets) {
   }
   if (!has_format) return broken("its header names no format.");
   for (const PlyElement& element : header.elements) {
-    const std::size_t least = least_octets(element, header.encoding);
-    if (least > 0 && element.count > octets.size() / least + 1) {
+    const std::size_t least = least_bytes(element, header.encoding);
+    if (least > 0 && element.count > bytes.size() / least + 1) {
       return broken("it counts " + std::to_string(element.count) + " of element " + element.name +
                     ", for which it has no room.");
     }

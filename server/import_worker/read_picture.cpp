@@ -33,9 +33,9 @@ std::optional<double> scale_of(const std::string& text) {
 
 }  // namespace
 
-Result<SphericalHarmonics> read_environment(const std::string& octets) {
+Result<SphericalHarmonics> read_environment(const std::string& bytes) {
   read_exr_without_threads();
-  const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(octets)), most_pixels);
+  const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), most_pixels);
   if (!image.ok()) return image.status();
   if (image->display_referred)
     return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
@@ -43,16 +43,16 @@ Result<SphericalHarmonics> read_environment(const std::string& octets) {
   return project_equirectangular(image->width, image->height, image->rgba);
 }
 
-Result<RawImage> read_base_picture(const std::string& octets) {
-  Result<Image> image = decode_image(std::as_bytes(std::span(octets)), most_pixels);
+Result<RawImage> read_base_picture(const std::string& bytes) {
+  Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), most_pixels);
   if (!image.ok()) return image.status();
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   return RawImage{image->width, image->height, std::move(image->rgba)};
 }
 
-Result<MapPicture> read_map_picture(const std::string& octets) {
+Result<MapPicture> read_map_picture(const std::string& bytes) {
   read_exr_without_threads();
-  Result<DataImage> image = decode_data_image(std::as_bytes(std::span(octets)), most_pixels, map_scale_text);
+  Result<DataImage> image = decode_data_image(std::as_bytes(std::span(bytes)), most_pixels, map_scale_text);
   if (!image.ok()) return image.status();
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   const auto broken_numbers =

@@ -44,9 +44,9 @@ Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings) cons
   const std::string& name = settings.base_picture;
   if (name == picture_.name) return picture_;
   if (name.empty()) return LaidPicture{};
-  const Result<std::string> octets = journal_.picture(name);
-  if (!octets) return octets.status();
-  Result<RawImage> image = decode_raw_image(std::as_bytes(std::span(*octets)));
+  const Result<std::string> bytes = journal_.picture(name);
+  if (!bytes) return bytes.status();
+  Result<RawImage> image = decode_raw_image(std::as_bytes(std::span(*bytes)));
   if (!image) return failure(Code::internal, "the journal is damaged: a picture cannot be read");
   return LaidPicture{std::make_shared<const RawImage>(std::move(*image)), name};
 }

@@ -42,9 +42,9 @@ Result<std::shared_ptr<const MapPicture>> BatchPictures::read(const std::string&
   if (!journal_.has_picture(name)) return unknown_picture(pointer);
   if (known_.size() == most)
     return failure(Code::invalid, "a batch reads too many pictures", pointer, std::to_string(most) + " different ones");
-  const Result<std::string> octets = journal_.picture(name);
-  if (!octets) return octets.status();
-  Result<MapPicture> picture = decode_map_picture(std::as_bytes(std::span(*octets)));
+  const Result<std::string> bytes = journal_.picture(name);
+  if (!bytes) return bytes.status();
+  Result<MapPicture> picture = decode_map_picture(std::as_bytes(std::span(*bytes)));
   if (!picture) return failure(Code::internal, "the journal is damaged: a picture cannot be read");
   return known_[name] = std::make_shared<const MapPicture>(std::move(*picture));
 }
@@ -62,17 +62,17 @@ Result<std::shared_ptr<const MapPicture>> BatchPictures::find(const Command& com
 
 Status check_base_picture(const std::string& name, const Journal& journal) {
   if (!journal.has_picture(name)) return unknown_picture("/picture");
-  const Result<std::string> octets = journal.picture(name);
-  if (!octets) return octets.status();
-  if (decode_raw_image(std::as_bytes(std::span(*octets)))) return {};
+  const Result<std::string> bytes = journal.picture(name);
+  if (!bytes) return bytes.status();
+  if (decode_raw_image(std::as_bytes(std::span(*bytes)))) return {};
   return failure(Code::invalid, "this picture was uploaded as data; upload it to base_picture", "/picture");
 }
 
-std::string name_of_picture(std::string_view octets) {
-  FieldsHash hash{octets.size(), ~octets.size()};
-  for (std::size_t at = 0; at < octets.size(); at += 8) {
+std::string name_of_picture(std::string_view bytes) {
+  FieldsHash hash{bytes.size(), ~bytes.size()};
+  for (std::size_t at = 0; at < bytes.size(); at += 8) {
     std::uint64_t word = 0;
-    std::memcpy(&word, octets.data() + at, std::min<std::size_t>(8, octets.size() - at));
+    std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
     hash.low = mix_bits(hash.low ^ word);
     hash.high = mix_bits(hash.high + mix_bits(~word));
   }

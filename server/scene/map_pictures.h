@@ -39,11 +39,11 @@ class BatchPictures {
 /// Refuses (invalid, "/picture") a name that is not known, or is that of a picture that was uploaded as data.
 Status check_base_picture(const std::string& name, const Journal& journal);
 
-/// 32 hex digits that follow from the octets alone, so that a log finds its picture on another server too.
-std::string name_of_picture(std::string_view octets);
+/// 32 hex digits that follow from the bytes alone, so that a log finds its picture on another server too.
+std::string name_of_picture(std::string_view bytes);
 
 struct MapFile {
-  std::string octets;
+  std::string bytes;
   const char* content_type = "image/png";
   MapAnswer answer;
 };

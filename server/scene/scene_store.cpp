@@ -79,7 +79,7 @@ struct SceneStore::Impl {
   }
 
   Status restore(const std::string& id);
-  Result<PictureAnswer> keep_map(std::span<const std::byte> octets);
+  Result<PictureAnswer> keep_map(std::span<const std::byte> bytes);
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -185,10 +185,10 @@ std::vector<SceneSummary> SceneStore::list() const {
 }
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
-                                            std::span<const std::byte> octets, const ExecuteOptions& execute) {
+                                            std::span<const std::byte> bytes, const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
   if (!slot.has()) return too_many_imports();
-  const Result<RawModel> raw = import_model(impl_->worker, options.format, octets);
+  const Result<RawModel> raw = import_model(impl_->worker, options.format, bytes);
   if (!raw) return raw.status();
   StoredModel how{name_of(options.format), options.up, options.front, raw->is_32_bit, {}, options.fur_patches};
   auto model = build_model(*raw, how, ++impl_->last_model);
@@ -236,37 +236,37 @@ Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Comman
   return scene.execute(commands, options);
 }
 
-Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
+Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> bytes,
                                                    const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
   if (!slot.has()) return too_many_imports();
-  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, octets);
+  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes);
   if (!harmonics) return harmonics.status();
   how.harmonics = *harmonics;
   return scene.execute({SetEnvironment{how}}, execute);
 }
 
-Result<CommandAnswer> SceneStore::load_base_picture(Scene& scene, std::span<const std::byte> octets,
+Result<CommandAnswer> SceneStore::load_base_picture(Scene& scene, std::span<const std::byte> bytes,
                                                     const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
   if (!slot.has()) return too_many_imports();
-  const Result<RawImage> picture = import_picture(impl_->worker, octets);
+  const Result<RawImage> picture = import_picture(impl_->worker, bytes);
   if (!picture) return picture.status();
   return lay_base_picture(scene, *picture, execute);
 }
 
 Result<CommandAnswer> SceneStore::lay_base_picture(Scene& scene, const RawImage& picture,
                                                    const ExecuteOptions& execute) {
-  const std::string octets = encode_raw_image(picture);
-  const std::string name = name_of_picture(octets);
-  if (Status kept = impl_->journal->add_picture(name, octets); !kept.ok()) return kept;
+  const std::string bytes = encode_raw_image(picture);
+  const std::string name = name_of_picture(bytes);
+  if (Status kept = impl_->journal->add_picture(name, bytes); !kept.ok()) return kept;
   return scene.execute({SetBasePicture{name}}, execute);
 }
 
-Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> octets) {
+Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> bytes) {
   const Slot slot(imports, imports_at_a_time);
   if (!slot.has()) return too_many_imports();
-  const Result<MapPicture> picture = import_map(worker, octets);
+  const Result<MapPicture> picture = import_map(worker, bytes);
   if (!picture) return picture.status();
   const std::string kept = encode_map_picture(*picture);
   PictureAnswer answer{name_of_picture(kept), picture->width, picture->height, picture->bits, picture->scale};
@@ -274,11 +274,11 @@ Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> octe
   return answer;
 }
 
-Result<PictureAnswer> SceneStore::keep_picture(std::span<const std::byte> octets) { return impl_->keep_map(octets); }
+Result<PictureAnswer> SceneStore::keep_picture(std::span<const std::byte> bytes) { return impl_->keep_map(bytes); }
 
-Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> octets,
+Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                            const ExecuteOptions& execute) {
-  const Result<PictureAnswer> picture = impl_->keep_map(octets);
+  const Result<PictureAnswer> picture = impl_->keep_map(bytes);
   if (!picture) return picture.status();
   ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
   command.scale = upload.scale.value_or(picture->scale.value_or(1));

@@ -31,9 +31,9 @@ class SceneStore {
   Status remove(const std::string& id);
   std::vector<SceneSummary> list() const;
 
-  /// Reads the octets through the worker and gives the model to the scene. At most two imports run at a time; more are
+  /// Reads the bytes through the worker and gives the model to the scene. At most two imports run at a time; more are
   /// refused (busy).
-  Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> octets,
+  Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
                                   const ExecuteOptions& execute = {});
 
   /// Finer triangles for the scene's model, as Scene::subdivide.
@@ -50,18 +50,18 @@ class SceneStore {
 
   /// Reads a picture of all directions through the worker and sets the scene's environment to `how` with its light: a
   /// set_environment with harmonics, which needs no picture when it is run again. Counts as an import.
-  Result<CommandAnswer> load_environment(Scene& scene, Environment how, std::span<const std::byte> octets,
+  Result<CommandAnswer> load_environment(Scene& scene, Environment how, std::span<const std::byte> bytes,
                                          const ExecuteOptions& execute = {});
 
   /// Reads a PNG or JPEG through the worker and lays it on the scene's model. Counts as an import.
-  Result<CommandAnswer> load_base_picture(Scene& scene, std::span<const std::byte> octets,
+  Result<CommandAnswer> load_base_picture(Scene& scene, std::span<const std::byte> bytes,
                                           const ExecuteOptions& execute = {});
   /// Keeps the picture and names it in a set_base_picture. Refused as that command is.
   Result<CommandAnswer> lay_base_picture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
   /// Keeps a picture of data for commands to name. One that no log names is gone after a restart.
-  Result<PictureAnswer> keep_picture(std::span<const std::byte> octets);
+  Result<PictureAnswer> keep_picture(std::span<const std::byte> bytes);
   /// The same, and reads a map from it with ApplyMap. Refused as that command is.
-  Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> octets,
+  Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                  const ExecuteOptions& execute = {});
 
  private:

@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-/// 8-bit sRGB colour with straight alpha, rows from the top, 4 * width * height octets.
+/// 8-bit sRGB colour with straight alpha, rows from the top, 4 * width * height bytes.
 struct RawImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;

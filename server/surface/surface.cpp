@@ -25,7 +25,7 @@ using Scene = std::unique_ptr<RTCSceneTy, Releaser<RTCScene, rtcReleaseScene>>;
 /// One instruction set on every CPU, because hits differ between them.
 constexpr const char* device_settings = "isa=sse4.2,threads=1,set_affinity=0,hugepages=0";
 
-/// Copies: Embree reads 16 octets from each vertex, and pads the buffers that it makes itself.
+/// Copies: Embree reads 16 bytes from each vertex, and pads the buffers that it makes itself.
 void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
   auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));

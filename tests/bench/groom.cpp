@@ -1,4 +1,4 @@
-// Tables of what grooming costs: dabs and undo against the size of the mesh, octets in the undo log, floods against a
+// Tables of what grooming costs: dabs and undo against the size of the mesh, bytes in the undo log, floods against a
 // plain copy of the same arrays.
 // usage: bench_groom [--repetitions N] [--few VERTICES] [--many VERTICES] [--flood VERTICES]
 #include <algorithm>
@@ -205,7 +205,7 @@ void print_undo_bytes(int vertices) {
       evaluate(Noise{.flood = true, .amount = 0.1, .fields = {Field::direction, Field::length}}, surface, fields)
           .delta);
   std::puts(
-      "Undo, octets for each touched vertex\n\n| tool | touched | fields | in flight | in the undo log "
+      "Undo, bytes for each touched vertex\n\n| tool | touched | fields | in flight | in the undo log "
       "|\n|---|---|---|---|---|");
   for (const auto& [name, command] : tools_on(surface.mesh())) {
     const FieldDelta delta = evaluate(command, surface, fields).delta;
@@ -217,20 +217,20 @@ void print_undo_bytes(int vertices) {
   std::puts("");
 }
 
-/// Copies this many octets, in blocks as large as a mesh's arrays.
-std::function<void()> plain_copy(std::size_t octets) {
+/// Copies this many bytes, in blocks as large as a mesh's arrays.
+std::function<void()> plain_copy(std::size_t bytes) {
   static constexpr std::size_t block = std::size_t{8} << 20;
-  auto from = std::make_shared<std::vector<char>>(octets, 1), to = std::make_shared<std::vector<char>>(octets, 2);
-  return [from, to, octets] {
-    for (std::size_t at = 0; at < octets; at += block)
-      std::memcpy(to->data() + at, from->data() + at, std::min(block, octets - at));
+  auto from = std::make_shared<std::vector<char>>(bytes, 1), to = std::make_shared<std::vector<char>>(bytes, 2);
+  return [from, to, bytes] {
+    for (std::size_t at = 0; at < bytes; at += block)
+      std::memcpy(to->data() + at, from->data() + at, std::min(block, bytes - at));
   };
 }
 
 struct Flood {
   const char* name;
   Command command;
-  std::size_t octets;  // of the arrays that it reads and writes, for each vertex
+  std::size_t bytes;  // of the arrays that it reads and writes, for each vertex
 };
 
 void print_floods(int vertices, int repetitions) {
@@ -247,14 +247,14 @@ void print_floods(int vertices, int repetitions) {
                           {"unify to the mean", Unify{.flood = true, .mean = {Field::direction}}, 2 * (8 + 24) + 12}};
   std::printf(
       "Floods of %d vertices, ms, against copying the arrays that they read and write\n\n"
-      "| flood | octets a vertex | wall | CPU | copy, wall | ratio | CPU ratio |\n|---|---|---|---|---|---|---|\n",
+      "| flood | bytes a vertex | wall | CPU | copy, wall | ratio | CPU ratio |\n|---|---|---|---|---|---|---|\n",
       vertices);
   for (const Flood& flood : floods) {
     const auto costs =
         measure_alternating({[&] { require(!evaluate(flood.command, surface, fields).delta.empty(), flood.name); },
-                             plain_copy(flood.octets * fields.size())},
+                             plain_copy(flood.bytes * fields.size())},
                             repetitions);
-    std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f |\n", flood.name, flood.octets, costs[0].wall,
+    std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f |\n", flood.name, flood.bytes, costs[0].wall,
                 costs[0].cpu, costs[1].wall, costs[0].wall / costs[1].wall, costs[0].cpu / costs[1].cpu);
     std::fflush(stdout);
   }

@@ -67,7 +67,7 @@ void run(const char* name, Builtin shape, int triangles) {
   sum += seconds("surface", [&] { surface.emplace(std::move(*mesh)); });
   sum += seconds("first groom", [&] { fields = first_groom(surface->mesh(), {}); });
   const auto vertices = static_cast<double>(fields->size());
-  std::printf("| all | %.2f | |\n\nin memory after it: %.0f octets a vertex (%.0f vertices)\n\n", sum,
+  std::printf("| all | %.2f | |\n\nin memory after it: %.0f bytes a vertex (%.0f vertices)\n\n", sum,
               (resident_bytes() - before) / vertices, vertices);
 }
 

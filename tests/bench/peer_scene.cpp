@@ -37,8 +37,8 @@ void write_exr(const FloatImage& light, const std::string& path) {
 
 FloatImage read_exr(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const std::string octets{std::istreambuf_iterator<char>(file), {}};
-  Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(octets)), std::size_t{1} << 26);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), std::size_t{1} << 26);
   return image ? std::move(image).value() : (stop(path + ": " + image.status().message), FloatImage{});
 }
 

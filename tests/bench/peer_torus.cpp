@@ -15,8 +15,8 @@ constexpr std::size_t strands_each = 6000;
 
 template <class T>
 void put(std::ostream& file, std::span<const T> values) {
-  const std::span<const std::byte> octets = std::as_bytes(values);
-  file.write(reinterpret_cast<const char*>(octets.data()), static_cast<std::streamsize>(octets.size()));
+  const std::span<const std::byte> bytes = std::as_bytes(values);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
 struct Listed {
@@ -50,15 +50,15 @@ std::ostream& operator<<(std::ostream& out, glm::vec3 v) {
 
 void write_settings(const FurFrame& frame, std::ostream& out) {
   const FurCamera& camera = frame.camera;
-  const FurLight& lamp = frame.lights.front();
+  const FurLight& light = frame.lights.front();
   const FibreOptics& fibre = frame.look.fibre;
   const auto ambient = static_cast<float>(frame.look.ambient);
   out.precision(9);
   out << "  \"width\": " << frame.width << ", \"height\": " << frame.height
       << ", \"bounces\": " << frame.knobs.trace.bounces << ",\n  \"camera\": {\"eye\": " << camera.eye
       << ", \"right\": " << camera.right << ", \"up\": " << camera.up << ", \"forward\": " << camera.forward
-      << ", \"tan_half_fov\": " << camera.tan_half_fov << "},\n  \"lamp\": {\"direction\": " << lamp.direction
-      << ", \"half_angle\": " << lamp.angle << ", \"radiance\": " << lamp.radiance
+      << ", \"tan_half_fov\": " << camera.tan_half_fov << "},\n  \"light\": {\"direction\": " << light.direction
+      << ", \"half_angle\": " << light.angle << ", \"radiance\": " << light.radiance
       << "},\n  \"environment\": " << ambient * frame.environment.sky
       << ",\n  \"skin\": " << frame.coat.ramp.front().colour
       << ",\n  \"fibre\": {\"longitudinal_roughness\": " << fibre.longitudinal_roughness

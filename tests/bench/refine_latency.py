@@ -34,16 +34,16 @@ class Client:
             connection.close()
 
     def picture(self, request, seen=None, wait=1):
-        """Octets and report of the next picture; none where nothing better came."""
+        """Bytes and report of the next picture; none where nothing better came."""
         passes = f"&after_pass={seen[1]}" if seen and request["refine"] else ""
         query = f"?after={seen[0]}{passes}&wait={wait}" if seen else ""
-        answer, octets = self.post(f"frames{query}", request)
+        answer, content = self.post(f"frames{query}", request)
         if answer.status == 304:
             return None, None
         if answer.status != 200:
-            raise RuntimeError(f"{answer.status} {octets[:300]}")
+            raise RuntimeError(f"{answer.status} {content[:300]}")
         report = json.loads(answer.headers.get("Pelage-Trace", '{"passes": 0}'))
-        return octets, {**report, "revision": int(answer.headers["Pelage-Revision"])}
+        return content, {**report, "revision": int(answer.headers["Pelage-Revision"])}
 
 
 class Follower(threading.Thread):
@@ -58,8 +58,8 @@ class Follower(threading.Thread):
     def run(self):
         seen = None
         while not self.stopping.is_set():
-            octets, report = self.client.picture(self.request, seen)
-            if octets:
+            content, report = self.client.picture(self.request, seen)
+            if content:
                 seen = (report["revision"], report["passes"])
                 self.pictures += report["passes"] > 0
 
@@ -117,8 +117,8 @@ def latency(server, blocks, count):
 
 
 def flip(folder, truth, picture, mask):
-    for name, octets in (("truth", truth), ("picture", picture)):
-        (folder / f"{name}.png").write_bytes(octets)
+    for name, content in (("truth", truth), ("picture", picture)):
+        (folder / f"{name}.png").write_bytes(content)
     run = subprocess.run([BIN / "pelage", "--json", "compare", folder / "truth.png", folder / "picture.png",
                           "--mask", mask], check=True, capture_output=True, text=True)
     return json.loads(run.stdout)
@@ -129,25 +129,25 @@ def time_against_error(server, last_pass):
     client = Client(server, scene)
     request = {"width": 512, "height": 512, "view": "artist", "refine": {"passes": last_pass}}
     start = time.perf_counter()
-    octets, report = client.picture(request)
-    pictures = [(time.perf_counter() - start, octets, report)]
+    content, report = client.picture(request)
+    pictures = [(time.perf_counter() - start, content, report)]
     while report["end"] == "none":
-        octets, better = client.picture(request, (report["revision"], report["passes"]), wait=20)
-        if octets:
+        content, better = client.picture(request, (report["revision"], report["passes"]), wait=20)
+        if content:
             report = better
-            pictures.append((time.perf_counter() - start, octets, report))
+            pictures.append((time.perf_counter() - start, content, report))
     mask = server.folder / "mask.png"
-    answer, octets = client.post("frames", {"width": 512, "height": 512, "background": "transparent"})
-    mask.write_bytes(octets)
+    answer, content = client.post("frames", {"width": 512, "height": 512, "background": "transparent"})
+    mask.write_bytes(content)
     print(f"a refinement of the creature, 512 x 512, {report['strands']} strands, "
           f"against its picture of {report['passes']} passes")
     print("| passes | s | FLIP | RMSE | noise |\n|---|---|---|---|---|")
     shown = 0
-    for seconds, octets, report in pictures:
+    for seconds, content, report in pictures:
         if report["passes"] < 1.4 * shown and report["end"] == "none":
             continue
         shown = report["passes"]
-        error = flip(server.folder, pictures[-1][1], octets, mask)
+        error = flip(server.folder, pictures[-1][1], content, mask)
         passes = report["passes"] or "shells"
         print(f"| {passes} | {seconds:.2f} | {error['flip']['mean']:.4f} | {error['rmse']:.4f} | {report['noise']:.4f} |")
 

@@ -37,9 +37,9 @@ class Animal:
     def on(self, server):
         scene = server.new_scene("creature", 20000, name=self.name)
         if self.file:
-            octets = (shared_folder() / "meshes" / self.file).read_bytes()
+            content = (shared_folder() / "meshes" / self.file).read_bytes()
             kind = self.file.split(".")[-1]
-            answer = server.call("PUT", f"{scene.path}/model?format={kind}&front={self.front}{self.fur}", octets)
+            answer = server.call("PUT", f"{scene.path}/model?format={kind}&front={self.front}{self.fur}", content)
             assert answer.status == 200, answer
         if self.recipe:
             recipe = ROOT / "clients" / "recipes" / f"{self.recipe}.json"
@@ -64,8 +64,8 @@ ANIMALS = [Animal("koala, plush", "koala_low.obj", "koala_plush"),
 
 class Frame:
     def __init__(self, answer):
-        self.octets, self.knobs = answer.body, json.loads(answer.headers["pelage-quality"])
-        channels = read_exr(self.octets)
+        self.content, self.knobs = answer.body, json.loads(answer.headers["pelage-quality"])
+        channels = read_exr(self.content)
         self.light, self.alpha = numpy.dstack([channels[c] for c in "RGB"]), channels["A"]
 
     def luminance(self):
@@ -98,8 +98,8 @@ def compare(truth, test):
     """The figures of `pelage compare`, and its error map."""
     with tempfile.TemporaryDirectory() as folder:
         a, b, error_map = (pathlib.Path(folder) / name for name in ("a.exr", "b.exr", "map.png"))
-        a.write_bytes(truth.octets)
-        b.write_bytes(test.octets)
+        a.write_bytes(truth.content)
+        b.write_bytes(test.content)
         run = subprocess.run([BIN / "pelage", "--json", "compare", a, b, "--map", error_map], check=True,
                              capture_output=True, text=True)
         return json.loads(run.stdout), Image.open(io.BytesIO(error_map.read_bytes())).convert("RGB")

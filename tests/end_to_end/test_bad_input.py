@@ -75,8 +75,8 @@ class BadCommands(ServedTest):
         self.refused({"op": "comb", "stroke": {"samples": samples}}, 422, "/stroke/samples")
 
     def test_a_body_over_the_limit(self):
-        for octets in ((1 << 20) + 1, 3 << 20):
-            problem = self.refused(" " * octets, 413)
+        for content in ((1 << 20) + 1, 3 << 20):
+            problem = self.refused(" " * content, 413)
             self.assertIn("1048576", problem["limit"])
 
     def test_a_body_at_the_limit_is_read(self):

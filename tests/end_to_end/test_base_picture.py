@@ -34,8 +34,8 @@ class BasePicture(ServedTest):
         self.assertEqual(answer.status, 200, answer)
         return scene
 
-    def put(self, scene, octets, **more):
-        return self.server.call("PUT", f"{scene.path}/base_picture", octets, **more)
+    def put(self, scene, content, **more):
+        return self.server.call("PUT", f"{scene.path}/base_picture", content, **more)
 
     def halves(self, scene):
         """Mean colours of the left and the right of the sheet."""
@@ -52,8 +52,8 @@ class BasePicture(ServedTest):
         Image.fromarray(RED_AND_BLUE.astype(numpy.uint8)).save(jpeg, "JPEG")
         scene = self.scene()
         plain = scene.frame().body
-        for octets in (png(RED_AND_BLUE), jpeg.getvalue()):
-            answer = self.put(scene, octets)
+        for content in (png(RED_AND_BLUE), jpeg.getvalue()):
+            answer = self.put(scene, content)
             self.assertEqual(answer.status, 200, answer)
             self.assertEqual(answer.json["results"][0]["op"], "set_base_picture")
             self.assert_red_and_blue(scene)
@@ -78,8 +78,8 @@ class BasePicture(ServedTest):
 
     def test_refusals(self):
         scene = self.scene()
-        for octets in (b"", b"x" * 100, png(RED_AND_BLUE)[:-20], hdr([[[1, 1, 1]]]), png(numpy.zeros((1, 4097, 3)))):
-            answer = self.put(scene, octets)
+        for content in (b"", b"x" * 100, png(RED_AND_BLUE)[:-20], hdr([[[1, 1, 1]]]), png(numpy.zeros((1, 4097, 3)))):
+            answer = self.put(scene, content)
             self.assert_problem(answer, 422)
             self.assertIn("picture cannot be read", answer.json["detail"])
         self.assert_problem(scene.run({"op": "set_base_picture", "picture": "0" * 32}), 422, "/picture")

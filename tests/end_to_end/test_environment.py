@@ -14,8 +14,8 @@ RED_AND_BLUE[:, :8, 0] = RED_AND_BLUE[:, 8:, 2] = 1
 
 
 class Environment(ServedTest):
-    def put(self, scene, octets, query=""):
-        return self.server.call("PUT", f"{scene.path}/environment{query}", octets)
+    def put(self, scene, content, query=""):
+        return self.server.call("PUT", f"{scene.path}/environment{query}", content)
 
     def scene(self):
         scene = self.server.new_scene("sphere", 500)
@@ -30,15 +30,15 @@ class Environment(ServedTest):
         return image[:, :40].mean(axis=(0, 1)), image[:, 56:].mean(axis=(0, 1))
 
     def test_exr_and_hdr_light_the_sides_that_they_should(self):
-        for octets in (exr(RED_AND_BLUE), hdr(RED_AND_BLUE)):
+        for content in (exr(RED_AND_BLUE), hdr(RED_AND_BLUE)):
             scene = self.scene()
-            answer = self.put(scene, octets, "?intensity=2")
+            answer = self.put(scene, content, "?intensity=2")
             self.assertEqual(answer.status, 200, answer)
             self.assertEqual((answer.json["revision"], answer.headers["etag"]), (2, '"2"'))
             left, right = self.halves(scene)
             self.assertGreater(left[0], 1.4 * left[2])
             self.assertGreater(right[2], 1.4 * right[0])
-            self.assertEqual(self.put(scene, octets, "?intensity=2&turn_degrees=180").status, 200)
+            self.assertEqual(self.put(scene, content, "?intensity=2&turn_degrees=180").status, 200)
             left, right = self.halves(scene)
             self.assertGreater(left[2], 1.4 * left[0])
             scene.post("undo", {"steps": 2})
@@ -71,9 +71,9 @@ class Environment(ServedTest):
                  "lying EXR": exr(white, header_size=(4096, 4096)), "wide EXR": exr(white, header_size=(4097, 1)),
                  "huge HDR": b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 99999999 +X 99999999\n",
                  "broken header": exr(white)[:40] + b"\xff" * 200 + exr(white)[240:]}
-        for name, octets in cases.items():
+        for name, content in cases.items():
             with self.subTest(name):
-                answer = self.put(scene, octets)
+                answer = self.put(scene, content)
                 self.assert_problem(answer, 422)
                 self.assertIn("environment cannot be read", answer.json["detail"])
         self.assertIn("column 2 of row 1", self.put(scene, exr(bad)).json["detail"])
@@ -82,13 +82,13 @@ class Environment(ServedTest):
 
     def test_parameters_and_preconditions(self):
         scene = self.scene()
-        octets = hdr([[[1, 1, 1]]])
+        content = hdr([[[1, 1, 1]]])
         for query, pointer in (("?intensity=101", "/intensity"), ("?turn_degrees=361", "/turn_degrees"), ("?turn=1", "/turn")):
-            answer = self.put(scene, octets, query)
+            answer = self.put(scene, content, query)
             self.assert_problem(answer, 422)
             self.assertEqual(answer.json["pointer"], pointer)
-        self.assertEqual(self.server.call("PUT", f"{scene.path}/environment", octets, headers={"If-Match": '"7"'}).status, 412)
-        self.assertEqual(self.server.call("PUT", "/v1/scenes/nothing/environment", octets).status, 404)
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/environment", content, headers={"If-Match": '"7"'}).status, 412)
+        self.assertEqual(self.server.call("PUT", "/v1/scenes/nothing/environment", content).status, 404)
         answer = self.server.call("PUT", f"{scene.path}/environment", None, headers={"Content-Length": str((128 << 20) + 1)})
         self.assert_problem(answer, 413)
 

@@ -111,7 +111,7 @@ class Frames(ServedTest):
         self.assertEqual(sizes, sorted(sizes))
         self.assertLess(numpy.abs(answer.image.astype(float) - png[..., :3]).mean(), 3)
 
-    def test_same_request_same_octets(self):
+    def test_same_request_same_content(self):
         scene = self.server.new_scene("torus", 1000)
         for request in ({"format": "exr", "layers": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"},
                         {"overlay": "strokes"}, {"overlay": "layer_count"}):

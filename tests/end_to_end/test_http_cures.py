@@ -16,9 +16,9 @@ def head(first, *headers, host="127.0.0.1"):
     return ("\r\n".join([*lines, *headers]) + "\r\n\r\n").encode()
 
 
-def statuses(octets):
+def statuses(content):
     """Status codes of the answers in a stream."""
-    return [int(part.split()[0]) for part in octets.split(b"HTTP/1.1 ")[1:]]
+    return [int(part.split()[0]) for part in content.split(b"HTTP/1.1 ")[1:]]
 
 
 class Framing(ServedTest):

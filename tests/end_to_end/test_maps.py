@@ -33,8 +33,8 @@ class Maps(ServedTest):
         self.assertEqual(answer.status, 200, answer)
         return answer
 
-    def put(self, scene, field, octets, query=""):
-        return self.server.call("PUT", f"{scene.path}/maps/{field}{query}", octets)
+    def put(self, scene, field, content, query=""):
+        return self.server.call("PUT", f"{scene.path}/maps/{field}{query}", content)
 
     def changes(self, answer):
         self.assertEqual(answer.status, 200, answer)
@@ -185,8 +185,8 @@ class Maps(ServedTest):
 
     def test_spot(self):
         scene = self.server.new_scene("plane", 2)
-        octets = (shared_folder() / "meshes" / "spot.obj").read_bytes()
-        answer = self.server.call("PUT", f"{scene.path}/model?format=obj", octets)
+        content = (shared_folder() / "meshes" / "spot.obj").read_bytes()
+        answer = self.server.call("PUT", f"{scene.path}/model?format=obj", content)
         self.assertEqual(answer.status, 200, answer)
         scene.run({"op": "noise", "flood": True, "fields": ["direction", "length", "density"], "amount": 0.3, "seed": 3})
         for field in ("direction", "length", "density"):

@@ -58,7 +58,7 @@ class Traced(ServedTest):
         again = self.scene.post("frames", {**SIZE, "quality": quality})
         self.assertEqual(again.body, answer.body, "what Pelage-Quality says draws the same frame")
 
-    def test_same_seed_and_passes_give_the_same_octets(self):
+    def test_same_seed_and_passes_give_the_same_content(self):
         first = self.reference()
         self.assertEqual(self.reference().body, first.body)
         self.assertNotEqual(self.reference({"seed": 9}).body, first.body)

@@ -22,8 +22,8 @@ def demo_steps(info):
         return {p.stem: [json.loads(line) for line in p.read_text().splitlines()] for p in sorted(path.glob("*.jsonl"))}
 
 
-def linear(octets):
-    value = octets / 255
+def linear(content):
+    value = content / 255
     return numpy.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
 
 
@@ -109,8 +109,8 @@ class Tools(ServedTest):
 
     def test_dense_fur_of_a_file_shows_no_background(self):
         scene = self.server.new_scene("torus")
-        octets = (shared_folder() / "meshes" / "koala.ply").read_bytes()
-        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=ply", octets).status, 200)
+        content = (shared_folder() / "meshes" / "koala.ply").read_bytes()
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=ply", content).status, 200)
         self.check_background(scene)
 
     def test_dense_fur_shows_no_background(self):

@@ -66,7 +66,7 @@ std::string any_look() {
                      {"fibre", {fibre}}, {"skin", colours}});
 }
 
-std::string any_lamp() {
+std::string any_light() {
   return any_object({{"kind", {"\"directional\"", "\"point\"", "\"spot\"", "\"area\""}}, {"direction", ways},
                      {"position", places}, {"colour", colours}, {"intensity", {"0", "1e-3", "1", "1e8"}},
                      {"cone_degrees", {"0.1", "30", "90"}}, {"cone_softness", share}, {"angle_degrees", {"0", "90"}},
@@ -101,7 +101,7 @@ void add_settings(Texts& commands) {
   if (chance(70)) commands.push_back(set("set_coat", "coat", any_coat()));
   if (chance(60)) commands.push_back(set("set_look", "look", any_look()));
   if (chance(70))
-    commands.push_back(set("set_lights", "lights", chance(15) ? "[]" : "[" + any_lamp() + ", " + any_lamp() + "]"));
+    commands.push_back(set("set_lights", "lights", chance(15) ? "[]" : "[" + any_light() + ", " + any_light() + "]"));
   if (chance(30))
     commands.push_back(set("set_environment", "environment",
                            any_object({{"sky", colours}, {"ground", colours}, {"intensity", {"0", "1", "100"}}})));

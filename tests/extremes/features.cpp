@@ -10,7 +10,7 @@ std::string coat(const std::string& members) { return one("set_coat", R"("coat":
 
 std::string quality(const std::string& members) { return R"("quality": {)" + members + "}"; }
 
-std::string lamp(const std::string& members) {
+std::string light(const std::string& members) {
   return one("set_lights", R"("lights": [{"direction": [0, -1, -1])" + members + "}]");
 }
 
@@ -40,14 +40,14 @@ std::vector<Feature> of_light() {
   const std::string shine = R"("look": {"shading": "energy_conserving", "fibre": {"refractive_index": 2}})";
   return {{"ground", one("set_ground", R"("ground": {"visible": true})"), "",
            one("set_ground", R"("ground": {"visible": false, "height": 1, "shadow": 1})")},
-          {"layer-wise shadow maps", lamp(R"(, "self_shadow_maps": true)"), quality(R"("shadow_maps": true)"),
-           lamp(R"(, "self_shadow_maps": true)"), quality(R"("shadow_resolution": 4096)")},
-          {"hard shadow", lamp(R"(, "cast_shadow": "hard")"), quality(R"("shadow_maps": true)"),
-           lamp(R"(, "cast_shadow": "hard")")},
-          {"soft shadow", lamp(R"(, "cast_shadow": "soft")"), quality(R"("shadow_maps": true)"), lamp(""),
+          {"layer-wise shadow maps", light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_maps": true)"),
+           light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_resolution": 4096)")},
+          {"hard shadow", light(R"(, "cast_shadow": "hard")"), quality(R"("shadow_maps": true)"),
+           light(R"(, "cast_shadow": "hard")")},
+          {"soft shadow", light(R"(, "cast_shadow": "soft")"), quality(R"("shadow_maps": true)"), light(""),
            quality(R"("shadow_maps": true)")},
-          {"penumbra", lamp(R"(, "cast_shadow": "penumbra")"), quality(R"("shadow_maps": true)"),
-           lamp(R"(, "cast_shadow": "penumbra")")},
+          {"penumbra", light(R"(, "cast_shadow": "penumbra")"), quality(R"("shadow_maps": true)"),
+           light(R"(, "cast_shadow": "penumbra")")},
           {"light from all around", "", "", one("set_environment", R"("environment": {"intensity": 0.5})")},
           {"fibre scattering", one("set_look", shine), "",
            one("set_look", R"("look": {"shading": "kajiya", "fibre": {"refractive_index": 2, "eumelanin": 100}})")}};

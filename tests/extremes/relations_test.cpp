@@ -139,12 +139,12 @@ double mean_alpha(const FloatImage& image) {
   return 4 * sum / static_cast<double>(image.rgba.size());
 }
 
-// Layers of light are linear: what two lamps give together is the sum of what each gives.
+// Layers of light are linear: what two lights give together is the sum of what each gives.
 TEST_P(Relations, LightIsAdditive) {
   const std::string left = R"({"direction": [1, -0.3, -0.3], "intensity": 0.5})", right = R"({"direction": [-1, -1, -0.3]})";
-  const auto lit = [&](const std::string& lamps, bool strands) {
+  const auto lit = [&](const std::string& lights, bool strands) {
     Row row = moved(stay);
-    row.commands = {R"({"op": "set_lights", "lights": [)" + lamps + "]}"};
+    row.commands = {R"({"op": "set_lights", "lights": [)" + lights + "]}"};
     return pictured(row, strands)[7];  // direct
   };
   const FloatImage a = lit(left, false), b = lit(right, false), both = lit(left + ", " + right, false);
@@ -156,7 +156,7 @@ TEST_P(Relations, LightIsAdditive) {
   }
   EXPECT_GT(most, 0.01f);
   EXPECT_LT(error, 1e-4f * most);
-  // A sample of strands sees one lamp, so the sum holds for means.
+  // A sample of strands sees one light, so the sum holds for means.
   const auto total = [](const FloatImage& image) {
     return std::accumulate(image.rgba.begin(), image.rgba.end(), 0.0) -
            mean_alpha(image) * static_cast<double>(image.rgba.size() / 4);

@@ -8,9 +8,9 @@
 
 namespace pelage::testing {
 
-/// A file of a model, as it is uploaded; none where `octets` is empty.
+/// A file of a model, as it is uploaded; none where `bytes` is empty.
 struct RowModel {
-  std::string octets;
+  std::string bytes;
   ModelFormat format = ModelFormat::obj;
 };
 

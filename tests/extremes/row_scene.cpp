@@ -18,9 +18,9 @@ Result<std::shared_ptr<Scene>> scene_of(const Row& row, SceneStore& store) {
   if (!asked) return asked.status();
   Result<std::shared_ptr<Scene>> scene = store.create(*asked);
   if (!scene) return scene;
-  if (!row.model.octets.empty()) {
+  if (!row.model.bytes.empty()) {
     ImportOptions options{.format = row.model.format, .fur = asked->fur};
-    const auto loaded = store.load_model(**scene, options, std::as_bytes(std::span(row.model.octets)));
+    const auto loaded = store.load_model(**scene, options, std::as_bytes(std::span(row.model.bytes)));
     if (!loaded) return loaded.status();
   }
   for (const std::string& text : row.commands) {

@@ -40,7 +40,7 @@ std::string flood_comb(const std::string& direction, const std::string& more = "
   return R"({"op": "comb", "flood": true, "lean": 1, "brush": {"strength": 1}, "direction": )" + direction + more + "}";
 }
 
-/// Looks along -z, so that a lamp along -z shines with the view, along +z against it.
+/// Looks along -z, so that a light along -z shines with the view, along +z against it.
 Row of_scattering(const std::string& model, const std::string& value, const std::string& look,
                   const std::string& towards = "[0, 0, -1]") {
   return {.area = "scattering",

@@ -8,8 +8,8 @@ namespace pelage::testing {
 
 namespace {
 
-Row of_file(std::string value, std::string octets, std::string refused = {}) {
-  return {.area = "mesh", .value = std::move(value), .model = {std::move(octets)}, .refused = std::move(refused)};
+Row of_file(std::string value, std::string bytes, std::string refused = {}) {
+  return {.area = "mesh", .value = std::move(value), .model = {std::move(bytes)}, .refused = std::move(refused)};
 }
 
 std::string vertex(double x, double y, double z) {
@@ -40,22 +40,22 @@ std::string cube(const std::string& scale, double low, double high) {
   return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
 }
 
-void append(std::string& octets, std::uint32_t word) {
-  for (int k = 0; k < 4; ++k) octets += static_cast<char>(word >> (8 * k) & 0xffu);
+void append(std::string& bytes, std::uint32_t word) {
+  for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> (8 * k) & 0xffu);
 }
 
 /// Two triangles in 32-bit floats, moved along x.
 std::string binary_stl(float offset) {
-  std::string octets(80, ' ');
-  append(octets, 2);
+  std::string bytes(80, ' ');
+  append(bytes, 2);
   const auto triangle = [&](float a, float b, float c) {
     for (const float v : {0.f, 0.f, 0.f, a, 0.f, 0.f, b, 1.f, 0.f, c, 0.f, 1.f})
-      append(octets, std::bit_cast<std::uint32_t>(v));
-    octets += std::string(2, '\0');
+      append(bytes, std::bit_cast<std::uint32_t>(v));
+    bytes += std::string(2, '\0');
   };
   triangle(offset, offset + 1, offset);
   triangle(offset, offset + 1, offset + 1);
-  return octets;
+  return bytes;
 }
 
 const std::string plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";

@@ -89,15 +89,15 @@ Rows light_rows() {
   rows.push_back(of_light("a direction of no length", R"("direction": [0, 0, 0])", "", "/lights/0/direction"));
   rows.push_back(of_light("a place beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
   rows.push_back(of_light("shadow map of 0 x 0", sun, R"(, "shadow_resolution": 0)", "/quality/shadow_resolution"));
-  Row eight = of_light("eight lamps of 1e8 at one place", "");
-  std::string lamps;
+  Row eight = of_light("eight lights of 1e8 at one place", "");
+  std::string lights;
   for (int i = 0; i < 8; ++i)
-    lamps += std::string(i ? ", " : "") + R"({"kind": "point", "position": [0, 0, 1.02], "intensity": 1e8, "self_shadow_maps": true})";
-  eight.commands = {R"({"op": "set_lights", "lights": [)" + lamps + "]}"};
+    lights += std::string(i ? ", " : "") + R"({"kind": "point", "position": [0, 0, 1.02], "intensity": 1e8, "self_shadow_maps": true})";
+  eight.commands = {R"({"op": "set_lights", "lights": [)" + lights + "]}"};
   rows.push_back(eight);
   Row nine = eight;
-  nine.value = "nine lamps", nine.refused = "/lights";
-  nine.commands = {R"({"op": "set_lights", "lights": [{}, )" + lamps + "]}"};
+  nine.value = "nine lights", nine.refused = "/lights";
+  nine.commands = {R"({"op": "set_lights", "lights": [{}, )" + lights + "]}"};
   rows.push_back(nine);
   for (const char* harmonic : {"-1e6", "1e6"}) {
     const std::string one = std::string("[") + harmonic + ", " + harmonic + ", 1]";

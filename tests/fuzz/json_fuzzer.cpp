@@ -1,4 +1,4 @@
-// Any octets give a command or a refusal; what is decoded is encoded and decoded to the same thing.
+// Any bytes give a command or a refusal; what is decoded is encoded and decoded to the same thing.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -78,8 +78,8 @@ TEST_P(Grounds, ShadowsFallAwayFromTheLight) {
   EXPECT_NEAR(darkening(true).left, 0.5 * to_the_left.left, 0.1 * to_the_left.left);
 }
 
-/// A lamp that shines past the ground casts no shadow on it, however near it is.
-TEST_P(Grounds, LampsThatShineElsewhereCastNoShadow) {
+/// A light that shines past the ground casts no shadow on it, however near it is.
+TEST_P(Grounds, LightsThatShineElsewhereCastNoShadow) {
   model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 0};
   model.settings.look.ambient = 0.1;
   const glm::dvec3 above = model.model.surface.mesh().to_model({0, 1.2, 0});

@@ -10,14 +10,14 @@ bool names(const FurFrame& frame, const char* define, bool model_has_colours = t
   return light_of(frame, model_has_colours).find(define) != std::string::npos;
 }
 
-TEST(LightOf, NamesTheLampsAndWhetherAllAreFarAway) {
+TEST(LightOf, NamesTheLightsAndWhetherAllAreFarAway) {
   FurFrame frame;
   frame.lights = {{.kind = LightKind::directional}, {.kind = LightKind::directional}};
-  EXPECT_TRUE(names(frame, "LAMPS 2"));
-  EXPECT_TRUE(names(frame, "FAR_LAMPS"));
+  EXPECT_TRUE(names(frame, "LIGHTS 2"));
+  EXPECT_TRUE(names(frame, "FAR_LIGHTS"));
   for (const LightKind kind : {LightKind::point, LightKind::spot, LightKind::area}) {
     frame.lights[1].kind = kind;
-    EXPECT_FALSE(names(frame, "FAR_LAMPS"));
+    EXPECT_FALSE(names(frame, "FAR_LIGHTS"));
   }
 }
 

@@ -6,7 +6,7 @@
 layout(binding = 0) uniform sampler2DArray cases;
 
 uniform int asked;
-uniform int lamp;  // whose shadow is asked for
+uniform int light;  // whose shadow is asked for
 
 layout(location = 0) out vec4 result;
 
@@ -30,8 +30,8 @@ void main() {
 #endif
 #ifdef SHADOW_MAPS
   if (asked == 6) {
-    result.r = cast_light(lamp, fibre.place, fibre.open, fibre.normal);
-    result.g = layer_depth(lamp, fibre.place, fibre.open, fibre.height, 1.0, 7.0);
+    result.r = cast_light(light, fibre.place, fibre.open, fibre.normal);
+    result.g = layer_depth(light, fibre.place, fibre.open, fibre.height, 1.0, 7.0);
   }
 #endif
 }

@@ -23,7 +23,7 @@ namespace testing {
 namespace {
 
 constexpr int side = 32, cases = side * side;
-constexpr int lamp = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
+constexpr int light = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
 
 struct Case {
   glm::vec3 place, normal, tangent, to_eye, colour;
@@ -69,7 +69,7 @@ class Lighting : public OnBackend {
     gl().BindTextureUnit(0, inputs.id());
     program.use();
     program.set("asked", static_cast<int>(asked));
-    program.set("lamp", lamp);
+    program.set("light", light);
     return answers(gl(), side);
   }
 };
@@ -136,7 +136,7 @@ Arriving arriving_from(const FurLight& light, const glm::dvec3& place) {
 
 struct Expected {
   glm::dvec3 light{0};
-  glm::dvec3 direct{0}, unshadowed{0};  // of lamps
+  glm::dvec3 direct{0}, unshadowed{0};  // of lights
 };
 
 /// c = ka g C E + sum of [scattered] t B L, with t of the colour of the fur above; g = (1-e) o + e, where o goes from s
@@ -195,7 +195,7 @@ double apart(const glm::vec4& value, const glm::dvec3& truth) {
   return glm::length(glm::dvec3(value) - truth) / std::max(1.0, glm::length(truth));
 }
 
-TEST_P(Lighting, SumsUpAmbientLightAndLamps) {
+TEST_P(Lighting, SumsUpAmbientLightAndLights) {
   FurFrame frame = lit_frame();
   const std::vector<Case> of = random_cases();
   for (const ShadingModel model : {ShadingModel::kajiya, ShadingModel::kajiya_kay, ShadingModel::scheuermann}) {
@@ -209,14 +209,14 @@ TEST_P(Lighting, SumsUpAmbientLightAndLamps) {
   }
 }
 
-/// Lamps that are known to be far away when a program is built give the light that they give in any program.
-TEST_P(Lighting, FarLampsAloneGiveTheSameLight) {
+/// Lights that are known to be far away when a program is built give the light that they give in any program.
+TEST_P(Lighting, FarLightsAloneGiveTheSameLight) {
   FurFrame frame = lit_frame();
   frame.lights.resize(1);
   frame.lights.push_back({.kind = LightKind::directional, .direction = {0.6f, -0.8f, 0}, .radiance = {0.2f, 0.4f, 0.9f}});
   const std::vector<Case> of = random_cases();
   const std::vector<glm::vec4> any = on_gpu(whole_light, frame, of);
-  const std::vector<glm::vec4> far = on_gpu(whole_light, frame, of, "#define FAR_LAMPS\n#define LAMPS 2\n");
+  const std::vector<glm::vec4> far = on_gpu(whole_light, frame, of, "#define FAR_LIGHTS\n#define LIGHTS 2\n");
   for (std::size_t i = 0; i < of.size(); ++i) ASSERT_LT(apart(far[i], glm::dvec3(any[i])), 1e-6) << i;
 }
 
@@ -240,7 +240,7 @@ TEST_P(Lighting, FibreModelsScatterAgainInTheFursColour) {
   }
 }
 
-TEST_P(Lighting, KeepsTheLightOfLampsApart) {
+TEST_P(Lighting, KeepsTheLightOfLightsApart) {
   const FurFrame frame = lit_frame();
   const FibreShading shading(frame.look);
   const std::vector<Case> of = random_cases();
@@ -302,7 +302,7 @@ TEST_P(Lighting, SurroundingsAreTheHarmonicsOfTheFrame) {
   EXPECT_EQ(glm::vec3(constant[0]), glm::vec3(1));
 }
 
-TEST_P(Lighting, LampsFallWithTheSquareSpotsToTheirEdgeAndAreasByTheCosine) {
+TEST_P(Lighting, LightsFallWithTheSquareSpotsToTheirEdgeAndAreasByTheCosine) {
   const FurFrame all = lit_frame();
   const std::vector<Case> of = random_cases();
   for (const FurLight& light : all.lights) {
@@ -339,9 +339,9 @@ class ShadowFormulas : public Lighting {
   /// rg: S, and the optical depth of the layers above, for places at (x, y, z) with height s; the estimate is 7.
   std::vector<glm::vec4> asked(const Maps& maps, const std::vector<Case>& of) {
     ShadowBlock block;
-    block.to_light[lamp] = glm::mat4(1);
-    block.axis[lamp] = {0, 0, -1, 0.5f};
-    block.slots[lamp] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
+    block.to_light[light] = glm::mat4(1);
+    block.axis[light] = {0, 0, -1, 0.5f};
+    block.slots[light] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
     const Buffer buffer = send_block(gl(), 2, block);
     const auto texels = [&](glm::vec4 value) { return std::vector<glm::vec4>(4, value); };
     std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));

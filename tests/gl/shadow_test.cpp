@@ -71,7 +71,7 @@ TEST_P(Shadows, LayerMapsHoldTheOpticalDepthOfTheFur) {
 
 TEST_P(Shadows, CastShadowOnlyDarkens) {
   FurredModel model = furred({Builtin::knot, 2000}, {.length = 0.01});
-  model.settings.look.ambient = 0.2;  // so that the means are the lamp's
+  model.settings.look.ambient = 0.2;  // so that the means are the light's
   Light light = from_above;
   const Image open = picture(model, light, true, AutoView::front);
   light.cast_shadow = CastShadow::hard;
@@ -121,20 +121,20 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
   }
 }
 
-/// Directions to a lamp, even over the disc that it is seen as.
-std::vector<glm::dvec3> rays_to(const FurLight& lamp, int count) {
-  const glm::dvec3 axis = -glm::dvec3(lamp.direction);
+/// Directions to a light, even over the disc that it is seen as.
+std::vector<glm::dvec3> rays_to(const FurLight& light, int count) {
+  const glm::dvec3 axis = -glm::dvec3(light.direction);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(0.1, 0.2, 0.97))), up = glm::cross(axis, right);
   std::vector<glm::dvec3> rays;
   for (int i = 0; i < count; ++i) {
-    const double radius = std::tan(double{lamp.angle}) * std::sqrt((i + 0.5) / count), angle = 2.399963 * i;
+    const double radius = std::tan(double{light.angle}) * std::sqrt((i + 0.5) / count), angle = 2.399963 * i;
     rays.push_back(glm::normalize(axis + radius * (std::cos(angle) * right + std::sin(angle) * up)));
   }
   return rays;
 }
 
-/// On bare skin a penumbra is the share of a lamp's disc that rays do not reach.
-TEST_P(Shadows, PenumbrasAreTheShareOfTheLampThatRaysMiss) {
+/// On bare skin a penumbra is the share of a light's disc that rays do not reach.
+TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
   FrameRequest request = small_frame(AutoView::front, 96);
   request.knobs.shadow_maps = true, request.knobs.shadow_resolution = 1024;
@@ -160,7 +160,7 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLampThatRaysMiss) {
   }
 }
 
-// Light of lamps on what lies below y = -.1, under fur of some length above the middle.
+// Light of lights on what lies below y = -.1, under fur of some length above the middle.
 TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0.015});
   model.settings.coat.count = 3000;
@@ -249,7 +249,7 @@ TEST_P(Shadows, ASpotLightsOnlyItsCone) {
   EXPECT_LT(mean(picture(model, light, false)), 0.5 * full);
 }
 
-/// Share of the lamps' light that is left where the light itself sees skin between strands. Skin under fur has the colour
+/// Share of the lights' light that is left where the light itself sees skin between strands. Skin under fur has the colour
 /// of the roots, and only that is red.
 double light_between_strands(Renderer& renderer, Coat coat) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.5});

@@ -122,24 +122,24 @@ TEST_P(Base, SkinIsLitAsIfNothingGrewOnIt) {
   FurredModel model = smooth_ball();
   Look& look = model.settings.look;
   look.ambient = 0.3, look.diffuse = 0.8;
-  const glm::dvec3 lamp(0.2, 1.1, 1.4), aim = glm::normalize(glm::dvec3(0, -1, -1));
+  const glm::dvec3 light(0.2, 1.1, 1.4), aim = glm::normalize(glm::dvec3(0, -1, -1));
   model.settings.lights = {
       {.direction = {-1, -1, -0.5}, .colour = {1, 0.5f, 0.25f}, .intensity = 0.7},
-      {.kind = LightKind::area, .direction = aim, .position = lamp, .colour = {0.2f, 0.6f, 1}, .intensity = 2}};
+      {.kind = LightKind::area, .direction = aim, .position = light, .colour = {0.2f, 0.6f, 1}, .intensity = 2}};
   const FrameRequest request = askew(120, 90);
   const FurFrame frame = frame_of(*renderer, model, request);
-  const glm::dvec3 place_of_lamp(frame.lights[1].position);
+  const glm::dvec3 place_of_light(frame.lights[1].position);
   const BasePicture base = base_of(model, request);
   int lit = 0;
   for (std::size_t i = 0; i < base.depth.rgba.size() / 4; ++i) {
     if (base.beauty.rgba[4 * i + 3] == 0) continue;
     const Ray ray = ray_through(frame.camera, i, base.depth.width, base.depth.height);
     const glm::dvec3 place = ray.from + ray.along / double(base.depth.rgba[4 * i]), normal = pixel(base.normal, i);
-    const glm::dvec3 apart = place_of_lamp - place, to_lamp = glm::normalize(apart);
+    const glm::dvec3 apart = place_of_light - place, to_light = glm::normalize(apart);
     glm::dvec3 light = 0.7 * glm::dvec3(1, 0.5, 0.25) *
                        std::max(glm::dot(normal, glm::normalize(glm::dvec3(1, 1, 0.5))), 0.0);
-    light += 2.0 * glm::dvec3(glm::vec3(0.2f, 0.6f, 1)) * std::max(-glm::dot(to_lamp, aim), 0.0) *
-             std::max(glm::dot(normal, to_lamp), 0.0) / glm::dot(apart, apart);
+    light += 2.0 * glm::dvec3(glm::vec3(0.2f, 0.6f, 1)) * std::max(-glm::dot(to_light, aim), 0.0) *
+             std::max(glm::dot(normal, to_light), 0.0) / glm::dot(apart, apart);
     const glm::dvec3 albedo = pixel(base.albedo, i), direct = pixel(base.direct, i);
     ASSERT_LT(glm::length(direct - 0.8 * albedo * light), 1e-4) << i;
     ASSERT_LT(glm::length(pixel(base.beauty, i) - direct - 0.3 * albedo), 1e-5) << i;
@@ -177,13 +177,13 @@ TEST_P(Base, LeavesFramesAsTheyAre) {
   EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
 }
 
-/// Without light from all around and without surroundings to mirror all light is of lamps, on skin, bare skin and eyes.
-TEST_P(Base, DirectIsWhatLampsBring) {
+/// Without light from all around and without surroundings to mirror all light is of lights, on skin, bare skin and eyes.
+TEST_P(Base, DirectIsWhatLightsBring) {
   FurredModel model = smooth_ball();
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .wetness = 0.5}};
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1, .lids = Lids{}}};
   FrameRequest request = askew(120, 90);
-  const auto beside = [](const BasePicture& base) {  // least and most of what is not of lamps
+  const auto beside = [](const BasePicture& base) {  // least and most of what is not of lights
     glm::dvec2 ends(1e9, -1e9);
     for (std::size_t i = 0; i < base.beauty.rgba.size(); ++i) {
       if (i % 4 == 3) continue;
@@ -197,15 +197,15 @@ TEST_P(Base, DirectIsWhatLampsBring) {
   EXPECT_GT(usual.x, -1e-4);
   EXPECT_GT(usual.y, 0.1);
   model.settings.look.ambient = 0, request.background = Background::colour, request.background_colour = glm::vec3(0);
-  const glm::dvec2 lamps = beside(base_of(model, request));
-  EXPECT_GT(lamps.x, -1e-4);
-  EXPECT_LT(lamps.y, 1e-4);
+  const glm::dvec2 lights = beside(base_of(model, request));
+  EXPECT_GT(lights.x, -1e-4);
+  EXPECT_LT(lights.y, 1e-4);
   model.settings.lights.clear();
   const FloatImage dark = base_of(model, request).direct;
   for (std::size_t i = 0; i < dark.rgba.size() / 4; ++i) ASSERT_EQ(pixel(dark, i), glm::dvec3(0));
 }
 
-TEST_P(Base, IsFiniteUnderBlindingLamps) {
+TEST_P(Base, IsFiniteUnderBlindingLights) {
   FurredModel model = smooth_ball();
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .roughness = 0.02, .wetness = 1}};
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1}};

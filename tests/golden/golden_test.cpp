@@ -65,8 +65,8 @@ TEST_P(Pictures, MatchWhatWasLookedAt) {
       std::ofstream(path, std::ios::binary).write(png.data(), static_cast<std::streamsize>(png.size()));
     }
     std::ifstream file(path, std::ios::binary);
-    const std::string octets{std::istreambuf_iterator<char>(file), {}};
-    const Result<Image> expected = decode_image(std::as_bytes(std::span(octets)), 1 << 20);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const Result<Image> expected = decode_image(std::as_bytes(std::span(bytes)), 1 << 20);
     ASSERT_TRUE(expected.ok()) << path << ": " << expected.status().message;
     ASSERT_EQ(expected->rgba.size(), image.rgba.size());
     EXPECT_LE(mean_difference(image, *expected), golden.mean) << golden.name;

@@ -28,9 +28,9 @@ FurredModel furred(BuiltinModel model, FirstGroom fur) { return furred(make_buil
 
 FurredModel furred_ply(const std::string& path, FirstGroom fur) {
   std::ifstream file(path, std::ios::binary);
-  const std::string octets{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   const Result<RawModel> raw = import_model(program_folder() + "/pelage-import", ModelFormat::ply,
-                                            std::as_bytes(std::span(octets)));
+                                            std::as_bytes(std::span(bytes)));
   if (!raw) throw std::runtime_error(raw.status().message);
   return furred(*raw, fur);
 }

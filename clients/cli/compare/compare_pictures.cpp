@@ -16,9 +16,9 @@ namespace {
 Result<FloatImage> read_picture(const std::string& path) {
   constexpr std::size_t most_bytes = std::size_t{2} << 30;
   constexpr std::size_t most_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
-  const auto octets = read_file(path, most_bytes);
-  if (!octets) return octets.status();
-  auto picture = decode_float_image(std::as_bytes(std::span(*octets)), most_pixels);
+  const auto bytes = read_file(path, most_bytes);
+  if (!bytes) return bytes.status();
+  auto picture = decode_float_image(std::as_bytes(std::span(*bytes)), most_pixels);
   if (picture) return picture;
   Status status = picture.status();
   status.message = path + ": " + status.message;

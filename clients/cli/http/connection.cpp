@@ -72,8 +72,8 @@ Result<HttpAnswer> Connection::post_json(const std::string& path, const std::str
   return impl_->result_of(impl_->client.Post(path, sent, body, "application/json"));
 }
 
-Result<HttpAnswer> Connection::put_octets(const std::string& path, const std::string& octets) {
-  return impl_->result_of(impl_->client.Put(path, octets, "application/octet-stream"));
+Result<HttpAnswer> Connection::put_bytes(const std::string& path, const std::string& bytes) {
+  return impl_->result_of(impl_->client.Put(path, bytes, "application/octet-stream"));
 }
 
 Result<HttpAnswer> Connection::remove(const std::string& path) { return impl_->result_of(impl_->client.Delete(path)); }

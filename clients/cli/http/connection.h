@@ -28,7 +28,7 @@ class Connection {
 
   Result<HttpAnswer> get(const std::string& path);
   Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
-  Result<HttpAnswer> put_octets(const std::string& path, const std::string& octets);
+  Result<HttpAnswer> put_bytes(const std::string& path, const std::string& bytes);
   Result<HttpAnswer> remove(const std::string& path);
 
  private:

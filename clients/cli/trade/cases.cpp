@@ -22,7 +22,7 @@ glm::dvec3 from(double degrees_up, double degrees_around) {
   return {std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around)};
 }
 
-/// One lamp that is seen from behind the eye, or one that shines at it, with a weak one from above.
+/// One light that is seen from behind the eye, or one that shines at it, with a weak one from above.
 std::string lights(bool front, glm::dvec3 towards) {
   const glm::dvec3 to = front ? -towards + glm::dvec3{0.4, -0.5, 0} : towards + glm::dvec3{0, -0.6, 0};
   return fmt::format(R"({{"op":"set_lights","lights":[{{"direction":[{:.4f},{:.4f},{:.4f}],"intensity":1.6,)"

@@ -53,7 +53,7 @@ flat out vec3 over;      // colour of the fur above this shell over the colour i
 #ifdef LENGYEL
 out vec3 vertex_light;   // the baseline of GPU fur: light at the vertices, for fur of colour 1
 #ifdef LAYERS
-out vec3 vertex_direct;  // the part of it that comes from lamps
+out vec3 vertex_direct;  // the part of it that comes from lights
 out vec2 vertex_share;
 #endif
 #endif

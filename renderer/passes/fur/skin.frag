@@ -76,7 +76,7 @@ void main() {
   vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
   vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), covered);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
-  for (int i = 0; i < LAMPS; ++i) {
+  for (int i = 0; i < LIGHTS; ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
     float facing = dot(normal, to_light);

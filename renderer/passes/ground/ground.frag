@@ -52,7 +52,7 @@ float past_body_softly(int i) {
   if (blocked == 0.0) return 1.0;
   float before = depth - blocker / blocked, radius = clamp(0.09 * before, 0.004, 0.05);
   if (shadow.slots[i].z < 0.5) radius = 0.0;
-  LampDisc disc = lamp_disc(i, place, vec3(0.0, 1.0, 0.0), penumbra_bias);
+  LightDisc disc = light_disc(i, place, vec3(0.0, 1.0, 0.0), penumbra_bias);
   if (shadow.slots[i].z > 1.5) radius = disc.spread * disc.per_size * before;
   float sum = 0.0;
   for (int i2 = 0; i2 < taps; ++i2) {

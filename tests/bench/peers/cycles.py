@@ -1,11 +1,11 @@
-"""The scene of bench_peer_scene in Blender Cycles: same strands, skin, lamp, environment, camera and fibre.
+"""The scene of bench_peer_scene in Blender Cycles: same strands, skin, light, environment, camera and fibre.
 
 usage: blender --background --factory-startup --python cycles.py -- FOLDER SAMPLES[,SAMPLES...] [SEED [NAME]]
 
 Writes FOLDER/cycles_N.exr for each count of samples and adds a line to FOLDER/cycles.txt: samples, wall and CPU seconds of
 the whole render, the making of Cycles' scene and index included. With NAME it writes cycles_NAME.exr and no line.
 
-Cycles takes a fibre by Chiang 2016's numbers as they are: absorption per radius, both roughnesses and the tilt; a lamp by
+Cycles takes a fibre by Chiang 2016's numbers as they are: absorption per radius, both roughnesses and the tilt; a light by
 its irradiance, pi times what a white matt surface that faces it returns. The coordinates are ours: a camera is given by
 its axes, and even light has no up.
 """
@@ -95,10 +95,10 @@ def hair_material(fibre):
 
 
 def add_skin(folder, scene):
-    octets = (folder / "skin.bin").read_bytes()
+    content = (folder / "skin.bin").read_bytes()
     split = 12 * scene["vertices"]
-    places = numpy.frombuffer(octets[:split], numpy.float32).reshape(-1, 3)
-    faces = numpy.frombuffer(octets[split:], numpy.uint32).reshape(-1, 3)
+    places = numpy.frombuffer(content[:split], numpy.float32).reshape(-1, 3)
+    faces = numpy.frombuffer(content[split:], numpy.uint32).reshape(-1, 3)
     skin = mesh_object("skin", places.tolist(), [], faces.tolist())
     skin.data.materials.append(material_of("skin", "ShaderNodeBsdfDiffuse", {"Color": (*scene["skin"], 1)})[0])
 
@@ -120,13 +120,13 @@ def add_camera(scene):
 
 
 def add_light(scene):
-    lamp = scene["lamp"]
+    light = scene["light"]
     sun = bpy.data.lights.new("sun", "SUN")
-    sun.energy, sun.color = math.pi, lamp["radiance"]
-    sun.angle = 2 * lamp["half_angle"]
+    sun.energy, sun.color = math.pi, light["radiance"]
+    sun.angle = 2 * light["half_angle"]
     thing = bpy.data.objects.new("sun", sun)
     thing.rotation_mode = "QUATERNION"
-    thing.rotation_quaternion = mathutils.Vector(lamp["direction"]).to_track_quat("-Z", "Y")
+    thing.rotation_quaternion = mathutils.Vector(light["direction"]).to_track_quat("-Z", "Y")
     bpy.context.scene.collection.objects.link(thing)
     world = bpy.data.worlds.new("world")
     world.use_nodes = True

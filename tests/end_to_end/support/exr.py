@@ -8,20 +8,20 @@ import tempfile
 import numpy
 
 
-def attributes_of(octets):
-    """The header's attributes as octets, and where it ends."""
+def attributes_of(content):
+    """The header's attributes as bytes, and where it ends."""
     found, at = {}, 8
-    while octets[at] != 0:
-        name, kind = (octets[at:].split(b"\0", 2)[k].decode() for k in (0, 1))
+    while content[at] != 0:
+        name, kind = (content[at:].split(b"\0", 2)[k].decode() for k in (0, 1))
         at += len(name) + len(kind) + 2
-        size = struct.unpack_from("<i", octets, at)[0]
-        found[name] = octets[at + 4:at + 4 + size]
+        size = struct.unpack_from("<i", content, at)[0]
+        found[name] = content[at + 4:at + 4 + size]
         at += 4 + size
     return found, at + 1
 
 
 def channels_in(attribute):
-    """Names of channels; each is followed by its type and 12 octets more."""
+    """Names of channels; each is followed by its type and 12 bytes more."""
     names, at = [], 0
     while attribute[at] != 0:
         end = attribute.index(b"\0", at)
@@ -31,11 +31,11 @@ def channels_in(attribute):
     return names
 
 
-def read_exr(octets):
+def read_exr(content):
     """Channels by name, rows x columns each."""
     with tempfile.TemporaryDirectory() as folder:
         source, target = pathlib.Path(folder) / "frame.exr", pathlib.Path(folder) / "plain.exr"
-        source.write_bytes(octets)
+        source.write_bytes(content)
         subprocess.run(["oiiotool", source, "-d", "float", "--compression", "none", "-o", target], check=True)
         plain = target.read_bytes()
     attributes, at = attributes_of(plain)

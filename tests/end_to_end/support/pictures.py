@@ -1,4 +1,4 @@
-"""Small files of pictures, written octet by octet."""
+"""Small files of pictures, written byte by byte."""
 
 import io
 import struct
@@ -14,8 +14,8 @@ def hdr(pixels):
     largest = pixels.max(axis=2)
     mantissa, exponent = numpy.frexp(largest)
     scale = numpy.where(largest > 1e-32, mantissa * 256 / numpy.maximum(largest, 1e-32), 0)
-    octets = numpy.concatenate([pixels * scale[..., None], numpy.where(largest > 1e-32, exponent + 128, 0)[..., None]], axis=2)
-    return f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {rows} +X {columns}\n".encode() + octets.astype(numpy.uint8).tobytes()
+    content = numpy.concatenate([pixels * scale[..., None], numpy.where(largest > 1e-32, exponent + 128, 0)[..., None]], axis=2)
+    return f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {rows} +X {columns}\n".encode() + content.astype(numpy.uint8).tobytes()
 
 
 def exr(pixels, *, header_size=None):

@@ -118,11 +118,11 @@ class Server:
     def post(self, path, body=None, **more):
         return self.call("POST", path, body, **more)
 
-    def raw(self, octets, *, late=b"", pause=0.3, timeout=20):
-        """Sends octets as they are, after a pause `late`, and gives all that comes until the server closes or is
+    def raw(self, content, *, late=b"", pause=0.3, timeout=20):
+        """Sends bytes as they are, after a pause `late`, and gives all that comes until the server closes or is
         silent for a while."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=timeout) as connection:
-            connection.sendall(octets)
+            connection.sendall(content)
             if late:
                 time.sleep(pause)
                 try:

@@ -110,8 +110,8 @@ RC_GTEST_PROP(Json, AmendmentsComeBack, ()) {
   RC_ASSERT(encode(*after) == encode(before));
 }
 
-RC_GTEST_PROP(Json, AnyOctetsGiveACommandOrARefusal, (const std::string& octets)) {
-  const auto decoded = decode_commands(octets);
+RC_GTEST_PROP(Json, AnyBytesGiveACommandOrARefusal, (const std::string& bytes)) {
+  const auto decoded = decode_commands(bytes);
   const bool sound = decoded.ok() || !decoded.status().message.empty();  // RC_ASSERT would evaluate both sides of ||
   RC_ASSERT(sound);
 }

@@ -19,17 +19,17 @@ glm::vec3 any_place() {
   return {number(), number(), number()};
 }
 
-FurLight any_lamp() {
-  FurLight lamp;
-  lamp.kind = one_of<LightKind>({LightKind::directional, LightKind::point, LightKind::spot, LightKind::area});
+FurLight any_light() {
+  FurLight light;
+  light.kind = one_of<LightKind>({LightKind::directional, LightKind::point, LightKind::spot, LightKind::area});
   const glm::vec3 place = any_place(), way = glm::min(any_place(), 1e6f);
-  lamp.position = place;
-  lamp.direction = glm::length(way) > 0 ? glm::normalize(way) : glm::vec3(0, -1, 0);
-  lamp.radiance = glm::vec3(1, 0.5f, 0) * one_of<float>({0, 1e-3f, 1, 1e8f});
-  lamp.cone = one_of<float>({0, 0.5f, 1}), lamp.soft_cone = one_of<float>({0, 0.7f, 1});
-  lamp.angle = one_of<float>({0, 0.05f, 1.5707964f}), lamp.radius = one_of<float>({0, 0.05f, 10});
-  lamp.extent = {one_of<float>({1e-3f, 0.5f, 100}), one_of<float>({1e-3f, 0.5f, 100})};
-  return lamp;
+  light.position = place;
+  light.direction = glm::length(way) > 0 ? glm::normalize(way) : glm::vec3(0, -1, 0);
+  light.radiance = glm::vec3(1, 0.5f, 0) * one_of<float>({0, 1e-3f, 1, 1e8f});
+  light.cone = one_of<float>({0, 0.5f, 1}), light.soft_cone = one_of<float>({0, 0.7f, 1});
+  light.angle = one_of<float>({0, 0.05f, 1.5707964f}), light.radius = one_of<float>({0, 0.05f, 10});
+  light.extent = {one_of<float>({1e-3f, 0.5f, 100}), one_of<float>({1e-3f, 0.5f, 100})};
+  return light;
 }
 
 Coat any_coat() {
@@ -49,7 +49,7 @@ FurFrame any_frame() {
   frame.width = one_of<int>({1, 7, 12}), frame.height = one_of<int>({1, 5, 10});
   frame.camera.eye = any_place();
   frame.camera.tan_half_fov = one_of<float>({0.0087f, 0.2f, 3.73f});
-  for (int i = one_of<int>({0, 1, 3}); i > 0; --i) frame.lights.push_back(any_lamp());
+  for (int i = one_of<int>({0, 1, 3}); i > 0; --i) frame.lights.push_back(any_light());
   frame.environment.intensity = one_of<double>({0, 1, 100});
   frame.environment.ground = glm::vec3(one_of<float>({0, 1}));
   if (one_of<int>({0, 1}) == 1) frame.ground = FurGround{one_of<float>({-0.3f, 0, 0.5f}), 1, 1};

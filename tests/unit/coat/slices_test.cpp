@@ -42,7 +42,7 @@ double scale_at(const SliceLevel& level, double sine) {
 }
 
 /// What the slices from `lowest` up let through on average of rays at that angle to the normal (degrees), read from the
-/// stored octets and marched as slab.glsl does.
+/// stored bytes and marched as slab.glsl does.
 double transmittance(const Coat& coat, const SliceLevel& level, double angle, int lowest = 0) {
   constexpr int parts = 4;
   const double slant = 1 / std::cos(angle * std::numbers::pi / 180), across = std::sqrt(slant * slant - 1);

@@ -217,7 +217,7 @@ TEST_F(HistoryTest, RefusesEntriesThatCannotFollow) {
   EXPECT_TRUE(history_.accepts({6, EntryKind::command, 0, "", {}, {}, {}}));
 }
 
-/// A history that may hold few octets; every change stays in a list beside it.
+/// A history that may hold few bytes; every change stays in a list beside it.
 class UndoMemoryTest : public ::testing::Test {
  protected:
   /// Over many vertices, so that it takes some memory.
@@ -257,7 +257,7 @@ class UndoMemoryTest : public ::testing::Test {
   }
   float length() const { return fields_.at(7).length; }
 
-  static constexpr std::size_t budget = 1200;  // of steps of some 500 octets
+  static constexpr std::size_t budget = 1200;  // of steps of some 500 bytes
   FieldSet fields_{100};
   std::vector<FieldDelta> journal_;
   int reads_ = 0;
@@ -399,14 +399,14 @@ TEST_F(LiveStrokeTest, AnotherChangeEndsTheStrokeAndAMissDoesNot) {
 TEST(DeltaCodec, RoundTripsAndRefusesDamage) {
   FieldDelta delta{{{Field::direction, {0, 1, 130, 70'000, 4'000'000'000u}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 0xffffffff}},
                     {Field::tip_colour, {7}, {0, 0, 0, 1}}}};
-  const std::string octets = encode_delta(delta);
-  const auto decoded = decode_delta(std::as_bytes(std::span(octets)));
+  const std::string bytes = encode_delta(delta);
+  const auto decoded = decode_delta(std::as_bytes(std::span(bytes)));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(*decoded, delta);
-  for (std::size_t size = 0; size < octets.size(); ++size) {
-    EXPECT_FALSE(decode_delta(std::as_bytes(std::span(octets.data(), size))).ok()) << size;
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(decode_delta(std::as_bytes(std::span(bytes.data(), size))).ok()) << size;
   }
-  const std::string longer = octets + "x";
+  const std::string longer = bytes + "x";
   EXPECT_FALSE(decode_delta(std::as_bytes(std::span(longer))).ok());
   const std::string huge = "\xff\xff\xff\xff\xff\xff\xff\xff\x7f";
   EXPECT_FALSE(decode_delta(std::as_bytes(std::span(huge))).ok());

@@ -15,10 +15,10 @@ constexpr std::size_t plenty = 1 << 20;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-std::span<const std::byte> octets_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-FloatImage decoded(const std::string& octets) {
-  const Result<FloatImage> image = decode_float_image(octets_of(octets), plenty);
+FloatImage decoded(const std::string& bytes) {
+  const Result<FloatImage> image = decode_float_image(bytes_of(bytes), plenty);
   EXPECT_TRUE(image.ok()) << image.status().message;
   return image.ok() ? *image : FloatImage{};
 }
@@ -73,7 +73,7 @@ TEST(Jpeg, QualityTradesSizeForLikeness) {
   };
   const std::string good = encode_jpeg(image, 95), poor = encode_jpeg(image, 20);
   EXPECT_GT(good.size(), poor.size());
-  const Result<Image> of_good = decode_image(octets_of(good), plenty), of_poor = decode_image(octets_of(poor), plenty);
+  const Result<Image> of_good = decode_image(bytes_of(good), plenty), of_poor = decode_image(bytes_of(poor), plenty);
   ASSERT_TRUE(of_good.ok() && of_poor.ok());
   EXPECT_LT(error(*of_good), 2);
   EXPECT_LT(error(*of_good), error(*of_poor));
@@ -133,7 +133,7 @@ TEST(Exr, PlainColourGoesBeforeALayer) {
   EXPECT_EQ(decoded(encode_exr(1, 1, planes)).rgba, plain);
 }
 
-TEST(Exr, SameInputSameOctets) {
+TEST(Exr, SameInputSameBytes) {
   const std::vector<float> rgba(16 * 9 * 4, 0.3f);
   const auto planes = rgba_planes(rgba, ExrSample::half);
   const std::string exr = encode_exr(16, 9, planes);
@@ -146,20 +146,20 @@ TEST(Exr, WithoutColourOrCutOffIsRefused) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<float>(i * i));
   const std::vector<ExrPlane> depth = {{"Z", values}}, grey = {{"Y", values}};
   const std::string no_colour = encode_exr(64, 64, depth), whole = encode_exr(64, 64, grey);
-  EXPECT_FALSE(decode_float_image(octets_of(no_colour), plenty).ok());
+  EXPECT_FALSE(decode_float_image(bytes_of(no_colour), plenty).ok());
   for (std::size_t length = 0; length < whole.size(); length += 97) {
-    const Result<FloatImage> result = decode_float_image(octets_of(whole.substr(0, length)), plenty);
+    const Result<FloatImage> result = decode_float_image(bytes_of(whole.substr(0, length)), plenty);
     ASSERT_FALSE(result.ok()) << length << " of " << whole.size();
     EXPECT_EQ(result.status().code, Code::invalid);
   }
-  EXPECT_FALSE(decode_float_image(octets_of(whole), 64 * 64 - 1).ok());
-  EXPECT_TRUE(decode_float_image(octets_of(whole), 64 * 64).ok());
+  EXPECT_FALSE(decode_float_image(bytes_of(whole), 64 * 64 - 1).ok());
+  EXPECT_TRUE(decode_float_image(bytes_of(whole), 64 * 64).ok());
 }
 
 /// Radiance RGBE without run lengths: value = mantissa / 256 * 2^(exponent - 128).
 TEST(Hdr, ReadsRadiance) {
   std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
-  for (int octet : {128, 64, 32, 129, 200, 100, 50, 140}) hdr += static_cast<char>(octet);
+  for (int byte : {128, 64, 32, 129, 200, 100, 50, 140}) hdr += static_cast<char>(byte);
   const FloatImage image = decoded(hdr);
   ASSERT_EQ(image.width, 2);
   EXPECT_NEAR(image.rgba[0], 1.0f, 0.01f);
@@ -167,15 +167,15 @@ TEST(Hdr, ReadsRadiance) {
   EXPECT_NEAR(image.rgba[4], 3200, 20);
   EXPECT_EQ(image.rgba[7], 1);
   EXPECT_FALSE(image.display_referred);
-  EXPECT_FALSE(decode_float_image(octets_of(hdr.substr(0, hdr.size() - 3)), plenty).ok());
+  EXPECT_FALSE(decode_float_image(bytes_of(hdr.substr(0, hdr.size() - 3)), plenty).ok());
 }
 
-TEST(FloatReading, EightBitsAndOtherOctets) {
+TEST(FloatReading, EightBitsAndOtherBytes) {
   const Image image{1, 1, {188, 0, 255, 51}};
   const FloatImage of_png = decoded(encode_png(image, true)), direct = linear_image(image);
   EXPECT_EQ(of_png.rgba, direct.rgba);
   EXPECT_NEAR(direct.rgba[2], 0.2f, 1e-6f);
-  EXPECT_FALSE(decode_float_image(octets_of("GIF89a"), plenty).ok());
+  EXPECT_FALSE(decode_float_image(bytes_of("GIF89a"), plenty).ok());
   EXPECT_FALSE(decode_float_image({}, plenty).ok());
 }
 

@@ -22,7 +22,7 @@ Image noise(int width, int height, std::uint32_t seed, bool opaque) {
 }
 
 /// What a client does: pictures of a few sizes, each mostly the one before with a patch changed.
-RC_GTEST_PROP(PngEncoder, GivesTheOctetsThatEncodingWithoutAMemoryGives, ()) {
+RC_GTEST_PROP(PngEncoder, GivesTheBytesThatEncodingWithoutAMemoryGives, ()) {
   PngEncoder encoder(20'000);  // room for three or four of the larger ones
   std::vector<Image> pictures;
   for (std::size_t i = 0; i < sizes.size(); ++i) {

@@ -26,13 +26,13 @@ class BasePictureTest : public StoreTest {
     EXPECT_TRUE(scene->replace_model(*model, {}, stored).ok());
     return scene;
   }
-  /// The octets of the picture that frames of the scene take; empty for the model's own colours.
+  /// The bytes of the picture that frames of the scene take; empty for the model's own colours.
   static std::vector<std::uint8_t> picture_of(const Scene& scene) {
-    std::vector<std::uint8_t> octets;
+    std::vector<std::uint8_t> bytes;
     scene.read([&](const SceneView& view) {
-      if (view.base_picture) octets = view.base_picture->rgba;
+      if (view.base_picture) bytes = view.base_picture->rgba;
     });
-    return octets;
+    return bytes;
   }
   static std::string name_in(const Scene& scene) {
     std::string name;
@@ -147,7 +147,7 @@ TEST_F(BasePictureTest, AMissingPictureIsReported) {
   store_.reset();
   {
     auto database = Database::open((folder_ / "pelage.sqlite").string());
-    ASSERT_TRUE(database->execute("UPDATE pictures SET octets = x'00'").ok());
+    ASSERT_TRUE(database->execute("UPDATE pictures SET bytes = x'00'").ok());
   }
   EXPECT_EQ(SceneStore::open(folder_.string(), "pelage-import").status().code, Code::internal);
   std::filesystem::remove_all(folder_);

@@ -108,17 +108,17 @@ TEST_F(RefineTest, APictureStaysOnTheModel) {
   ASSERT_TRUE(scene->replace_model(*build_model(raw, stored, 1000), {}, stored).ok());
   ASSERT_TRUE(store_->lay_base_picture(*scene, testing::red_and_blue()).ok());
   subdivide(*scene);
-  const auto octets = [](const Scene& of) {
+  const auto bytes = [](const Scene& of) {
     std::vector<std::uint8_t> found;
     of.read([&](const SceneView& view) {
       if (view.base_picture) found = view.base_picture->rgba;
     });
     return found;
   };
-  EXPECT_EQ(octets(*scene), testing::red_and_blue().rgba);
+  EXPECT_EQ(bytes(*scene), testing::red_and_blue().rgba);
   const std::string id = scene->id();
   open();
-  EXPECT_EQ(octets(**store_->find(id)), testing::red_and_blue().rgba);
+  EXPECT_EQ(bytes(**store_->find(id)), testing::red_and_blue().rgba);
 }
 
 TEST_F(RefineTest, AnotherScenesFieldsAreOneStepAndStay) {

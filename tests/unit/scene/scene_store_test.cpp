@@ -244,8 +244,8 @@ TEST_F(SceneStoreTest, ADamagedJournalIsReported) {
 TEST_F(SceneStoreTest, AModelThatCannotBeReadLeavesTheSceneAsItWas) {
   const auto scene = make();
   const FieldsHash first = hash(*scene);
-  const std::string octets = "no model";
-  const auto refused = store_->load_model(*scene, {}, std::as_bytes(std::span(octets)));
+  const std::string bytes = "no model";
+  const auto refused = store_->load_model(*scene, {}, std::as_bytes(std::span(bytes)));
   EXPECT_FALSE(refused.ok());
   EXPECT_EQ(scene->revision(), 0u);
   EXPECT_EQ(hash(*scene), first);

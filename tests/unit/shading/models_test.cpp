@@ -2,12 +2,12 @@
 // them. Where each row of science.md 4, 5 and 6 is held (GL: tests/gl; the others: tests/unit):
 //
 //   4  GPU fur eq 1, diffuse and specular      Kajiya.IsEquationOne; GL Scattering.AgreesWithTheCpu
-//      g, ka C, sum over lights                GL Lighting.SumsUpAmbientLightAndLamps
+//      g, ka C, sum over lights                GL Lighting.SumsUpAmbientLightAndLights
 //      B                                       LightBehind.*; GL Scattering.LightFromBehindAgreesWithTheCpu
 //      S, sd and sw                            GL ShadowFormulas.SoftShadowIsTheWidthOverTheDepth, .HardShadow...
 //      t through layer-wise maps               GL ShadowFormulas.LayersLetThrough..., .MapsStandUpright;
 //                                              GL Shadows.LayerMapsHoldTheOpticalDepthOfTheFur, .HardShadowsFall...
-//      t without maps (n.l over .3: fur.md)    GL Lighting.SumsUpAmbientLightAndLamps, .KeepsTheLightOfLampsApart
+//      t without maps (n.l over .3: fur.md)    GL Lighting.SumsUpAmbientLightAndLights, .KeepsTheLightOfLightsApart
 //      t_c = t^(1 - f_c), back-scatter         GL Lighting.PaleFurLetsLight..., .FibreModelsScatterAgain...
 //      Kajiya-Kay, 1 and .28                   KajiyaKay.IsOneInTheMirrorDirection
 //      Scheuermann, four values and wrap       Scheuermann.*

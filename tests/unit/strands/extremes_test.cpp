@@ -34,7 +34,7 @@ class Extremes : public ::testing::Test {
  protected:
   static FurFrame usual(Transport transport) {
     FurFrame frame = frame_at(12, coat_of(glm::vec3(0.5f), 300), transport, 2);
-    frame.lights = {lamp_from({1, -1, -1}, 1)};
+    frame.lights = {light_from({1, -1, -1}, 1)};
     frame.ground = FurGround{.height = -0.3f, .shadow = 0.7f, .contact = 0.7f};
     return frame;
   }
@@ -126,9 +126,9 @@ TEST_F(Extremes, DenseFurIsThinnedOutToWhatIsAllowed) {
 }
 
 FurLight point_at(glm::vec3 place, float radiance) {
-  FurLight lamp;
-  lamp.kind = LightKind::point, lamp.position = place, lamp.radiance = glm::vec3(radiance), lamp.radius = 0.01f;
-  return lamp;
+  FurLight light;
+  light.kind = LightKind::point, light.position = place, light.radiance = glm::vec3(radiance), light.radius = 0.01f;
+  return light;
 }
 
 TEST_F(Extremes, LightsAnywhere) {
@@ -160,8 +160,8 @@ TEST_F(Extremes, LightFromAfarAndAllAround) {
     FurFrame frame = usual(transport);
     for (const float angle : {0.0f, 1.5707964f}) {
       for (const float radiance : {0.0f, 1e8f}) {
-        frame.lights = {lamp_from({0, -1, 0}, radiance), lamp_from({0, 1, 0}, 1), lamp_from({0, 0, -1}, 1)};
-        for (FurLight& lamp : frame.lights) lamp.angle = angle;
+        frame.lights = {light_from({0, -1, 0}, radiance), light_from({0, 1, 0}, 1), light_from({0, 0, -1}, 1)};
+        for (FurLight& light : frame.lights) light.angle = angle;
         trace(frame);
       }
     }

@@ -30,7 +30,7 @@ TEST(Trace, TheSameSeedGivesTheSameBitsAtAnyThreadCount) {
   const FurPatch ball = fur_ball(0.03f);
   for (const Transport transport : {Transport::transmittance, Transport::paths}) {
     FurFrame frame = frame_at(40, coat_of({0.5f, 0.3f, 0.2f}), transport, 2);
-    frame.lights = {lamp_from({1, -1, -1}, 1)};
+    frame.lights = {light_from({1, -1, -1}, 1)};
     const Traced one = traced(ball, frame, 1), four = traced(ball, frame, 4);
     EXPECT_EQ(one.beauty.rgba, four.beauty.rgba);
     frame.knobs.trace.seed = 2;
@@ -54,7 +54,7 @@ std::vector<FloatImage> pictures(const FurPatch& fur, FurFrame frame, int passes
 TEST(Trace, PassesBringNoBiasAndLessNoise) {
   const FurPatch ball = fur_ball(0.03f);
   FurFrame frame = frame_at(32, coat_of({0.5f, 0.3f, 0.2f}, 300), Transport::transmittance, 1);
-  frame.lights = {lamp_from({1, -1, -1}, 1)};
+  frame.lights = {light_from({1, -1, -1}, 1)};
   const FloatImage truth = pictures(ball, frame, 512, 1).front();
   std::vector<double> errors;
   for (const int passes : {1, 4, 16}) {
@@ -74,13 +74,13 @@ TEST(Trace, PassesBringNoBiasAndLessNoise) {
   EXPECT_LT(errors[2], 0.55 * errors[1]);
 }
 
-TEST(Trace, LampsAddUp) {
+TEST(Trace, LightsAddUp) {
   const FurPatch ball = fur_ball(0.03f);
   for (const Transport transport : {Transport::transmittance, Transport::paths}) {
     FurFrame frame = frame_at(24, coat_of({0.5f, 0.3f, 0.2f}), transport, 96);
-    const FurLight key = lamp_from({1, -1, -1}, 1), rim = lamp_from({-0.5f, -0.2f, 1}, 2);
-    const auto red = [&](std::vector<FurLight> lamps, double ambient) {
-      frame.lights = std::move(lamps), frame.look.ambient = ambient;
+    const FurLight key = light_from({1, -1, -1}, 1), rim = light_from({-0.5f, -0.2f, 1}, 2);
+    const auto red = [&](std::vector<FurLight> lights, double ambient) {
+      frame.lights = std::move(lights), frame.look.ambient = ambient;
       return mean_of(traced(ball, frame).beauty).red;
     };
     const double parts = red({key}, 0) + red({rim}, 0) + red({}, 1);
@@ -92,7 +92,7 @@ TEST(Trace, PaleFurLetsLightThroughAndDarkFurDoesNot) {
   const FurPatch ball = fur_ball(0.05f);
   const auto from_behind = [&](float colour) {
     FurFrame frame = frame_at(32, coat_of(glm::vec3(colour), 4000), Transport::transmittance, 16);
-    frame.lights = {lamp_from({0, 0, 1}, 1)};
+    frame.lights = {light_from({0, 0, 1}, 1)};
     frame.look.ambient = frame.look.specular = 0;
     frame.look.shading = ShadingModel::scheuermann, frame.look.fibre.secondary_specular = 0;
     frame.knobs.trace.scattering = StrandScattering::look;
@@ -106,7 +106,7 @@ TEST(Trace, GroundDarkensWhereTheBodyStands) {
   frame.ground = FurGround{.height = -0.28f, .shadow = 0.7f, .contact = 0.7f};
   frame.camera.eye = {0, 0.4f, 2}, frame.camera.forward = glm::normalize(glm::vec3(0, -0.2f, -1));
   frame.camera.up = glm::normalize(glm::vec3(0, 1, -0.2f));
-  frame.lights = {lamp_from({0.5f, -1, 0}, 1)};
+  frame.lights = {light_from({0.5f, -1, 0}, 1)};
   const FloatImage picture = traced(fur_ball(0.03f), frame).beauty;
   double shade = 0;
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
@@ -140,7 +140,7 @@ TEST(Trace, ShortFurKeepsItsStrandsFromAfar) {
 
 TEST(Trace, EndsAtALevelOfNoise) {
   FurFrame frame = frame_at(48, coat_of(glm::vec3(0.5f)), Transport::transmittance, 4096);
-  frame.lights = {lamp_from({1, -1, -1}, 1)};
+  frame.lights = {light_from({1, -1, -1}, 1)};
   frame.knobs.trace.noise = 0.02;
   const Traced picture = traced(fur_ball(0.03f), frame);
   EXPECT_EQ(picture.report.end, TraceEnd::noise);
@@ -169,10 +169,10 @@ TEST(TraceExtremes, FiniteForAnyScene) {
     looks_finite(ball, one);
     for (const float distance : {0.251f, 0.27f, 0.0f, 1e6f}) {  // lights inside the fur, inside the body, far away
       FurFrame frame = usual;
-      FurLight lamp;
-      lamp.kind = LightKind::point, lamp.position = {0, 0, distance}, lamp.radiance = glm::vec3(1e8f),
-      lamp.radius = 0.01f;
-      frame.lights = {lamp};
+      FurLight light;
+      light.kind = LightKind::point, light.position = {0, 0, distance}, light.radiance = glm::vec3(1e8f),
+      light.radius = 0.01f;
+      frame.lights = {light};
       looks_finite(ball, frame);
       frame.camera.eye = {0, 0, distance};
       looks_finite(ball, frame);
@@ -182,7 +182,7 @@ TEST(TraceExtremes, FiniteForAnyScene) {
       frame.look.fibre.longitudinal_roughness = frame.look.fibre.azimuthal_roughness = roughness;
       frame.look.fibre.refractive_index = roughness == 0 ? 1.0 : 3.0;
       frame.coat.ramp = {{0, glm::vec3(static_cast<float>(roughness))}};
-      frame.lights = {lamp_from({0, 0, -1}, 1e8f), lamp_from({0, 0, 1}, 0)};
+      frame.lights = {light_from({0, 0, -1}, 1e8f), light_from({0, 0, 1}, 0)};
       looks_finite(ball, frame);
     }
     FurFrame tiny = usual;

@@ -105,10 +105,10 @@ inline void expect_finite(const FloatImage& image) {
   for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0) << value;
 }
 
-inline FurLight lamp_from(glm::vec3 direction, float radiance) {
-  FurLight lamp;
-  lamp.direction = glm::normalize(direction), lamp.radiance = glm::vec3(radiance), lamp.angle = 0.05f;
-  return lamp;
+inline FurLight light_from(glm::vec3 direction, float radiance) {
+  FurLight light;
+  light.direction = glm::normalize(direction), light.radiance = glm::vec3(radiance), light.angle = 0.05f;
+  return light;
 }
 
 }  // namespace pelage

@@ -18,7 +18,7 @@ namespace {
 
 const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-std::span<const std::byte> octets_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 /// A folder for the files of one test.
 class Import : public testing::Test {
@@ -38,8 +38,8 @@ class Import : public testing::Test {
     return path;
   }
 
-  Status run(const std::string& worker, const std::string& octets, ImportLimits limits = {}) const {
-    const Result<RawModel> model = import_model(worker, ModelFormat::obj, octets_of(octets), limits);
+  Status run(const std::string& worker, const std::string& bytes, ImportLimits limits = {}) const {
+    const Result<RawModel> model = import_model(worker, ModelFormat::obj, bytes_of(bytes), limits);
     return model.ok() ? Status() : model.status();
   }
 
@@ -49,7 +49,7 @@ class Import : public testing::Test {
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_F(Import, ReadsOneTriangle) {
-  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::obj, octets_of(one_triangle));
+  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::obj, bytes_of(one_triangle));
   ASSERT_TRUE(model.ok()) << model.status().message;
   EXPECT_EQ(model->positions.size(), 3u);
   EXPECT_EQ(model->corners, (std::vector<std::uint32_t>{0, 1, 2}));
@@ -134,7 +134,7 @@ TEST_F(Import, FilesNamedInsideAModelAreNotOpened) {
   limits.seconds = 20;
   EXPECT_TRUE(run(PELAGE_IMPORT, "mtllib " + fifo + "\nusemtl a\n" + one_triangle, limits).ok());
   const std::string gltf = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": ")" + fifo + R"(", "byteLength": 4}]})";
-  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::gltf, octets_of(gltf), limits);
+  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::gltf, bytes_of(gltf), limits);
   ASSERT_FALSE(model.ok());
   EXPECT_TRUE(contains(model.status().message, fifo)) << model.status().message;
 }
@@ -142,7 +142,7 @@ TEST_F(Import, FilesNamedInsideAModelAreNotOpened) {
 TEST_F(Import, OtherFormatsAreNotGuessed) {
   for (const ModelFormat format :
        {ModelFormat::ply, ModelFormat::stl, ModelFormat::off, ModelFormat::gltf, ModelFormat::glb, ModelFormat::tds}) {
-    const Result<RawModel> model = import_model(PELAGE_IMPORT, format, octets_of(one_triangle));
+    const Result<RawModel> model = import_model(PELAGE_IMPORT, format, bytes_of(one_triangle));
     EXPECT_FALSE(model.ok()) << static_cast<int>(format);
   }
 }
@@ -150,42 +150,42 @@ TEST_F(Import, OtherFormatsAreNotGuessed) {
 TEST_F(Import, AnEnvironmentIsReadAsLight) {
   const std::string hdr =
       "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\x00\x81\x80\x40\x00\x81", 8);
-  const Result<SphericalHarmonics> light = import_environment(PELAGE_IMPORT, octets_of(hdr));
+  const Result<SphericalHarmonics> light = import_environment(PELAGE_IMPORT, bytes_of(hdr));
   ASSERT_TRUE(light.ok()) << light.status().message;
   EXPECT_NEAR((*light)[0].x, 3.5449, 0.02);
   EXPECT_NEAR((*light)[0].y, 3.5449 / 2, 0.02);
   EXPECT_NEAR(glm::length((*light)[3]), 0, 1e-6);
-  const Status refused = import_environment(PELAGE_IMPORT, octets_of("x")).status();
+  const Status refused = import_environment(PELAGE_IMPORT, bytes_of("x")).status();
   EXPECT_EQ(refused.code, Code::invalid);
   EXPECT_TRUE(contains(refused.message, "The environment cannot be read")) << refused.message;
 }
 
 TEST_F(Import, NonsenseInPlaceOfPicturesIsRefused) {
   const std::string worker = script("echo hello");
-  EXPECT_EQ(import_environment(worker, octets_of("x")).status().code, Code::invalid);
-  EXPECT_EQ(import_picture(worker, octets_of("x")).status().code, Code::invalid);
-  EXPECT_EQ(import_picture(script("kill -SEGV $$"), octets_of("x")).status().code, Code::invalid);
+  EXPECT_EQ(import_environment(worker, bytes_of("x")).status().code, Code::invalid);
+  EXPECT_EQ(import_picture(worker, bytes_of("x")).status().code, Code::invalid);
+  EXPECT_EQ(import_picture(script("kill -SEGV $$"), bytes_of("x")).status().code, Code::invalid);
 }
 
 TEST(PictureCodec, RoundTripAndRefusals) {
   SphericalHarmonics light{};
   for (std::size_t i = 0; i < 9; ++i) light[i] = {double(i), -1e6, 0.1};
-  EXPECT_EQ(*decode_harmonics(octets_of(encode_harmonics(light))), light);
-  EXPECT_FALSE(decode_harmonics(octets_of(encode_harmonics(light) + "x")).ok());
+  EXPECT_EQ(*decode_harmonics(bytes_of(encode_harmonics(light))), light);
+  EXPECT_FALSE(decode_harmonics(bytes_of(encode_harmonics(light) + "x")).ok());
   light[4].z = 1.1e6;
-  EXPECT_FALSE(decode_harmonics(octets_of(encode_harmonics(light))).ok());
+  EXPECT_FALSE(decode_harmonics(bytes_of(encode_harmonics(light))).ok());
   light[4].z = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(decode_harmonics(octets_of(encode_harmonics(light))).ok());
+  EXPECT_FALSE(decode_harmonics(bytes_of(encode_harmonics(light))).ok());
 
   const RawImage image{1, 2, {1, 2, 3, 4, 5, 6, 7, 8}};
-  const std::string octets = encode_raw_image(image);
-  EXPECT_EQ(decode_raw_image(octets_of(octets))->rgba, image.rgba);
-  for (std::size_t length = 0; length < octets.size(); ++length) {
-    EXPECT_FALSE(decode_raw_image(octets_of(octets.substr(0, length))).ok()) << length;
+  const std::string bytes = encode_raw_image(image);
+  EXPECT_EQ(decode_raw_image(bytes_of(bytes))->rgba, image.rgba);
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_FALSE(decode_raw_image(bytes_of(bytes.substr(0, length))).ok()) << length;
   }
-  EXPECT_FALSE(decode_raw_image(octets_of(octets + "x")).ok());
-  EXPECT_FALSE(decode_raw_image(octets_of(encode_raw_image({-1, 2, image.rgba}))).ok());
-  EXPECT_FALSE(decode_raw_image(octets_of(encode_raw_image({0, 0, {}}))).ok());
+  EXPECT_FALSE(decode_raw_image(bytes_of(bytes + "x")).ok());
+  EXPECT_FALSE(decode_raw_image(bytes_of(encode_raw_image({-1, 2, image.rgba}))).ok());
+  EXPECT_FALSE(decode_raw_image(bytes_of(encode_raw_image({0, 0, {}}))).ok());
 }
 
 RawModel everything() {
@@ -204,28 +204,28 @@ RawModel everything() {
 }
 
 TEST(RawCodec, RoundTrip) {
-  const std::string octets = encode_raw_model(everything());
-  const Result<RawModel> back = decode_raw_model(octets_of(octets));
+  const std::string bytes = encode_raw_model(everything());
+  const Result<RawModel> back = decode_raw_model(bytes_of(bytes));
   ASSERT_TRUE(back.ok()) << back.status().message;
-  EXPECT_EQ(encode_raw_model(*back), octets);
+  EXPECT_EQ(encode_raw_model(*back), bytes);
   EXPECT_EQ(back->corners, everything().corners);
   EXPECT_EQ(back->images[0].rgba, everything().images[0].rgba);
   EXPECT_TRUE(back->is_32_bit);
 }
 
-TEST(RawCodec, EveryTruncationAndAnyTrailingOctetIsRefused) {
-  const std::string octets = encode_raw_model(everything());
-  for (std::size_t length = 0; length < octets.size(); ++length) {
-    EXPECT_FALSE(decode_raw_model(octets_of(octets.substr(0, length))).ok()) << length;
+TEST(RawCodec, EveryTruncationAndAnyTrailingByteIsRefused) {
+  const std::string bytes = encode_raw_model(everything());
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_FALSE(decode_raw_model(bytes_of(bytes.substr(0, length))).ok()) << length;
   }
-  EXPECT_FALSE(decode_raw_model(octets_of(octets + "x")).ok());
+  EXPECT_FALSE(decode_raw_model(bytes_of(bytes + "x")).ok());
 }
 
 TEST(RawCodec, BrokenContentIsRefused) {
   const auto refused = [](auto breaks) {
     RawModel model = everything();
     breaks(model);
-    return !decode_raw_model(octets_of(encode_raw_model(model))).ok();
+    return !decode_raw_model(bytes_of(encode_raw_model(model))).ok();
   };
   EXPECT_FALSE(refused([](RawModel&) {}));
   EXPECT_TRUE(refused([](RawModel& m) { m.corners[1] = 4; }));
@@ -241,15 +241,15 @@ TEST(RawCodec, BrokenContentIsRefused) {
 
 /// Counts that lie are found before memory is asked for; whatever is accepted keeps its promises.
 TEST(RawCodec, RandomDamageIsRefusedOrHarmless) {
-  const std::string octets = encode_raw_model(everything());
+  const std::string bytes = encode_raw_model(everything());
   Random random(7);
   for (int i = 0; i < 5000; ++i) {
-    std::string damaged = octets;
+    std::string damaged = bytes;
     for (int k = 0; k < 3; ++k) {
       damaged[static_cast<std::size_t>(random.uniform() * static_cast<double>(damaged.size()))] =
           static_cast<char>(static_cast<int>(random.uniform() * 256) - 128);
     }
-    const Result<RawModel> model = decode_raw_model(octets_of(damaged));
+    const Result<RawModel> model = decode_raw_model(bytes_of(damaged));
     if (!model.ok()) continue;
     for (std::uint32_t corner : model->corners) ASSERT_TRUE(corner < model->positions.size() || corner == no_position);
   }

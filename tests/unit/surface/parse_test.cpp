@@ -9,14 +9,14 @@
 namespace pelage {
 namespace {
 
-RawModel parsed(ModelFormat format, const std::string& octets) {
-  Result<RawModel> model = parse_model(format, octets);
+RawModel parsed(ModelFormat format, const std::string& bytes) {
+  Result<RawModel> model = parse_model(format, bytes);
   EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.status().message);
   return model.ok() ? *model : RawModel();
 }
 
-std::string refusal(ModelFormat format, const std::string& octets) {
-  const Result<RawModel> model = parse_model(format, octets);
+std::string refusal(ModelFormat format, const std::string& bytes) {
+  const Result<RawModel> model = parse_model(format, bytes);
   EXPECT_FALSE(model.ok());
   return model.ok() ? "" : model.status().message;
 }

@@ -30,9 +30,9 @@ std::string folder() {
 
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::stringstream octets;
-  octets << file.rdbuf();
-  return octets.str();
+  std::stringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
 }
 
 std::vector<Row> table(const std::string& title) {
@@ -77,8 +77,8 @@ std::optional<ModelFormat> format_of(const std::string& file) {
 }
 
 Result<RawModel> import_file(const std::string& path) {
-  const std::string octets = read_file(path);
-  return import_model(PELAGE_IMPORT, format_of(path).value(), std::as_bytes(std::span(octets)));
+  const std::string bytes = read_file(path);
+  return import_model(PELAGE_IMPORT, format_of(path).value(), std::as_bytes(std::span(bytes)));
 }
 
 Result<Mesh> load_file(const std::string& path) {

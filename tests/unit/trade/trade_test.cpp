@@ -141,7 +141,7 @@ std::string open_tag_in(const std::string& text) {
 
 TEST(Page, IsWellFormedAndNeedsNothingElse) {
   Report report{.renderer = "a <GL> & more", .size = 64, .rows = some_rows()};
-  report.pictures = {{"second, far", "R1", "truth", "octets", ""}, {"second, far", "draft", "error", "octets", "map"}};
+  report.pictures = {{"second, far", "R1", "truth", "bytes", ""}, {"second, far", "draft", "error", "bytes", "map"}};
   const std::string text = page(report);
   EXPECT_EQ(open_tag_in(text), "");
   EXPECT_EQ(text.find("http"), std::string::npos);

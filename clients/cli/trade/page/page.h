@@ -13,8 +13,8 @@ struct Picture {
   std::string scene;
   std::string name;     // "R1", "draft", ...
   std::string caption;  // its figures
-  std::string jpeg;     // octets
-  std::string map;      // octets of a JPEG; "" for none
+  std::string jpeg;     // bytes
+  std::string map;      // bytes of a JPEG; "" for none
 };
 
 struct Report {
@@ -26,8 +26,8 @@ struct Report {
   std::vector<Picture> pictures = {};
 };
 
-/// Octets as base64 (RFC 4648).
-std::string base64(const std::string& octets);
+/// Bytes as base64 (RFC 4648).
+std::string base64(const std::string& bytes);
 
 /// The whole page; it needs nothing beside itself.
 std::string page(const Report& report);

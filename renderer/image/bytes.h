@@ -1,4 +1,4 @@
-// What the readers and writers of pictures share: the kind of a file by its first octets, and clear refusals.
+// What the readers and writers of pictures share: the kind of a file by its first bytes, and clear refusals.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -13,13 +13,13 @@ namespace pelage {
 
 enum class PictureFormat { unknown, png, jpeg, exr, hdr };
 
-PictureFormat format_of(std::string_view octets);
+PictureFormat format_of(std::string_view bytes);
 
 /// The file's name as OpenImageIO wants it to choose a reader or a writer. Not for `unknown`.
 const char* name_of(PictureFormat format);
 
 /// Whether a PNG ends before its IEND or a JPEG before its end marker; the readers of EXR and HDR notice by themselves.
-bool is_cut_off(PictureFormat format, std::string_view octets);
+bool is_cut_off(PictureFormat format, std::string_view bytes);
 
 /// An `invalid` Status: "The picture cannot be read: REASON".
 Status unreadable(const std::string& reason);
