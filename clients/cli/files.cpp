@@ -1,11 +1,12 @@
 #include "clients/cli/files.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <iostream>
+#include <string>
+#include <unistd.h>
 
 namespace pelage {
 
@@ -38,6 +39,14 @@ Status write_file(const std::string& path, const std::string& bytes) {
   if (file && std::rename(temporary.c_str(), path.c_str()) == 0) return {};
   std::remove(temporary.c_str());
   return failure(Code::internal, "Cannot write " + path + ".");
+}
+
+ExitCode hand_over(const char* program, char* const* arguments) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string path = self.parent_path() / program;
+  execv(path.c_str(), arguments);
+  return report(failure(Code::internal, "Cannot start " + path + "; it belongs beside pelage."));
 }
 
 }  // namespace pelage

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "clients/cli/session.h"
 #include "protocol/base/status.h"
 
 namespace pelage {
@@ -13,5 +14,11 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes);
 
 /// Under a temporary name in the same folder, then renamed; "-" is standard output.
 Status write_file(const std::string& path, const std::string& bytes);
+
+// Programs that do one action of the client.
+
+/// Becomes the program of this name that lies beside this one, with the same arguments. Comes back only to say that it
+/// cannot.
+ExitCode hand_over(const char* program, char* const* arguments);
 
 }  // namespace pelage

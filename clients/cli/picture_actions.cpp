@@ -1,17 +1,79 @@
-#include <fmt/format.h>
+#include "clients/cli/picture_actions.h"
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <cstdio>
+#include <fmt/format.h>
+#include <limits>
 
 #include "clients/cli/actions.h"
 #include "clients/cli/files.h"
 #include "clients/cli/print.h"
-#include "clients/cli/refinement.h"
+#include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double longest_wait = 20;  // seconds of one request; the server takes 25
+
+void print_progress(const Options& options, const HttpAnswer& answer, const TraceReport& trace, double seconds) {
+  const std::string revision = header(answer, "pelage-revision");
+  if (options.json) {
+    fmt::print("{{\"file\":{},\"revision\":{},\"seconds\":{:.3f},\"trace\":{}}}\n", json_text(options.output), revision,
+               seconds, header(answer, "pelage-trace"));
+  } else if (trace.passes == 0) {
+    fmt::print("{}: revision {}, shells, {:.2f} s\n", options.output, revision, seconds);
+  } else {
+    fmt::print("{}: revision {}, {} passes, noise {:.4f}, {:.2f} s\n", options.output, revision, trace.passes,
+               trace.noise, seconds);
+  }
+  std::fflush(stdout);
+}
+
+/// Writes the picture and says so.
+Result<TraceReport> take(const Options& options, const HttpAnswer& answer, double seconds) {
+  Result<TraceReport> trace = decode_trace_report(header(answer, "pelage-trace"));
+  if (!trace) return trace;
+  if (Status status = write_file(options.output, answer.body); !status.ok()) return status;
+  print_progress(options, answer, *trace, seconds);
+  return trace;
+}
+
+}  // namespace
+
+ExitCode follow_refinement(Session& session, const std::string& path, const std::string& request) {
+  const Options& options = session.options();
+  if (options.output == "-") {
+    return report(failure(Code::invalid, "Pictures that follow each other need a file.", "", "--output FILE"));
+  }
+  const Clock::time_point start = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const double most = options.for_seconds.value_or(std::numeric_limits<double>::infinity());
+  const int last_pass = options.until_pass.value_or(std::numeric_limits<int>::max());
+  std::string address = path + "/frames";
+  for (;;) {
+    const auto answer = Session::accepted(session.connection().post_json(address, request));
+    if (!answer) return report(answer.status());
+    if (answer->status != 304) {
+      const Result<TraceReport> trace = take(options, *answer, seconds());
+      if (!trace) return report(trace.status());
+      if (trace->end != TraceEnd::none || trace->passes >= last_pass) return done;
+      address =
+          fmt::format("{}/frames?after={}&after_pass={}", path, header(*answer, "pelage-revision"), trace->passes);
+    }
+    const double left = most - seconds();
+    if (left <= 0) return done;
+    const std::size_t wait = address.find("&wait=");
+    address = fmt::format("{}&wait={:.3f}", address.substr(0, wait), std::min(left, longest_wait));
+  }
+}
 
 namespace {
 
@@ -94,6 +156,84 @@ ExitCode pick_pixel(Session& session) {
     fmt::print("{}\n", answer->body);
   else
     print(*pick);
+  return done;
+}
+
+namespace {
+
+bool ends_in_exr(const std::string& path) { return path.size() >= 4 && path.substr(path.size() - 4) == ".exr"; }
+
+/// The parameters and the field, for the decoder to check before anything is sent.
+Query checked_query(const Options& options) {
+  Query query = options.map_parameters;
+  query.emplace_back("field", options.field);
+  return query;
+}
+
+/// The address of the field's map. The decoder took every value, so that none needs escaping but the + of a number,
+/// which means nothing there.
+std::string address_of(const std::string& scene_path, const Options& options) {
+  std::string address = scene_path + "/maps/" + options.field;
+  char separator = '?';
+  for (const auto& [parameter, value] : options.map_parameters) {
+    std::string plain = value;
+    std::erase(plain, '+');
+    address += separator + parameter + "=" + plain;
+    separator = '&';
+  }
+  return address;
+}
+
+Options with_format(Options options) {
+  const Parameters& given = options.map_parameters;
+  const auto names_format = [](const auto& parameter) { return parameter.first == "format"; };
+  const bool has_format = std::any_of(given.begin(), given.end(), names_format);
+  if (!has_format && ends_in_exr(options.output)) options.map_parameters.emplace_back("format", "exr");
+  return options;
+}
+
+}  // namespace
+
+ExitCode get_map(Session& session) {
+  const Options options = with_format(session.options());
+  if (const auto checked = decode_map_query(checked_query(options)); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = Session::accepted(session.connection().get(address_of(*path, options)));
+  if (!answer) return report(answer.status());
+  if (const Status status = write_file(options.output, answer->body); !status.ok()) return report(status);
+  if (options.output == "-") return done;
+  const auto about = answer->headers.find("pelage-map");
+  const std::string map = about == answer->headers.end() ? "{}" : about->second;
+  if (options.json)
+    fmt::print("{{\"file\":{},\"map\":{}}}\n", json_text(options.output), map);
+  else
+    fmt::print("{}: {}\n", options.output, map);
+  return done;
+}
+
+ExitCode put_map(Session& session) {
+  const Options& options = session.options();
+  if (const auto checked = decode_map_upload_query(checked_query(options)); !checked) return report(checked.status());
+  const auto bytes = read_file(options.file, limits::picture_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_change(session, Session::accepted(session.connection().put_bytes(address_of(*path, options), *bytes)),
+                      options.file);
+}
+
+ExitCode put_picture(Session& session) {
+  const Options& options = session.options();
+  const auto bytes = read_file(options.file, limits::picture_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = Session::accepted(session.connection().put_bytes(*path + "/pictures", *bytes));
+  if (!answer) return report(answer.status(), options.file);
+  const auto kept = decode_picture_answer(answer->body);
+  if (!kept) return report(kept.status());
+  fmt::print("{}\n", options.json ? answer->body : kept->picture);
   return done;
 }
 

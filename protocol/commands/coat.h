@@ -68,7 +68,7 @@ struct Coat {
   double fine_clump_size = 0.004;  // mean distance of these locks, sizes, [0.001, 0.5]
   double lodge = 0;             // how far patches of strands are pressed to one side, [0, 1]
   double lodge_size = 0.04;     // mean distance of these patches, sizes, [0.001, 0.5]
-  double wetness = 0;           // [0, 1]: tighter clumps, darker and shinier (renderer/coat/wetness.h)
+  double wetness = 0;           // [0, 1]: tighter clumps, darker and shinier (renderer/coat/strand_tile.h)
   double length_spread = 0.3;   // share of the length that is random, [0, 1]
   double colour_spread = 0.12;  // change of lightness from strand to strand, [0, 1]
   double root_share = 0.3;      // angle at the root over angle at the tip: 0 plush, .6 sleek, [0, 1]

@@ -7,8 +7,7 @@
 #include <optional>
 
 #include "protocol/base/random.h"
-#include "renderer/coat/clump_grid.h"
-#include "renderer/coat/wetness.h"
+#include "renderer/coat/clump.h"
 
 namespace pelage {
 

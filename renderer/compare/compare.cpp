@@ -1,13 +1,165 @@
 #include "renderer/compare/compare.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <functional>
 #include <string>
 
-#include "renderer/compare/colour.h"
 #include "renderer/compare/flip.h"
 
 namespace pelage {
+
+namespace {
+
+/// Linear RGB to XYZ over the XYZ of white: each row sums to 1. GLM wants columns.
+glm::dmat3 white_relative() {
+  const glm::dmat3 rows(glm::dvec3(10135552, 8788810, 4435075) / 24577794.0,
+                        glm::dvec3(2613072, 8788810, 887015) / 12288897.0,
+                        glm::dvec3(1425312, 8788810, 70074185) / 73733382.0);
+  glm::dmat3 scaled;
+  for (int k = 0; k < 3; ++k) scaled[k] = rows[k] / (rows[k].x + rows[k].y + rows[k].z);
+  return glm::transpose(scaled);
+}
+
+double lab_curve(double t) {
+  constexpr double delta = 6.0 / 29;
+  return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+}
+
+}  // namespace
+
+double luminance_of(const glm::dvec3& linear) { return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+
+glm::dvec3 ycxcz_from_linear(const glm::dvec3& linear) {
+  static const glm::dmat3 matrix = white_relative();
+  const glm::dvec3 xyz = matrix * linear;
+  return {116 * xyz.y - 16, 500 * (xyz.x - xyz.y), 200 * (xyz.y - xyz.z)};
+}
+
+glm::dvec3 linear_from_ycxcz(const glm::dvec3& ycxcz) {
+  static const glm::dmat3 inverse = glm::inverse(white_relative());
+  const double y = (ycxcz.x + 16) / 116;
+  return glm::clamp(inverse * glm::dvec3(y + ycxcz.y / 500, y, y - ycxcz.z / 200), 0.0, 1.0);
+}
+
+glm::dvec3 hunt_lab_from_linear(const glm::dvec3& linear) {
+  static const glm::dmat3 matrix = white_relative();
+  const glm::dvec3 xyz = matrix * linear;
+  const double x = lab_curve(xyz.x), y = lab_curve(xyz.y), z = lab_curve(xyz.z);
+  const double lightness = 116 * y - 16;
+  return {lightness, 0.01 * lightness * 500 * (x - y), 0.01 * lightness * 200 * (y - z)};
+}
+
+double hyab(const glm::dvec3& first, const glm::dvec3& second) {
+  const glm::dvec3 d = first - second;
+  return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
+}
+
+namespace {
+
+template <class Inside>
+Mask mask_of(const FloatImage& image, Inside inside) {
+  Mask mask{image.width, image.height, std::vector<std::uint8_t>(image.rgba.size() / 4)};
+  for (std::size_t i = 0; i < mask.inside.size(); ++i) mask.inside[i] = inside(&image.rgba[i * 4]) ? 1 : 0;
+  return mask;
+}
+
+/// For each pixel how far along its row the nearest pixel of this side is; `far` where there is none within reach.
+std::vector<int> row_distances(const Mask& mask, std::uint8_t side, int far) {
+  std::vector<int> distances(mask.inside.size());
+  const std::size_t width = static_cast<std::size_t>(mask.width);
+  for (std::size_t begin = 0; begin < distances.size(); begin += width) {
+    int distance = far;
+    for (std::size_t i = begin; i < begin + width; ++i) {
+      distance = mask.inside[i] == side ? 0 : std::min(distance + 1, far);
+      distances[i] = distance;
+    }
+    distance = far;
+    for (std::size_t i = begin + width; i-- > begin;) {
+      distance = mask.inside[i] == side ? 0 : std::min(distance + 1, far);
+      distances[i] = std::min(distances[i], distance);
+    }
+  }
+  return distances;
+}
+
+}  // namespace
+
+std::size_t Mask::count() const { return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1)); }
+
+Mask alpha_mask(const FloatImage& image) {
+  constexpr float least = 0.999f / 255;  // a rounded 1/255 counts
+  return mask_of(image, [](const float* rgba) { return rgba[3] >= least; });
+}
+
+Mask luminance_mask(const FloatImage& image) {
+  const double half = linear_from_srgb(0.5);
+  return mask_of(image, [half](const float* rgba) { return luminance_of({rgba[0], rgba[1], rgba[2]}) > half; });
+}
+
+Mask union_of(const Mask& first, const Mask& second) {
+  assert(first.width == second.width && first.height == second.height);
+  Mask both = first;
+  std::transform(first.inside.begin(), first.inside.end(), second.inside.begin(), both.inside.begin(),
+                 std::bit_or<std::uint8_t>());
+  return both;
+}
+
+Mask outline_band(const Mask& mask, double pixels) {
+  assert(pixels >= 0 && pixels <= 1000);
+  const int reach = static_cast<int>(pixels), far = reach + 1;
+  const std::vector<int> to_outside = row_distances(mask, 0, far), to_inside = row_distances(mask, 1, far);
+  Mask band{mask.width, mask.height, std::vector<std::uint8_t>(mask.inside.size())};
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x);
+  };
+  for (int y = 0; y < mask.height; ++y) {
+    for (int row = std::max(0, y - reach); row <= std::min(mask.height - 1, y + reach); ++row) {
+      const double farthest = std::sqrt(pixels * pixels - (row - y) * (row - y));
+      for (int x = 0; x < mask.width; ++x) {
+        const std::vector<int>& distances = mask.inside[index(x, y)] ? to_outside : to_inside;
+        if (distances[index(x, row)] <= farthest) band.inside[index(x, y)] = 1;
+      }
+    }
+  }
+  return band;
+}
+
+namespace {
+
+/// sRGB at tenths: a least squares fit of straight lines to magma.
+constexpr std::array<std::array<double, 3>, 11> ramp = {{{0.000, 0.000, 0.004},
+                                                         {0.073, 0.061, 0.215},
+                                                         {0.231, 0.059, 0.450},
+                                                         {0.395, 0.098, 0.508},
+                                                         {0.549, 0.163, 0.507},
+                                                         {0.713, 0.212, 0.481},
+                                                         {0.874, 0.281, 0.408},
+                                                         {0.973, 0.432, 0.349},
+                                                         {0.997, 0.626, 0.421},
+                                                         {0.997, 0.809, 0.567},
+                                                         {0.987, 0.992, 0.748}}};
+
+}  // namespace
+
+Image error_picture(const std::vector<float>& errors, int width, int height) {
+  assert(errors.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  Image picture{width, height, {}};
+  picture.rgba.reserve(errors.size() * 4);
+  for (float error : errors) {
+    const double place = (std::isnan(error) ? 1.0 : std::clamp(static_cast<double>(error), 0.0, 1.0)) * 10;
+    const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(place), 9);
+    const double share = place - static_cast<double>(below);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = ramp[below][k] + share * (ramp[below + 1][k] - ramp[below][k]);
+      picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
+    }
+    picture.rgba.push_back(255);
+  }
+  return picture;
+}
 
 namespace {
 

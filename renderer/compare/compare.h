@@ -1,16 +1,65 @@
-// The measure of a picture: how far a picture of fur is from a reference (science.md 6).
+// The colour spaces that LDR-FLIP works in. Linear RGB has sRGB's primaries and white (D65); values are in [0, 1].
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
-#include "renderer/compare/mask.h"
 #include "renderer/image/float_image.h"
+#include "renderer/image/image.h"
 
 namespace pelage {
+
+/// Rec. 709 luminance.
+double luminance_of(const glm::dvec3& linear);
+
+/// The linearised opponent space of Zhang and Wandell (1996): Y in [-16, 100], Cx red against green, Cz blue against
+/// yellow.
+glm::dvec3 ycxcz_from_linear(const glm::dvec3& linear);
+
+/// Back, held to the colours that a display has.
+glm::dvec3 linear_from_ycxcz(const glm::dvec3& ycxcz);
+
+/// CIE L*a*b* with a and b scaled by L / 100 (Hunt: colourfulness grows with luminance; Andersson et al. 2020, eq. 5).
+glm::dvec3 hunt_lab_from_linear(const glm::dvec3& linear);
+
+/// |dL| + |(da, db)| (Abasi et al. 2020), for large differences of colour.
+double hyab(const glm::dvec3& first, const glm::dvec3& second);
+
+// Where fur is in a picture, and the band around its outline.
+
+/// One byte for each pixel, rows from the top: 1 inside, 0 outside.
+struct Mask {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> inside;
+
+  std::size_t count() const;
+};
+
+/// Where alpha is at least 1/255: what eight bits can show. NaN is outside.
+Mask alpha_mask(const FloatImage& image);
+
+/// Where the picture is brighter than half, times alpha: for masks drawn as pictures.
+Mask luminance_mask(const FloatImage& image);
+
+/// Inside either of two masks of one size.
+Mask union_of(const Mask& first, const Mask& second);
+
+/// Pixels whose centre lies at most `pixels` from that of a pixel on the other side of the mask's edge. The picture's
+/// border is no edge. `pixels` in [0, 1000].
+Mask outline_band(const Mask& mask, double pixels);
+
+// A picture of where the error is.
+
+/// Errors in [0, 1] as 8-bit colours from black over purple and orange to pale yellow, even to the eye: within .013 of
+/// matplotlib's `magma`. Outside [0, 1] the ends are taken, NaN is taken as 1.
+Image error_picture(const std::vector<float>& errors, int width, int height);
+
+// The measure of a picture: how far a picture of fur is from a reference (science.md 6).
 
 struct CompareOptions {
   double pixels_per_degree = 67;       // [5, 1000]; .7 m before a screen of .7 m and 3840 pixels

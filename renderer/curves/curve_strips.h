@@ -1,4 +1,4 @@
-// Groups of guided curves as strips that a shader widens: guides are evaluated and others filled in between them.
+// A smooth curve through points (Catmull and Rom 1974).
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,12 @@
 #include "renderer/input/fur_scene.h"
 
 namespace pelage {
+
+/// The place at `t` in [0, 1], evenly from point to point: at t = i / (n - 1) exactly points[i]. Needs n of 2 or more.
+/// Beyond its ends the curve goes on as it came, so two points give a straight line. Finite for points that coincide.
+glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t);
+
+// Groups of guided curves as strips that a shader widens: guides are evaluated and others filled in between them.
 
 inline constexpr int curve_segments = 48;
 

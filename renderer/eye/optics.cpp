@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "renderer/shading/fresnel.h"
+#include "renderer/shading/fibre.h"
 
 namespace pelage {
 
@@ -25,6 +25,110 @@ double pupil_size(double luminance) {
   constexpr double iris_millimetres = 11.8;
   const double magnitude = std::log10(std::clamp(luminance, 1e-12, 1e12));
   return (4.9 - 3 * std::tanh(0.4 * magnitude)) / iris_millimetres;
+}
+
+namespace {
+
+constexpr double white_light = 1000;  // candela per square metre, a bright room
+
+double brightness(glm::vec3 radiance) { return glm::dot(glm::dvec3(radiance), glm::dvec3(0.2126, 0.7152, 0.0722)); }
+
+/// What a light brings to a surface at the eye that faces where it looks.
+double brought_by(const FurLight& light, const FurEye& eye) {
+  glm::dvec3 to_light = -glm::dvec3(light.direction);
+  double share = 1;
+  if (light.kind != LightKind::directional) {
+    const glm::dvec3 apart = glm::dvec3(light.position) - glm::dvec3(eye.position);
+    const double square = std::max(glm::dot(apart, apart), 1e-8);
+    to_light = apart / std::sqrt(square);
+    share = 1 / square;
+    if (light.kind != LightKind::point) {
+      const double inside = -glm::dot(to_light, glm::dvec3(light.direction));
+      share *= std::clamp((inside - light.cone) / std::max<double>(light.soft_cone - light.cone, 1e-6), 0.0, 1.0);
+    }
+  }
+  return share * brightness(light.radiance) * std::max(0.0, glm::dot(to_light, glm::dvec3(eye.frame[2])));
+}
+
+}  // namespace
+
+EyeShape shape_of(const FurEye& eye) {
+  EyeShape shape;
+  shape.iris_radius = eye.iris.size;
+  shape.limbus = std::sqrt(1 - eye.iris.size * eye.iris.size);
+  shape.cornea_radius = 1 / glm::mix(1.0, 1 / eye.iris.size, eye.bulge);
+  const double square = shape.cornea_radius * shape.cornea_radius - eye.iris.size * eye.iris.size;
+  shape.cornea_centre = shape.limbus - std::sqrt(std::max(square, 0.0));
+  shape.iris_plane = shape.limbus - eye.iris.depth;
+  shape.relief = std::min(eye.iris.relief, eye.iris.depth);  // no fibre reaches through the limbus
+  shape.refraction = eye.refraction;
+  return shape;
+}
+
+PupilAxes pupil_axes(PupilShape shape, double size) {
+  if (shape == PupilShape::round) return {size, size};
+  // Narrow in bright light and nearly as high as the iris; round once it is dilated.
+  const double narrow = std::clamp(1.6 * size - 0.12, 0.0, 1.0);
+  const double width = glm::mix(narrow, size, size), height = glm::mix(0.50 * std::min(1.0, 12 * size), 1.0, size);
+  return {width, height};
+}
+
+double luminance_at(const FurEye& eye, const FurFrame& frame) {
+  double sum = frame.look.ambient;
+  for (const FurLight& light : frame.lights) sum += brought_by(light, eye);
+  return white_light * sum;
+}
+
+namespace {
+
+constexpr int rays_across = 160;  // of the light's beam
+
+/// Shares a ray's flux among the four texels around the place, both in [0, caustic_texels].
+void splat(float* map, double x, double y, double flux) {
+  constexpr double last = caustic_texels - 1;
+  x = std::clamp(x - 0.5, 0.0, last), y = std::clamp(y - 0.5, 0.0, last);
+  const int i = std::min(static_cast<int>(x), caustic_texels - 2);
+  const int j = std::min(static_cast<int>(y), caustic_texels - 2);
+  const double u = x - i, v = y - j;
+  float* texel = map + j * caustic_texels + i;
+  texel[0] += static_cast<float>(flux * (1 - u) * (1 - v));
+  texel[1] += static_cast<float>(flux * u * (1 - v));
+  texel[caustic_texels] += static_cast<float>(flux * (1 - u) * v);
+  texel[caustic_texels + 1] += static_cast<float>(flux * u * v);
+}
+
+/// Sends a beam of parallel light through the cornea.
+void gather(const EyeShape& shape, double angle, float* map) {
+  const glm::dvec3 to_light(std::sin(angle), 0, std::cos(angle)), across(std::cos(angle), 0, -std::sin(angle));
+  const glm::dvec3 centre(0, 0, shape.cornea_centre);
+  const double step = 2 * shape.cornea_radius / rays_across, texel = 2 * shape.iris_radius / caustic_texels;
+  for (int j = 0; j < rays_across; ++j) {
+    for (int i = 0; i < rays_across; ++i) {
+      const glm::dvec2 at = (glm::dvec2(i, j) + 0.5) * step - shape.cornea_radius;
+      const double height = shape.cornea_radius * shape.cornea_radius - glm::dot(at, at);
+      if (height <= 0) continue;
+      const glm::dvec3 away = at.x * across + glm::dvec3(0, at.y, 0) + std::sqrt(height) * to_light;
+      if (centre.z + away.z < shape.limbus) continue;  // beside the cornea
+      const glm::dvec3 normal = away / shape.cornea_radius;
+      const auto inside = refract_into(-to_light, normal, shape.refraction);
+      if (!inside || inside->z > -1e-6) continue;
+      const glm::dvec3 hit = centre + away + *inside * ((centre.z + away.z - shape.iris_plane) / -inside->z);
+      if (std::hypot(hit.x, hit.y) > shape.iris_radius) continue;  // on the wall of the chamber
+      const double flux = step * step * (1 - fresnel(glm::dot(normal, to_light), shape.refraction));
+      splat(map, hit.x / texel + 0.5 * caustic_texels, hit.y / texel + 0.5 * caustic_texels, flux / (texel * texel));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<float> gather_caustics(const EyeShape& shape) {
+  constexpr std::size_t texels = caustic_texels * caustic_texels;
+  std::vector<float> maps(texels * caustic_angles);
+  for (int k = 0; k < caustic_angles; ++k) {
+    gather(shape, caustic_reach * k / (caustic_angles - 1), maps.data() + texels * static_cast<std::size_t>(k));
+  }
+  return maps;
 }
 
 }  // namespace pelage

@@ -3,6 +3,9 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
+
+#include "renderer/input/fur_scene.h"
 
 namespace pelage {
 
@@ -18,5 +21,42 @@ double fresnel(double cosine, double index);
 /// Diameter of a pupil over that of the iris, [0.17, 0.68], for an eye that sees the luminance, in candela per square
 /// metre, at least 0 (Moon and Spencer 1944: 4.9 - 3 tanh(.4 log10 L) mm; an iris of 11.8 mm).
 double pupil_size(double luminance);
+
+// The surfaces of an eye, in its own frame: the ball has radius 1 around the origin, and it looks along +Z.
+
+struct EyeShape {
+  double iris_radius = 0;    // also that of the limbus, where cornea and ball meet
+  double limbus = 0;         // z of the limbus
+  double cornea_centre = 0;  // z
+  double cornea_radius = 1;
+  double iris_plane = 0;  // z of the bottom of the iris
+  double relief = 0;      // height of its fibres above that
+  double refraction = 1;
+
+  bool operator==(const EyeShape&) const = default;
+};
+
+EyeShape shape_of(const FurEye& eye);
+
+/// Semi-axes of the pupil over the radius of the iris, [0, 1] each.
+struct PupilAxes {
+  double width = 0, height = 0;
+};
+/// A slit opens to a round pupil; both are round when they are full.
+PupilAxes pupil_axes(PupilShape shape, double size);
+
+/// Luminance that an eye sees, in candela per square metre: a light of intensity 1 in front of it stands for 1000.
+double luminance_at(const FurEye& eye, const FurFrame& frame);
+
+// Light that a cornea gathers on the iris behind it.
+
+inline constexpr int caustic_texels = 48;     // across the iris, from -iris_radius to iris_radius
+inline constexpr int caustic_angles = 20;     // of the light to the axis, from 0 to caustic_reach
+inline constexpr double caustic_reach = 2.0;  // radians
+
+/// For each angle, row by row, the irradiance on the plane of the iris over that of a surface which faces the light.
+/// The light comes from +X. What comes through the cornea and reaches the iris is all there: the sum over texels times
+/// a texel's area is the flux (science.md 5).
+std::vector<float> gather_caustics(const EyeShape& shape);
 
 }  // namespace pelage

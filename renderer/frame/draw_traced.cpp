@@ -6,7 +6,7 @@
 #include "renderer/frame/parts.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/wait.h"
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

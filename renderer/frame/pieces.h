@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "renderer/passes/sorted/areas.h"
+#include "renderer/passes/sorted/fragment_lists.h"
 
 namespace pelage {
 

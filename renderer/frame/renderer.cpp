@@ -10,8 +10,8 @@
 #include "renderer/coat/strand_tile.h"
 #include "renderer/frame/parts.h"
 #include "renderer/gl/wait.h"
-#include "renderer/passes/draw/draw_state.h"
-#include "renderer/pattern/pattern_block.h"
+#include "renderer/passes/draw/draw.h"
+#include "renderer/pattern/pattern.h"
 #include "renderer/upload/skin_block.h"
 
 namespace pelage {

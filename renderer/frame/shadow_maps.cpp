@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

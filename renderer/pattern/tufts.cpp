@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/pattern/noise.h"
+#include "renderer/pattern/pattern.h"
 
 namespace pelage {
 

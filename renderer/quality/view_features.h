@@ -40,4 +40,16 @@ struct ViewFeatures {
 /// At most some ten thousand triangles are looked at, evenly through the list. Deterministic.
 ViewFeatures view_features(const FurFrame& frame, const FurredSkin& skin);
 
+// Small parts of a view, drawn as pictures of their own with pixels of the same size.
+
+/// The frame's fur before nothing: no ground, no overlay.
+FurFrame fur_alone(FurFrame frame);
+
+/// Pixels a side of a part of a picture of that size.
+int window_side(int width, int height);
+
+/// What the frame shows about a place of its picture (pixels from the left and the top), its fur alone. The camera turns
+/// towards the place, so strands are seen from their side of the view and as large as there.
+FurFrame window_of(const FurFrame& frame, glm::vec2 place, int side);
+
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Eyes, each in its own frame: the ball has radius 1, +Z is the axis. renderer/passes/eye/eye_block.h mirrors it.
+// Eyes, each in its own frame: the ball has radius 1, +Z is the axis. renderer/passes/eye/eye_pass.h mirrors it.
 struct Eye {
   vec4 right;       // unit, in the model's coordinates; w: radius, sizes
   vec4 up;          // w: radius of the iris

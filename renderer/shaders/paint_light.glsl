@@ -12,7 +12,7 @@ vec3 colour_painted(vec3 colour, float height, float lighter) {
 #endif
 
 #ifdef PAINT
-// As renderer/coat/wetness.h, for the water that is painted beyond the coat's own.
+// As renderer/coat/strand_tile.h, for the water that is painted beyond the coat's own.
 float wetter(float rise) {
   float own = paint_block.coat.x, whole = min(own + amounts.z, 1.0);
   return (1.0 + rise * whole) / (1.0 + rise * own);

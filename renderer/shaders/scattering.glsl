@@ -1,5 +1,5 @@
 // Every shading model (science.md 4), as renderer/shading has them in double; tests/gl compares both on a grid.
-// The caller binds ScatteringBlock of renderer/shading/scattering_block.h and, for the two fibre models, the table of
+// The caller binds ScatteringBlock of renderer/shading/scattering_table.h and, for the two fibre models, the table of
 // scattering_table.h as a 3D texture of RGBA32F, linear, clamped to its edges.
 layout(std140, binding = 3) uniform ScatteringBlock {
   ivec4 model;       // by number; 1 where the absorption is given

@@ -1,15 +1,29 @@
-// The parts of a fibre model: how light spreads along the strand (M), how much is left (A) and how it spreads around it
-// (N). Marschner 2003, d'Eon 2011, Chiang 2016; values in science.md 4. A direction is (sin theta, cos theta cos phi,
-// cos theta sin phi) about the strand's axis; theta is the inclination from the plane across it. The axis of these
-// formulas points from tip to root, so that a positive cuticle tilt turns reflected light to the root.
 #pragma once
 
 #include <array>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "protocol/commands/look.h"
 
 namespace pelage {
+
+/// Share of unpolarised light that a smooth dielectric reflects, in [0, 1]. `cos_incidence` in [0, 1] on the side of
+/// index 1, `eta` >= 1 the index behind the surface. Exact (Fresnel); 1 at grazing incidence for every eta.
+double fresnel_dielectric(double cos_incidence, double eta);
+
+struct QuadratureNode {
+  double x = 0;
+  double weight = 0;
+};
+
+/// Gauss-Legendre nodes for the integral over [from, to]: exact for polynomials of degree 2 count - 1. `count` >= 1.
+std::vector<QuadratureNode> gauss_legendre(int count, double from, double to);
+
+// The parts of a fibre model: how light spreads along the strand (M), how much is left (A) and how it spreads around it
+// (N). Marschner 2003, d'Eon 2011, Chiang 2016; values in science.md 4. A direction is (sin theta, cos theta cos phi,
+// cos theta sin phi) about the strand's axis; theta is the inclination from the plane across it. The axis of these
+// formulas points from tip to root, so that a positive cuticle tilt turns reflected light to the root.
 
 /// R, TT, TRT and, for energy conserving models, the sum of all longer paths.
 constexpr int lobe_count = 4;

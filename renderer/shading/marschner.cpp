@@ -1,16 +1,88 @@
 #include "renderer/shading/marschner.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
-#include "renderer/shading/fresnel.h"
+#include "renderer/shading/fibre.h"
 
 namespace pelage {
 
 namespace {
 
 using std::numbers::pi;
+
+constexpr int node_count = 192;
+constexpr double least_width = 0.02;
+
+/// Nodes in h. With h = sin gamma the azimuths are smooth functions of the variable, at the fibre's edge too.
+std::vector<QuadratureNode> offset_nodes() {
+  std::vector<QuadratureNode> nodes = gauss_legendre(node_count, 0, pi / 2);
+  for (QuadratureNode& node : nodes) node = {std::sin(node.x), node.weight * std::cos(node.x)};
+  return nodes;
+}
+
+}  // namespace
+
+AzimuthalAverage::AzimuthalAverage(ShadingModel shading, const FibreOptics& fibre)
+    : marschner_(shading == ShadingModel::marschner),
+      eta_(fibre.refractive_index),
+      width_(marschner_ ? fibre.caustic_width * pi / 180 : azimuthal_scale(fibre.azimuthal_roughness)),
+      nodes_(offset_nodes()) {
+  assert(marschner_ || shading == ShadingModel::energy_conserving);
+  width_ = std::max(width_, least_width);
+}
+
+double AzimuthalAverage::distribution(double apart) const {
+  const double wrapped = std::remainder(apart, 2 * pi);
+  return marschner_ ? caustic_spread(wrapped, width_) : trimmed_logistic(wrapped, width_);
+}
+
+AzimuthalAverage::NodeValues AzimuthalAverage::exits(double cos_theta) const {
+  NodeValues values(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    for (int p = 0; p + 1 < lobe_count; ++p) {
+      values[i][static_cast<std::size_t>(p)] = exit_azimuth(p, nodes_[i].x, cos_theta, eta_);
+    }
+  }
+  return values;
+}
+
+/// Rays at h and -h leave at opposite azimuths, equally strong.
+AzimuthalAverage::NodeValues AzimuthalAverage::spread(const NodeValues& exits, double azimuth) const {
+  NodeValues values(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    for (std::size_t p = 0; p + 1 < lobe_count; ++p) {
+      const double both = distribution(azimuth - exits[i][p]) + distribution(azimuth + exits[i][p]);
+      values[i][p] = nodes_[i].weight / 2 * both;
+    }
+    values[i][lobe_count - 1] = nodes_[i].weight / (2 * pi);
+  }
+  return values;
+}
+
+AzimuthalAverage::NodeValues AzimuthalAverage::passed(double cos_theta, double sigma_a) const {
+  NodeValues values(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) values[i] = attenuation(cos_theta, nodes_[i].x, sigma_a, eta_);
+  return values;
+}
+
+LobeValues AzimuthalAverage::sum(const NodeValues& spread, const NodeValues& passed, double cos_theta,
+                                 double azimuth) const {
+  LobeValues total{};
+  for (std::size_t i = 0; i < spread.size(); ++i) {
+    for (std::size_t p = 0; p < lobe_count; ++p) total[p] += spread[i][p] * passed[i][p];
+  }
+  if (!marschner_) return total;
+  return {marschner_reflection(cos_theta, azimuth, eta_), total[1], total[2], 0};
+}
+
+LobeValues AzimuthalAverage::at(double cos_theta, double azimuth, double sigma_a) const {
+  return sum(spread(exits(cos_theta), azimuth), passed(cos_theta, sigma_a), cos_theta, azimuth);
+}
+
+namespace {
 
 double inclination_angle(const Inclination& inclination) { return std::atan2(inclination.sine, inclination.cosine); }
 

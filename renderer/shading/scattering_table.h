@@ -1,9 +1,11 @@
 // The azimuthal part of energy_conserving and marschner as an array that the GPU reads.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/shading/azimuthal_average.h"
+#include "protocol/commands/look.h"
+#include "renderer/shading/marschner.h"
 
 namespace pelage {
 
@@ -29,5 +31,24 @@ ScatteringTable make_scattering_table(const Look& look);
 
 /// The third axis of the table, for sigma_a >= 0.
 double absorption_coordinate(double sigma_a);
+
+// What renderer/shaders/scattering.glsl reads besides the table: the numbers of a look, worked out once in double.
+
+/// Mirrors ScatteringBlock of scattering.glsl, layout std140.
+struct ScatteringBlock {
+  glm::ivec4 model;      // ShadingModel by number; 1 where the absorption is given; 0; 0
+  glm::vec4 weights;     // diffuse, specular, secondary specular, shift spread
+  glm::vec4 exponents;   // diffuse, specular, secondary; 3 / colour polynomial: colour to absorption coordinate
+  glm::vec4 shifts;      // primary, secondary, 0, 0
+  glm::vec4 absorption;  // absorption coordinates where they are given; 0
+  glm::vec4 tilt_sine;   // for each lobe: energy_conserving
+  glm::vec4 tilt_cosine;
+  glm::vec4 centre;      // for each lobe: theta_h of the peak, radians; marschner
+  glm::vec4 variance;    // for each lobe: along the strand
+  glm::vec4 normaliser;  // for each lobe: what the exponential is multiplied with; 0 for a lobe that is not there
+};
+static_assert(sizeof(ScatteringBlock) == 10 * 16);
+
+ScatteringBlock scattering_block(const Look& look);
 
 }  // namespace pelage

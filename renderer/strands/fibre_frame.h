@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "renderer/strands/choice.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <optional>
 
-#include "renderer/pattern/pattern_block.h"
-#include "renderer/strands/hash.h"
+#include "renderer/pattern/pattern.h"
+#include "renderer/strands/sampling.h"
 #include "renderer/strands/lean_table.h"
-#include "renderer/strands/piece_area.h"
+#include "renderer/strands/strand_part.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/strand_colours.h"
 #include "renderer/strands/strand_form.h"

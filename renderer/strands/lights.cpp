@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/light/spherical_harmonics.h"
+#include "renderer/light/environment.h"
 
 namespace pelage {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "renderer/shading/fibre_paths.h"
-#include "renderer/strands/choice.h"
+#include "renderer/strands/sampling.h"
 #include "renderer/strands/fibre_frame.h"
 
 namespace pelage {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
-#include "renderer/pattern/pattern_block.h"
+#include "renderer/pattern/pattern.h"
 #include "renderer/strands/lean_table.h"
 
 namespace pelage {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "renderer/pattern/pattern_block.h"
+#include "renderer/pattern/pattern.h"
 #include "renderer/strands/grow.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/tile_strands.h"

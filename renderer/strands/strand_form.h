@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "renderer/coat/clump_grid.h"
+#include "renderer/coat/clump.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/tile_strands.h"
 

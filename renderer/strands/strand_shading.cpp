@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/coat/wetness.h"
+#include "renderer/coat/strand_tile.h"
 
 namespace pelage {
 

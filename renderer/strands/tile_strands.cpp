@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "renderer/coat/slices.h"
-#include "renderer/coat/wetness.h"
-#include "renderer/strands/hash.h"
+#include "renderer/coat/strand_tile.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 
@@ -15,8 +15,6 @@ namespace {
 constexpr int least_segments = 6, most_segments = 48;
 constexpr double least_of_turn = 4, most_of_turn = 8;  // segments
 constexpr std::size_t looked_at = 2048;                // strands for a mean: the first ones of a tile lie evenly
-
-float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/strands/choice.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 
@@ -31,9 +31,9 @@ TraceScene::TraceScene(const FurFrame& frame, BasePicture base, const StrandShad
       lights_(frame.lights, frame.environment, frame.look.ambient),
       shading_(shading),
       self_shadow_(strand_depth * static_cast<float>(frame.look.self_shadow)) {
-  float light = lights_.mean_environment();
-  for (const FurLight& light : frame.lights) light += luminance(light.radiance);
-  brightest_ = brightest_over_light * std::max(light, 1e-6f);
+  float received = lights_.mean_environment();
+  for (const FurLight& light : frame.lights) received += luminance(light.radiance);
+  brightest_ = brightest_over_light * std::max(received, 1e-6f);
 }
 
 Ray TraceScene::ray_at(glm::vec2 place) const {

@@ -4,10 +4,10 @@
 #include <glm/glm.hpp>
 
 #include "renderer/input/fur_scene.h"
-#include "renderer/strands/base_picture.h"
+#include "renderer/strands/tracer.h"
 #include "renderer/strands/film.h"
 #include "renderer/strands/lights.h"
-#include "renderer/strands/sampler.h"
+#include "renderer/strands/sampling.h"
 #include "renderer/strands/strand_shading.h"
 #include "renderer/strands/world.h"
 

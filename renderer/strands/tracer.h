@@ -1,5 +1,5 @@
-// The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that the
-// shells' passes drew (BasePicture), so that they look the same in both.
+// What lies under the fur, drawn by the shells' passes: skin, bare skin and eyes in the light of all lights, without
+// fur, shadows and ground.
 #pragma once
 
 #include <functional>
@@ -10,9 +10,20 @@
 #include "protocol/base/status.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/strands/base_picture.h"
 
 namespace pelage {
+
+/// Pictures of one size, which is a whole multiple of the frame's; conventions of Renderer::draw_layers.
+struct BasePicture {
+  FloatImage beauty;  // multiplied by alpha, which is 0 where there is neither skin nor eye
+  FloatImage direct;  // of that the part of lights
+  FloatImage albedo;
+  FloatImage normal;
+  FloatImage depth;  // 1 / distance along the view, 1 / sizes; 0 for none
+};
+
+// The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that the
+// shells' passes drew (BasePicture), so that they look the same in both.
 
 /// Asked by each tracing thread between small pieces of work. May hold the thread up; false ends the work.
 using GoOn = std::function<bool()>;

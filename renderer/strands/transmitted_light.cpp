@@ -7,7 +7,7 @@
 #include "renderer/shading/empirical.h"
 #include "renderer/shading/fibre_paths.h"
 #include "renderer/skin/bare.h"
-#include "renderer/strands/choice.h"
+#include "renderer/strands/sampling.h"
 #include "renderer/strands/fibre_frame.h"
 
 namespace pelage {

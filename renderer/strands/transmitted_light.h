@@ -4,7 +4,7 @@
 #pragma once
 
 #include "renderer/strands/film.h"
-#include "renderer/strands/sampler.h"
+#include "renderer/strands/sampling.h"
 #include "renderer/strands/trace_scene.h"
 
 namespace pelage {

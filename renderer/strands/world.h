@@ -1,8 +1,8 @@
-// What rays hit: the strands, the skin and the eyeballs, in Embree. Strands are ribbons that face the ray, in parts
-// with an index each, so that a stroke rebuilds only what it changed.
+// Embree's objects as move-only handles.
 #pragma once
 
 #include <cstddef>
+#include <embree3/rtcore.h>
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
@@ -14,6 +14,22 @@
 #include "renderer/strands/parallel.h"
 
 namespace pelage {
+
+struct ReleaseDevice {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct ReleaseGeometry {
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+using EmbreeGeometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
+
+// What rays hit: the strands, the skin and the eyeballs, in Embree. Strands are ribbons that face the ray, in parts
+// with an index each, so that a stroke rebuilds only what it changed.
 
 /// A strand, to be left out by rays that start on it.
 struct StrandId {

@@ -6,8 +6,7 @@
 
 #include "renderer/coat/colour_above.h"
 #include "renderer/coat/strand_tile.h"
-#include "renderer/coat/wetness.h"
-#include "renderer/light/spherical_harmonics.h"
+#include "renderer/light/environment.h"
 
 namespace pelage {
 

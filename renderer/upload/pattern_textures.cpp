@@ -4,7 +4,7 @@
 
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/surface_volume.h"
-#include "renderer/upload/volume_texture.h"
+#include "renderer/upload/textures.h"
 
 namespace pelage {
 

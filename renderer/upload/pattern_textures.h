@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "renderer/gl/handles.h"
-#include "renderer/pattern/pattern_block.h"
+#include "renderer/pattern/pattern.h"
 #include "renderer/upload/model_buffers.h"
 
 namespace pelage {

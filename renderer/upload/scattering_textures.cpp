@@ -1,7 +1,6 @@
 #include "renderer/upload/scattering_textures.h"
 
-#include "renderer/coat/wetness.h"
-#include "renderer/shading/scattering_block.h"
+#include "renderer/coat/strand_tile.h"
 #include "renderer/shading/scattering_table.h"
 
 namespace pelage {

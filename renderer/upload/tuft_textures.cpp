@@ -1,6 +1,6 @@
 #include "renderer/upload/tuft_textures.h"
 
-#include "renderer/upload/volume_texture.h"
+#include "renderer/upload/textures.h"
 
 namespace pelage {
 

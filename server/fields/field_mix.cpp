@@ -3,9 +3,9 @@
 #include <cassert>
 #include <functional>
 
-#include "server/fields/colour_sum.h"
-#include "server/fields/layer_stack.h"
-#include "server/surface/transport.h"
+#include "server/fields/field_set.h"
+#include "server/fields/edit_layers.h"
+#include "server/surface/geodesics.h"
 
 namespace pelage {
 

@@ -4,7 +4,7 @@
 
 #include "renderer/compare/compare.h"
 #include "renderer/quality/planner.h"
-#include "renderer/quality/windows.h"
+#include "renderer/quality/view_features.h"
 
 namespace pelage {
 

@@ -7,7 +7,7 @@
 
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
-#include "renderer/image/png_encoder.h"
+#include "renderer/image/png.h"
 #include "server/frames/frame_parts.h"
 
 namespace pelage {

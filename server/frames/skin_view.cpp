@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/scene/upright_frame.h"
+#include "server/scene/eye_view.h"
 
 namespace pelage {
 

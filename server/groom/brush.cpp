@@ -7,7 +7,7 @@
 
 #include "protocol/base/limits.h"
 #include "server/groom/vertex_frame.h"
-#include "server/surface/local_distance.h"
+#include "server/surface/geodesics.h"
 
 namespace pelage {
 

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "server/fields/colour_sum.h"
+#include "server/fields/field_set.h"
 #include "server/fields/edit_layers.h"
 #include "server/fields/field_writer.h"
-#include "server/fields/layer_stack.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 

@@ -6,7 +6,7 @@
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
-#include "server/surface/corners_around.h"
+#include "server/surface/geodesics.h"
 #include "protocol/base/parallel.h"
 
 namespace pelage {

@@ -10,7 +10,7 @@
 
 #include "protocol/commands/tools.h"
 #include "server/surface/heat_distance.h"
-#include "server/surface/spread.h"
+#include "server/surface/geodesics.h"
 
 namespace pelage {
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <string>
 
-#include "server/fields/colour_sum.h"
+#include "server/fields/field_set.h"
 #include "server/fields/field_mix.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/alignment.h"

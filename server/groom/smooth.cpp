@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "server/fields/colour_sum.h"
+#include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 #include "protocol/base/parallel.h"
-#include "server/surface/transport.h"
+#include "server/surface/geodesics.h"
 
 namespace pelage {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "server/fields/colour_sum.h"
+#include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"

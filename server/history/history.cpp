@@ -9,7 +9,7 @@
 
 #include "protocol/json/decode.h"
 #include "server/fields/edit_layers.h"
-#include "server/history/delta_codec.h"
+#include "server/history/codec.h"
 
 namespace pelage {
 

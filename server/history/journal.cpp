@@ -4,8 +4,7 @@
 
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
-#include "server/history/delta_codec.h"
-#include "server/history/refinement_codec.h"
+#include "server/history/codec.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {

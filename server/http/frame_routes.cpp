@@ -6,7 +6,7 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
-#include "server/http/client_socket.h"
+#include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 

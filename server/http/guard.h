@@ -1,15 +1,62 @@
-// What a request has to be before anything else looks at it.
+// Whether a client still waits for its answer.
 #pragma once
 
+#include <atomic>
 #include <httplib.h>
-
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/base/status.h"
 
 namespace pelage {
+
+/// The connection that a request came on. cpp-httplib does not hand it out, so it is looked up among the sockets of the
+/// process by the client's address and port. Valid while the request is handled.
+class ClientSocket {
+ public:
+  explicit ClientSocket(const httplib::Request& request);
+
+  /// True once the client has closed the connection; false when that cannot be told.
+  bool gone() const;
+
+ private:
+  int descriptor_ = -1;
+};
+
+// A bound on how many requests do one costly thing at a time.
+
+class Gate {
+ public:
+  explicit Gate(int places) : places_(places) {}
+
+  /// Holds a place until it is destroyed; false when there was none left.
+  class Pass {
+   public:
+    explicit Pass(Gate* gate) : gate_(gate) {}
+    Pass(Pass&& other) noexcept : gate_(std::exchange(other.gate_, nullptr)) {}
+    Pass& operator=(Pass&&) = delete;
+    ~Pass() {
+      if (gate_) ++gate_->places_;
+    }
+    explicit operator bool() const { return gate_ != nullptr; }
+
+   private:
+    Gate* gate_;
+  };
+
+  [[nodiscard]] Pass enter() {
+    if (--places_ >= 0) return Pass(this);
+    ++places_;
+    return Pass(nullptr);
+  }
+
+ private:
+  std::atomic<int> places_;
+};
+
+// What a request has to be before anything else looks at it.
 
 struct Refusal {
   int http_status;

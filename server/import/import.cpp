@@ -8,7 +8,6 @@
 #include "protocol/base/limits.h"
 #include "server/import/child_process.h"
 #include "server/import/map_picture.h"
-#include "server/import/worker_contract.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 
 #include "renderer/image/image.h"
 #include "server/import_worker/parse.h"
-#include "server/import_worker/srgb.h"
+#include "server/import_worker/read_picture.h"
 
 namespace pelage {
 

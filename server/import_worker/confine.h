@@ -1,11 +1,34 @@
-// Giving up every right that parsing does not need.
+// The only files that assimp sees: the bytes of the upload.
 #pragma once
 
+#include <assimp/IOSystem.hpp>
 #include <cstddef>
+#include <string>
 
 #include "protocol/base/status.h"
 
 namespace pelage {
+
+/// Knows one file by its name; every other open, and every write, fails and is remembered.
+class ClosedIo : public Assimp::IOSystem {
+ public:
+  ClosedIo(std::string name, const std::string& bytes) : name_(std::move(name)), bytes_(bytes) {}
+
+  bool Exists(const char* file) const override { return name_ == file; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char* mode) override;
+  void Close(Assimp::IOStream* stream) override;
+
+  /// The first other file that was asked for; empty when there was none.
+  const std::string& refused() const { return refused_; }
+
+ private:
+  std::string name_;
+  const std::string& bytes_;
+  std::string refused_;
+};
+
+// Giving up every right that parsing does not need.
 
 /// From here on this process may compute, read and write its three open streams, and end. Opening files, sockets, new
 /// processes and threads fail with EPERM. It is ended (SIGXCPU) after `seconds` of processor time, and has at most

@@ -6,7 +6,6 @@
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
 #include "server/import/import.h"
-#include "server/import/worker_contract.h"
 
 namespace pelage {
 

@@ -1,5 +1,5 @@
 // pelage-import JOB SECONDS BYTES: reads a model or a picture on standard input, writes what the job makes of it on
-// standard output. Started by the server for each upload; server/import/worker_contract.h has the contract.
+// standard output. Started by the server for each upload; server/import/import.h has the contract.
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,7 +11,7 @@
 
 #include "server/import_worker/confine.h"
 #include "server/import_worker/job.h"
-#include "server/import/worker_contract.h"
+#include "server/import/import.h"
 
 namespace {
 

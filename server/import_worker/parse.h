@@ -5,7 +5,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
-#include "server/surface/raw_model.h"
+#include "server/surface/mesh.h"
 
 namespace pelage {
 

@@ -11,10 +11,10 @@
 
 #include "protocol/base/limits.h"
 #include "server/import_worker/assimp_materials.h"
-#include "server/import_worker/closed_io.h"
+#include "server/import_worker/confine.h"
 #include "server/import_worker/gltf_check.h"
 #include "server/import_worker/parse.h"
-#include "server/import/worker_contract.h"
+#include "server/import/import.h"
 
 namespace pelage {
 

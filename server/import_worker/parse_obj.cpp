@@ -9,7 +9,7 @@
 #include <streambuf>
 
 #include "server/import_worker/parse.h"
-#include "server/import_worker/srgb.h"
+#include "server/import_worker/read_picture.h"
 #include "server/import_worker/text.h"
 
 namespace pelage {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "server/import_worker/parse.h"
-#include "server/import_worker/srgb.h"
+#include "server/import_worker/read_picture.h"
 #include "server/import_worker/text.h"
 
 namespace pelage {

@@ -8,7 +8,7 @@
 #include "protocol/base/limits.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
-#include "renderer/light/equirectangular.h"
+#include "renderer/light/environment.h"
 #include "server/import_worker/parse.h"
 
 namespace pelage {

@@ -1,19 +1,32 @@
-// Pictures that are uploaded for themselves. Runs in the confined worker only.
+// Vertex colours of most formats are sRGB; the house works in linear light.
 #pragma once
 
+#include <cmath>
+#include <glm/glm.hpp>
 #include <string>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/look.h"
 #include "server/import/map_picture.h"
-#include "server/surface/raw_model.h"
+#include "server/surface/mesh.h"
 
 namespace pelage {
+
+/// Each channel in [0, 1]; others are clamped, NaN stays.
+inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
+  for (int i = 0; i < 3; ++i) {
+    const float c = colour[i] < 0 ? 0 : (colour[i] > 1 ? 1 : colour[i]);
+    colour[i] = c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+  }
+  return colour;
+}
+
+// Pictures that are uploaded for themselves. Runs in the confined worker only.
 
 // All refuse (invalid, with the reason) bytes that are broken or of another format, and pictures wider or higher than
 // limits::picture_pixels.
 
-/// The light of an EXR or HDR of all directions; renderer/light/equirectangular.h says which pixel is where.
+/// The light of an EXR or HDR of all directions; renderer/light/environment.h says which pixel is where.
 Result<SphericalHarmonics> read_environment(const std::string& bytes);
 
 /// The colours of a PNG or JPEG that is laid on a model.

@@ -7,9 +7,8 @@
 #include "protocol/commands/map.h"
 #include "protocol/commands/tools.h"
 #include "server/fields/field_set.h"
-#include "server/maps/encoding.h"
-#include "server/maps/map_image.h"
 #include "server/import/map_picture.h"
+#include "server/maps/encoding.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {

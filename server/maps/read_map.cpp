@@ -1,7 +1,8 @@
+#include "server/maps/read_map.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "server/maps/bilinear.h"
 #include "server/maps/draw_map.h"
 
 namespace pelage {

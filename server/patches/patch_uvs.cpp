@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "server/surface/adjacency.h"
-#include "server/patches/patch_points.h"
 #include "server/patches/patches.h"
 
 namespace pelage {

@@ -1,4 +1,5 @@
 // How a change comes into a scene: whole or not at all.
+#include <new>
 #include <span>
 #include <utility>
 
@@ -54,7 +55,16 @@ Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings) cons
 /// To those who wait, and to those who look without the lock.
 void Scene::announce() {
   newest_ = history_.revision();
+  publish_summary();
   changed_.notify_all();
+}
+
+/// Where memory does not do for it, lists show the summary before: the change itself is done and stays.
+void Scene::publish_summary() noexcept try {
+  SceneSummary summary = describe();
+  const std::lock_guard lock(published_mutex_);
+  published_ = std::move(summary);
+} catch (const std::bad_alloc&) {
 }
 
 }  // namespace pelage

@@ -10,7 +10,7 @@
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
-#include "server/scene/first_settings.h"
+#include "server/scene/creature_settings.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
@@ -47,7 +47,9 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       copy_id_(model_->id),
       fields_(first_groom(model_->surface.mesh(), fur)),
       history_(new_history(0, first_settings(*model_))),
-      dirty_(whole_range(fields_.size())) {}
+      dirty_(whole_range(fields_.size())) {
+  publish_summary();
+}
 
 /// Steps beyond the budget are read back from the journal, which has every entry.
 History Scene::new_history(Revision first, SceneSettings settings) const {
@@ -270,6 +272,11 @@ SceneSummary Scene::describe() const {
 SceneSummary Scene::summary() const {
   const std::lock_guard lock(mutex_);
   return describe();
+}
+
+SceneSummary Scene::last_summary() const {
+  const std::lock_guard lock(published_mutex_);
+  return published_;
 }
 
 std::vector<LogEntry> Scene::log() const {

@@ -122,6 +122,8 @@ class Scene {
   Result<PastFields> past_fields(Revision revision) const;
 
   SceneSummary summary() const;
+  /// As it was after the last change, without waiting for one that goes on. For lists.
+  SceneSummary last_summary() const;
   /// All entries of the journal since the model came, oldest first.
   std::vector<LogEntry> log() const;
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
@@ -213,6 +215,7 @@ class Scene {
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   Result<LaidPicture> picture_of(const SceneSettings& settings) const;
   void announce();
+  void publish_summary() noexcept;
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
   SceneSummary describe() const;
@@ -222,6 +225,8 @@ class Scene {
   const std::size_t undo_bytes_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
+  mutable std::mutex published_mutex_;  // held for a copy only
+  SceneSummary published_;
   std::shared_ptr<const SceneModel> model_;
   std::uint64_t copy_id_;
   FieldSet fields_;

@@ -172,6 +172,11 @@ Status SceneStore::remove(const std::string& id) {
   return {};
 }
 
+std::size_t SceneStore::count() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->scenes.size();
+}
+
 std::vector<SceneSummary> SceneStore::list() const {
   std::vector<std::shared_ptr<Scene>> scenes;
   {
@@ -180,7 +185,7 @@ std::vector<SceneSummary> SceneStore::list() const {
   }
   std::vector<SceneSummary> summaries;
   summaries.reserve(scenes.size());
-  for (const auto& scene : scenes) summaries.push_back(scene->summary());
+  for (const auto& scene : scenes) summaries.push_back(scene->last_summary());
   return summaries;
 }
 

@@ -29,7 +29,9 @@ class SceneStore {
   Result<std::shared_ptr<Scene>> branch(const Scene& from, const BranchRequest& request);
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
+  /// Waits for no scene: each is as it was after its last change.
   std::vector<SceneSummary> list() const;
+  std::size_t count() const;
 
   /// Reads the bytes through the worker and gives the model to the scene. At most two imports run at a time; more are
   /// refused (busy).

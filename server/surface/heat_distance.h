@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "server/surface/spread.h"
+#include "server/surface/geodesics.h"
 
 namespace pelage {
 

@@ -1,11 +1,29 @@
-// From polygons to a mesh that can be groomed.
+// Normals and tangents of vertices.
 #pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
 #include "server/surface/mesh.h"
+#include "server/surface/weld.h"
 
 namespace pelage {
+
+struct Frames {
+  std::vector<glm::vec3> normals;   // unit
+  std::vector<glm::vec3> tangents;  // unit, orthogonal to the normals
+};
+
+/// Area-weighted normals; where they cancel, that of the vertex's first triangle. Tangents point tailwards: the
+/// surface part of -Z, of -Y where that vanishes. Every vertex belongs to a triangle with an area.
+Frames make_frames(const Soup& soup);
+
+/// The unit tangent of a surface with this unit normal that points tailwards.
+glm::dvec3 tailward(glm::dvec3 normal);
+
+// From polygons to a mesh that can be groomed.
 
 /// Drops faces that are no faces (fewer than 3 corners, repeated or out-of-range vertices, non-finite or zero area in
 /// double), triangulates n-gons, turns `up` to +Y and `front` to +Z, welds vertices on equal positions, drops repeated

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "server/surface/point_tree.h"
-#include "server/surface/triangle_distance.h"
+#include "server/surface/nearest.h"
 
 namespace pelage {
 

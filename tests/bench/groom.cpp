@@ -12,7 +12,7 @@
 
 #include "protocol/base/random.h"
 #include "server/groom/evaluate.h"
-#include "server/history/delta_codec.h"
+#include "server/history/codec.h"
 #include "server/history/journal.h"
 #include "server/scene/scene.h"
 #include "server/builtin/builtin.h"

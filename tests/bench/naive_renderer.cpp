@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "renderer/frame/parts.h"
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {

@@ -12,7 +12,7 @@
 #include "protocol/base/random.h"
 #include "server/builtin/builtin.h"
 #include "server/patches/patches.h"
-#include "server/surface/point_tree.h"
+#include "server/surface/nearest.h"
 #include "tests/unit/surface/shared_models.h"
 
 namespace pelage {

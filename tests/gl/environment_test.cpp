@@ -1,8 +1,7 @@
 // Light from a picture on fur: the side that a colour comes from takes it.
 #include <cmath>
 
-#include "renderer/light/equirectangular.h"
-#include "renderer/light/spherical_harmonics.h"
+#include "renderer/light/environment.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

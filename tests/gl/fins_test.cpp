@@ -4,7 +4,7 @@
 #include <set>
 
 #include "renderer/coat/side_view.h"
-#include "renderer/passes/fins/strips.h"
+#include "renderer/passes/fins/fins_pass.h"
 #include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "renderer/coat/colour_above.h"
-#include "renderer/light/spherical_harmonics.h"
+#include "renderer/light/environment.h"
 #include "renderer/shading/fibre_shading.h"
-#include "renderer/shading/scattering_block.h"
+#include "renderer/shading/scattering_table.h"
 #include "renderer/upload/frame_block.h"
 #include "renderer/upload/shadow_block.h"
 #include "tests/gl/backends.h"

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <random>
 
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 #include "renderer/passes/sorted/sorted_pass.h"
 #include "server/frames/fur_view.h"
 #include "server/patches/patches.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "server/surface/raw_model.h"
+#include "server/surface/mesh.h"
 
 namespace pelage::testing {
 

@@ -7,7 +7,6 @@
 #include "clients/cli/files.h"
 #include "protocol/base/limits.h"
 #include "renderer/compare/compare.h"
-#include "renderer/compare/error_map.h"
 
 namespace pelage {
 

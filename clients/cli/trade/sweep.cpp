@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "clients/cli/trade/page/front.h"
-#include "clients/cli/trade/references.h"
+#include "clients/cli/trade/page/page.h"
+#include "clients/cli/trade/shoot.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
-#include "renderer/compare/error_map.h"
+#include "renderer/compare/compare.h"
 
 namespace pelage::trade {
 

@@ -3,8 +3,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "renderer/passes/draw/draw_state.h"
-#include "renderer/passes/draw/strips.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

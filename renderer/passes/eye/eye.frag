@@ -11,7 +11,7 @@
 float power(float x, float p) { return exp2(p * log2(max(x, 1e-12))); }
 
 layout(binding = 9) uniform sampler2DArray tissues;   // renderer/eye/iris_map.h
-layout(binding = 10) uniform sampler2DArray caustics;  // renderer/eye/caustics.h
+layout(binding = 10) uniform sampler2DArray caustics;  // renderer/eye/optics.h
 
 uniform int steps;
 

@@ -8,7 +8,7 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
-#include "renderer/upload/coat_textures.h"
+#include "renderer/upload/textures.h"
 #include "renderer/upload/frame_block.h"
 #include "renderer/upload/model_buffers.h"
 

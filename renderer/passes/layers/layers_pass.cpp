@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

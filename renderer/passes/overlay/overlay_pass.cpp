@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

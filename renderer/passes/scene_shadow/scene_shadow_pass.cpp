@@ -1,6 +1,6 @@
 #include "renderer/passes/scene_shadow/scene_shadow_pass.h"
 
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/gl/wait.h"
-#include "renderer/passes/draw/draw_state.h"
+#include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "protocol/base/random.h"
-#include "server/surface/raw_model.h"
+#include "server/surface/mesh.h"
 #include "server/surface/surface.h"
 
 namespace pelage::testing_models {

@@ -10,7 +10,7 @@
 #include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
-#include "server/surface/triangle_distance.h"
+#include "server/surface/nearest.h"
 
 namespace pelage {
 namespace {

@@ -1,10 +1,9 @@
-#include "renderer/coat/clump_map.h"
+#include "renderer/coat/clump.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/glm.hpp>
 
-#include "renderer/coat/clump_grid.h"
 
 namespace pelage {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
-#include "renderer/coat/wetness.h"
 
 namespace pelage {
 namespace {

@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 
-#include "renderer/compare/error_map.h"
 #include "tests/unit/compare/pictures.h"
 
 namespace pelage {

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/compare/colour.h"
-#include "renderer/compare/flip_kernels.h"
+#include "renderer/compare/compare.h"
 #include "tests/unit/compare/pictures.h"
 
 namespace pelage {

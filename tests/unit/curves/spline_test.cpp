@@ -1,4 +1,4 @@
-#include "renderer/curves/spline.h"
+#include "renderer/curves/curve_strips.h"
 
 #include <array>
 #include <cmath>

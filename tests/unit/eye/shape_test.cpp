@@ -1,13 +1,11 @@
-#include "renderer/eye/shape.h"
+#include "renderer/eye/optics.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/eye/caustics.h"
 #include "renderer/eye/iris_map.h"
-#include "renderer/eye/optics.h"
 
 namespace pelage {
 namespace {

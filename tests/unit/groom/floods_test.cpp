@@ -7,7 +7,7 @@
 #include "server/fields/field_writer.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/region.h"
-#include "server/surface/spread.h"
+#include "server/surface/geodesics.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {

@@ -7,7 +7,7 @@
 
 #include "server/groom/evaluate.h"
 #include "server/groom/keys.h"
-#include "server/surface/transport.h"
+#include "server/surface/geodesics.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {

@@ -6,7 +6,7 @@
 
 #include "protocol/json/encode.h"
 #include "server/fields/field_set.h"
-#include "server/history/delta_codec.h"
+#include "server/history/codec.h"
 #include "server/history/live_stroke.h"
 
 namespace pelage {

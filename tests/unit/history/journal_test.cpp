@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "protocol/json/encode.h"
-#include "server/history/delta_codec.h"
+#include "server/history/codec.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {

@@ -1,4 +1,4 @@
-#include "renderer/image/png_encoder.h"
+#include "renderer/image/png.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "renderer/light/equirectangular.h"
+#include "renderer/light/environment.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/light/spherical_harmonics.h"
 #include "tests/unit/light/quadrature.h"
 
 namespace pelage {

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-#include "renderer/light/spherical_harmonics.h"
+#include "renderer/light/environment.h"
 
 namespace pelage {
 

@@ -1,4 +1,4 @@
-#include "renderer/light/spherical_harmonics.h"
+#include "renderer/light/environment.h"
 
 #include <gtest/gtest.h>
 

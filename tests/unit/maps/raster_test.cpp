@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "protocol/base/random.h"
-#include "server/maps/bilinear.h"
-#include "server/maps/map_image.h"
+#include "server/maps/read_map.h"
+#include "server/maps/encoding.h"
 
 namespace pelage {
 namespace {

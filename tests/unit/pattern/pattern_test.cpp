@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "protocol/base/random.h"
-#include "renderer/pattern/noise.h"
 
 namespace pelage {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/quality/windows.h"
+#include "renderer/quality/view_features.h"
 #include "tests/unit/quality/views.h"
 
 namespace pelage {

@@ -7,8 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/shading/azimuthal_average.h"
-#include "renderer/shading/quadrature.h"
+#include "renderer/shading/marschner.h"
 
 namespace pelage {
 namespace {

@@ -35,8 +35,8 @@
 
 #include "protocol/base/random.h"
 #include "renderer/shading/fibre_shading.h"
-#include "renderer/shading/quadrature.h"
-#include "renderer/shading/scattering_block.h"
+#include "renderer/shading/fibre.h"
+#include "renderer/shading/scattering_table.h"
 
 namespace pelage {
 namespace {

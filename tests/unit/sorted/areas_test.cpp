@@ -1,4 +1,4 @@
-#include "renderer/passes/sorted/areas.h"
+#include "renderer/passes/sorted/fragment_lists.h"
 
 #include <gtest/gtest.h>
 

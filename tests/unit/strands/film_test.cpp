@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "renderer/strands/sampler.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "renderer/strands/film.h"
-#include "renderer/strands/sampler.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/coat/clump_grid.h"
+#include "renderer/coat/clump.h"
 #include "protocol/base/lean_curve.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"

@@ -1,4 +1,4 @@
-#include "renderer/strands/sampler.h"
+#include "renderer/strands/sampling.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "server/builtin/creature.h"
-#include "server/builtin/implicit_mesh.h"
-#include "server/builtin/implicit_topology.h"
+#include "server/builtin/implicit.h"
+#include "server/builtin/remesh.h"
 
 namespace pelage {
 namespace {

@@ -1,5 +1,5 @@
 // Searches against plain ones that follow the definition.
-#include "server/surface/spread.h"
+#include "server/surface/geodesics.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 #include "protocol/base/random.h"
 #include "server/surface/adjacency.h"
 #include "server/builtin/builtin.h"
-#include "server/surface/monotone_queue.h"
 #include "server/surface/prepare.h"
 #include "server/surface/value_noise.h"
 

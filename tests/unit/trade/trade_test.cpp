@@ -4,11 +4,8 @@
 #include <limits>
 #include <stack>
 
-#include "clients/cli/trade/page/advice.h"
-#include "clients/cli/trade/page/front.h"
 #include "clients/cli/trade/page/page.h"
 #include "clients/cli/trade/page/plots.h"
-#include "clients/cli/trade/page/svg.h"
 
 namespace pelage::trade {
 namespace {

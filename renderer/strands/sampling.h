@@ -1,0 +1,99 @@
+// A 64-bit hash of numbers as they are in memory, to tell whether anything changed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <glm/glm.hpp>
+#include <span>
+#include <type_traits>
+
+#include "protocol/base/random.h"
+
+namespace pelage {
+
+class Hash {
+ public:
+  void add(std::uint64_t word) { state_ = mix_bits(state_ ^ word); }
+  void add(double value) { add_bits(value); }
+
+  /// Values without padding between their numbers.
+  template <class T>
+  void add_values(std::span<const T> values) {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
+    const auto* from = reinterpret_cast<const unsigned char*>(values.data());
+    std::size_t left = values.size_bytes();
+    add(static_cast<std::uint64_t>(left));
+    for (; left >= 8; left -= 8, from += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, from, 8);
+      add(word);
+    }
+    std::uint64_t rest = 0;
+    std::memcpy(&rest, from, left);
+    if (left > 0) add(rest);
+  }
+  template <class T>
+  void add_value(const T& value) {
+    add_values(std::span<const T>(&value, 1));
+  }
+
+  std::uint64_t value() const { return state_; }
+
+ private:
+  template <class T>
+  void add_bits(T value) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &value, sizeof value);
+    add(word);
+  }
+
+  std::uint64_t state_ = 0;
+};
+
+// Low-discrepancy samples: a Sobol sequence with Owen scrambling by hashes (Burley 2020), so that each pixel and each
+// pair of dimensions has its own.
+
+/// The numbers of one sample of one pixel, asked for in a fixed order. The first 2^k samples of a pixel are stratified
+/// in each pair. Deterministic in its three arguments.
+class Sampler {
+ public:
+  Sampler(std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed);
+
+  float next();       // [0, 1)
+  glm::vec2 next2();  // [0, 1)^2, stratified together
+
+ private:
+  std::uint32_t key_, sample_;  // key_: of pixel and seed
+  std::uint32_t dimension_ = 0;
+};
+
+// A discrete distribution over few weights, and directions about a normal.
+
+float luminance(glm::vec3 colour);
+
+/// What a discrete distribution was sampled to.
+struct DiscreteSample {
+  int index = -1;  // -1 where no weight is above 0
+  float probability = 1;
+};
+
+/// Up to nine weights: those of the lights, then of the environment.
+class DiscreteDistribution {
+ public:
+  void add(float weight);        // below 0 counts as 0
+  DiscreteSample sample(float u) const;  // u in [0, 1)
+
+ private:
+  std::array<float, 9> weights_{};
+  int count_ = 0;
+  float total_ = 0;
+};
+
+/// A unit vector across a unit normal.
+glm::vec3 any_across(glm::vec3 normal);
+
+/// A direction about a unit normal whose pdf is the cosine to it over pi; u in [0, 1)^2.
+glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 u);
+
+}  // namespace pelage

@@ -1,0 +1,167 @@
+#include "server/history/codec.h"
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+namespace pelage {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+constexpr std::uint64_t fields_of_a_sheet = 16;  // room for more than there are
+static_assert(field_count <= fields_of_a_sheet);
+
+void put_number(std::string& text, std::uint64_t value) {
+  for (; value >= 0x80; value >>= 7) text.push_back(static_cast<char>(value | 0x80));
+  text.push_back(static_cast<char>(value));
+}
+
+void put_words(std::string& text, const std::vector<std::uint32_t>& words) {
+  const std::size_t size = text.size(), bytes = words.size() * sizeof(std::uint32_t);
+  text.resize(size + bytes);
+  if (bytes > 0) std::memcpy(text.data() + size, words.data(), bytes);
+}
+
+/// Takes bytes from the front; once something is missing, everything after fails too.
+class Bytes {
+ public:
+  explicit Bytes(std::span<const std::byte> bytes) : left_(bytes) {}
+
+  std::uint64_t number() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 64 && !left_.empty(); shift += 7) {
+      const auto byte = std::to_integer<std::uint64_t>(left_.front());
+      left_ = left_.subspan(1);
+      value |= (byte & 0x7f) << shift;
+      if (byte < 0x80) return value;
+    }
+    good_ = false;
+    return 0;
+  }
+
+  void words(std::vector<std::uint32_t>& words, std::uint64_t count) {
+    good_ = good_ && left_.size() / sizeof(std::uint32_t) >= count;
+    if (!good_ || count == 0) return;
+    words.resize(count);
+    std::memcpy(words.data(), left_.data(), count * sizeof(std::uint32_t));
+    left_ = left_.subspan(count * sizeof(std::uint32_t));
+  }
+
+  bool good() const { return good_; }
+  std::size_t left() const { return left_.size(); }
+
+ private:
+  std::span<const std::byte> left_;
+  bool good_ = true;
+};
+
+/// Rising vertices as gaps.
+void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices) {
+  std::uint64_t next = 0;
+  for (const std::uint32_t v : vertices) {
+    put_number(text, v - next);
+    next = std::uint64_t{v} + 1;
+  }
+}
+
+/// False when a vertex would pass 32 bits.
+bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& vertices) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  std::uint64_t next = 0;
+  for (std::uint64_t i = 0; i < count && in.good(); ++i) {
+    const std::uint64_t gap = in.number();
+    if (gap > most - next) return false;
+    vertices.push_back(static_cast<std::uint32_t>(next + gap));
+    next += gap + 1;
+    if (next > most) return false;
+  }
+  return true;
+}
+
+/// One field's change on one sheet; false when the bytes hold none that could follow `before`.
+bool take_part(Bytes& in, const FieldDelta& before, FieldDelta::Part& part) {
+  const std::uint64_t place = in.number(), count = in.number();
+  const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet;
+  if (field >= field_count || sheet >= sheet_count) return false;
+  if (count == 0 || count > in.left()) return false;  // each vertex takes an byte or more
+  part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet);
+  if (!before.parts.empty() && !comes_before(before.parts.back(), part)) return false;
+  if (!take_vertices(in, count, part.vertices)) return false;
+  in.words(part.flips, count * static_cast<std::uint64_t>(shape_of(part.field).channels));
+  return in.good();
+}
+
+}  // namespace
+
+std::string encode_delta(const FieldDelta& delta) {
+  std::string text;
+  put_number(text, delta.parts.size());
+  for (const FieldDelta::Part& part : delta.parts) {
+    put_number(text, part.sheet * fields_of_a_sheet + static_cast<std::uint64_t>(part.field));
+    put_number(text, part.vertices.size());
+    put_vertices(text, part.vertices);
+    put_words(text, part.flips);
+  }
+  return text;
+}
+
+Result<FieldDelta> decode_delta(std::span<const std::byte> bytes) {
+  Bytes in(bytes);
+  FieldDelta delta;
+  const std::uint64_t parts = in.number();
+  bool good = in.good() && parts <= field_count * sheet_count;
+  for (std::uint64_t i = 0; good && i < parts; ++i) {
+    FieldDelta::Part part;
+    good = take_part(in, delta, part);
+    if (good) delta.parts.push_back(std::move(part));
+  }
+  if (!good || in.left() != 0) return failure(Code::internal, "a stored change is damaged");
+  return delta;
+}
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+void put_word(std::string& text, std::uint32_t word) { text.append(reinterpret_cast<const char*>(&word), sizeof word); }
+
+/// The next run of a refinement; false when it could not follow the one before.
+bool take_run(std::span<const std::uint32_t> words, ChosenTriangles& runs) {
+  const TriangleRun run{words[0], words[1]};
+  if (run.begin >= run.end || (!runs.empty() && run.begin <= runs.back().end)) return false;
+  runs.push_back(run);
+  return true;
+}
+
+}  // namespace
+
+std::string encode_refinements(const std::vector<ChosenTriangles>& refinements) {
+  std::string text;
+  for (const ChosenTriangles& runs : refinements) {
+    put_word(text, static_cast<std::uint32_t>(runs.size()));
+    for (const TriangleRun run : runs) put_word(text, run.begin), put_word(text, run.end);
+  }
+  return text;
+}
+
+Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> bytes) {
+  const auto damaged = [] { return failure(Code::internal, "the stored refinements of a model are damaged"); };
+  if (bytes.size() % sizeof(std::uint32_t) != 0) return damaged();
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
+  std::vector<ChosenTriangles> refinements;
+  std::span<const std::uint32_t> left(words);
+  while (!left.empty()) {
+    const std::size_t runs = left[0];
+    left = left.subspan(1);
+    if (left.size() / 2 < runs) return damaged();
+    ChosenTriangles& chosen = refinements.emplace_back();
+    for (std::size_t i = 0; i < runs; ++i, left = left.subspan(2)) {
+      if (!take_run(left, chosen)) return damaged();
+    }
+  }
+  return refinements;
+}
+
+}  // namespace pelage

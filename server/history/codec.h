@@ -1,0 +1,30 @@
+// Changes of fields as bytes, for the journal and the undo log. Little-endian.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "server/fields/field_delta.h"
+#include "server/patches/subdivide.h"
+
+namespace pelage {
+
+/// For each field that changes: its number, the count, the gaps between vertices as variable-length numbers, then the
+/// flips as 32-bit words. A combed vertex takes 9 to 11 bytes.
+std::string encode_delta(const FieldDelta& delta);
+
+/// Refused (internal) unless the bytes are a whole delta of rising fields and vertices.
+Result<FieldDelta> decode_delta(std::span<const std::byte> bytes);
+
+// Refinements of a model as bytes, for the journal. Little-endian.
+
+/// For each refinement the count of its runs, then where each begins and ends, as 32-bit words.
+std::string encode_refinements(const std::vector<ChosenTriangles>& refinements);
+
+/// Refused (internal) unless the bytes are whole refinements of rising runs.
+Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> bytes);
+
+}  // namespace pelage

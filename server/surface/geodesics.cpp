@@ -1,0 +1,243 @@
+#include "server/surface/geodesics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <unordered_map>
+
+#include "protocol/base/parallel.h"
+
+namespace pelage {
+
+namespace {
+
+/// Whether two ends of an edge, with a place on it, and a third vertex are the corners of a triangle. Three vertices
+/// that are neighbours need not be: they may go around a tube.
+bool is_triangle(const Surface& surface, glm::uvec2 edge, glm::dvec3 place, std::uint32_t third) {
+  constexpr double inside = 0.25;
+  const glm::dvec3 within = glm::mix(place, glm::dvec3(surface.mesh().positions[third]), inside);
+  const glm::uvec3 found = surface.mesh().triangles[surface.nearest(within).triangle];
+  const auto has = [&](std::uint32_t v) { return found.x == v || found.y == v || found.z == v; };
+  return has(edge.x) && has(edge.y) && has(third);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> corners_around(const Surface& surface, const SurfacePoint& place) {
+  constexpr double on_edge = 1e-6;  // barycentric
+  const glm::uvec3 triangle = surface.mesh().triangles[place.triangle];
+  std::vector<std::uint32_t> corners{triangle.x, triangle.y, triangle.z}, holders;
+  for (int k = 0; k < 3; ++k) {
+    if (place.barycentric[k] > on_edge) holders.push_back(triangle[k]);
+  }
+  if (holders.size() == 1) return holders;
+  if (holders.size() != 2) return corners;
+  const auto others = surface.neighbours(holders[1]);
+  for (const std::uint32_t next : surface.neighbours(holders[0])) {
+    if (!std::binary_search(others.begin(), others.end(), next)) continue;
+    if (std::find(corners.begin(), corners.end(), next) != corners.end()) continue;
+    if (is_triangle(surface, {holders[0], holders[1]}, surface.position(place), next)) corners.push_back(next);
+  }
+  return corners;
+}
+
+namespace {
+
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+Spread nothing_reached(std::size_t vertices) {
+  return {std::vector<double>(vertices, unreached), std::vector<glm::dvec3>(vertices, glm::dvec3(0))};
+}
+
+/// Sources that count, nearest first; their vertices already have their distances and vectors.
+std::vector<MonotoneQueue::Place> placed(std::span<const SpreadSource> sources, Spread& spread) {
+  std::vector<MonotoneQueue::Place> places;
+  for (const SpreadSource& source : sources) {
+    if (!(source.distance < spread.distance[source.vertex])) continue;
+    spread.distance[source.vertex] = source.distance, spread.vector[source.vertex] = source.vector;
+    places.emplace_back(source.distance, source.vertex);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+}  // namespace
+
+EdgeSearch::EdgeSearch(const Surface& surface) : surface_(surface) {
+  const std::vector<glm::vec3>& positions = surface.mesh().positions;
+  const Adjacency& edges = surface.adjacency();
+  lengths_.resize(edges.others.size());
+  for_each_run_in_parallel(static_cast<std::uint32_t>(positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t v = begin; v < end; ++v) {
+      for (std::uint32_t e = edges.begin[v]; e < edges.begin[v + 1]; ++e)
+        lengths_[e] = glm::distance(glm::dvec3(positions[v]), glm::dvec3(positions[edges.others[e]]));
+    }
+  });
+  if (lengths_.empty()) return;
+  mean_ = std::accumulate(lengths_.begin(), lengths_.end(), 0.0) / static_cast<double>(lengths_.size());
+  longest_ = *std::max_element(lengths_.begin(), lengths_.end());
+}
+
+Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
+  constexpr double bands_a_step = 4, most_bands = 1 << 14;  // narrow, but not so many that going through them counts
+  const std::vector<glm::vec3>& normals = surface_.mesh().normals;
+  const Adjacency& edges = surface_.adjacency();
+  Spread spread = nothing_reached(normals.size());
+  const std::vector<MonotoneQueue::Place> starts = placed(sources, spread);
+  if (lengths_.empty()) return spread;
+  std::vector<std::uint32_t> before(
+      normals.size());  // the vertex that the way comes from; the vertex itself at sources
+  for (const auto& [distance, vertex] : starts) before[vertex] = vertex;
+  MonotoneQueue front(std::max(mean_ / bands_a_step, longest_ / most_bands), longest_);
+  for (auto start = starts.begin(); start != starts.end() || !front.empty();) {
+    for (; start != starts.end() && (front.empty() || start->first <= front.least()); ++start)
+      front.push(start->first, start->second);
+    const auto [distance, vertex] = front.pop();
+    if (distance > spread.distance[vertex]) continue;
+    const std::uint32_t last = before[vertex];
+    if (last != vertex)
+      spread.vector[vertex] = transported(spread.vector[last], glm::dvec3(normals[last]), glm::dvec3(normals[vertex]));
+    for (std::uint32_t e = edges.begin[vertex]; e < edges.begin[vertex + 1]; ++e) {
+      const std::uint32_t next = edges.others[e];
+      const double there = distance + lengths_[e];
+      if (!(there < spread.distance[next])) continue;
+      spread.distance[next] = there, before[next] = vertex;
+      front.push(there, next);
+    }
+  }
+  return spread;
+}
+
+Spread spread_along_edges(const Surface& surface, std::span<const SpreadSource> sources) {
+  return EdgeSearch(surface)(sources);
+}
+
+Spread spread_through_space(const Surface& surface, std::span<const SpreadSource> sources) {
+  const Mesh& mesh = surface.mesh();
+  Spread spread = nothing_reached(mesh.positions.size());
+  for_each_run_in_parallel(static_cast<std::uint32_t>(mesh.positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t v = begin; v < end; ++v) {
+      for (const SpreadSource& source : sources) {
+        const glm::dvec3 from(mesh.positions[source.vertex]);
+        const double there = source.distance + glm::distance(from, glm::dvec3(mesh.positions[v]));
+        if (!(there < spread.distance[v])) continue;
+        spread.distance[v] = there;
+        spread.vector[v] =
+            transported(source.vector, glm::dvec3(mesh.normals[source.vertex]), glm::dvec3(mesh.normals[v]));
+      }
+    }
+  });
+  return spread;
+}
+
+namespace {
+
+/// Marches outwards from the corners of one triangle.
+class March {
+ public:
+  March(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
+
+  /// Nothing is nearer to the corners around the centre than the straight way.
+  void start(const SurfacePoint& centre) {
+    const glm::dvec3 place = surface_.position(centre);
+    for (const std::uint32_t corner : corners_around(surface_, centre)) {
+      offer(corner, glm::distance(place, position(corner)));
+      known_[corner].settled = true;
+    }
+  }
+
+  void run() {
+    while (!front_.empty()) {
+      const auto [distance, vertex] = front_.top();
+      front_.pop();
+      Known& known = known_[vertex];
+      if (known.final || distance > known.distance) continue;
+      known.settled = known.final = true;
+      // One ring beyond the radius is marched too: the straight way to a vertex inside it may pass between one vertex
+      // inside and one outside.
+      for (const std::uint32_t next : surface_.neighbours(vertex)) {
+        const double there = distance_by(vertex, distance, next);
+        if (distance <= radius_ || there <= radius_) offer(next, there);
+      }
+    }
+  }
+
+  std::vector<VertexDistance> found() const {
+    std::vector<VertexDistance> all;
+    for (const auto& [vertex, known] : known_) {
+      if (known.distance <= radius_) all.push_back({vertex, known.distance});
+    }
+    std::sort(all.begin(), all.end(), [](auto a, auto b) { return a.vertex < b.vertex; });
+    return all;
+  }
+
+ private:
+  struct Known {
+    double distance = unreached;
+    bool settled = false;  // it will not change
+    bool final = false;    // and its neighbours have been offered theirs
+  };
+  using Place = std::pair<double, std::uint32_t>;
+
+  glm::dvec3 position(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
+
+  void offer(std::uint32_t vertex, double distance) {
+    Known& known = known_[vertex];
+    if (known.settled || known.distance <= distance) return;
+    known.distance = distance;
+    front_.push({distance, vertex});
+  }
+
+  /// The way to `next` from the vertex that became final: along the edge, or across a triangle at it.
+  double distance_by(std::uint32_t vertex, double distance, std::uint32_t next) const {
+    const double near = glm::distance(position(vertex), position(next));
+    double best = distance + near;
+    for (const std::uint32_t other : surface_.neighbours(next)) {
+      const auto known = known_.find(other);
+      if (other == vertex || known == known_.end() || !known->second.settled || !adjacent(other, vertex)) continue;
+      best = std::min(best, unfolded_distance(glm::distance(position(vertex), position(other)), near,
+                                              glm::distance(position(other), position(next)), distance,
+                                              known->second.distance));
+    }
+    return best;
+  }
+
+  bool adjacent(std::uint32_t a, std::uint32_t b) const {
+    const auto others = surface_.neighbours(a);
+    return std::binary_search(others.begin(), others.end(), b);
+  }
+
+  const Surface& surface_;
+  double radius_;
+  std::unordered_map<std::uint32_t, Known> known_;
+  std::priority_queue<Place, std::vector<Place>, std::greater<>> front_;
+};
+
+}  // namespace
+
+double unfolded_distance(double along, double near, double far, double near_distance, double far_distance) {
+  if (!(along > 0)) return unreached;
+  // The edge lies on the x axis from the near corner; the source is below it, the place above.
+  const double source_x = (near_distance * near_distance - far_distance * far_distance + along * along) / (2 * along);
+  const double depth = near_distance * near_distance - source_x * source_x;
+  const double place_x = (near * near - far * far + along * along) / (2 * along);
+  const double height = near * near - place_x * place_x;
+  // Rounding may put a source that lies on the edge itself a little above it.
+  const double rounding = 1e-12 * (near_distance * near_distance + far_distance * far_distance + along * along);
+  if (depth < -rounding || !(height > 0)) return unreached;
+  const double below = std::sqrt(std::max(depth, 0.0)), above = std::sqrt(height);
+  const double crossing = source_x + (place_x - source_x) * below / (below + above);
+  if (crossing < 0 || crossing > along) return unreached;
+  return std::hypot(place_x - source_x, below + above);
+}
+
+std::vector<VertexDistance> distances_within(const Surface& surface, const SurfacePoint& centre, double radius) {
+  March march(surface, radius);
+  march.start(centre);
+  march.run();
+  return march.found();
+}
+
+}  // namespace pelage
