@@ -29,7 +29,7 @@ const float forward_scatter = 0.2;  // Henyey and Greenstein's g
 
 Eye eye;
 float pixel;  // its size at the eye, radii
-int lights;    // that light it
+int light_count;    // that light it
 
 vec3 in_frame(vec3 v) { return vec3(dot(eye.right.xyz, v), dot(eye.up.xyz, v), dot(eye.forward.xyz, v)); }
 vec3 in_world(vec3 v) { return eye.right.xyz * v.x + eye.up.xyz * v.y + eye.forward.xyz * v.z; }
@@ -124,7 +124,7 @@ struct IrisLight {
 
 IrisLight light_on_iris(vec3 surface, vec3 normal, vec3 inside, vec2 at) {
   IrisLight lights;
-  for (int i = 0; i < lights; ++i) {
+  for (int i = 0; i < light_count; ++i) {
     Lit lit = lit_by(i, surface);
     lights.arriving[i] = lit.radiance * gathered(at, lit.to_light) * past_lids(surface, lit.to_light);
     vec3 way = refracted(-lit.to_light, dot(lit.to_light, normal) > 0.0 ? normal : lit.to_light);
@@ -140,7 +140,7 @@ vec3 tint(vec4 tissue) { return mix(eye.iris.rgb, eye.inner.rgb, tissue.b); }
 vec3 flat_iris(vec2 at, IrisLight lights, float sky) {
   vec4 tissue = tissue_at(at, pupil_edge(at));
   vec3 sum = vec3(frame.weights.x * sky);
-  for (int i = 0; i < lights; ++i) sum += lights.arriving[i];
+  for (int i = 0; i < light_count; ++i) sum += lights.arriving[i];
   return sum * tint(tissue) * tissue.r * 1.5;
 }
 
@@ -170,7 +170,7 @@ vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sk
     float above = density * max(below - 0.5 * share, 0.0);
     vec3 colour = tint(tissue);
     vec3 light = frame.weights.x * sky * vec3(sent_back(above, thick, slant, 2.0));
-    for (int i = 0; i < lights; ++i) {
+    for (int i = 0; i < light_count; ++i) {
       light += lights.arriving[i] * (lights.scattered[i] * sent_back(above, thick, slant, lights.rising[i]));
     }
     sum += passed * there * light * mix(colour, colour * colour, clamp(below, 0.0, 1.0)) * tissue.r * 1.5;
@@ -179,7 +179,7 @@ vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sk
   float edge = pupil_edge(bottom);
   vec3 pigment = eye.iris.rgb * eye.iris.rgb * smoothstep(-pixel, pixel, length(bottom) - edge);
   vec3 light = vec3(frame.weights.x * sky);
-  for (int i = 0; i < lights; ++i) light += lights.arriving[i];
+  for (int i = 0; i < light_count; ++i) light += lights.arriving[i];
   return sum + passed * 0.25 * light * pigment;
 }
 
@@ -230,7 +230,7 @@ vec3 sclera_colour(vec3 place) {
 vec3 sclera_light(vec3 place, vec3 normal) {
   const vec3 wrap = vec3(0.45, 0.28, 0.22);
   vec3 sum = vec3(frame.weights.x * open_sky(place));
-  for (int i = 0; i < lights; ++i) {
+  for (int i = 0; i < light_count; ++i) {
     Lit lit = lit_by(i, place);
     vec3 wrapped = max((dot(normal, lit.to_light) + wrap) / (1.0 + wrap), 0.0);
     sum += lit.radiance * wrapped * past_lids(place, lit.to_light);
@@ -253,7 +253,7 @@ vec3 reflected_light(vec3 place, vec3 normal, vec3 along) {
   float disc = mix(0.5, 0.11, eye.sclera.w);  // radians
   float gain = 1.0 / (sin(disc) * sin(disc));
   vec3 sum = surroundings_along(way, place);
-  for (int i = 0; i < lights; ++i) {
+  for (int i = 0; i < light_count; ++i) {
     Lit lit = lit_by(i, place);
     float off = acos(clamp(dot(way, lit.to_light), -1.0, 1.0));
     sum += lit.radiance * gain * (1.0 - smoothstep(0.85 * disc, 1.15 * disc, off)) * past_lids(place, lit.to_light);
@@ -268,7 +268,7 @@ vec3 lid_light(vec3 place, vec3 along) {
   vec3 normal = unit(place), colour = lid_colour(place);
   float margin = lid_margin(place);
   vec3 sum = frame.weights.x * colour;
-  for (int i = 0; i < lights; ++i) {
+  for (int i = 0; i < light_count; ++i) {
     Lit lit = lit_by(i, place);
     vec3 middle = unit(lit.to_light - along);
     float facing = max(dot(normal, lit.to_light), 0.0);
@@ -342,7 +342,7 @@ vec3 albedo_of(Seen seen, vec3 along) {
 
 // Lids and cornea count as what reflects, not as shadow: all of an eye's light light is left.
 void write_eye_layers(Seen seen, vec3 along, vec3 hit, vec3 light) {
-  lights = 0;
+  light_count = 0;
   direct_light = clamp(light - light_of(seen, along), 0.0, most);
   light_share = vec2(dot(direct_light, vec3(0.2126, 0.7152, 0.0722)));
   vec3 normal = seen.shut > 0.5 ? unit(seen.lid) : eyeball_normal(seen.ball, along);
@@ -353,7 +353,7 @@ void write_eye_layers(Seen seen, vec3 along, vec3 hit, vec3 light) {
 
 void main() {
   eye = eyes[number];
-  lights = int(frame.counts.z);
+  light_count = int(frame.counts.z);
   vec3 along = unit(local - viewer);
   pixel = max(frame.eye.w * distance(local, viewer), 1e-6);
   Surface ball = enter(along, 0.0, 1.0), dome = enter(along, eye.cornea.x, eye.cornea.y);

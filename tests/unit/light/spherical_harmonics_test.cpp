@@ -67,17 +67,17 @@ TEST(SphericalHarmonics, IrradianceIsTheCosineIntegral) {
 
 /// A far light: the most light comes to the normal that faces it, as much as the first three bands of a cosine hold.
 TEST(SphericalHarmonics, ALobeLightsTheSideThatFacesIt) {
-  const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.5, -0.8));
-  const std::array<double, 9> basis = harmonics_basis(light);
+  const glm::dvec3 towards = glm::normalize(glm::dvec3(0.3, 0.5, -0.8));
+  const std::array<double, 9> basis = harmonics_basis(towards);
   SphericalHarmonics radiance{};
   for (std::size_t i = 0; i < 9; ++i) radiance[i] = glm::dvec3(pi * basis[i]);  // irradiance pi on what faces it
   const SphericalHarmonics light = irradiance_of(radiance);
-  EXPECT_NEAR(evaluate(light, light).x, 0.25 + 0.5 + 0.3125, 1e-12);
-  EXPECT_NEAR(evaluate(light, -light).x, 0.25 - 0.5 + 0.3125, 1e-12);
+  EXPECT_NEAR(evaluate(light, towards).x, 0.25 + 0.5 + 0.3125, 1e-12);
+  EXPECT_NEAR(evaluate(light, -towards).x, 0.25 - 0.5 + 0.3125, 1e-12);
   Random random(3);
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 normal = random_direction(random);
-    const double c = glm::dot(normal, light);
+    const double c = glm::dot(normal, towards);
     EXPECT_NEAR(evaluate(light, normal).x, 0.25 + 0.5 * c + 0.15625 * (3 * c * c - 1), 1e-12);
   }
 }
