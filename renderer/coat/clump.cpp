@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 /// `cell` and the clump's centre are counted in cells.
-Clump make_clump(glm::dvec2 cell, double cell_side, Random& random) {
+StrandClump make_clump(glm::dvec2 cell, double cell_side, Random& random) {
   const glm::dvec2 jitter(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
   const double angle = random.uniform(0, 2 * std::numbers::pi), reach = random.uniform();
   return {(cell + jitter) * cell_side, glm::dvec2(std::cos(angle), std::sin(angle)) * reach, random.uniform(-1, 1),
@@ -33,7 +33,7 @@ NearestClumps ClumpGrid::nearest_two(glm::dvec2 place) const {
   NearestClumps near{{}, 1e300, 1e300};
   for (int y = cell.y - 2; y <= cell.y + 2; ++y) {
     for (int x = cell.x - 2; x <= cell.x + 2; ++x) {
-      Clump clump = clumps_[static_cast<std::size_t>(wrap(y) * side_ + wrap(x))];
+      StrandClump clump = clumps_[static_cast<std::size_t>(wrap(y) * side_ + wrap(x))];
       clump.centre += glm::dvec2(x - wrap(x), y - wrap(y)) * (tile_ / side_);
       const double distance = glm::distance(clump.centre, place);
       near.to_second = std::min(near.to_second, std::max(distance, near.to_first));

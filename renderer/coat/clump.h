@@ -10,7 +10,7 @@
 namespace pelage {
 
 /// What the strands of one clump share.
-struct Clump {
+struct StrandClump {
   glm::dvec2 centre{0};              // sizes
   glm::dvec2 bow{0};                 // within the unit disc
   double length = 1, lightness = 1;  // [-1, 1]
@@ -19,7 +19,7 @@ struct Clump {
 
 /// The nearest clump, and the distances to it and to the next.
 struct NearestClumps {
-  Clump first;
+  StrandClump first;
   double to_first = 0, to_second = 0;  // sizes
 };
 
@@ -29,7 +29,7 @@ class ClumpGrid {
   ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t stream);
 
   /// The nearest clump on the periodic tile, its centre moved by whole tiles to lie next to `place`.
-  Clump nearest(glm::dvec2 place) const { return nearest_two(place).first; }
+  StrandClump nearest(glm::dvec2 place) const { return nearest_two(place).first; }
   NearestClumps nearest_two(glm::dvec2 place) const;
 
  private:
@@ -37,14 +37,14 @@ class ClumpGrid {
 
   double tile_;
   int side_;  // cells
-  std::vector<Clump> clumps_;
+  std::vector<StrandClump> clumps_;
 };
 
 // The clumps of a coat's tile as a texture: where the strands of each place gather.
 
 /// `side * side` texels of 4 bytes, x fastest, over the periodic tile: the way to the middle of the place's clump over
 /// +-reach (x, y), how far inside of the clump it lies (0 on the border to the next, 1 in the middle), and the clump's
-/// pull (Clump).
+/// pull (StrandClump).
 struct ClumpMap {
   static constexpr int side = 256;
   std::vector<std::uint8_t> texels;

@@ -40,14 +40,14 @@ struct Clumps {
 /// Where the lodged patch around `place` presses its strands, as the tangent of their angle from the normal: whole in
 /// the patch's middle, nothing at its edge, and a third of the patches stands.
 glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
-  const Clump patch = patches.nearest(place);
+  const StrandClump patch = patches.nearest(place);
   const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;
   const double weight = (1 - glm::smoothstep(0.35, 0.75, from_middle)) * glm::smoothstep(-0.5, 0.0, patch.length);
   return glm::normalize(patch.bow + glm::dvec2(1e-9, 0)) * (1.8 * coat.lodge * weight);
 }
 
 /// Heading, wave and extra bow of one strand. They have random numbers of their own, so that strands without them stay.
-void add_forms(const Coat& coat, const Clumps& clumps, const Clump& clump, Random& random, Strand& strand) {
+void add_forms(const Coat& coat, const Clumps& clumps, const StrandClump& clump, Random& random, Strand& strand) {
   const double straggle = random.uniform(0, turn), bow = random.uniform(0, turn), amount = random.uniform(0.2, 1);
   glm::dvec2 tangent = unit(straggle) * (coat.mess * amount);
   if (clumps.lodged) tangent += lodging(coat, *clumps.lodged, strand.root);
@@ -87,8 +87,8 @@ std::vector<Strand> make_strands(const Coat& coat) {
   for (int i = 0; i < coat.count; ++i) {
     Strand strand;
     strand.root = root_place(coat, i, random);
-    const Clump lock = clumps.fine ? clumps.fine->nearest(strand.root) : Clump{.centre = strand.root};
-    const Clump clump = clumps.coarse.nearest(lock.centre);  // a lock goes as a whole to one clump
+    const StrandClump lock = clumps.fine ? clumps.fine->nearest(strand.root) : StrandClump{.centre = strand.root};
+    const StrandClump clump = clumps.coarse.nearest(lock.centre);  // a lock goes as a whole to one clump
     const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = clumps.gather;
     strand.fine_clump = lock.centre - strand.root;
     strand.clump = (clump.centre - strand.root) * glm::mix(clump.pull, 1.0, coat.wetness);

@@ -14,7 +14,7 @@ namespace {
 double first_piece(const Knobs& knobs) {
   constexpr double layer_pixels = 16e6, sorted_pixels = 2e6;  // pixels times shells
   const double work = knobs.order == FragmentOrder::sorted ? sorted_pixels : layer_pixels;
-  return work / (knobs.shells * knobs.samples);
+  return work / knobs.shells;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& 
   const float water = std::min(own + root.wetness, 1.0f) - own;
   const float gather = most_gathered * std::min(root.clump + water_gathers * water, 1.0f);
   if (gather <= 0) return {};
-  const Clump clump = clumps_.nearest(strand.root);
+  const StrandClump clump = clumps_.nearest(strand.root);
   return {glm::vec3(clump.centre - strand.root, 0), gather * glm::mix(0.5f, 1.0f, static_cast<float>(clump.pull))};
 }
 

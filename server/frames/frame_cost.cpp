@@ -17,7 +17,7 @@ double expected_cost(const FrameRequest& request) {
   const Knobs& knobs = request.knobs;
   const double pixels = static_cast<double>(request.width) * request.height;
   if (request.max_error) return any_frame + pixels * probe_shells * sorted * shell_pixel;
-  const double layers = knobs.scale * knobs.scale * knobs.shells * knobs.samples;
+  const double layers = knobs.scale * knobs.scale * knobs.shells;
   return any_frame + pixels * layers * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
 }
 

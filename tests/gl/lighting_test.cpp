@@ -23,7 +23,7 @@ namespace testing {
 namespace {
 
 constexpr int side = 32, cases = side * side;
-constexpr int light = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
+constexpr int asked_light = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
 
 struct Case {
   glm::vec3 place, normal, tangent, to_eye, colour;
@@ -69,7 +69,7 @@ class Lighting : public OnBackend {
     gl().BindTextureUnit(0, inputs.id());
     program.use();
     program.set("asked", static_cast<int>(asked));
-    program.set("light", light);
+    program.set("light", asked_light);
     return answers(gl(), side);
   }
 };
@@ -339,9 +339,9 @@ class ShadowFormulas : public Lighting {
   /// rg: S, and the optical depth of the layers above, for places at (x, y, z) with height s; the estimate is 7.
   std::vector<glm::vec4> asked(const Maps& maps, const std::vector<Case>& of) {
     ShadowBlock block;
-    block.to_light[light] = glm::mat4(1);
-    block.axis[light] = {0, 0, -1, 0.5f};
-    block.slots[light] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
+    block.to_light[asked_light] = glm::mat4(1);
+    block.axis[asked_light] = {0, 0, -1, 0.5f};
+    block.slots[asked_light] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
     const Buffer buffer = send_block(gl(), 2, block);
     const auto texels = [&](glm::vec4 value) { return std::vector<glm::vec4>(4, value); };
     std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));

@@ -122,10 +122,10 @@ TEST_P(Base, SkinIsLitAsIfNothingGrewOnIt) {
   FurredModel model = smooth_ball();
   Look& look = model.settings.look;
   look.ambient = 0.3, look.diffuse = 0.8;
-  const glm::dvec3 light(0.2, 1.1, 1.4), aim = glm::normalize(glm::dvec3(0, -1, -1));
+  const glm::dvec3 area_position(0.2, 1.1, 1.4), aim = glm::normalize(glm::dvec3(0, -1, -1));
   model.settings.lights = {
       {.direction = {-1, -1, -0.5}, .colour = {1, 0.5f, 0.25f}, .intensity = 0.7},
-      {.kind = LightKind::area, .direction = aim, .position = light, .colour = {0.2f, 0.6f, 1}, .intensity = 2}};
+      {.kind = LightKind::area, .direction = aim, .position = area_position, .colour = {0.2f, 0.6f, 1}, .intensity = 2}};
   const FrameRequest request = askew(120, 90);
   const FurFrame frame = frame_of(*renderer, model, request);
   const glm::dvec3 place_of_light(frame.lights[1].position);

@@ -188,7 +188,7 @@ TEST(GrowForm, PaintedClumpAndWaterGather) {
     const double painted = wet ? 0.85 * 0.6 : 0.6;
     for (std::size_t i = 0; i < set.count(); ++i) {
       const glm::dvec2 root(knot(set, i, 0).place);
-      const Clump clump = grid.nearest(root);
+      const StrandClump clump = grid.nearest(root);
       for (int k = 0; k <= set.segments; ++k) {
         const double s = static_cast<double>(k) / set.segments;
         const double part = 0.8 * painted * (0.5 + 0.5 * clump.pull) * std::pow(s, 1.5);
@@ -211,7 +211,7 @@ TEST(GrowForm, ShadersFindTheStrandThatWasPulled) {
   const StrandSet set = patch.grow({coat});
   const ClumpGrid grid(coat.tile, coat.clump_size, coat.seed, 1);
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const Clump clump = grid.nearest(glm::dvec2(knot(set, i, 0).place));
+    const StrandClump clump = grid.nearest(glm::dvec2(knot(set, i, 0).place));
     const double part = 0.8 * 0.7 * (0.5 + 0.5 * clump.pull);
     const glm::dvec2 here(tip(set, i).place), middle = clump.centre - here;
     const glm::dvec2 looked_up = here - middle * (part / (1 - part));
