@@ -28,7 +28,7 @@ std::vector<std::thread> start_idle_threads(std::size_t count, const std::functi
   team.reserve(count);
   try {
     while (team.size() < count) {
-      team.emplace_back([&run] {
+      team.emplace_back([run] {
         run_only_when_idle();
         run();
       });

@@ -30,13 +30,15 @@ Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke
   Result<LaidPicture> picture = picture_of(prepared.settings());
   if (!picture) return picture.status();
   std::vector<VertexRange> dirty = with_changes(dirty_, entries);
+  SceneSummary summary = describe();
+  summary.layers = prepared.settings().layers;
   if (Status written = journal_.append(id_, entries); !written.ok()) return written;
   fields_ = std::move(fields);
   history_.record(std::move(prepared));
   live_ = std::move(live);
   picture_ = std::move(*picture);
   dirty_ = std::move(dirty);
-  announce();
+  publish(std::move(summary));
   return {};
 }
 
@@ -52,19 +54,25 @@ Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings) cons
   return LaidPicture{std::make_shared<const RawImage>(std::move(*image)), name};
 }
 
-/// To those who wait, and to those who look without the lock.
-void Scene::announce() {
-  newest_ = history_.revision();
-  publish_summary();
+/// To those who wait, and to those who look without the lock. `summary` has all of the scene but for its numbers.
+void Scene::publish(SceneSummary&& summary) noexcept {
+  newest_ = summary.revision = history_.revision();
+  summary.fields_hash = fields_.hash();
+  summary.undo_steps = history_.undo_steps();
+  summary.redo_steps = history_.redo_steps();
+  {
+    const std::lock_guard lock(published_mutex_);
+    published_ = std::move(summary);
+  }
   changed_.notify_all();
 }
 
-/// Where memory does not do for it, lists show the summary before: the change itself is done and stays.
-void Scene::publish_summary() noexcept try {
-  SceneSummary summary = describe();
-  const std::lock_guard lock(published_mutex_);
-  published_ = std::move(summary);
+/// Where memory does not do for a summary, lists show the one before: the change itself is done and stays.
+void Scene::announce() noexcept try {
+  publish(describe());
 } catch (const std::bad_alloc&) {
+  newest_ = history_.revision();
+  changed_.notify_all();
 }
 
 }  // namespace pelage

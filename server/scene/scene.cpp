@@ -48,7 +48,7 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       fields_(first_groom(model_->surface.mesh(), fur)),
       history_(new_history(0, first_settings(*model_))),
       dirty_(whole_range(fields_.size())) {
-  publish_summary();
+  published_ = describe();
 }
 
 /// Steps beyond the budget are read back from the journal, which has every entry.

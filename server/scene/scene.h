@@ -214,8 +214,8 @@ class Scene {
   Result<Step> with_rest(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   Result<LaidPicture> picture_of(const SceneSettings& settings) const;
-  void announce();
-  void publish_summary() noexcept;
+  void announce() noexcept;
+  void publish(SceneSummary&& summary) noexcept;
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
   SceneSummary describe() const;

@@ -114,7 +114,7 @@ class StoredCalibration(unittest.TestCase):
     def test_a_calibration_counts_for_the_machine_that_it_was_measured_on(self):
         server = Server()
         self.addCleanup(server.close)
-        defaults = json.loads((BIN.parents[2] / "server" / "scene" / "defaults.json").read_text())
+        defaults = json.loads((BIN.parents[2] / "server" / "frames" / "defaults.json").read_text())
         description = server.printed().split(" with ", 1)[1].splitlines()[0]
         file = server.data / "calibration.json"
         for threads, name in ((server.threads, "2001-01-01"), (server.threads + 1, "defaults")):
