@@ -1,6 +1,7 @@
 #include "server/history/journal.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
@@ -11,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t schema_version = 4;
+constexpr std::uint64_t schema_version = 5;
 
 // Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
 constexpr const char* how_to_keep = R"(
@@ -37,16 +38,24 @@ constexpr const char* schema = R"(
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
-  PRAGMA user_version = 4;
+  PRAGMA user_version = 5;
 )";
 
-// Version 3 knew no refined models.
+// The first version that is upgraded, and the step from each version to the next.
 constexpr std::uint64_t oldest_schema = 3;
-constexpr const char* from_version_3 = R"(
+constexpr const char* upgrades[] = {
+    // Version 3 knew no refined models.
+    R"(
   ALTER TABLE scenes ADD COLUMN refinements BLOB NOT NULL DEFAULT x'';
   ALTER TABLE scenes ADD COLUMN settings TEXT;
   PRAGMA user_version = 4;
-)";
+)",
+    // Version 4 had another name for what a picture holds.
+    R"(
+  ALTER TABLE pictures RENAME COLUMN octets TO bytes;
+  PRAGMA user_version = 5;
+)"};
+static_assert(oldest_schema + std::size(upgrades) == schema_version);
 
 // What no log names any more; at the start also what was uploaded and never used.
 constexpr const char* drop_unused_pictures =
@@ -78,7 +87,9 @@ Status check_schema(Database& database) {
   }
   return database.transaction([&] {
     if (*version == 0) return database.execute(schema);
-    Status current = *version == schema_version ? Status{} : database.execute(from_version_3);
+    Status current;
+    for (std::uint64_t from = *version; from < schema_version && current.ok(); ++from)
+      current = database.execute(upgrades[from - oldest_schema]);
     return current.ok() ? database.execute(drop_unused_pictures) : current;
   });
 }

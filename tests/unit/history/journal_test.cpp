@@ -216,10 +216,24 @@ TEST_F(JournalTest, AnOlderJournalIsRefusedAndLeftAsItIs) {
   EXPECT_NE(refusal().message.find("older version"), std::string::npos);
 }
 
+TEST_F(JournalTest, PicturesOfVersionFourAreTakenOver) {
+  const std::string name(32, 'a');
+  ASSERT_TRUE(open()->add_picture(name, "a picture").ok());
+  execute("ALTER TABLE pictures RENAME COLUMN bytes TO octets;"
+          "PRAGMA user_version = 4;");
+  const auto journal = open();
+  ASSERT_TRUE(journal);
+  EXPECT_TRUE(journal->add_picture(name, "a picture").ok());
+  const auto found = journal->picture(name);
+  ASSERT_TRUE(found.ok()) << found.status().message;
+  EXPECT_EQ(*found, "a picture");
+}
+
 TEST_F(JournalTest, AJournalFromBeforeRefinementsIsTakenOver) {
   ASSERT_TRUE(open()->add_scene(scene("a")).ok());
   execute(
-      "ALTER TABLE scenes DROP COLUMN refinements; ALTER TABLE scenes DROP COLUMN settings; PRAGMA user_version = 3;");
+      "ALTER TABLE scenes DROP COLUMN refinements; ALTER TABLE scenes DROP COLUMN settings;"
+      "ALTER TABLE pictures RENAME COLUMN bytes TO octets; PRAGMA user_version = 3;");
   const auto journal = open();
   ASSERT_TRUE(journal);
   const auto found = journal->scene("a");
