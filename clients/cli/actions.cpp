@@ -7,7 +7,7 @@ ExitCode perform(Session& session) {
     case Action::create: return create_scene(session);
     case Action::load: return load_model(session);
     case Action::environment: return load_environment(session);
-    case Action::base_picture: return load_base_picture(session);
+    case Action::skin_texture: return load_skin_texture(session);
     case Action::get_map: return get_map(session);
     case Action::put_map: return put_map(session);
     case Action::put_picture: return put_picture(session);

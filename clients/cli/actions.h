@@ -10,7 +10,7 @@ ExitCode perform(Session& session);
 ExitCode create_scene(Session& session);
 ExitCode load_model(Session& session);
 ExitCode load_environment(Session& session);
-ExitCode load_base_picture(Session& session);
+ExitCode load_skin_texture(Session& session);
 ExitCode get_map(Session& session);
 ExitCode put_map(Session& session);
 ExitCode put_picture(Session& session);

@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
   std::ifstream file;
   if (path != "-") file.open(path, std::ios::binary);
   std::istream& stream = path == "-" ? std::cin : file;
@@ -18,8 +18,8 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
   char block[1 << 16];
   while (stream.read(block, sizeof block) || stream.gcount() > 0) {
     bytes.append(block, static_cast<std::size_t>(stream.gcount()));
-    if (bytes.size() > most_bytes) {
-      return failure(Code::too_large, path + " is too large.", "", fmt::format("at most {} bytes", most_bytes));
+    if (bytes.size() > max_bytes) {
+      return failure(Code::too_large, path + " is too large.", "", fmt::format("at most {} bytes", max_bytes));
     }
   }
   // A folder opens as a file and fails at the first read.

@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// "-" is standard input. Refused when it cannot be read (not_found) or is over `most_bytes` (too_large).
-Result<std::string> read_file(const std::string& path, std::size_t most_bytes);
+/// "-" is standard input. Refused when it cannot be read (not_found) or is over `max_bytes` (too_large).
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
 /// Under a temporary name in the same folder, then renamed; "-" is standard output.
 Status write_file(const std::string& path, const std::string& bytes);

@@ -42,7 +42,7 @@ void add_view(CLI::App* command, Options& options) {
   add_frame_parameter(command, options, "--width", "width", "Pixels, 1 to 8192 [512]");
   add_frame_parameter(command, options, "--height", "height", "Pixels, 1 to 8192 [512]");
   add_frame_parameter(command, options, "--camera", "camera", "front, back, left, right, top or three_quarter");
-  add_frame_parameter(command, options, "--eye", "eye", "X,Y,Z of a free camera, with --target");
+  add_frame_parameter(command, options, "--position", "position", "X,Y,Z of a free camera, with --target");
   add_frame_parameter(command, options, "--target", "target", "X,Y,Z that it looks at");
   add_frame_parameter(command, options, "--up", "up", "X,Y,Z that is up [0,1,0]");
   add_frame_parameter(command, options, "--fov", "fov_degrees", "Vertical field of view, degrees, 1 to 150 [35]");
@@ -160,7 +160,7 @@ void declare_scene_actions(CLI::App& app, Options& options) {
       ->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")
       ->capture_default_str();
 
-  CLI::App* base = add_action(app, options, Action::base_picture, "base-picture",
+  CLI::App* base = add_action(app, options, Action::skin_texture, "skin-texture",
                               "Lay a PNG or JPEG on a model by its texture coordinates");
   add_scene(base, options);
   base->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")->required();
@@ -220,14 +220,14 @@ void add_tracing(CLI::App* command, Options& options) {
   add("--strands", "strands", "At most, 1 to 8000000; fewer are drawn wider [2000000]");
   add("--filter", "filter", "true or false: smooths pictures of few passes [true]");
   add("--seed", "seed", "The same seed and passes give the same picture [1]");
-  CLI::Option* refine =
-      command->add_flag("--refine", options.refine,
+  CLI::Option* progressive =
+      command->add_flag("--progressive", options.progressive,
                         "Writes shells at once, then each better picture of traced strands over the same file");
-  command->add_option("--until-pass", options.until_pass, "With --refine: ends with a picture of so many passes")
-      ->needs(refine)
+  command->add_option("--until-pass", options.until_pass, "With --progressive: ends with a picture of so many passes")
+      ->needs(progressive)
       ->check(CLI::PositiveNumber);
-  command->add_option("--for", options.for_seconds, "With --refine: ends after so many seconds")
-      ->needs(refine)
+  command->add_option("--for", options.for_seconds, "With --progressive: ends after so many seconds")
+      ->needs(progressive)
       ->check(CLI::NonNegativeNumber);
 }
 
@@ -272,10 +272,10 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--format", "format", "png, png16, jpeg or exr [the output's ending]");
   add_frame_parameter(frame, options, "--jpeg-quality", "jpeg_quality", "1 to 100 [90]");
   add_frame_parameter(frame, options, "--exr-type", "exr_type", "half or float [half]");
-  add_frame_parameter(frame, options, "--layers", "layers",
+  add_frame_parameter(frame, options, "--aovs", "aovs",
                       "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
-                      "shadow, layer_count [beauty]");
-  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width or difference [none]");
+                      "shadow, shell_count [beauty]");
+  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, light_occlusion, shadow_width or difference [none]");
   add_frame_parameter(frame, options, "--from", "overlay_from",
                       "With --overlay difference: the revision to compare the present with");
 

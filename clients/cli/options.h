@@ -13,7 +13,7 @@ enum class Action {
   create,
   load,
   environment,
-  base_picture,
+  skin_texture,
   get_map,
   put_map,
   put_picture,
@@ -53,7 +53,7 @@ struct Options {
   double inclination = 0.45;
   std::string form;  // of the first fur; the server's choice when empty
   std::string fur_patches = "overlapping";
-  // load, environment, base_picture, run and amend; "-" is standard input
+  // load, environment, skin_texture, run and amend; "-" is standard input
   std::string file;
   std::string format;  // "" for the file's ending
   std::string up = "y", front = "z";
@@ -70,7 +70,7 @@ struct Options {
   std::string output = "frame.png";
   Parameters frame;     // as in the address of frame.png
   Parameters trace;     // members of Tracing
-  bool refine = false;  // shells, and then strands over the same file
+  bool progressive = false;  // shells, and then strands over the same file
   std::optional<int> until_pass;
   std::optional<double> for_seconds;
   double x = 0, y = 0;  // pixels

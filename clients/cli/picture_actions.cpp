@@ -48,14 +48,14 @@ Result<TraceReport> take(const Options& options, const HttpAnswer& answer, doubl
 
 }  // namespace
 
-ExitCode follow_refinement(Session& session, const std::string& path, const std::string& request) {
+ExitCode follow_progressive(Session& session, const std::string& path, const std::string& request) {
   const Options& options = session.options();
   if (options.output == "-") {
     return report(failure(Code::invalid, "Pictures that follow each other need a file.", "", "--output FILE"));
   }
   const Clock::time_point start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const double most = options.for_seconds.value_or(std::numeric_limits<double>::infinity());
+  const double max = options.for_seconds.value_or(std::numeric_limits<double>::infinity());
   const int last_pass = options.until_pass.value_or(std::numeric_limits<int>::max());
   std::string address = path + "/frames";
   for (;;) {
@@ -68,7 +68,7 @@ ExitCode follow_refinement(Session& session, const std::string& path, const std:
       address =
           fmt::format("{}/frames?after={}&after_pass={}", path, header(*answer, "pelage-revision"), trace->passes);
     }
-    const double left = most - seconds();
+    const double left = max - seconds();
     if (left <= 0) return done;
     const std::size_t wait = address.find("&wait=");
     address = fmt::format("{}&wait={:.3f}", address.substr(0, wait), std::min(left, longest_wait));
@@ -99,13 +99,13 @@ Result<FrameRequest> request_of(const Options& options) {
   const Result<Tracing> tracing = decode_tracing_query(options.trace);
   if (!request || !tracing) return request ? tracing.status() : request;
   const bool strands = request->knobs.method == Method::strands;
-  if (options.refine) {
-    request->refine = *tracing;
+  if (options.progressive) {
+    request->progressive = *tracing;
   } else if (strands) {
     request->knobs.trace = *tracing;
   } else if (!options.trace.empty()) {
     return failure(Code::invalid, "Only strands are traced.", "/" + options.trace.front().first,
-                   "--quality reference, or --refine");
+                   "--quality reference, or --progressive");
   }
   return decode_frame_request(encode(*request));
 }
@@ -131,7 +131,7 @@ ExitCode draw_frame(Session& session) {
   if (!request) return report(request.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  if (request->refine) return follow_refinement(session, *path, encode(*request));
+  if (request->progressive) return follow_progressive(session, *path, encode(*request));
   const auto answer = Session::accepted(session.connection().post_json(*path + "/frames", encode(*request)));
   if (!answer) return report(answer.status());
   if (const Status status = write_file(options.output, answer->body); !status.ok()) return report(status);

@@ -22,7 +22,7 @@ void print(const SceneSummary& summary) {
   fmt::print("size        {:.6g}\nfrom        {}\nto          {}\n", report.size, text_of(report.min),
              text_of(report.max));
   for (const Repair& repair : report.repairs) fmt::print("repaired    {}: {}\n", repair.code, repair.count);
-  for (const EditLayer& layer : summary.layers)
+  for (const EditLayer& layer : summary.edit_layers)
     fmt::print("layer       {} (weight {:g}{})\n", layer.name, layer.weight, layer.muted ? ", muted" : "");
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,
              to_hex(summary.fields_hash));

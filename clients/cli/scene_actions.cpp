@@ -44,8 +44,8 @@ Query import_query(const Options& options) {
 }
 
 /// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.
-Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t most_bytes) {
-  const auto bytes = read_file(session.options().file, most_bytes);
+Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t max_bytes) {
+  const auto bytes = read_file(session.options().file, max_bytes);
   if (!bytes) return bytes.status();
   const auto path = session.scene_path();
   if (!path) return path.status();
@@ -97,8 +97,8 @@ ExitCode load_environment(Session& session) {
   return print_change(session, put_file(session, "environment", query, limits::picture_bytes), session.options().file);
 }
 
-ExitCode load_base_picture(Session& session) {
-  return print_change(session, put_file(session, "base_picture", {}, limits::picture_bytes), session.options().file);
+ExitCode load_skin_texture(Session& session) {
+  return print_change(session, put_file(session, "skin_texture", {}, limits::picture_bytes), session.options().file);
 }
 
 ExitCode list_scenes(Session& session) {

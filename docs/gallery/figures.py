@@ -68,7 +68,7 @@ def studio(*commands):
 
 
 def eye(position, target, fov=35):
-    return {"eye": position, "target": target, "fov_degrees": fov}
+    return {"position": position, "target": target, "fov_degrees": fov}
 
 
 TORUS, KNOT = builtin("torus", 2000), builtin("knot", 2880)
@@ -119,13 +119,13 @@ FIGURES = [
      "pictures": [picture("lodged", TORUS, coat(lodge=0.5), fur_of=fur(0.05, 0.4), quality=SIMPLE),
                   picture("zebra", glmark("horse"), look_file("zebra"), studio(), fur_of=fur(0.012, 0.85))]},
     {"name": "single_hairs", "title": "Shadows of single hairs (GPU fur, figure 6)",
-     "text": "Sparse fur on a plane: the layer-wise shadow maps hold each strand.",
+     "text": "Sparse fur on a plane: the shadow maps of the shells hold each strand.",
      "pictures": [picture(title, PLANE, coat(count=250, clump=0, width_root=0.002, width_tip=0.001, tile=0.2),
                           look(ambient=0.3, skin=[0.75, 0.7, 0.62]), lights({**ONE_LIGHT, "self_shadow_maps": maps}),
                           fur_of=fur(0.05, 0.35), camera=CLOSE, quality={**FINE, "shadow_maps": maps, "shadow_resolution": 2048})
                   for title, maps in (("without", False), ("with shadow maps", True))]},
     {"name": "self_shadow", "title": "Self-shadow (GPU fur, figure 7)",
-     "text": "None, the estimate that interactive frames use, and layer-wise shadow maps.",
+     "text": "None, the estimate that interactive frames use, and shadow maps of the shells.",
      "pictures": [picture(title, KNOT, lights({**ONE_LIGHT, "self_shadow_maps": maps}), fur_of=fur(0.03, 0.5),
                           quality={**FINE, "self_shadow": shadow, "shadow_maps": maps})
                   for title, shadow, maps in (("none", False, False), ("estimate", True, False), ("maps", True, True))]},
@@ -184,7 +184,7 @@ FIGURES = [
                       ("4 shells", {"shells": 4, "shell_policy": "uniform"}, "none"),
                       ("8 shells", {"shells": 8, "shell_policy": "uniform"}, "none"),
                       ("16 shells", {"shells": 16, "shell_policy": "uniform"}, "none"),
-                      ("adaptive, up to 32", {"shells": 32}, "none"), ("how many", {"shells": 32}, "layer_count"),
+                      ("adaptive, up to 32", {"shells": 32}, "none"), ("how many", {"shells": 32}, "shell_count"),
                       ("fins and guard hairs", {"shells": 32, "fins": True, "guard_hairs": 20000}, "none"))]},
     {"name": "tufts", "title": "Tufts", "text": "Clumps larger than the tile, anchored on the body: none, some, all; small and large.",
      "pictures": [picture(title, CREATURE, coat(tufts={"gather": gather, "size": size}), studio())
@@ -223,7 +223,7 @@ FIGURES = [
                           fur_of=fur(0.045, 0.45), background="#30343a"),
                   picture("agouti fox", CREATURE,
                           coat(ramp=[{"at": 0, "colour": "#4a4038"}, {"at": 0.45, "colour": "#8f5a2c"}, {"at": 0.75, "colour": "#e0b070"},
-                                     {"at": 1, "colour": "#2a1a10"}], odd_hairs={"share": 0.1, "colour": [0.8, 0.78, 0.72]}),
+                                     {"at": 1, "colour": "#2a1a10"}], ticking={"share": 0.1, "colour": [0.8, 0.78, 0.72]}),
                           look(colour_source="coat"), studio(), fur_of=fur(0.042, 0.7)),
                   picture("ear in front of the flank", CREATURE, studio(), camera=EAR),
                   picture("parting", builtin("plane", 4000),
@@ -234,7 +234,7 @@ FIGURES = [
     {"name": "animals", "title": "Four animals",
      "text": "Plush, agouti, sleek and white, with the settings and a light like those of reference pictures made of strands; "
              "interactive and detailed. Models by others (docs/models.md); they are skipped where the files are missing. "
-             "Plainly the same animals. What still tells them apart: the front of an ear that is turned away from the light is "
+             "Plainly the same animals. What still tells them apart: the front of an ear that is back-facing from the light is "
              "all shade with a hard border; tufts are longer and softer, single strands do not stand out; dark stars where the "
              "first direction field has nowhere to go, as in the reference; the sleek coat is dimmer on the lit side; the ground "
              "takes only one light's shadow.",
@@ -295,7 +295,7 @@ FIGURES = [
                   for title, light in (("0 degrees", {**ONE_LIGHT, "angle_degrees": 0}), ("15 degrees", {**ONE_LIGHT, "angle_degrees": 15}),
                                       ("rectangle", {"kind": "area", "position": [0.4, 0.9, 0.9], "direction": [-0.3, -0.7, -0.7],
                                                      "width": 0.6, "height": 0.6, "intensity": 0.5}))]},
-    {"name": "passes", "title": "A refinement, pass by pass",
+    {"name": "passes", "title": "A progressive picture, pass by pass",
      "text": "The first traced picture and later ones; up to 64 passes a filter is guided by direction, depth and colour. Last: 16 passes without it.",
      "pictures": [picture(title, CREATURE, studio(), quality={"method": "strands", "trace": trace})
                   for title, trace in (*((f"{n} passes", {"passes": n}) for n in (1, 4, 16, 64, 128)),

@@ -1,8 +1,8 @@
 """What the pages of the tools say: a title, words, schemas of openapi.yaml whose members are listed, and a camera."""
 
-SIDE = ["--eye=-1.45,0.75,-0.02", "--target=0,0.5,-0.02"]
-ABOVE = ["--eye=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]
-SPINE = ["--eye=0,1.95,-0.5", "--target=0,0.5,-0.03"]
+SIDE = ["--position=-1.45,0.75,-0.02", "--target=0,0.5,-0.02"]
+ABOVE = ["--position=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]
+SPINE = ["--position=0,1.95,-0.5", "--target=0,0.5,-0.03"]
 
 
 def page(title, words, *schemas, camera=SIDE, builtin="creature", source=None, picture=None):
@@ -59,7 +59,7 @@ fur on the flank, cut to a height of 0.012 sizes. Nothing grows: fur that ends b
 Raises fur that lies; inverted it lays it down. It keeps the heading: fur that stands upright has none and stays.""", "Lift"),
     "erase": page("Erase", """
 Takes fields back to the first groom, to a [checkpoint](checkpoint.md) or to a revision of this model, as far as the brush
-reaches; with a [layer](layer.md) and neither of them, takes away what the layer adds. The mask stays unless it is named. Below: tangled fur, taken back to the first groom on the flank.""", "Erase"),
+reaches; with a [layer](edit_layer.md) and neither of them, takes away what the layer adds. The mask stays unless it is named. Below: tangled fur, taken back to the first groom on the flank.""", "Erase"),
     "clump": page("Clump", """
 Turns fur to the line of the stroke and raises the field `clump`, which gathers tips to locks. Inverted it opens them.
 Below: five strokes down the flank.""", "Clump"),
@@ -95,13 +95,13 @@ Below: a wind from below that brushes over the shoulder, and a stick over the ha
 Gives a revision a name, for [erase](erase.md) to go back to. A name that is known moves. Below: fur is brushed and the
 revision named, then noise tangles it, and a brush takes the flank back to what was named. A dry run of a whole recipe cannot
 go back to a checkpoint that the recipe itself makes.""", "Checkpoint"),
-    "layer": page("Layers of edits", """
+    "edit_layer": page("Layers of edits", """
 An edit layer keeps changes apart from the groom below. Every tool names its `layer`; it works on what is seen, and the layer
 takes what makes the rest add up to that. What is seen is the groom and, from the lowest layer up, weight times what each
-adds, held in each field's range, so the order of layers matters only where a range ends. The mask lies outside of layers.
+adds, held in each field's range, so the order of edit layers matters only where a range ends. The mask lies outside of edit layers.
 `set` weighs (half, twice, the opposite), mutes and renames, `move` reorders, `merge_down` merges into the layer below or the
 groom (what is seen stays, but where a range ended between the two), `remove` takes a layer away, [erase](erase.md) with a layer takes away what it adds under the brush. Below: a ruff,
-combing and spots in three layers; after, the ruff at weight -.6, the combing at -1 and the spots at one half.""", "Layer"),
+combing and spots in three edit layers; after, the ruff at weight -.6, the combing at -1 and the spots at one half.""", "Layer"),
     "retarget": page("Retarget", """
 Takes the fields of another scene's model, or of this one at an earlier revision, from the nearest places of its surface, as
 [retarget](../retarget.md) says. It is one undo step; the revision that was taken is in the log. Below: plain fur takes the

@@ -7,7 +7,7 @@ import pathlib
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 640, 400, 60, 30, 150, 45
-COLOURS = {"layers": "#c8553d", "sorted": "#20639b"}
+COLOURS = {"aovs": "#c8553d", "sorted": "#20639b"}
 LOW, HIGH = 0.001, 0.2
 
 

@@ -88,7 +88,7 @@ struct SceneSummary {
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // that can be undone
   std::size_t redo_steps = 0;
-  std::vector<EditLayer> layers = {};  // from the lowest
+  std::vector<EditLayer> edit_layers = {};  // from the lowest
 };
 
 /// What lies under a pixel.

@@ -10,8 +10,8 @@ enum class AutoView { none, front, back, left, right, top, three_quarter };
 /// A pinhole camera in the model's own coordinates (right-handed, Y up). Ignored but for `automatic` unless that is none.
 struct Camera {
   AutoView automatic = AutoView::three_quarter;
-  glm::dvec3 eye{0, 0, 1};
-  glm::dvec3 target{0};     // differs from eye
+  glm::dvec3 position{0, 0, 1};
+  glm::dvec3 target{0};     // differs from position
   glm::dvec3 up{0, 1, 0};   // not along the view
   double fov_degrees = 35;  // vertical, [1, 150]
 };

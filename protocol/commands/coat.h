@@ -32,11 +32,11 @@ struct Undercoat {
 };
 
 /// Ticking: some hairs have one colour of their own from root to tip.
-struct OddHairs {
+struct Ticking {
   double share = 0;         // of the strands, [0, 1]
   glm::vec3 colour{0.85f};  // linear
 
-  bool operator==(const OddHairs&) const = default;
+  bool operator==(const Ticking&) const = default;
 };
 
 /// Tufts: clumps larger than the tile, which gather strands about places on the body itself, so that the fur does not
@@ -77,7 +77,7 @@ struct Coat {
                              {0.55, {0.360f, 0.210f, 0.110f}},
                              {1.0, {0.620f, 0.440f, 0.270f}}};  // 1 to 4 stops
   Undercoat undercoat{};
-  OddHairs odd_hairs{};
+  Ticking ticking{};
   Tufts tufts{};
   Pattern pattern{};
   Variation variation{};

@@ -15,9 +15,9 @@ const char* op_of(const Command& command) {
   static constexpr const char* names[] = {
       "comb", "blow", "attract", "interpolate", "flow", "smooth", "noise", "unify",
       "part", "length", "trim", "lift", "erase", "clump", "curl", "paint", "mask", "map",
-      "set_blowers", "set_attractors", "set_symmetry", "checkpoint", "layer", "retarget",
+      "set_blowers", "set_attractors", "set_symmetry", "checkpoint", "edit_layer", "retarget",
       "set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves", "set_skin",
-      "set_base_picture"};
+      "set_skin_texture"};
   static_assert(std::size(names) == std::variant_size_v<Command>);
   return names[command.index()];
 }
@@ -33,10 +33,10 @@ Stroke* stroke_of(Command& command) {
 
 const Stroke* stroke_of(const Command& command) { return stroke_of(const_cast<Command&>(command)); }
 
-std::string layer_of(const Command& command) {
+std::string edit_layer_of(const Command& command) {
   return std::visit(
       [](const auto& c) {
-        if constexpr (requires { c.layer; }) return c.layer;
+        if constexpr (requires { c.edit_layer; }) return c.edit_layer;
         else return std::string();
       },
       command);

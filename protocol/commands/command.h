@@ -32,7 +32,7 @@ struct SetSkin { std::vector<SkinRegion> regions; };  // at most 64
 
 /// Lays a picture on the model by its texture coordinates, in place of all colours of its own. It is named by the 32
 /// hex digits that its upload answered with; "" takes it off again.
-struct SetBasePicture {
+struct SetSkinTexture {
   std::string picture;
 };
 
@@ -70,8 +70,8 @@ struct Checkpoint {
 using Command =
     std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift, Erase, Clump, Curl,
                  Paint, ChangeMask, ApplyMap,
-                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeLayer, Retarget,
-                 SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetBasePicture>;
+                 SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, Retarget,
+                 SetCoat, SetLook, SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture>;
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);
@@ -81,6 +81,6 @@ const Stroke* stroke_of(const Command& command);
 Stroke* stroke_of(Command& command);
 
 /// The name of the edit layer that keeps what the tool changes; "" for the groom, and for commands that are no tools.
-std::string layer_of(const Command& command);
+std::string edit_layer_of(const Command& command);
 
 }  // namespace pelage

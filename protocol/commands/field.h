@@ -26,8 +26,8 @@ enum class Field : std::uint8_t {
 struct FieldShape {
   std::string_view name;  // on the wire
   int channels = 1;       // [1, 4]
-  float rest = 0;         // what every channel holds before anything has touched it
-  float least = 0, most = 1;
+  float default_value = 0;         // what every channel holds before anything has touched it
+  float min = 0, max = 1;
 };
 
 inline constexpr std::array<FieldShape, 12> field_shapes{{{"direction", 2, 0, -1, 1},

@@ -22,8 +22,8 @@ enum class Transport { transmittance, paths };
 /// Which model traced strands scatter by: the look's, as shells, or energy_conserving whatever the look says. Paths
 /// scatter by energy_conserving in either case: no other model conserves energy.
 enum class StrandScattering { look, energy_conserving };
-enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer layers where the view needs fewer
-enum class FragmentOrder { layers, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
+enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer shells where the view needs fewer
+enum class FragmentOrder { shells, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
 enum class ToneMap { none, filmic };
 enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
 enum class FrameFormat { png, png16, jpeg, exr };
@@ -31,13 +31,13 @@ enum class ExrType { half, single };
 /// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
 /// first light that casts a shadow, as the light sees the model (GPU fur 4).
 enum class Overlay {
-  none, direction, strokes, length, density, wetness, mask, layer_count, light_depth, light_occlusion, shadow_width,
+  none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, light_occlusion, shadow_width,
   difference  // how much the fields have changed since overlay_from
 };
 
 /// What an EXR can hold beside colour. All but beauty and alpha leave out the ground. Beauty, albedo and direct are
 /// multiplied by alpha; position, normal, tangent and shadow are means over what covers the pixel.
-enum class FrameLayer {
+enum class Aov {
   beauty,      // R, G, B, A: linear light without exposure, tone map and background
   alpha,       // A
   depth,       // Z: distance along the view of the first fur or skin over half opacity, model's unit; infinity for none
@@ -47,7 +47,7 @@ enum class FrameLayer {
   albedo,      // linear
   direct,      // light of lights without the ambient part, linear
   shadow,      // share of that light that shadows leave, [0, 1]; 1 where none comes
-  layer_count  // fragments of shells that were shaded, mean over the pixel; of strands the samples that were taken
+  shell_count  // fragments of shells that were shaded, mean over the pixel; of strands the samples that were taken
 };
 
 /// How strands are traced. A pass adds a sample to each pixel that still needs some.
@@ -71,15 +71,15 @@ struct Knobs {
   ShellPolicy shell_policy = ShellPolicy::uniform;
   int steps = 2;                                  // texture steps inside a slab of all shells, [1, 16]
   double scale = 1;                               // rendered size over asked size, [0.25, 2]
-  int least_radius = 0;                           // rendered pixels of the ball about the model's box, [0, 8192]: where a
+  int min_radius = 0;                           // rendered pixels of the ball about the model's box, [0, 8192]: where a
                                                   // scale below 1 gives fewer, it is larger, up to 1
   int eye_steps = 8;                              // into the iris: 0 flat, 1 parallax, more march, [0, 64]
   bool self_shadow = true;                        // the one that needs no maps (science.md 4)
   bool shadow_maps = false;                       // draw the shadows that lights ask for
   int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
-  FragmentOrder order = FragmentOrder::layers;    // in which fur is blended
-  bool fins = false;                              // side views of the fur on edges at outlines
-  int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near outlines
+  FragmentOrder order = FragmentOrder::shells;    // in which fur is blended
+  bool fins = false;                              // side views of the fur on edges at silhouettes
+  int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near silhouettes
   Method method = Method::shells;
   Tracing trace = {};                             // of method strands
 
@@ -119,10 +119,10 @@ struct FrameRequest {
   FrameFormat format = FrameFormat::png;
   int jpeg_quality = 90;                                                     // [1, 100]
   ExrType exr_type = ExrType::half;                                          // depth and position are always single
-  std::vector<FrameLayer> layers{FrameLayer::beauty};                        // of an EXR: at least one, each once
+  std::vector<Aov> aovs{Aov::beauty};                        // of an EXR: at least one, each once
   Overlay overlay = Overlay::none;                                           // not in an EXR
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
-  std::optional<Tracing> refine = {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
+  std::optional<Tracing> progressive = {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
   std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
 
   bool plans() const { return budget_ms || max_error; }

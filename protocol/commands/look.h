@@ -81,7 +81,7 @@ struct Light {
   double radius = 0.05;          // of the ball that a point or spot light is, sizes, [0, 10]
   double width = 0.5;            // of an area light, sizes, [1e-3, 100]; level
   double height = 0.5;           // sizes, [1e-3, 100]
-  bool self_shadow_maps = false; // layer-wise shadow maps (GPU fur 3.1) in place of the estimate
+  bool self_shadow_maps = false; // shadow maps of the shells (GPU fur 3.1) in place of the estimate
   CastShadow cast_shadow = CastShadow::none;
   double shadow_scale = 10;      // of a soft one, Cscale of GPU fur 4: larger is a narrower edge, [0, 1000]
 };

@@ -27,7 +27,7 @@ struct ApplyMap {
   double scale = 1;              // what 1 in the picture is in the field's unit, [1e-27, 1e27]; a length of `units`
   Units units = Units::relative; // of length and vector
   double strength = 1;           // how far fields go to the picture's, [0, 1]
-  std::string layer = {};        // edit layer that keeps the change; "" for the groom
+  std::string edit_layer = {};        // edit layer that keeps the change; "" for the groom
 };
 
 /// Which map is asked for.

@@ -17,7 +17,7 @@ enum class PlanEnd {
   budget,  // better ones cost more than the budget
   error,   // the cheapest that keep the error
   best,    // nothing better is known: budget is left, or the error cannot be kept
-  least    // even the cheapest cost more than the budget
+  cheapest    // even the cheapest cost more than the budget
 };
 
 /// Of a frame of shells, before it is drawn. Error is the mean LDR-FLIP over the fur's mask against the same fur in
@@ -26,7 +26,7 @@ enum class PlanEnd {
 struct FrameEstimate {
   double error = 0;         // [0, 1]
   double error_safety = 1;  // 1 or more: 95% of frames have at most error times it
-  bool measured = false;    // in such a view of the scene; else told from the view's features
+  bool measured = false;    // in such a view of the scene; else estimated from the view's features
   double cost_ms = 0;
   double cost_safety = 1;   // the same of cost
   double correction = 1;    // measured over predicted cost of this scene so far, which cost_ms has in it

@@ -10,7 +10,7 @@ enum class ModelFormat { obj, ply, stl, off, gltf, glb, tds };  // tds is "3ds" 
 enum class Axis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  // "x", "-x", ...
 
 /// The first groom: fur that lies from nose to tail and a little down.
-/// even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, told from where they lie in
+/// even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in
 /// the model's box when it looks along +Z.
 enum class GroomForm { even, animal };
 

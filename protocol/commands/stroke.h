@@ -22,15 +22,15 @@ enum class Falloff { constant, linear, smooth, sharp, sphere };
 
 /// Where a stroke passes: a point in the model's coordinates, a pixel of the stroke's view (origin top left, y down,
 /// centres at .5), or a place on a triangle.
-struct PositionPlace { glm::dvec3 position{0}; };
-struct ScreenPlace { glm::dvec2 screen{0}; };
-struct SurfacePlace {
+struct PositionSample { glm::dvec3 position{0}; };
+struct ScreenSample { glm::dvec2 screen{0}; };
+struct SurfaceSample {
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{1.0 / 3};  // each in [0, 1], sum 1 within 1e-3
 };
 
 struct StrokeSample {
-  std::variant<PositionPlace, ScreenPlace, SurfacePlace> place;
+  std::variant<PositionSample, ScreenSample, SurfaceSample> place;
   double pressure = 1;  // [0, 1]
   double time = 0;      // seconds, [0, 1e6], not falling
 };
@@ -56,7 +56,7 @@ struct Brush {
   double pressure_to_radius = 0;    // share of the radius that pressure scales, [0, 1]
   double pressure_to_strength = 1;  // share of the strength that pressure scales, [0, 1]
   bool front_faces_only = true;  // against the view of pixel samples, else the surface normal at the sample
-  double cut_off_degrees = 90;   // angle to the front from which faces count as turned away, [0, 180]
+  double cut_off_degrees = 90;   // angle to the front from which faces count as back-facing, [0, 180]
   bool invert = false;           // the tool's opposite, where it has one
   double strand_from = 0, strand_to = 1;  // from root to tip, [0, 1]: the part of the strand that changes; of colours only
 };

@@ -1,5 +1,5 @@
 // Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask holds for all.
-// A tool works on what is seen. `layer` names the edit layer that keeps what it changes; "" for the groom below them all.
+// A tool works on what is seen. `edit layer` names the edit layer that keeps what it changes; "" for the groom below them all.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Comb {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   double lean = 0.7;                     // inclination that combing tends to, [0, 1]
   bool keep_inclination = false;         // turns the heading alone
   std::optional<glm::dvec3> direction = {};   // flood only: where the fur is combed to; not zero
@@ -29,7 +29,7 @@ struct Comb {
 struct Blow {
   std::optional<Stroke> stroke = {};
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::string blower = {};           // the name of one that stays (set_blowers), whose settings then hold; "" for these
   glm::dvec3 source{0};         // model coordinates
   glm::dvec3 direction{0, -1, 0};  // axis of the cone; not zero
@@ -45,7 +45,7 @@ struct Blow {
 struct Attract {
   std::optional<Stroke> stroke = {};
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::string attractor = {};   // the name of one that stays (set_attractors), whose settings then hold; "" for these
   glm::dvec3 point{0};     // model coordinates
   double radius = 0.2;     // in `units`, [0, 1e6 sizes]
@@ -70,7 +70,7 @@ struct Key {
 struct Interpolate {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::vector<Key> keys = {};         // 1 to 256
   double sigma = 0.2;            // width of the Gaussians, in `units`, above 0
   Units units = Units::relative;
@@ -82,7 +82,7 @@ struct Interpolate {
 struct Flow {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::vector<std::vector<glm::dvec3>> curves = {};  // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
   double sigma = 0.2;            // in `units`, above 0
   Units units = Units::relative;
@@ -96,7 +96,7 @@ struct Smooth {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   double t = 0.5;                // [0, 1]
   int passes = 3;                // [1, 10,000]
   bool keep_inclination = false;
@@ -108,7 +108,7 @@ struct Noise {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::uint32_t seed = 1;
   double amount = 0.2;           // directions: inclinations; length and width: share of the value; others: added. [0, 10]
   double feature_size = 0;       // of the noise, in `units`; 0: every vertex for itself
@@ -121,7 +121,7 @@ struct Unify {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::optional<glm::dvec3> direction = {};  // not zero
   std::optional<double> inclination = {};    // [0, 1]
   std::optional<double> length = {};         // in `units`
@@ -134,16 +134,16 @@ struct Unify {
 struct Part {
   std::optional<Stroke> stroke = {};  // the line; required
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   double lean = 0.7;             // [0, 1]
 };
 
-enum class LengthMode { set, add, scale, average, jitter, least, most };
+enum class LengthMode { set, add, scale, average, jitter, min, max };
 struct Length {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   LengthMode mode = LengthMode::set;
   double value = 0.03;           // a length in `units` (may be below 0 for add), a factor, or the share of a jitter
   Units units = Units::relative;
@@ -157,7 +157,7 @@ struct Trim {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::variant<TrimPlane, TrimSphere, double> shape{0.01};  // a height in `units`
   Units units = Units::relative;
 };
@@ -167,16 +167,16 @@ struct Lift {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
 };
 
-/// Goes back to the first groom, or to a checkpoint or revision of this scene; with a layer and neither of them, takes
-/// away what the layer adds.
+/// Goes back to the first groom, or to a checkpoint or revision of this scene; with an edit layer and neither of them, takes
+/// away what the edit layer adds.
 struct Erase {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   std::string checkpoint = {};                 // "" for none
   std::optional<std::uint64_t> revision = {};  // of this model
   std::vector<Field> fields = {};              // all of them when empty
@@ -186,7 +186,7 @@ struct Erase {
 struct Clump {
   std::optional<Stroke> stroke = {};  // required
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   double gather = 0.3;           // how far fur turns to the middle of each dab, [0, 1]
   double amount = 0.6;           // what the field tends to, [0, 1]
 };
@@ -196,7 +196,7 @@ struct Curl {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   double amount = 0.6;           // what the field tends to, [0, 1]
   double turn_degrees = 0;       // counter-clockwise seen from outside, [-180, 180]
 };
@@ -206,7 +206,7 @@ struct Paint {
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
-  std::string layer = {};
+  std::string edit_layer = {};
   Field field = Field::density;  // one of density, width, curl, clump, wetness, bare, mask, root_colour, tip_colour
   double value = 1;              // in the field's range; of a colour how much it covers, [0, 1]
   glm::vec3 colour{1};           // linear; of colour fields
@@ -222,7 +222,7 @@ struct Retarget {
   Alignment align = Alignment::box;
   std::vector<Field> fields = {};              // all but the mask when empty
   double strength = 1;                         // [0, 1]
-  std::string layer = {};
+  std::string edit_layer = {};
 };
 
 enum class MaskAction { select, grow, shrink, smooth, invert };

@@ -17,7 +17,7 @@ constexpr int version = 3;  // of the cost terms and error traits
 constexpr Range price{0, 1e9};
 constexpr Range safety{1, 100};
 constexpr Range exponent{-100, 100};
-constexpr std::size_t most_rows = 256;
+constexpr std::size_t max_rows = 256;
 
 template <std::size_t N>
 void read_numbers(const Value& value, Range range, std::array<double, N>& out) {
@@ -51,7 +51,7 @@ Calibration calibration_of(const Value& value) {
   object.required("low", [&](const Value& v) { read_numbers(v, {-1e6, 1e6}, result.low); });
   object.required("high", [&](const Value& v) { read_numbers(v, {-1e6, 1e6}, result.high); });
   object.required("ladder", [&](const Value& v) {
-    for (const Value& member : v.list(1, most_rows)) result.ladder.push_back(row_of(member));
+    for (const Value& member : v.list(1, max_rows)) result.ladder.push_back(row_of(member));
   });
   object.finish();
   return result;

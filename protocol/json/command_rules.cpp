@@ -59,13 +59,13 @@ bool names_mask(const std::vector<Field>& fields) { return std::count(fields.beg
 /// The mask lies outside of all layers.
 template <class Tool>
 void check_layer(const Value& value, const Tool& tool) {
-  if constexpr (requires { tool.layer; }) {
+  if constexpr (requires { tool.edit_layer; }) {
     bool mask = false;
     if constexpr (requires { tool.field; }) mask = mask || names_mask(tool.field);
     if constexpr (requires { tool.fields; }) mask = mask || names_mask(tool.fields);
     if constexpr (requires { tool.mean; }) mask = mask || names_mask(tool.mean);
-    if (mask && !tool.layer.empty())
-      value.refuse_below("layer", "The mask lies outside of all layers.", "no layer where the mask is changed");
+    if (mask && !tool.edit_layer.empty())
+      value.refuse_below("edit_layer", "The mask lies outside of all layers.", "no layer where the mask is changed");
   }
 }
 
@@ -153,7 +153,7 @@ void check(const Value& value, const Paint& paint) {
   if (std::count(std::begin(unpaintable), std::end(unpaintable), paint.field) > 0)
     value.refuse_below("field", "Other tools change this field.",
                        "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
-  if (paint.value > shape.most) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
+  if (paint.value > shape.max) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
 }
 
 void check(const Value& value, const ChangeMask& mask) {
@@ -186,10 +186,10 @@ void check(const Value& value, const SetCurves& command) {
   }
 }
 
-void check(const Value& value, const ChangeLayer& layer) {
-  if (layer.action == LayerAction::set && !layer.weight && !layer.muted && layer.rename.empty())
+void check(const Value& value, const ChangeEditLayer& layer) {
+  if (layer.action == EditLayerAction::set && !layer.weight && !layer.muted && layer.rename.empty())
     value.refuse("Nothing of the layer is set.", "one or more of weight | muted | rename");
-  if (layer.action == LayerAction::move && !layer.above)
+  if (layer.action == EditLayerAction::move && !layer.above)
     value.refuse_below("above", "Nothing says where the layer moves to.", "required");
   if (layer.above == layer.name) value.refuse_below("above", "A layer cannot lie on itself.", "another layer");
 }

@@ -66,7 +66,7 @@ SceneSummary summary_of(const json& value) {
                      .repairs = {}};
   for (const json& repair : value.at("repairs")) report.repairs.push_back({repair.at("code"), repair.at("count")});
   std::vector<EditLayer> layers;
-  for (const json& layer : value.at("layers"))
+  for (const json& layer : value.at("edit_layers"))
     layers.push_back({.name = layer.at("name"), .weight = layer.at("weight"), .muted = layer.at("muted")});
   return {.id = value.at("id"),
           .name = value.at("name"),
@@ -77,7 +77,7 @@ SceneSummary summary_of(const json& value) {
           .fields_hash = hash_of(value.at("fields_hash")),
           .undo_steps = value.at("undo_steps"),
           .redo_steps = value.at("redo_steps"),
-          .layers = layers};
+          .edit_layers = layers};
 }
 
 Code code_of(const std::string& type) {

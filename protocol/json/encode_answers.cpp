@@ -39,7 +39,7 @@ Json json_of(const SceneSummary& summary) {
   Json repairs = Json::array();
   for (const Repair& repair : report.repairs) repairs.push_back({{"code", repair.code}, {"count", repair.count}});
   Json layers = Json::array();
-  for (const EditLayer& layer : summary.layers)
+  for (const EditLayer& layer : summary.edit_layers)
     layers.push_back({{"name", layer.name}, {"weight", layer.weight}, {"muted", layer.muted}});
   return {{"id", summary.id},
           {"name", summary.name},
@@ -57,7 +57,7 @@ Json json_of(const SceneSummary& summary) {
           {"fields_hash", to_hex(summary.fields_hash)},
           {"undo_steps", summary.undo_steps},
           {"redo_steps", summary.redo_steps},
-          {"layers", layers}};
+          {"edit_layers", layers}};
 }
 
 /// RFC 9457's `type` and `title`. Refusals of HTTP itself have no type of their own but the status.

@@ -47,7 +47,7 @@ void members(V& v, Visited<V, Eye>& c) {
   v.type("Eye",
          "A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look at.");
   v.position(required("position"), c.position, "Of the ball's centre.");
-  v.number(required("radius"), c.radius, {limits::least_eye_radius, 1e6}, "Sizes.");
+  v.number(required("radius"), c.radius, {limits::min_eye_radius, 1e6}, "Sizes.");
   if (v.shows(!c.look_at)) v.direction("gaze", c.gaze, "Where it looks.");
   v.position("look_at", c.look_at, "The point that it looks at; not its own position.");
   v.object("iris", c.iris);
@@ -63,7 +63,7 @@ template <class V>
 void members(V& v, Visited<V, CurveGroup>& c) {
   v.type("CurveGroup",
          "Curves of one kind. Guides are drawn as they are given, and between each two that follow each other more are "
-         "filled in. They take the look's shading model, cast no shadow, and of the layers of an EXR are in beauty and "
+         "filled in. They take the look's shading model, cast no shadow, and of the AOVs of an EXR are in beauty and "
          "alpha alone.");
   v.curves(required("curves"), c.curves, {1, limits::curves}, {2, limits::curve_points},
            "Guides: the points that a smooth curve passes through, root first.");
@@ -100,7 +100,7 @@ void members(V& v, Visited<V, SkinRegion>& c) {
          "An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the "
          "earlier.");
   v.position(required("centre"), c.centre);
-  v.triple(required("radii"), c.radii, {limits::least_skin_radius, 1e6},
+  v.triple(required("radii"), c.radii, {limits::min_skin_radius, 1e6},
            "Sizes. The third lies along the axis, the first is level, the second is upright where the axis is level.");
   v.direction("axis", c.axis, "Of the third radius.");
   v.number("turn_degrees", c.turn_degrees, {-180, 180}, "Around the axis, counter-clockwise as seen from its tip.");

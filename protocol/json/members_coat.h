@@ -25,8 +25,8 @@ void members(V& v, Visited<V, Undercoat>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, OddHairs>& c) {
-  v.type("OddHairs", "Ticking: hairs of one colour of their own.");
+void members(V& v, Visited<V, Ticking>& c) {
+  v.type("Ticking", "Ticking: hairs of one colour of their own.");
   v.number("share", c.share, share, "Of the strands.");
   v.colour("colour", c.colour);
 }
@@ -100,7 +100,7 @@ void members(V& v, Visited<V, Coat>& c) {
   v.name("lean_curve", c.lean_curve, json_names::lean_curves, "arc, or root: y = K sqrt(x).");
   v.objects("ramp", c.ramp, {1, limits::ramp_stops}, "Colour along the strand.");
   v.object("undercoat", c.undercoat);
-  v.object("odd_hairs", c.odd_hairs);
+  v.object("ticking", c.ticking);
   v.object("tufts", c.tufts);
   v.object("pattern", c.pattern);
   v.object("variation", c.variation);

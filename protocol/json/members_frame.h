@@ -51,16 +51,16 @@ void members(V& v, Visited<V, Knobs>& c) {
     v.number("scale", c.scale, {0.25, 2},
              "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
     v.integer(
-        "least_radius", c.least_radius, {0, 8192},
+        "min_radius", c.min_radius, {0, 8192},
         "Rendered pixels of the ball about the model's box: where a scale below 1 gives fewer, the scale is larger, up "
         "to 1, so that what is small on the picture keeps its form. The answer's knobs have the scale that came of it; "
         "the tier draft has 120.");
     v.boolean("self_shadow", c.self_shadow);
     v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
     v.integer("shadow_resolution", c.shadow_resolution, {1, 4096}, "Texels along the side of a shadow map.");
-    v.boolean("fins", c.fins, "Side views of the fur on edges near outlines.");
+    v.boolean("fins", c.fins, "Side views of the fur on edges near silhouettes.");
     v.name("shell_policy", c.shell_policy, json_names::shell_policies,
-           "adaptive: fewer layers where fur is seen from above or is small on the picture.");
+           "adaptive: fewer shells where fur is seen from above or is small on the picture.");
     v.name(
         "order", c.order, json_names::fragment_orders,
         "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
@@ -74,7 +74,7 @@ void members(V& v, Visited<V, Knobs>& c) {
       "layers.");
   v.integer(
       "guard_hairs", c.guard_hairs, {0, 100000},
-      "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near outlines; of "
+      "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near silhouettes; of "
       "strands about as many stand so.");
   if (v.shows(c.method == Method::strands)) v.object("trace", c.trace, "Of method strands.");
 }
@@ -111,12 +111,12 @@ void members(V& v, Visited<V, FrameRequest>& c) {
   v.integer("jpeg_quality", c.jpeg_quality, {1, 100});
   v.name("exr_type", c.exr_type, json_names::exr_types, "Depth and position are always float.");
   if (v.shows(c.format == FrameFormat::exr))
-    v.names("layers", c.layers, json_names::frame_layers, 1, "layer",
-            "Of an EXR; `[beauty]` when absent. Drawn pixels times layers at most 67108864. Channels: R, G, B, A of "
+    v.names("aovs", c.aovs, json_names::aovs, 1, "AOV",
+            "Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of "
             "beauty; "
-            "A of alpha; Z of depth; LAYER.X, .Y, .Z of position, normal and tangent; LAYER.R, .G, .B of albedo and "
+            "A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and "
             "direct; "
-            "LAYER.Y of shadow and layer_count.");
+            "AOV.Y of shadow and shell_count.");
   v.name(
       "overlay", c.overlay, json_names::overlays,
       "A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask go from "
@@ -128,7 +128,7 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "deeper than what the light sees. shadow_width: the same, reduced and enlarged again. Refused where the knob "
       "shadow_maps is off, no light casts a shadow, or that light stands too near the model for one map.");
   v.special(
-      "refine", c.refine,
+      "progressive", c.progressive,
       "Shells at once; strands of the same revision are then traced while somebody waits for them with `after` and "
       "`after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to this same request, "
       "sent again. Name the `view`: what is traced is dropped as soon as the scene changes, the same view asks for "

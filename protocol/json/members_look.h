@@ -63,7 +63,7 @@ void members(V& v, Visited<V, Light>& c) {
   v.number("width", c.width, {0.001, 100}, "Of an area light, sizes; level.");
   v.number("height", c.height, {0.001, 100}, "Of an area light, sizes.");
   v.boolean("self_shadow_maps", c.self_shadow_maps,
-            "Layer-wise shadow maps in place of the estimate, in frames with `shadow_maps`.");
+            "Shadow maps of the shells in place of the estimate, in frames with `shadow_maps`.");
   v.name("cast_shadow", c.cast_shadow, json_names::cast_shadows,
          "Shadow of one part of the body on another, in frames with `shadow_maps`: with a sharp edge, with one that "
          "`shadow_scale` widens, or blurred by the light's size, nearest to traced strands.");

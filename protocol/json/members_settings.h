@@ -63,10 +63,10 @@ void members(V& v, Visited<V, SetSkin>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, SetBasePicture>& c) {
-  v.type("SetBasePicture",
+void members(V& v, Visited<V, SetSkinTexture>& c) {
+  v.type("SetSkinTexture",
          "Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is the "
-         "name that the log has after an upload to `base_picture`, made from the pixels alone; a picture that no scene "
+         "name that the log has after an upload to `skin_texture`, made from the pixels alone; a picture that no scene "
          "of this server has used is refused. `own` takes it off again.");
   v.picture(required("picture"), c.picture, "", "own");
 }

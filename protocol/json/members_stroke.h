@@ -52,7 +52,7 @@ void members(V& v, Visited<V, Brush>& c) {
            "Share of the strength that a sample's pressure scales.");
   v.boolean("front_faces_only", c.front_faces_only);
   v.number("cut_off_degrees", c.cut_off_degrees, half_circle,
-           "Angle to the front from which faces count as turned away.");
+           "Angle to the front from which faces count as back-facing.");
   v.boolean("invert", c.invert, "The tool's opposite; refused where it has none.");
   v.number(
       "strand_from", c.strand_from, share,

@@ -9,7 +9,7 @@ namespace pelage::json_parts {
 /// The edit layer that keeps what a tool changes.
 template <class V, class Tool>
 void layer_member(V& v, Tool& c) {
-  v.text(sparse("layer"), c.layer, "Edit layer that keeps what changes; the groom below all layers unless named.");
+  v.text(sparse("edit_layer"), c.edit_layer, "Edit layer that keeps what changes; the groom below all layers unless named.");
 }
 
 /// Where a tool works.
@@ -240,7 +240,7 @@ void members(V& v, Visited<V, Curl>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Paint>& c) {
-  v.type("Paint", "Paints a field; inverted it takes it back to rest.");
+  v.type("Paint", "Paints a field; inverted it takes it back to its default.");
   place_members(v, c), flood_member(v, c);
   v.name("field", c.field, json_names::fields);
   v.number("value", c.value, {0, 4}, "At most 1, of width 4. Of a colour how much it covers.");
@@ -390,23 +390,23 @@ void members(V& v, Visited<V, Checkpoint>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, ChangeLayer>& c) {
-  v.type("Layer",
+void members(V& v, Visited<V, ChangeEditLayer>& c) {
+  v.type("ChangeEditLayer",
          "Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the lowest "
          "layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is merged may "
          "be muted; the layer that is merged into comes to weight 1.");
-  v.name("action", c.action, json_names::layer_actions);
+  v.name("action", c.action, json_names::edit_layer_actions);
   v.label(required("name"), c.name);
-  const bool add = c.action == LayerAction::add, set = c.action == LayerAction::set;
+  const bool add = c.action == EditLayerAction::add, set = c.action == EditLayerAction::set;
   if (v.takes(add || set)) {
-    v.number("weight", c.weight, layer_weight,
+    v.number("weight", c.weight, edit_layer_weight,
              "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change layers of at "
              "least .05 "
              "or at most -.05.");
     v.boolean("muted", c.muted, "Of add and set.");
   }
   if (v.takes(set)) v.text(sparse("rename"), c.rename, "Of set: the new name.");
-  if (v.takes(add || c.action == LayerAction::move)) {
+  if (v.takes(add || c.action == EditLayerAction::move)) {
     v.text("above", c.above,
            "Of add, else on top, and move, where it is required: the layer that it comes to lie on, or \"\" for none.");
   }

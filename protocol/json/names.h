@@ -31,13 +31,13 @@ inline constexpr std::array<Name<LengthMode>, 7> length_modes{{{"set", LengthMod
                                                                {"scale", LengthMode::scale},
                                                                {"average", LengthMode::average},
                                                                {"jitter", LengthMode::jitter},
-                                                               {"least", LengthMode::least},
-                                                               {"most", LengthMode::most}}};
-inline constexpr std::array<Name<LayerAction>, 5> layer_actions{{{"add", LayerAction::add},
-                                                                 {"set", LayerAction::set},
-                                                                 {"move", LayerAction::move},
-                                                                 {"merge_down", LayerAction::merge_down},
-                                                                 {"remove", LayerAction::remove}}};
+                                                               {"min", LengthMode::min},
+                                                               {"max", LengthMode::max}}};
+inline constexpr std::array<Name<EditLayerAction>, 5> edit_layer_actions{{{"add", EditLayerAction::add},
+                                                                 {"set", EditLayerAction::set},
+                                                                 {"move", EditLayerAction::move},
+                                                                 {"merge_down", EditLayerAction::merge_down},
+                                                                 {"remove", EditLayerAction::remove}}};
 inline constexpr std::array<Name<MaskAction>, 5> mask_actions{{{"select", MaskAction::select},
                                                                {"grow", MaskAction::grow},
                                                                {"shrink", MaskAction::shrink},
@@ -124,27 +124,27 @@ inline constexpr std::array<Name<PlanEnd>, 5> plan_ends{{{"asked", PlanEnd::aske
                                                          {"budget", PlanEnd::budget},
                                                          {"error", PlanEnd::error},
                                                          {"best", PlanEnd::best},
-                                                         {"least", PlanEnd::least}}};
+                                                         {"cheapest", PlanEnd::cheapest}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
-    {{"layers", FragmentOrder::layers}, {"sorted", FragmentOrder::sorted}}};
+    {{"shells", FragmentOrder::shells}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
 inline constexpr std::array<Name<FrameFormat>, 4> frame_formats{{{"png", FrameFormat::png},
                                                                 {"png16", FrameFormat::png16},
                                                                 {"jpeg", FrameFormat::jpeg},
                                                                 {"exr", FrameFormat::exr}}};
 inline constexpr std::array<Name<ExrType>, 2> exr_types{{{"half", ExrType::half}, {"float", ExrType::single}}};
-inline constexpr std::array<Name<FrameLayer>, 10> frame_layers{{{"beauty", FrameLayer::beauty},
-                                                                {"alpha", FrameLayer::alpha},
-                                                                {"depth", FrameLayer::depth},
-                                                                {"position", FrameLayer::position},
-                                                                {"normal", FrameLayer::normal},
-                                                                {"tangent", FrameLayer::tangent},
-                                                                {"albedo", FrameLayer::albedo},
-                                                                {"direct", FrameLayer::direct},
-                                                                {"shadow", FrameLayer::shadow},
-                                                                {"layer_count", FrameLayer::layer_count}}};
+inline constexpr std::array<Name<Aov>, 10> aovs{{{"beauty", Aov::beauty},
+                                                                {"alpha", Aov::alpha},
+                                                                {"depth", Aov::depth},
+                                                                {"position", Aov::position},
+                                                                {"normal", Aov::normal},
+                                                                {"tangent", Aov::tangent},
+                                                                {"albedo", Aov::albedo},
+                                                                {"direct", Aov::direct},
+                                                                {"shadow", Aov::shadow},
+                                                                {"shell_count", Aov::shell_count}}};
 inline constexpr std::array<Name<Overlay>, 12> overlays{{{"none", Overlay::none},
                                                          {"direction", Overlay::direction},
                                                          {"strokes", Overlay::strokes},
@@ -152,7 +152,7 @@ inline constexpr std::array<Name<Overlay>, 12> overlays{{{"none", Overlay::none}
                                                          {"density", Overlay::density},
                                                          {"wetness", Overlay::wetness},
                                                          {"mask", Overlay::mask},
-                                                         {"layer_count", Overlay::layer_count},
+                                                         {"shell_count", Overlay::shell_count},
                                                          {"light_depth", Overlay::light_depth},
                                                          {"light_occlusion", Overlay::light_occlusion},
                                                          {"shadow_width", Overlay::shadow_width},

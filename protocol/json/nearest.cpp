@@ -30,11 +30,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& known) {
   const std::string_view compared = word.substr(0, compared_bytes);
   std::string_view best;
-  std::size_t least = std::string_view::npos;
+  std::size_t min = std::string_view::npos;
   for (const std::string_view name : known) {
     const std::size_t distance = edit_distance(compared, name);
-    if (distance < least) {
-      least = distance;
+    if (distance < min) {
+      min = distance;
       best = name;
     }
   }

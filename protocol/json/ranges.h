@@ -16,7 +16,7 @@ struct Range {
 
 /// How many members a list has.
 struct Count {
-  std::size_t least, most;
+  std::size_t min, max;
 };
 
 namespace json_parts {
@@ -28,7 +28,7 @@ inline constexpr Range width_in_units{1e-27, 1e27};
 inline constexpr Range map_scale{1e-27, 1e27};
 inline constexpr Range share{0, 1};
 inline constexpr Range half_circle{0, 180};
-inline constexpr Range layer_weight{-4, 4};
+inline constexpr Range edit_layer_weight{-4, 4};
 inline constexpr Range clump_size{0.001, 0.5};
 inline constexpr Range feature_size{0.005, 2};
 inline constexpr Range pixels{1, limits::frame_pixels};

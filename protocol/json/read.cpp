@@ -22,14 +22,14 @@ void get(const Value& value, Camera& out) {
     return object.finish();
   }
   out.automatic = AutoView::none;
-  object.required("eye", [&](const Value& v) { out.eye = v.triple(coordinate); });
+  object.required("position", [&](const Value& v) { out.position = v.triple(coordinate); });
   object.required("target", [&](const Value& v) { out.target = v.triple(coordinate); });
   object.optional("up", [&](const Value& v) { out.up = v.direction(); });
   object.number("fov_degrees", out.fov_degrees, {1, 150});
   object.finish();
-  const glm::dvec3 forward = out.target - out.eye;
+  const glm::dvec3 forward = out.target - out.position;
   if (!(glm::length(forward) > 0)) {
-    value.refuse("The eye is at the target.", "eye differs from target");
+    value.refuse("The camera is at its target.", "position differs from target");
   } else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(out.up))) < 1e-6) {
     value.refuse_below("up", "Up points along the view.", "not along the view");
   }
@@ -53,8 +53,8 @@ void get(const Value& value, std::optional<Tracing>& out) {
   }
 }
 
-SurfacePlace surface_place(Object& object) {
-  SurfacePlace place;
+SurfaceSample surface_place(Object& object) {
+  SurfaceSample place;
   object.required("triangle",
                   [&](const Value& v) { place.triangle = static_cast<std::uint32_t>(v.integer(whole_number)); });
   object.required("barycentric", [&](const Value& v) {
@@ -90,7 +90,7 @@ class MemberReader {
   }
   void numbers(MemberName name, std::vector<double>& out, Range range, Count count, const char* = "") {
     member(name, [&](const Value& list) {
-      for (const Value& v : list.list(count.least, count.most)) out.push_back(v.number(range));
+      for (const Value& v : list.list(count.min, count.max)) out.push_back(v.number(range));
     });
   }
   void integer(MemberName name, int& out, Range range, const char* = "") {
@@ -157,11 +157,11 @@ class MemberReader {
   }
   /// Each at most once; `noun` is what one of them is called.
   template <class E, std::size_t N>
-  void names(MemberName name, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t least,
+  void names(MemberName name, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t min,
              const std::string& noun, const char* = "") {
     member(name, [&](const Value& list) {
       out.clear();
-      for (const Value& v : list.list(least, N)) {
+      for (const Value& v : list.list(min, N)) {
         const E one = v.name_of(names);
         if (std::count(out.begin(), out.end(), one) > 0)
           v.refuse("The " + noun + " is named twice.", "each " + noun + " once");
@@ -181,14 +181,14 @@ class MemberReader {
   void objects(MemberName name, std::vector<T>& out, Count count, const char* = "") {
     member(name, [&](const Value& list) {
       out.clear();
-      for (const Value& v : list.list(count.least, count.most)) out.push_back(read<T>(v));
+      for (const Value& v : list.list(count.min, count.max)) out.push_back(read<T>(v));
     });
   }
   void curves(MemberName name, std::vector<std::vector<glm::dvec3>>& out, Count count, Count points, const char* = "") {
     member(name, [&](const Value& list) {
-      for (const Value& v : list.list(count.least, count.most)) {
+      for (const Value& v : list.list(count.min, count.max)) {
         std::vector<glm::dvec3>& curve = out.emplace_back();
-        for (const Value& point : v.list(points.least, points.most)) curve.push_back(point.triple(coordinate));
+        for (const Value& point : v.list(points.min, points.max)) curve.push_back(point.triple(coordinate));
       }
     });
   }
@@ -215,10 +215,10 @@ class MemberReader {
     member(name, [&](const Value& v) { get(v, out); });
   }
   /// One of several, without an object of its own.
-  void place(std::variant<PositionPlace, ScreenPlace, SurfacePlace>& out) {
+  void place(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
     int places = 0;
-    member("position", [&](const Value& v) { out = PositionPlace{v.triple(coordinate)}, ++places; });
-    member("screen", [&](const Value& v) { out = ScreenPlace{v.pair(screen_coordinate)}, ++places; });
+    member("position", [&](const Value& v) { out = PositionSample{v.triple(coordinate)}, ++places; });
+    member("screen", [&](const Value& v) { out = ScreenSample{v.pair(screen_coordinate)}, ++places; });
     const bool triangle = object_.has("triangle"), barycentric = object_.has("barycentric");
     if (triangle || barycentric) out = surface_place(object_), ++places;
     if (places != 1)

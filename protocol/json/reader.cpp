@@ -76,15 +76,15 @@ bool Value::boolean() const {
   return false;
 }
 
-std::string Value::text(std::size_t least_bytes, std::size_t most_bytes) const {
+std::string Value::text(std::size_t min_bytes, std::size_t max_bytes) const {
   const std::string limit =
-      std::to_string(least_bytes) + " to " + std::to_string(most_bytes) + " bytes of UTF-8 without control characters";
+      std::to_string(min_bytes) + " to " + std::to_string(max_bytes) + " bytes of UTF-8 without control characters";
   if (!json_->is_string()) {
     refuse("A text is expected.", limit);
     return {};
   }
   const std::string& text = json_->get_ref<const std::string&>();
-  if (text.size() < least_bytes || text.size() > most_bytes) {
+  if (text.size() < min_bytes || text.size() > max_bytes) {
     refuse("The text has " + std::to_string(text.size()) + " bytes.", limit);
     return {};
   }
@@ -120,14 +120,14 @@ glm::vec3 Value::colour() const {
   return glm::vec3(0);
 }
 
-std::vector<Value> Value::list(std::size_t least, std::size_t most) const {
-  const std::string limit = least == most ? "a list of " + std::to_string(least)
-                                          : "a list of " + std::to_string(least) + " to " + std::to_string(most);
+std::vector<Value> Value::list(std::size_t min, std::size_t max) const {
+  const std::string limit = min == max ? "a list of " + std::to_string(min)
+                                          : "a list of " + std::to_string(min) + " to " + std::to_string(max);
   if (!json_->is_array()) {
     refuse("A list is expected.", limit);
     return {};
   }
-  if (json_->size() < least || json_->size() > most) {
+  if (json_->size() < min || json_->size() > max) {
     refuse("The list has " + std::to_string(json_->size()) + " members.", limit);
     return {};
   }

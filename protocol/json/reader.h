@@ -35,12 +35,12 @@ class Value {
   std::int64_t integer(Range range) const;
   std::uint64_t counter() const;  // an integer of 64 bits, 0 or more
   bool boolean() const;
-  std::string text(std::size_t least_bytes, std::size_t most_bytes) const;  // no control characters
+  std::string text(std::size_t min_bytes, std::size_t max_bytes) const;  // no control characters
   glm::dvec2 pair(Range range) const;
   glm::dvec3 triple(Range range) const;
   glm::dvec3 direction() const;  // length in [1e-6, 1e6]
   glm::vec3 colour() const;      // "#rrggbb" (sRGB) or [r, g, b] (linear, each in [0, 1]) to linear
-  std::vector<Value> list(std::size_t least, std::size_t most) const;
+  std::vector<Value> list(std::size_t min, std::size_t max) const;
 
   /// A text that is one of these; the first of them once it is refused.
   std::string word_of(const std::vector<std::string_view>& known) const;

@@ -11,14 +11,14 @@ bool given(const Value& value, const char* name) { return value.tree().is_object
 /// What shells draw and strands do not.
 void check_strands(const Value& value, const FrameRequest& request) {
   const bool strands = request.knobs.method == Method::strands;
-  if (strands && request.refine) {
-    value.refuse_below("refine", "Strands refine what shells have drawn.", "a quality of shells");
+  if (strands && request.progressive) {
+    value.refuse_below("progressive", "Strands improve what shells have drawn.", "a quality of shells");
   }
   const Overlay overlay = request.overlay;
-  const bool of_shells = overlay == Overlay::layer_count || overlay == Overlay::light_depth ||
+  const bool of_shells = overlay == Overlay::shell_count || overlay == Overlay::light_depth ||
                          overlay == Overlay::light_occlusion || overlay == Overlay::shadow_width;
-  if ((strands || request.refine) && of_shells) {
-    value.refuse_below("overlay", "Traced strands have no such map.", "a field, or method shells without refine");
+  if ((strands || request.progressive) && of_shells) {
+    value.refuse_below("overlay", "Traced strands have no such map.", "a field, or method shells without progressive");
   }
 }
 
@@ -47,11 +47,11 @@ void check_size(const Value& value, const FrameRequest& request) {
 void check_layers(const Value& value, const FrameRequest& request) {
   const double width = request.width * request.knobs.scale, height = request.height * request.knobs.scale;
   const bool exr = request.format == FrameFormat::exr;
-  if (given(value, "layers") && !exr) value.refuse_below("layers", "Only an EXR has layers.", "format exr");
-  const bool colour_only = request.layers == std::vector{FrameLayer::beauty};
-  if (exr && !colour_only && width * height * static_cast<double>(request.layers.size()) > limits::layer_pixels) {
-    value.refuse_below("layers", "The layers are too large together.",
-                       "drawn pixels x layers at most " + std::to_string(limits::layer_pixels));
+  if (given(value, "aovs") && !exr) value.refuse_below("aovs", "Only an EXR has AOVs.", "format exr");
+  const bool colour_only = request.aovs == std::vector{Aov::beauty};
+  if (exr && !colour_only && width * height * static_cast<double>(request.aovs.size()) > limits::aov_pixels) {
+    value.refuse_below("aovs", "The AOVs are too large together.",
+                       "drawn pixels x AOVs at most " + std::to_string(limits::aov_pixels));
   }
 }
 
@@ -74,7 +74,7 @@ void check_overlay(const Value& value, const FrameRequest& request) {
 /// Of shells alone, or of strands alone.
 void check_method(const Value& value, const Knobs& knobs) {
   const bool strands = knobs.method == Method::strands;
-  for (const char* name : {"shells", "shell_policy", "steps", "scale", "least_radius", "self_shadow", "shadow_maps",
+  for (const char* name : {"shells", "shell_policy", "steps", "scale", "min_radius", "self_shadow", "shadow_maps",
                            "shadow_resolution", "order", "fins"}) {
     if (strands && given(value, name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
   }
@@ -112,7 +112,7 @@ void check(const Value& value, const Stroke& stroke) {
     if (i > 0 && sample.time < stroke.samples[i - 1].time) {
       value.refuse_below(name + "/time", "Time falls from one sample to the next.", "not falling");
     }
-    if (!stroke.view && std::holds_alternative<ScreenPlace>(sample.place)) {
+    if (!stroke.view && std::holds_alternative<ScreenSample>(sample.place)) {
       value.refuse_below("view", "Pixel samples need the view that they were drawn on.", "required");
     }
   }

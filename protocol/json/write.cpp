@@ -21,7 +21,7 @@ Json colour_of(glm::vec3 linear) {
 
 Json form_of(const Camera& camera) {
   if (camera.automatic != AutoView::none) return {{"auto", text_of(json_names::auto_views, camera.automatic)}};
-  return {{"eye", list(camera.eye)},
+  return {{"position", list(camera.position)},
           {"target", list(camera.target)},
           {"up", list(camera.up)},
           {"fov_degrees", camera.fov_degrees}};
@@ -137,13 +137,13 @@ class MemberWriter {
     json_[name.text] = form_of(value);
   }
   void special(MemberName name, const std::optional<Tracing>& value, const char* = "") { object(name, value); }
-  void place(const std::variant<PositionPlace, ScreenPlace, SurfacePlace>& place) {
-    if (const auto* point = std::get_if<PositionPlace>(&place)) {
+  void place(const std::variant<PositionSample, ScreenSample, SurfaceSample>& place) {
+    if (const auto* point = std::get_if<PositionSample>(&place)) {
       json_["position"] = list(point->position);
-    } else if (const auto* pixel = std::get_if<ScreenPlace>(&place)) {
+    } else if (const auto* pixel = std::get_if<ScreenSample>(&place)) {
       json_["screen"] = list(pixel->screen);
     } else {
-      const auto& surface = std::get<SurfacePlace>(place);
+      const auto& surface = std::get<SurfaceSample>(place);
       json_["triangle"] = surface.triangle;
       json_["barycentric"] = list(surface.barycentric);
     }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int heights = 8;
 constexpr double no_fold = 2;
-constexpr double least_width = 0.1;  // of a shell that is limited, over that of its triangle
-constexpr int most_passes = 32, halvings = 10;
+constexpr double min_width = 0.1;  // of a shell that is limited, over that of its triangle
+constexpr int max_passes = 32, halvings = 10;
 
 double height_of(int k) { return static_cast<double>(k + 1) / heights; }
 
@@ -48,20 +48,20 @@ Flat flattened(const FurredSurface& fur, const glm::uvec3& corners) {
 }
 
 /// Whether a real eigenvalue of `map` is at most `least`. Two equal ones must not be lost to rounding.
-bool turns_over(glm::dmat2 map, double least) {
+bool turns_over(glm::dmat2 map, double min) {
   constexpr double rounding = 1e-3;
-  map -= glm::dmat2(least);
+  map -= glm::dmat2(min);
   const double determinant = glm::determinant(map), trace = map[0][0] + map[1][1];
   return determinant <= 0 || (trace < 0 && trace * trace >= 4 * (1 - rounding) * determinant);
 }
 
 /// Whether the shell over a flattened triangle turns over when its corners move like that.
-bool folds(const Flat& flat, const std::array<glm::dvec3, 3>& shifts, double least) {
+bool folds(const Flat& flat, const std::array<glm::dvec3, 3>& shifts, double min) {
   if (flat.area == 0) return false;
   const auto in_plane = [&](const glm::dvec3& v) { return glm::dvec2(glm::dot(v, flat.right), glm::dot(v, flat.up)); };
   const glm::dmat2 moved(flat.sides[0] + in_plane(shifts[1] - shifts[0]),
                          flat.sides[1] + in_plane(shifts[2] - shifts[0]));
-  return turns_over(moved * glm::inverse(flat.sides), least);
+  return turns_over(moved * glm::inverse(flat.sides), min);
 }
 
 /// Whether the shells over one triangle turn over at any height when all of its corners' factors are scaled.
@@ -72,7 +72,7 @@ bool folds_anywhere(const FurredSurface& fur, const glm::uvec3& corners, std::sp
     for (int c = 0; c < 3; ++c) {
       shifts[static_cast<std::size_t>(c)] = shift_of(fur, corners[c], scale * factors[corners[c]], height_of(k));
     }
-    if (folds(flat, shifts, least_width)) return true;
+    if (folds(flat, shifts, min_width)) return true;
   }
   return false;
 }
@@ -88,7 +88,7 @@ double largest_scale(const FurredSurface& fur, const glm::uvec3& corners, std::s
 }
 
 /// The lowest fold over each triangle with these factors. Height by height, so that vertices are moved once for each.
-std::vector<double> heights_with(const FurredSurface& fur, std::span<const float> factors, double least) {
+std::vector<double> heights_with(const FurredSurface& fur, std::span<const float> factors, double min) {
   std::vector<double> lowest(fur.triangles.size(), no_fold);
   std::vector<glm::dvec3> shifts(fur.positions.size());
   for (int k = heights - 1; k >= 0; --k) {
@@ -96,7 +96,7 @@ std::vector<double> heights_with(const FurredSurface& fur, std::span<const float
     for (std::size_t t = 0; t < lowest.size(); ++t) {
       const glm::uvec3& corners = fur.triangles[t];
       const std::array<glm::dvec3, 3> moved{shifts[corners.x], shifts[corners.y], shifts[corners.z]};
-      if (folds(flattened(fur, corners), moved, least)) lowest[t] = height_of(k);
+      if (folds(flattened(fur, corners), moved, min)) lowest[t] = height_of(k);
     }
   }
   return lowest;
@@ -104,7 +104,7 @@ std::vector<double> heights_with(const FurredSurface& fur, std::span<const float
 
 /// One pass: the factors around each triangle that folds are scaled until it does not. False where none can be.
 bool limit_once(const FurredSurface& fur, std::vector<float>& factors) {
-  const std::vector<double> lowest = heights_with(fur, factors, least_width);
+  const std::vector<double> lowest = heights_with(fur, factors, min_width);
   std::vector<float> scales(factors.size(), 1);
   bool any = false;
   for (std::size_t t = 0; t < lowest.size(); ++t) {
@@ -133,7 +133,7 @@ std::vector<float> fold_limits(const FurredSurface& surface) {
   assert(surface.positions.size() == surface.direction.size() && surface.positions.size() == surface.length.size());
   std::vector<float> factors(surface.positions.size(), 1);
   int pass = 0;
-  while (pass < most_passes && limit_once(surface, factors)) ++pass;
+  while (pass < max_passes && limit_once(surface, factors)) ++pass;
   return factors;
 }
 

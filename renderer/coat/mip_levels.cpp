@@ -56,7 +56,7 @@ Stack halve(const Stack& stack, int texels, float outside) {
 
 constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
 constexpr int rays_of_tile = 64;              // on a side, at most
-constexpr double least_let_through = 0.002;  // of rays: less says nothing about a slice
+constexpr double min_let_through = 0.002;  // of rays: less says nothing about a slice
 constexpr float opaque_depth = 12;           // of a slice; more is not told apart
 
 /// The factor for which a falling function has that value; bisection in its logarithm (base 2), from `low` to `high`.
@@ -179,7 +179,7 @@ Factors match_slices(const Stack& stack, int texels, double shift, const std::ar
   for (std::size_t i = stack.size(); i-- > 0;) {
     rays.here = depths_along(stack[i], texels, shift, i);
     rays.reached.resize(rays.here.size(), 0.0);
-    if (wanted[i] > least_let_through && wanted[i] < 1) factor = rays.match(wanted[i], factor);
+    if (wanted[i] > min_let_through && wanted[i] < 1) factor = rays.match(wanted[i], factor);
     const double used = factor.value_or(1);
     for (std::size_t k = 0; k < rays.here.size(); ++k) rays.reached[k] += 2 * used * rays.here[k];
     factors[i] = static_cast<float>(used);
@@ -206,7 +206,7 @@ double reaching_scale(const Stack& stack, const Factors& factors, int texels, do
   });
 }
 
-/// Brings the largest depth to what an byte holds. Answers the factor that undoes it.
+/// Brings the largest depth to what a byte holds. Answers the factor that undoes it.
 double fit_to_bytes(const Stack& stack, Factors& factors) {
   float largest = 1e-3f;
   for (std::size_t i = 0; i < stack.size(); ++i) {

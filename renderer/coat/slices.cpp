@@ -16,7 +16,7 @@ namespace {
 // Discs that lie over each texel on average when a slice lets nothing through any more: each brings a depth of 5.8, and
 // more than stored_depth is not kept.
 constexpr double opaque_cover = 16;
-const double most_depth = -std::log1p(-0.997);  // of one disc
+const double max_depth = -std::log1p(-0.997);  // of one disc
 
 /// One strand's cross-section at a slice's height.
 struct Sprite {
@@ -43,7 +43,7 @@ void draw(const Sprite& sprite, std::vector<SliceTexel>& slice) {
     for (int x = low.x; x <= high.x; ++x) {
       const double share = coverage(glm::distance(sprite.centre, glm::dvec2(x + 0.5, y + 0.5)), sprite.radius);
       if (share <= 0) continue;
-      const float depth = static_cast<float>(share >= 0.997 ? most_depth : -std::log1p(-share));
+      const float depth = static_cast<float>(share >= 0.997 ? max_depth : -std::log1p(-share));
       slice[static_cast<std::size_t>(wrap(y) * slice_texels + wrap(x))].add(
           {depth, sprite.slope * depth, sprite.colour * depth, sprite.number, 0});
     }

@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-inline constexpr int slice_count = 32;        // N0: layers that the depth was baked as
+inline constexpr int slice_count = 32;        // N0: shells that the depth was baked as
 inline constexpr int slice_texels = 512;      // a side of the finest level
 inline constexpr int slice_levels = 8;        // 512 ... 4
 inline constexpr double stored_depth = 6;     // optical depth (natural log) of a stored 255, before `depth_scale`

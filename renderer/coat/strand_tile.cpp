@@ -63,7 +63,7 @@ void add_forms(const Coat& coat, const Clumps& clumps, const StrandClump& clump,
 
 /// Makes a strand one of the undercoat or an odd hair, by chance.
 void add_kind(const Coat& coat, Random& random, Strand& strand) {
-  const bool under = random.uniform() < coat.undercoat.share, odd = random.uniform() < coat.odd_hairs.share;
+  const bool under = random.uniform() < coat.undercoat.share, odd = random.uniform() < coat.ticking.share;
   if (under) {
     strand.length_share = std::max(0.02, strand.length_share * coat.undercoat.length);
     strand.width = coat.undercoat.width;
@@ -71,7 +71,7 @@ void add_kind(const Coat& coat, Random& random, Strand& strand) {
     strand.own_colour = coat.undercoat.colour;
     strand.own_share = static_cast<float>(coat.undercoat.tint);
   } else if (odd) {
-    strand.own_colour = coat.odd_hairs.colour;
+    strand.own_colour = coat.ticking.colour;
     strand.own_share = 1;
   }
 }

@@ -90,8 +90,8 @@ std::vector<int> row_distances(const Mask& mask, std::uint8_t side, int far) {
 std::size_t Mask::count() const { return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1)); }
 
 Mask alpha_mask(const FloatImage& image) {
-  constexpr float least = 0.999f / 255;  // a rounded 1/255 counts
-  return mask_of(image, [](const float* rgba) { return rgba[3] >= least; });
+  constexpr float min = 0.999f / 255;  // a rounded 1/255 counts
+  return mask_of(image, [](const float* rgba) { return rgba[3] >= min; });
 }
 
 Mask luminance_mask(const FloatImage& image) {
@@ -107,7 +107,7 @@ Mask union_of(const Mask& first, const Mask& second) {
   return both;
 }
 
-Mask outline_band(const Mask& mask, double pixels) {
+Mask silhouette_band(const Mask& mask, double pixels) {
   assert(pixels >= 0 && pixels <= 1000);
   const int reach = static_cast<int>(pixels), far = reach + 1;
   const std::vector<int> to_outside = row_distances(mask, 0, far), to_inside = row_distances(mask, 1, far);
@@ -183,8 +183,8 @@ Status check(const FloatImage& reference, const FloatImage& test, const Mask& ma
   if (!is_within(options.background, 0, 1)) {
     return failure(Code::invalid, "The background is out of range.", "/background", "[0, 1]");
   }
-  if (!is_within(options.outline, 0, 1000)) {
-    return failure(Code::invalid, "The width of the outline is out of range.", "/outline", "[0, 1000]");
+  if (!is_within(options.silhouette, 0, 1000)) {
+    return failure(Code::invalid, "The width of the silhouette is out of range.", "/silhouette", "[0, 1000]");
   }
   return {};
 }
@@ -280,7 +280,7 @@ Result<PictureError> compare(const FloatImage& reference, const FloatImage& test
                         options.threads);
   PictureFigures figures;
   figures.flip = *figures_over(error.flip, mask);
-  figures.outline = figures_over(error.flip, outline_band(mask, options.outline));
+  figures.silhouette = figures_over(error.flip, silhouette_band(mask, options.silhouette));
   measure_light(figures, reference, test, mask, options.background);
   error.figures = figures;
   return error;

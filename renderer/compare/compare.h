@@ -30,7 +30,7 @@ glm::dvec3 hunt_lab_from_linear(const glm::dvec3& linear);
 /// |dL| + |(da, db)| (Abasi et al. 2020), for large differences of colour.
 double hyab(const glm::dvec3& first, const glm::dvec3& second);
 
-// Where fur is in a picture, and the band around its outline.
+// Where fur is in a picture, and the band around its silhouette.
 
 /// One byte for each pixel, rows from the top: 1 inside, 0 outside.
 struct Mask {
@@ -51,7 +51,7 @@ Mask union_of(const Mask& first, const Mask& second);
 
 /// Pixels whose centre lies at most `pixels` from that of a pixel on the other side of the mask's edge. The picture's
 /// border is no edge. `pixels` in [0, 1000].
-Mask outline_band(const Mask& mask, double pixels);
+Mask silhouette_band(const Mask& mask, double pixels);
 
 // A picture of where the error is.
 
@@ -65,7 +65,7 @@ struct CompareOptions {
   double pixels_per_degree = 67;       // [5, 1000]; .7 m before a screen of .7 m and 3840 pixels
   ToneMap tone_map = ToneMap::filmic;  // before FLIP, of pictures that are not display referred
   double background = 0.18;            // linear grey in [0, 1] behind both pictures
-  double outline = 8;                  // pixels to each side of the mask's edge, [0, 1000]
+  double silhouette = 8;                  // pixels to each side of the mask's edge, [0, 1000]
   int threads = 0;                     // 0: as many as there are processors; no figure depends on it
 };
 
@@ -78,7 +78,7 @@ struct FlipFigures {
 /// where only one of the pictures is display referred.
 struct PictureFigures {
   FlipFigures flip;
-  std::optional<FlipFigures> outline;  // none where the mask has no edge in the picture
+  std::optional<FlipFigures> silhouette;  // none where the mask has no edge in the picture
   double rel_mse = 0;                  // mean of (test - reference)^2 / (reference^2 + .01) (Rousselle et al. 2011)
   double rmse = 0;                     // root of the mean square over pixels and R, G, B
   double bias = 0;                     // mean luminance of the test less that of the reference

@@ -24,7 +24,7 @@ glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t) {
 namespace {
 
 constexpr std::size_t places_of_curve = curve_segments + 1;
-constexpr double most_turn = std::numbers::pi / 6, most_growth = 0.5;  // of filled curves at a spread of 1
+constexpr double max_turn = std::numbers::pi / 6, max_growth = 0.5;  // of filled curves at a spread of 1
 
 /// A guide evaluated, or a mix of two.
 struct Curve {
@@ -57,7 +57,7 @@ glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
 
 /// Longer or shorter and turned around its root, which stays.
 void stray(Curve& curve, double spread, Random& random) {
-  const double growth = 1 + most_growth * spread * random.uniform(-1, 1), angle = most_turn * spread * random.uniform();
+  const double growth = 1 + max_growth * spread * random.uniform(-1, 1), angle = max_turn * spread * random.uniform();
   const glm::dvec3 any(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
   const glm::dvec3 root = curve.places.front(), across = glm::cross(curve.places.back() - root, any);
   const double length = glm::length(across);
@@ -101,7 +101,7 @@ CurveStrips make_strips(std::span<const FurCurves> groups) {
   return strips;
 }
 
-CurveOrder order_strips(const CurveStrips& strips, glm::vec3 eye) {
+CurveOrder order_strips(const CurveStrips& strips, glm::vec3 viewpoint) {
   struct Seen {
     bool facing;
     float distance;
@@ -111,10 +111,10 @@ CurveOrder order_strips(const CurveStrips& strips, glm::vec3 eye) {
   CurveOrder order;
   for (std::uint32_t i = 0; i < strips.styles.size(); ++i) {
     const std::size_t root = i * places_of_curve;
-    const glm::vec3 to_eye = eye - strips.points[root].place;
-    const bool facing = glm::dot(to_eye, glm::vec3(strips.styles[i].normal)) >= 0;
-    seen.push_back({facing, glm::distance(eye, strips.points[root + curve_segments / 2].place), i});
-    if (!facing) ++order.averted;
+    const glm::vec3 to_camera = viewpoint - strips.points[root].place;
+    const bool facing = glm::dot(to_camera, glm::vec3(strips.styles[i].normal)) >= 0;
+    seen.push_back({facing, glm::distance(viewpoint, strips.points[root + curve_segments / 2].place), i});
+    if (!facing) ++order.back_facing;
   }
   std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
     return a.facing != b.facing ? b.facing : a.distance > b.distance;

@@ -44,11 +44,11 @@ struct CurveStrips {
 /// direction (30 degrees around its root). Deterministic.
 CurveStrips make_strips(std::span<const FurCurves> groups);
 
-/// Numbers of the curves for a view, far ones first; the first `averted` grow from skin turned away from the eye.
+/// Numbers of the curves for a view, far ones first; the first `back-facing` grow from skin back-facing.
 struct CurveOrder {
   std::vector<std::uint32_t> curves;
-  std::size_t averted = 0;
+  std::size_t back_facing = 0;
 };
-CurveOrder order_strips(const CurveStrips& strips, glm::vec3 eye);
+CurveOrder order_strips(const CurveStrips& strips, glm::vec3 viewpoint);
 
 }  // namespace pelage

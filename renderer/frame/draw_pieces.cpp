@@ -12,8 +12,8 @@ namespace {
 
 /// Pixels that are drawn without asking how long they take: a frame of a tablet's size is one piece.
 double first_piece(const Knobs& knobs) {
-  constexpr double layer_pixels = 16e6, sorted_pixels = 2e6;  // pixels times shells
-  const double work = knobs.order == FragmentOrder::sorted ? sorted_pixels : layer_pixels;
+  constexpr double aov_pixels = 16e6, sorted_pixels = 2e6;  // pixels times shells
+  const double work = knobs.order == FragmentOrder::sorted ? sorted_pixels : aov_pixels;
   return work / knobs.shells;
 }
 
@@ -63,9 +63,9 @@ Renderer::Prepared Renderer::prepare_alone(const FurFrame& frame, const std::opt
 }
 
 bool Renderer::let_in(const Pause& pause) {
-  KeptView view = std::move(view_);
+  CachedView view = std::move(view_);
   const bool go_on = pause();
-  view_ = go_on ? std::move(view) : KeptView();
+  view_ = go_on ? std::move(view) : CachedView();
   return go_on;
 }
 

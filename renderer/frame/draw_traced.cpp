@@ -12,11 +12,11 @@ namespace pelage {
 
 namespace {
 
-constexpr int most_base_pixels = 2048;  // along a side, of a picture that is larger than its frame
+constexpr int max_base_pixels = 2048;  // along a side, of a picture that is larger than its frame
 
 /// The frame as its skin and eyes are drawn: what a knob, the ground and curves would add is left out.
 FurFrame open_frame(const FurFrame& frame) {
-  const int factor = 2 * std::max(frame.width, frame.height) <= most_base_pixels ? 2 : 1;
+  const int factor = 2 * std::max(frame.width, frame.height) <= max_base_pixels ? 2 : 1;
   FurFrame open = frame;
   open.width *= factor, open.height *= factor;
   open.knobs = {};
@@ -29,7 +29,7 @@ FurFrame open_frame(const FurFrame& frame) {
 
 }  // namespace
 
-Result<BasePicture> Renderer::draw_base(const FurFrame& asked, DrawTimes* times) {
+Result<Backplate> Renderer::draw_backplate(const FurFrame& asked, DrawTimes* times) {
   const FurFrame frame = open_frame(asked);
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   const Stopwatch drawing;
@@ -44,20 +44,20 @@ Result<BasePicture> Renderer::draw_base(const FurFrame& asked, DrawTimes* times)
   clear_target(gl_, view_.drawn, {});
   draw_open_body(frame, model, lists, "");
   fragments_.end();
-  const LayerTarget layers(gl_, std::array{FrameLayer::direct, FrameLayer::albedo, FrameLayer::normal}, frame.width,
+  const AovTarget aovs(gl_, std::array{Aov::direct, Aov::albedo, Aov::normal}, frame.width,
                            frame.height);
   const RenderTarget distance(gl_, GL_R32F, frame.width, frame.height, true);
-  if (!layers.complete() || !distance.complete()) return no_memory();
-  set_draw_state(gl_, layers.framebuffer(), frame.width, frame.height);
+  if (!aovs.complete() || !distance.complete()) return no_memory();
+  set_draw_state(gl_, aovs.framebuffer(), frame.width, frame.height);
   gl_.DepthMask(GL_TRUE);
-  layers.clear(gl_);
-  draw_open_body(frame, model, lists, "#define LAYERS\n");
-  layers_.draw_open_distance(gl_, eyes_, frame, model, lists.all, distance);
-  Result<BasePicture> base = read_base(layers, distance);
+  aovs.clear(gl_);
+  draw_open_body(frame, model, lists, "#define AOVS\n");
+  aovs_.draw_open_distance(gl_, eyes_, frame, model, lists.all, distance);
+  Result<Backplate> base = read_backplate(aovs, distance);
   if (const Status built = programs(); !built.ok()) return built;
   if (times) *times = {.draw = drawing.milliseconds(), .counters = take_counters()};
   view_.shown.reset();
-  kept_.keep(std::move(view_));
+  cache_.keep(std::move(view_));
   return base;
 }
 
@@ -68,21 +68,21 @@ void Renderer::draw_open_body(const FurFrame& frame, const ModelBuffers& model, 
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
 }
 
-Result<BasePicture> Renderer::read_base(const LayerTarget& layers, const RenderTarget& distance) {
+Result<Backplate> Renderer::read_backplate(const AovTarget& aovs, const RenderTarget& distance) {
   struct Part {
-    FrameLayer layer;
+    Aov aov;
     GLuint texture;
-    FloatImage BasePicture::*image;
+    FloatImage Backplate::*image;
   };
-  const auto texture = [&](FrameLayer layer) { return layers.texture(layer); };
-  BasePicture base;
+  const auto texture = [&](Aov aov) { return aovs.texture(aov); };
+  Backplate base;
   for (const Part& part :
-       {Part{FrameLayer::beauty, view_.drawn.texture(), &BasePicture::beauty},
-        Part{FrameLayer::direct, texture(FrameLayer::direct), &BasePicture::direct},
-        Part{FrameLayer::albedo, texture(FrameLayer::albedo), &BasePicture::albedo},
-        Part{FrameLayer::normal, texture(FrameLayer::normal), &BasePicture::normal},
-        Part{FrameLayer::depth, distance.texture(), &BasePicture::depth}}) {
-    layers_.gather(gl_, part.layer, part.texture, 1.0f, view_.picture);
+       {Part{Aov::beauty, view_.drawn.texture(), &Backplate::beauty},
+        Part{Aov::direct, texture(Aov::direct), &Backplate::direct},
+        Part{Aov::albedo, texture(Aov::albedo), &Backplate::albedo},
+        Part{Aov::normal, texture(Aov::normal), &Backplate::normal},
+        Part{Aov::depth, distance.texture(), &Backplate::depth}}) {
+    aovs_.gather(gl_, part.aov, part.texture, 1.0f, view_.picture);
     if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
     Result<FloatImage> image = read_back<FloatImage>(view_.picture, GL_FLOAT);
     if (!image) return image.status();
@@ -123,7 +123,7 @@ Result<Picture> Renderer::finish_picture(const FurFrame& frame, const FloatImage
 
 Result<RenderTarget> Renderer::overlay_on_traced(const FurFrame& frame) {
   if (frame.overlay == Overlay::none) return RenderTarget();
-  if (frame.overlay == Overlay::layer_count || OverlayPass::is_map(frame.overlay))
+  if (frame.overlay == Overlay::shell_count || OverlayPass::is_map(frame.overlay))
     return failure(Code::invalid, "Traced strands have no such map.", "/overlay");
   assert(has(frame.model));
   ModelBuffers& model = models_.at(frame.model);

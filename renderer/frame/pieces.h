@@ -18,7 +18,7 @@ class Pieces {
   static constexpr double target_ms = 60;
 
   /// `first_pixels`: at most so many in the first piece, above 0.
-  Pieces(const Area& whole, double first_pixels) : open_{whole}, most_(first_pixels) {}
+  Pieces(const Area& whole, double first_pixels) : open_{whole}, max_(first_pixels) {}
 
   bool done() const { return open_.empty(); }
   /// The next piece, where not done. Together the pieces hold each pixel of the whole once.
@@ -28,7 +28,7 @@ class Pieces {
 
  private:
   std::vector<Area> open_;  // the next one last
-  double most_;             // pixels of a piece
+  double max_;             // pixels of a piece
   double last_ = 0;         // pixels of the last piece
 };
 

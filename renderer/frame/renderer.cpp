@@ -18,7 +18,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t kept_coats = 3;  // 90 MB each
+constexpr std::size_t max_cached_coats = 3;  // 90 MB each
 constexpr GLuint skin_binding = 5;     // as in bare_skin.glsl
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
@@ -66,7 +66,7 @@ Renderer::Renderer(const Gl& gl, std::size_t sorted_bytes)
       shadows_(gl),
       ground_(gl),
       eyes_(gl),
-      layers_(gl),
+      aovs_(gl),
       overlay_(gl),
       resolve_(gl),
       sorted_(gl, sorted_bytes),
@@ -80,7 +80,7 @@ Renderer::Renderer(const Gl& gl, std::size_t sorted_bytes)
 
 Status Renderer::programs() const {
   const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
-                          ground_.failure() + eyes_.failure() + layers_.failure() + overlay_.failure() +
+                          ground_.failure() + eyes_.failure() + aovs_.failure() + overlay_.failure() +
                           resolve_.failure() + sorted_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
@@ -105,7 +105,7 @@ void Renderer::forget(std::uint64_t original) {
 
 void Renderer::forget_all() {
   models_.clear();
-  kept_.give_back();
+  cache_.give_back();
 }
 
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
@@ -115,19 +115,19 @@ const CoatTextures& Renderer::textures_of(const Coat& coat) {
     coats_.splice(coats_.begin(), coats_, found);
     return coats_.front();
   }
-  if (coats_.size() == kept_coats) coats_.pop_back();
+  if (coats_.size() == max_cached_coats) coats_.pop_back();
   UploadCount count;
   return coats_.emplace_front(gl_, coat, count);
 }
 
 Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
-  view_ = kept_.take(frame, picture);
+  view_ = cache_.take(frame, picture);
   const bool complete = fit(view_.drawn, GL_RGBA32F, width, height, true) &&
                         fit(view_.picture, picture, frame.width, frame.height, false);
   if (complete) return {};
-  view_ = KeptView();
-  kept_.give_back();
+  view_ = CachedView();
+  cache_.give_back();
   return no_memory();
 }
 
@@ -161,8 +161,8 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   const FrameBlock block = block_of(frame);
   const bool sorted = frame.knobs.order == FragmentOrder::sorted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
-  LayerView view{frame.camera.eye, block.eye.w, frame.knobs.shells, frame.knobs.shell_policy,
-                 sorted ? -2.0f : furthest_averted, block.world_to_clip, stretch};
+  ShellView view{frame.camera.position, block.viewpoint.w, frame.knobs.shells, frame.knobs.shell_policy,
+                 sorted ? -2.0f : furthest_back_facing, block.world_to_clip, stretch};
   view.depth_parts = sorted ? 1 : depth_part_count;
   if (part) view.part = cells_of(*part, view_.drawn.width(), view_.drawn.height());
   const auto lists = model.sort_for(gl_, frame.coat, view);
@@ -208,7 +208,7 @@ void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std
 
 void Renderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
   for (const ModelBuffers::DepthPart& part : drawing.lists.parts) {
-    fur_.draw_averted(gl_, drawing, part);
+    fur_.draw_back_facing(gl_, drawing, part);
     if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing, part.range);
     fur_.draw_facing(gl_, drawing, part);
   }
@@ -227,7 +227,7 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   return {};
 }
 
-// The shells in the order of layers, from far to near: most lists then are in order already.
+// The shells in the order of shells, from far to near: most lists then are in order already.
 Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   fur_.draw_skin(gl_, scene.drawing(frame));
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
@@ -257,12 +257,12 @@ Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepa
 Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepared& scene) {
   RenderTarget overlay;
   if (frame.overlay == Overlay::none) return overlay;
-  if (frame.overlay == Overlay::layer_count) {
-    const LayerTarget counts(gl_, std::array{FrameLayer::layer_count}, view_.drawn.width(), view_.drawn.height());
+  if (frame.overlay == Overlay::shell_count) {
+    const AovTarget counts(gl_, std::array{Aov::shell_count}, view_.drawn.width(), view_.drawn.height());
     if (!counts.complete()) return no_memory();
     draw_beside_light(frame, scene, counts);
     const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
-    overlay = overlay_.draw_count(gl_, frame, counts.texture(FrameLayer::layer_count), scale);
+    overlay = overlay_.draw_count(gl_, frame, counts.texture(Aov::shell_count), scale);
   } else if (OverlayPass::is_map(frame.overlay)) {
     Result<RenderTarget> map = draw_light_map(frame, scene);
     if (!map) return map.status();
@@ -309,7 +309,7 @@ Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLe
   if (scene->part) taken.counters.redrawn = scene->part->pixels() / area_of(view_.drawn).pixels();
   if (times) *times = taken;
   view_.shown = {frame, format, scene->model.changes()};
-  kept_.keep(std::move(view_));
+  cache_.keep(std::move(view_));
   return image;
 }
 

@@ -10,7 +10,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
-#include "renderer/frame/kept_views.h"
+#include "renderer/frame/view_cache.h"
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/shadow_maps.h"
 #include "renderer/gl/fragment_counter.h"
@@ -23,7 +23,7 @@
 #include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
-#include "renderer/passes/layers/layers_pass.h"
+#include "renderer/passes/aovs/aovs_pass.h"
 #include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/passes/sorted/sorted_pass.h"
@@ -64,19 +64,19 @@ class Renderer {
   /// GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// Makes the next frame be drawn whole, for who measures or doubts.
-  void forget_kept() { kept_.forget_shown(); }
+  void clear_view_cache() { cache_.clear_shown(); }
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
-  /// Light and what is asked for beside it, one picture for each layer, in internal coordinates: without exposure, tone
+  /// Light and what is asked for beside it, one picture for each AOV, in internal coordinates: without exposure, tone
   /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
   /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
-  Result<std::vector<FloatImage>> draw_layers(const FurFrame& frame, std::span<const FrameLayer> layers,
+  Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                               DrawTimes* times = nullptr, const Pause& pause = {});
 
   /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground and
   /// curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
   /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
-  Result<BasePicture> draw_base(const FurFrame& frame, DrawTimes* times = nullptr);
+  Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
   /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
   /// overlay. `light` is premultiplied linear light. An overlay is of a model that the renderer has, and a field or the
   /// difference; others are refused (invalid).
@@ -121,7 +121,7 @@ class Renderer {
   Prepared prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
   bool let_in(const Pause& pause);  // whether to go on
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
-  void draw_beside_light(const FurFrame& frame, const Prepared& scene, const LayerTarget& target);
+  void draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target);
   Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
   Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
                                          const ModelBuffers::DrawList& triangles);
@@ -132,13 +132,13 @@ class Renderer {
   /// Overlay and picture of the light that was drawn, in an area of the picture or all of it.
   Status finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished, int largest,
                       DrawTimes& times);
-  Result<std::vector<FloatImage>> gather_layers(const FurFrame& frame, const Prepared& scene,
-                                                std::span<const FrameLayer> layers, DrawTimes& times);
-  Result<FloatImage> draw_layer(const FurFrame& frame, const Prepared& scene, FrameLayer layer,
-                                const LayerTarget* target);
+  Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene,
+                                                std::span<const Aov> aovs, DrawTimes& times);
+  Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov,
+                                const AovTarget* target);
   void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
                       const std::string& outputs);
-  Result<BasePicture> read_base(const LayerTarget& layers, const RenderTarget& distance);
+  Result<Backplate> read_backplate(const AovTarget& aovs, const RenderTarget& distance);
   Result<RenderTarget> overlay_on_traced(const FurFrame& frame);
   template <class Picture>
   Result<Picture> finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
@@ -153,7 +153,7 @@ class Renderer {
   ShadowMaps shadows_;
   GroundPass ground_;
   EyePass eyes_;
-  LayersPass layers_;
+  AovsPass aovs_;
   OverlayPass overlay_;
   ResolvePass resolve_;
   SortedPass sorted_;
@@ -165,8 +165,8 @@ class Renderer {
   ScatteringTextures scattering_;
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
-  KeptView view_;  // that is drawn; the others, and between frames all, are kept
-  KeptViews kept_;
+  CachedView view_;  // that is drawn; the others, and between frames all, are kept
+  ViewCache cache_;
 };
 
 }  // namespace pelage

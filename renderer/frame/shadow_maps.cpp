@@ -32,8 +32,8 @@ float spread_of(const FurLight& light) {
 }
 
 /// The entry of ShadowBlock::slots of a light with maps, which begin at the two slots.
-glm::vec4 slots_of(const FurLight& light, float layers, float depth) {
-  const glm::vec2 maps{light.self_shadow_maps ? layers : -1.0f, depth};
+glm::vec4 slots_of(const FurLight& light, float shells, float depth) {
+  const glm::vec2 maps{light.self_shadow_maps ? shells : -1.0f, depth};
   if (!casts(light)) return {maps, 0, -1};
   if (casts_penumbra(light)) return {maps, 2, spread_of(light)};
   return {maps, casts_softly(light) ? 1 : 0, light.shadow_scale};
@@ -108,15 +108,15 @@ ShadowMaps::Counts ShadowMaps::place_slots(const FurFrame& frame, float radius, 
     if (!view) continue;
     slots_.to_light[i] = view->world_to_clip;
     slots_.axis[i] = view->axis;
-    slots_.slots[i] = slots_of(light, static_cast<float>(counts.layers), static_cast<float>(counts.casts));
-    counts.layers += light.self_shadow_maps ? 1 : 0, ++counts.casts;
+    slots_.slots[i] = slots_of(light, static_cast<float>(counts.shells), static_cast<float>(counts.casts));
+    counts.shells += light.self_shadow_maps ? 1 : 0, ++counts.casts;
     views.push_back(*view);
   }
   return counts;
 }
 
 void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolution, bool curves) {
-  kept_ = map_array(gl, GL_R16F, counts.layers ? resolution : 1, counts.layers * shadow_boundaries, GL_LINEAR);
+  shell_maps_ = map_array(gl, GL_R16F, counts.shells ? resolution : 1, counts.shells * shadow_boundaries, GL_LINEAR);
   depth_ = map_array(gl, GL_R32F, resolution, counts.casts, GL_NEAREST);
   width_ = map_array(gl, GL_RG32F, width_texels(resolution), counts.casts, GL_LINEAR);
   curves_ = curves ? map_array(gl, GL_RGBA32F, resolution, counts.casts, GL_LINEAR) : Texture();
@@ -126,7 +126,7 @@ void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView
   FrameBlock seen = block;
   seen.half_picture = 0.5f * glm::vec4(resolution, -resolution, 0, 0);
   seen.world_to_clip = view.world_to_clip;
-  seen.eye = {view.eye, view.texel};
+  seen.viewpoint = {view.viewpoint, view.texel};
   gl.NamedBufferSubData(view_block_.id(), 0, sizeof(FrameBlock), &seen);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_.id());
 }
@@ -153,7 +153,7 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
       keep(gl, width, width_, slot.y);
     }
     keep(gl, depth, depth_, slot.y);
-    if (slot.x >= 0) shells_.draw(gl, drawing.variant, drawing.lists.all, kept, kept_.id(), slot.x * shadow_boundaries);
+    if (slot.x >= 0) shells_.draw(gl, drawing.variant, drawing.lists.all, kept, shell_maps_.id(), slot.x * shadow_boundaries);
     if (!curves_) continue;
     curves.draw_shadow(gl, frame, view, crossed);
     keep(gl, crossed, curves_, slot.y);
@@ -183,7 +183,7 @@ std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame
 
 void ShadowMaps::bind(const Gl& gl) const {
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 2, shadow_block_.id());
-  gl.BindTextureUnit(4, kept_.id());
+  gl.BindTextureUnit(4, shell_maps_.id());
   gl.BindTextureUnit(5, depth_.id());
   gl.BindTextureUnit(6, width_.id());
   if (curves_) gl.BindTextureUnit(curves_unit, curves_.id());

@@ -64,7 +64,7 @@ class ShadowMaps {
     bool operator==(const Key&) const = default;
   };
   struct Counts {
-    int layers = 0, casts = 0;  // lights with layer maps, lights with any map
+    int shells = 0, casts = 0;  // lights with shell maps, lights with any map
   };
   Counts place_slots(const FurFrame& frame, float radius, std::vector<LightView>& views);
   void make_textures(const Gl& gl, const Counts& counts, int resolution, bool curves);
@@ -77,7 +77,7 @@ class ShadowMaps {
   SceneShadowPass scene_;
   Buffer view_block_, shadow_block_;
   ShadowBlock slots_;
-  Texture kept_, depth_, width_, curves_;
+  Texture shell_maps_, depth_, width_, curves_;
   Key key_;
 };
 

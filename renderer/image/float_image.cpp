@@ -25,16 +25,16 @@ int place_of(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// "beauty." of "beauty.R"; "" of "R".
-std::string layer_of(const std::string& channel) {
+std::string prefix_of(const std::string& channel) {
   const std::size_t dot = channel.rfind('.');
   return dot == std::string::npos ? "" : channel.substr(0, dot + 1);
 }
 
-Places places_in_layer(const std::vector<std::string>& names, const std::string& layer) {
+Places places_of_aov(const std::vector<std::string>& names, const std::string& aov) {
   Places places;
-  for (std::size_t k = 0; k < 4; ++k) places[k] = place_of(names, layer + "RGBA"[k]);
+  for (std::size_t k = 0; k < 4; ++k) places[k] = place_of(names, aov + "RGBA"[k]);
   if (places[0] < 0 && places[1] < 0 && places[2] < 0) {
-    const int grey = place_of(names, layer + "Y");
+    const int grey = place_of(names, aov + "Y");
     places = {grey, grey, grey, places[3]};
   }
   return places;
@@ -43,9 +43,9 @@ Places places_in_layer(const std::vector<std::string>& names, const std::string&
 bool has_colour(const Places& places) { return places[0] >= 0 && places[1] >= 0 && places[2] >= 0; }
 
 Places places_by_name(const std::vector<std::string>& names) {
-  Places places = places_in_layer(names, "");
+  Places places = places_of_aov(names, "");
   for (std::size_t i = 0; i < names.size() && !has_colour(places); ++i) {
-    places = places_in_layer(names, layer_of(names[i]));
+    places = places_of_aov(names, prefix_of(names[i]));
   }
   return places;
 }
@@ -58,10 +58,10 @@ Places places_by_count(int channels) {
 
 /// Reads the range of channels that holds all places at once: most readers cannot go back to the first row.
 Status read_channels(OIIO::ImageInput& input, const Places& places, FloatImage& image) {
-  constexpr int most = 16;
+  constexpr int max = 16;
   const int last = *std::max_element(places.begin(), places.end());
   const int first = std::min({places[0], places[1], places[2], places[3] < 0 ? last : places[3]});
-  if (last - first >= most) return unreadable("its channels of colour are too far apart.");
+  if (last - first >= max) return unreadable("its channels of colour are too far apart.");
   const std::size_t step = static_cast<std::size_t>(last - first) + 1, pixels = image.rgba.size() / 4;
   std::vector<float> read(pixels * step);
   if (!input.read_image(0, 0, first, last + 1, OIIO::TypeDesc::FLOAT, read.data()) || input.has_error()) {
@@ -212,8 +212,8 @@ std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<cons
 
 }  // namespace
 
-std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& layer) {
-  const std::string prefix = layer.empty() ? "" : layer + ".";
+std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& aov) {
+  const std::string prefix = aov.empty() ? "" : aov + ".";
   std::vector<ExrPlane> planes;
   for (std::size_t k = 0; k < 4; ++k) planes.push_back({prefix + "RGBA"[k], rgba, k, 4, sample});
   return planes;

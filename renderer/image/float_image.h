@@ -25,7 +25,7 @@ double srgb_from_linear(double value);
 FloatImage linear_image(const Image& image);
 
 /// PNG (8 and 16 bit, taken as sRGB), JPEG, EXR or Radiance HDR from memory. Of an EXR the first part is read: R, G, B
-/// and A, else those of the first layer that has them ("beauty.R"), else Y as grey; alpha is 1 where there is none. NaN
+/// and A, else those of the first shell that has them ("beauty.R"), else Y as grey; alpha is 1 where there is none. NaN
 /// and infinity stay. Refused (invalid) when it is none of these, broken, without colour, or over `max_pixels`.
 Result<FloatImage> decode_float_image(std::span<const std::byte> bytes, std::size_t max_pixels);
 
@@ -57,8 +57,8 @@ struct ExrPlane {
   ExrSample sample = ExrSample::half;
 };
 
-/// R, G, B and A of interleaved RGBA; with a layer's name their names are "LAYER.R" and so on.
-std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& layer = {});
+/// R, G, B and A of interleaved RGBA; with an AOV's name their names are "AOV.R" and so on.
+std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& aov = {});
 
 /// An EXR with these channels, zip compressed (lossless); the same input gives the same bytes. Finite numbers beyond
 /// the range of half are held at its largest; NaN and infinity stay.

@@ -77,11 +77,11 @@ std::vector<Bytef> filtered(const PngLayout& layout, std::span<const Sample> rgb
   return bytes;
 }
 
-/// Blocks of deflate without an end, which others can follow: up to an byte's border, and pointing at nothing before.
+/// Blocks of deflate without an end, which others can follow: up to a byte's border, and pointing at nothing before.
 std::string deflated(std::span<const Bytef> bytes) {
   z_stream stream{};
-  constexpr int fastest = 1, raw = -15, most_memory = 9;
-  [[maybe_unused]] int status = deflateInit2(&stream, fastest, Z_DEFLATED, raw, most_memory, Z_RLE);
+  constexpr int fastest = 1, raw = -15, max_memory = 9;
+  [[maybe_unused]] int status = deflateInit2(&stream, fastest, Z_DEFLATED, raw, max_memory, Z_RLE);
   assert(status == Z_OK);
   std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())) + 16, '\0');
   stream.next_in = const_cast<Bytef*>(bytes.data());
@@ -207,7 +207,7 @@ void PngEncoder::keep(std::shared_ptr<const Kept> picture, const Kept* source) {
   pictures_.push_front(std::move(picture));
   std::size_t pixels = 0;
   const auto first_without_room = std::ranges::find_if(
-      pictures_, [&](const auto& kept) { return (pixels += pixels_of(kept->layout)) > most_pixels_; });
+      pictures_, [&](const auto& kept) { return (pixels += pixels_of(kept->layout)) > max_pixels_; });
   pictures_.erase(first_without_room, pictures_.end());
 }
 

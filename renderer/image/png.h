@@ -55,7 +55,7 @@ std::string png_file(const PngLayout& layout, std::span<const std::shared_ptr<co
 class PngEncoder {
  public:
   /// What is kept has at most so many pixels.
-  explicit PngEncoder(std::size_t most_pixels = std::size_t{2048} * 2048) : most_pixels_(most_pixels) {}
+  explicit PngEncoder(std::size_t max_pixels = std::size_t{2048} * 2048) : max_pixels_(max_pixels) {}
 
   /// As encode_png.
   std::string encode(Image image, bool keep_alpha);
@@ -73,7 +73,7 @@ class PngEncoder {
   /// `picture` takes the place of `source`, or of the oldest where there is none and no room.
   void keep(std::shared_ptr<const Kept> picture, const Kept* source);
 
-  const std::size_t most_pixels_;
+  const std::size_t max_pixels_;
   mutable std::mutex mutex_;
   Pictures pictures_;
 };

@@ -9,7 +9,7 @@ namespace pelage {
 namespace {
 
 constexpr float finest_cell = 0.005f;
-constexpr int most_cells = 256;
+constexpr int max_cells = 256;
 
 /// Fills the grid from points on the surface: each evaluates the eight cells that a fetch there would read.
 class Filler {
@@ -68,9 +68,9 @@ SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValu
   for (const glm::vec3& p : surface.positions) low = glm::min(low, p), high = glm::max(high, p);
   SurfaceVolume volume;
   const glm::vec3 extent = high - low;
-  volume.cell = std::max(finest_cell, std::max({extent.x, extent.y, extent.z}) / (most_cells - 2));
+  volume.cell = std::max(finest_cell, std::max({extent.x, extent.y, extent.z}) / (max_cells - 2));
   volume.origin = low - volume.cell;
-  volume.size = glm::min(glm::ivec3(glm::ceil(extent / volume.cell)) + 2, glm::ivec3(most_cells));
+  volume.size = glm::min(glm::ivec3(glm::ceil(extent / volume.cell)) + 2, glm::ivec3(max_cells));
   Filler filler(value, volume);
   for (const glm::uvec3& t : surface.triangles) {
     const glm::vec3 a = surface.positions[t.x], b = surface.positions[t.y], c = surface.positions[t.z];

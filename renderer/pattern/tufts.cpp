@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 constexpr std::uint32_t tuft_stream = 31;
-constexpr float finer = 0.45f, most_gathered = 0.6f;
+constexpr float finer = 0.45f, max_gathered = 0.6f;
 
 /// One scale, in units of its cells. What lies off the surface counts as three times as far.
 TuftPlace nearest_tuft(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
@@ -55,7 +55,7 @@ TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal) {
 float longest_pull(const Tufts& tufts) { return 1.2f * static_cast<float>(tufts.size); }
 
 float gathered(const Tufts& tufts, float s) {
-  return most_gathered * static_cast<float>(tufts.gather) * s * std::sqrt(s);
+  return max_gathered * static_cast<float>(tufts.gather) * s * std::sqrt(s);
 }
 
 }  // namespace pelage

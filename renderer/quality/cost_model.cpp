@@ -7,7 +7,7 @@ namespace pelage {
 namespace {
 
 constexpr double million = 1e6, hundred_thousand = 1e5;
-constexpr double least_cost = 1e-3;  // ms
+constexpr double min_cost = 1e-3;  // ms
 
 }  // namespace
 
@@ -40,7 +40,7 @@ double predicted_cost(const Calibration& calibration, const ViewFeatures& view, 
   const std::array<double, cost_terms> terms = cost_terms_of(view, knobs);
   double sum = 0;
   for (std::size_t i = 0; i < cost_terms; ++i) sum += calibration.cost[i] * terms[i];
-  return std::max(sum, least_cost);
+  return std::max(sum, min_cost);
 }
 
 }  // namespace pelage

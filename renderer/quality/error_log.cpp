@@ -14,7 +14,7 @@ bool ErrorLog::Scene::is_like(const FurFrame& other, const ErrorTraits& others) 
 }
 
 MeasuredErrors& ErrorLog::of(const FurFrame& frame, const ErrorTraits& in_range) {
-  if (scenes_.size() >= kept_scenes && !scenes_.contains(frame.model)) {
+  if (scenes_.size() >= max_scenes && !scenes_.contains(frame.model)) {
     scenes_.erase(std::min_element(scenes_.begin(), scenes_.end(),
                                    [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
   }

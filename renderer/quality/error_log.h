@@ -13,7 +13,7 @@ namespace pelage {
 /// other views nothing is known. Equal requests in a row get equal knobs.
 class ErrorLog {
  public:
-  static constexpr std::size_t kept_scenes = 256;
+  static constexpr std::size_t max_scenes = 256;
   static constexpr double slack = 0.15;  // of each trait, in [0, 1], up to which views are alike
 
   /// What is known of the frame's scene; nothing yet where it was never seen like this. Stays until the next call.

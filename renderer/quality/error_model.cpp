@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-constexpr double least_error = 1e-5;
+constexpr double min_error = 1e-5;
 
 double log_of(double pixels) { return std::log2(std::max(pixels, 1e-3)); }
 
@@ -34,7 +34,7 @@ ErrorTraits in_range(const Calibration& calibration, const ErrorTraits& traits) 
 double predicted_error(const CalibratedKnobs& row, const ErrorTraits& in_range) {
   double sum = row.log_error;
   for (std::size_t i = 0; i < error_traits; ++i) sum += row.slopes[i] * in_range[i];
-  return std::clamp(std::exp(std::clamp(sum, -50.0, 50.0)), least_error, 1.0);
+  return std::clamp(std::exp(std::clamp(sum, -50.0, 50.0)), min_error, 1.0);
 }
 
 }  // namespace pelage

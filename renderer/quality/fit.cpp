@@ -16,9 +16,9 @@ namespace {
 constexpr double ridge = 3;            // on slopes; for 13 views .3 gave a spread of .41, 1 of .36, 3 of .35
 constexpr double normal_95 = 1.645;    // standard deviations below which 95% of a normal distribution lies
 constexpr double pooled_views = 8;     // that the spread of all rows counts as in the spread of one
-constexpr double least_error = 1e-5;
+constexpr double min_error = 1e-5;
 constexpr int sweeps = 20'000;         // of coordinate descent
-constexpr double most_safety = 4;
+constexpr double max_safety = 4;
 constexpr std::size_t enough_views = 12;  // fewer judge their own fit too kindly
 
 /// Solves a symmetric positive definite system by Cholesky's decomposition.
@@ -42,7 +42,7 @@ std::array<double, N> solve(std::array<std::array<double, N>, N> a, std::array<d
 
 using Chosen = std::function<bool(const MeasuredView&)>;
 
-double log_error(double error) { return std::log(std::max(error, least_error)); }
+double log_error(double error) { return std::log(std::max(error, min_error)); }
 
 /// One row's line over the views that are chosen.
 CalibratedKnobs fit_row(const Calibration& calibration, const Knobs& knobs, std::size_t row,
@@ -109,7 +109,7 @@ void leave_out_each(std::span<const MeasuredView> views, Judge judge) {
 /// What 95% are not above.
 double safe(std::vector<double> ratios) {
   std::sort(ratios.begin(), ratios.end());
-  return std::clamp(ratios[ratios.size() * 95 / 100], 1.0, most_safety);
+  return std::clamp(ratios[ratios.size() * 95 / 100], 1.0, max_safety);
 }
 
 /// The ratios of an order's rows over their geometric mean.
@@ -135,7 +135,7 @@ void set_cost_safety(Calibration& calibration, std::span<const Knobs> ladder, st
     for (std::size_t row = 0; row < ladder.size(); ++row)
       ratios.push_back(left_out.cost_ms[row] / predicted_cost(fitted, left_out.features, ladder[row]));
     all.insert(all.end(), ratios.begin(), ratios.end());
-    for (const FragmentOrder order : {FragmentOrder::layers, FragmentOrder::sorted}) add_about_mean(ladder, ratios, order, about);
+    for (const FragmentOrder order : {FragmentOrder::shells, FragmentOrder::sorted}) add_about_mean(ladder, ratios, order, about);
   });
   calibration.cost_safety = safe(std::move(all));
   calibration.learnt_safety = std::min(safe(std::move(about)), calibration.cost_safety);
@@ -161,7 +161,7 @@ void set_error_safety(Calibration& calibration, std::span<const MeasuredView> vi
   const double pooled = std::accumulate(squares.begin(), squares.end(), 0.0) / static_cast<double>(squares.size());
   for (std::size_t row = 0; row < squares.size(); ++row) {
     const double spread = (squares[row] * count + pooled * pooled_views) / (count + pooled_views);
-    calibration.ladder[row].error_safety = std::clamp(std::exp(normal_95 * std::sqrt(spread)), 1.0, most_safety);
+    calibration.ladder[row].error_safety = std::clamp(std::exp(normal_95 * std::sqrt(spread)), 1.0, max_safety);
   }
 }
 

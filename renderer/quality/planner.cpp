@@ -45,7 +45,7 @@ FrameEstimate estimate(const Calibration& calibration, const CalibratedKnobs& ro
 
 /// The option that is least by `measure` among those that pass; null when none does. Of equal ones the first.
 template <class Measure, class Pass>
-const Option* least(const std::vector<Option>& options, Measure measure, Pass pass) {
+const Option* cheapest_by(const std::vector<Option>& options, Measure measure, Pass pass) {
   const Option* best = nullptr;
   for (const Option& option : options) {
     if (pass(option) && (!best || measure(option) < measure(*best))) best = &option;
@@ -71,17 +71,17 @@ PlannedFrame chosen(const Option& option, PlanEnd end) {
 PlannedFrame within_budget(const std::vector<Option>& options, double budget) {
   const auto error = [](const Option& o) { return o.safe_error(); };
   const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
-  const Option* best = least(options, error, any);
-  const Option* affordable = least(options, error, [&](const Option& o) { return o.safe_cost() <= budget * budget_margin; });
-  if (!affordable) return chosen(*least(options, cost, any), PlanEnd::least);
+  const Option* best = cheapest_by(options, error, any);
+  const Option* affordable = cheapest_by(options, error, [&](const Option& o) { return o.safe_cost() <= budget * budget_margin; });
+  if (!affordable) return chosen(*cheapest_by(options, cost, any), PlanEnd::cheapest);
   return chosen(*affordable, error(*affordable) > error(*best) ? PlanEnd::budget : PlanEnd::best);
 }
 
 PlannedFrame within_error(const std::vector<Option>& options, double max_error) {
   const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
   const auto error = [](const Option& o) { return o.safe_error(); };
-  const Option* enough = least(options, cost, [&](const Option& o) { return o.keeps(max_error); });
-  return enough ? chosen(*enough, PlanEnd::error) : chosen(*least(options, error, any), PlanEnd::best);
+  const Option* enough = cheapest_by(options, cost, [&](const Option& o) { return o.keeps(max_error); });
+  return enough ? chosen(*enough, PlanEnd::error) : chosen(*cheapest_by(options, error, any), PlanEnd::best);
 }
 
 }  // namespace

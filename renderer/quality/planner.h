@@ -12,12 +12,12 @@ namespace pelage {
 
 /// Costs of a scene over what its features predict, learnt from its frames (CostLog).
 struct CostCorrection {
-  double layers = 1, sorted = 1;                           // by Knobs::order
-  bool layers_are_learnt = false, sorted_is_learnt = false;  // from enough frames
+  double shells = 1, sorted = 1;                           // by Knobs::order
+  bool shells_are_learnt = false, sorted_is_learnt = false;  // from enough frames
 
-  double of(const Knobs& knobs) const { return knobs.order == FragmentOrder::sorted ? sorted : layers; }
+  double of(const Knobs& knobs) const { return knobs.order == FragmentOrder::sorted ? sorted : shells; }
   bool learnt(const Knobs& knobs) const {
-    return knobs.order == FragmentOrder::sorted ? sorted_is_learnt : layers_are_learnt;
+    return knobs.order == FragmentOrder::sorted ? sorted_is_learnt : shells_are_learnt;
   }
   bool operator==(const CostCorrection&) const = default;
 };

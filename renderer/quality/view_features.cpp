@@ -10,14 +10,14 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t most_triangles = 16384;  // that are looked at
-constexpr double furthest_averted = -0.6;      // cosine from which on fur is drawn, as in renderer/visibility/layer_sets.h
+constexpr std::size_t max_triangles = 16384;  // that are looked at
+constexpr double furthest_back_facing = -0.6;      // cosine from which on fur is drawn, as in renderer/visibility/shell_lod.h
 constexpr double nearest = 1e-3;               // distance along the view, sizes
 constexpr int cells = 32;                      // of the picture, along each side
-constexpr int most_places = 16;                // along a triangle's side
+constexpr int max_places = 16;                // along a triangle's side
 constexpr double near_fur = 0.05;              // depth that still counts as the same part of a body, sizes
-constexpr double most_layers = 16;             // of skin over the picture
-constexpr std::size_t most_parts = 6;          // of ViewFeatures::places
+constexpr double max_depth_complexity = 16;             // of skin over the picture
+constexpr std::size_t max_parts = 6;          // of ViewFeatures::places
 
 /// A place on a triangle inside the picture.
 struct Place {
@@ -52,7 +52,7 @@ class Looker {
 /// Column and row in pixels, and the depth; the middle of the fur's height.
 glm::dvec3 Looker::seen(std::uint32_t vertex, double length) const {
   const glm::dvec3 normal(skin_.normals[vertex]);
-  const glm::dvec3 offset = glm::dvec3(skin_.positions[vertex]) + 0.5 * length * normal - glm::dvec3(frame_.camera.eye);
+  const glm::dvec3 offset = glm::dvec3(skin_.positions[vertex]) + 0.5 * length * normal - glm::dvec3(frame_.camera.position);
   const double depth = std::max(nearest, glm::dot(offset, glm::dvec3(frame_.camera.forward)));
   return {frame_.width / 2.0 + focal_ * glm::dot(offset, glm::dvec3(frame_.camera.right)) / depth,
           frame_.height / 2.0 - focal_ * glm::dot(offset, glm::dvec3(frame_.camera.up)) / depth, depth};
@@ -60,9 +60,9 @@ glm::dvec3 Looker::seen(std::uint32_t vertex, double length) const {
 
 void Looker::look(const glm::uvec3& t) {
   const glm::dvec3 a(skin_.positions[t.x]), b(skin_.positions[t.y]), c(skin_.positions[t.z]);
-  const glm::dvec3 normal = glm::cross(b - a, c - a), to_eye = glm::dvec3(frame_.camera.eye) - (a + b + c) / 3.0;
-  const double size = glm::length(normal) * glm::length(to_eye);
-  if (!(size > 0) || glm::dot(normal, to_eye) <= furthest_averted * size) return;
+  const glm::dvec3 normal = glm::cross(b - a, c - a), to_camera = glm::dvec3(frame_.camera.position) - (a + b + c) / 3.0;
+  const double size = glm::length(normal) * glm::length(to_camera);
+  if (!(size > 0) || glm::dot(normal, to_camera) <= furthest_back_facing * size) return;
   visible_ += 1;
   const double length = (double{skin_.length[t.x]} + skin_.length[t.y] + skin_.length[t.z]) / 3;
   const std::array<glm::dvec3, 3> corners{seen(t.x, length), seen(t.y, length), seen(t.z, length)};
@@ -78,7 +78,7 @@ void Looker::look(const glm::uvec3& t) {
 
 void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, double side, double reach, double bending) {
   const double cell = std::sqrt(double(frame_.width) * frame_.height) / cells;
-  const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / cell), 1.0, double{most_places}));
+  const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / cell), 1.0, double{max_places}));
   const double part = 1.0 / (n * n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < 2 * (n - i) - 1; ++j) {  // the middles of n x n equal triangles
@@ -123,7 +123,7 @@ std::vector<glm::vec2> Looker::spread_places(std::span<const bool> touched) cons
   }
   std::sort(seen.begin(), seen.end(), [](std::size_t a, std::size_t b) { return along_curve(a) < along_curve(b); });
   std::vector<glm::vec2> places;
-  const std::size_t count = std::min(most_parts, seen.size());
+  const std::size_t count = std::min(max_parts, seen.size());
   for (std::size_t i = 0; i < count; ++i) {
     const double in_share = std::fmod(0.3 + 0.618034 * static_cast<double>(i), 1.0);  // middles would line up on the curve
     const auto at = static_cast<std::size_t>((static_cast<double>(i) + in_share) * static_cast<double>(seen.size()) / static_cast<double>(count));
@@ -144,7 +144,7 @@ ViewFeatures Looker::features(double stride) const {
   ViewFeatures view;
   view.pixels = double(frame_.width) * frame_.height;
   view.visible = visible_ * stride * skin_.pieces;
-  const double limit = most_layers * view.pixels;
+  const double limit = max_depth_complexity * view.pixels;
   view.area = std::min(area_ * stride * skin_.pieces, limit);
   view.edges = std::min(edges_ * stride * skin_.pieces, limit);
   std::array<bool, std::size_t{cells} * cells> touched{};
@@ -162,7 +162,7 @@ ViewFeatures Looker::features(double stride) const {
 }  // namespace
 
 ViewFeatures view_features(const FurFrame& frame, const FurredSkin& skin) {
-  const std::size_t stride = skin.triangles.size() / most_triangles + 1;
+  const std::size_t stride = skin.triangles.size() / max_triangles + 1;
   Looker looker(frame, skin);
   std::size_t looked = 0;
   for (std::size_t i = 0; i < skin.triangles.size(); i += stride, ++looked) looker.look(skin.triangles[i]);

@@ -41,7 +41,7 @@ Bare painted_bare(vec3 colour, float bare, float wetness) {
 
 // All regions at a place, each over those before it and over what is bare without them.
 Bare bare_over(Bare bare, vec3 place, vec3 normal) {
-  float pixel = frame.eye.w * distance(frame.eye.xyz, place);
+  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
   for (uint i = 0u; i < bare_skin.count.x; ++i) {
     vec3 apart = place - bare_skin.balls[i].xyz;
     if (dot(apart, apart) > bare_skin.balls[i].w) continue;  // so that most of the body costs little
@@ -88,19 +88,19 @@ vec4 leather(vec3 at) {
 
 // Blinn's highlight, its energy the same at any width, and Schlick's reflectance. A light is not a point, so that no
 // highlight is narrower than that of roughness 0.15.
-float highlight(vec3 normal, vec3 to_light, vec3 to_eye, float f0, float roughness) {
-  vec3 between = to_light + to_eye;
+float highlight(vec3 normal, vec3 to_light, vec3 to_camera, float f0, float roughness) {
+  vec3 between = to_light + to_camera;
   between *= inversesqrt(max(dot(between, between), 1e-12));
   float alpha = max(roughness, 0.15) * max(roughness, 0.15), exponent = 2.0 / (alpha * alpha) - 2.0;
-  float fresnel = f0 + (1.0 - f0) * pow(1.0 - clamp(dot(between, to_eye), 0.0, 1.0), 5.0);
+  float fresnel = f0 + (1.0 - f0) * pow(1.0 - clamp(dot(between, to_camera), 0.0, 1.0), 5.0);
   float lobe = (exponent + 8.0) / 8.0 * pow(max(dot(normal, between), 1e-6), exponent);
   return fresnel * lobe * max(dot(normal, to_light), 0.0);
 }
 
 // What the surroundings send along a mirrored ray: a soft sky over a darker ground.
-vec3 mirrored_sky(vec3 normal, vec3 to_eye, float f0, float roughness) {
-  float facing = max(dot(normal, to_eye), 0.0);
-  vec3 way = 2.0 * facing * normal - to_eye;
+vec3 mirrored_sky(vec3 normal, vec3 to_camera, float f0, float roughness) {
+  float facing = max(dot(normal, to_camera), 0.0);
+  vec3 way = 2.0 * facing * normal - to_camera;
   float spread = mix(0.25, 1.5, roughness);
   float sky = mix(0.25, 1.15, smoothstep(-spread, spread, way.y));
   float mirrored = f0 + max(1.0 - roughness - f0, 0.0) * pow(1.0 - facing, 5.0);
@@ -110,15 +110,15 @@ vec3 mirrored_sky(vec3 normal, vec3 to_eye, float f0, float roughness) {
 const float film_roughness = 0.28;  // of the wet film: glints, not sparks
 
 struct SkinPoint {
-  vec3 place, to_eye, normal, film;  // normals of the relief, and of the wet film that partly fills it
+  vec3 place, to_camera, normal, film;  // normals of the relief, and of the wet film that partly fills it
   vec3 colour;
   float open;                        // 0 in the depth of a crease
   float dry_roughness, wet_roughness;
 };
 
 SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
-  vec3 to_eye = normalize(frame.eye.xyz - place);
-  float size = max(bare.finish.w, 1e-4), pixel = frame.eye.w * distance(frame.eye.xyz, place);
+  vec3 to_camera = normalize(frame.viewpoint.xyz - place);
+  float size = max(bare.finish.w, 1e-4), pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
   float seen = smoothstep(3.0, 8.0, size / max(pixel, 1e-9));  // cells of a pixel would sparkle: they widen highlights
   float whole = min(bare.finish.z / size, 4.0), steep = seen * whole;
   vec4 relief = steep > 0.0 ? leather(place / size) : vec4(0.0, 0.0, 0.0, 1.0);
@@ -127,7 +127,7 @@ SkinPoint skin_point(Bare bare, vec3 place, vec3 normal) {
   float open = mix(1.0, relief.w, min(2.0 * steep, 0.6));
   vec3 colour = bare.colour.rgb * (1.0 - 0.4 * bare.finish.y);
   float uneven = 1.0 - 0.7 * bare.finish.y, lost = whole - steep;
-  return SkinPoint(place, to_eye, bumped, normalize(normal - uneven * steep * slope), colour, open,
+  return SkinPoint(place, to_camera, bumped, normalize(normal - uneven * steep * slope), colour, open,
                    min(bare.finish.x + lost, 1.0), min(film_roughness + uneven * lost, 1.0));
 }
 
@@ -135,19 +135,19 @@ vec3 light_on_skin(Bare bare, SkinPoint point, vec3 to_light) {
   vec3 wrap = bare.scatter * vec3(0.45, 0.20, 0.14);
   vec3 wrapped = max((dot(point.normal, to_light) + wrap) / (1.0 + wrap), 0.0);
   vec3 diffuse = frame.weights.y * point.open * point.colour * wrapped;
-  float skin = highlight(point.normal, to_light, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
-  float film = highlight(point.film, to_light, point.to_eye, 0.03, point.wet_roughness);
+  float skin = highlight(point.normal, to_light, point.to_camera, 0.08 * bare.colour.w, point.dry_roughness);
+  float film = highlight(point.film, to_light, point.to_camera, 0.03, point.wet_roughness);
   return diffuse + point.open * mix(bare.colour.w > 0.0 ? skin : 0.0, film, bare.finish.y);
 }
 
-// Light that bare skin sends to the eye; `open` as in a Fibre: the hull of fur that is bared here or stands around it does not
+// Light that bare skin sends to the camera; `open` as in a Fibre: the hull of fur that is bared here or stands around it does not
 // shade it.
 vec3 bare_light(Bare bare, vec3 place, vec4 open, vec3 normal) {
   SkinPoint point = skin_point(bare, place, normal);
   vec3 sum = frame.weights.x * point.open * point.colour * environment_light(point.normal);
   vec3 dry = vec3(0.0);
-  if (bare.colour.w > 0.0) dry = mirrored_sky(point.normal, point.to_eye, 0.08 * bare.colour.w, point.dry_roughness);
-  sum += point.open * mix(dry, mirrored_sky(point.film, point.to_eye, 0.03, point.wet_roughness), bare.finish.y);
+  if (bare.colour.w > 0.0) dry = mirrored_sky(point.normal, point.to_camera, 0.08 * bare.colour.w, point.dry_roughness);
+  sum += point.open * mix(dry, mirrored_sky(point.film, point.to_camera, 0.03, point.wet_roughness), bare.finish.y);
   for (int i = 0; i < LIGHTS; ++i) {
     vec3 to_light, radiance;
     light_at(i, place, to_light, radiance);
@@ -155,7 +155,7 @@ vec3 bare_light(Bare bare, vec3 place, vec4 open, vec3 normal) {
 #ifdef SHADOW_MAPS
     kept *= cast_light(i, place, open, normal);
 #endif
-#ifdef LAYERS
+#ifdef AOVS
     keep_direct(bare.share * kept, bare.share * radiance * sent);
 #endif
     sum += kept;

@@ -1,4 +1,4 @@
-// Pieces of fur from the eye inwards, for the depth of a frame: what a fragment adds to the opacity over its pixel, or, with
+// Pieces of fur from the camera inwards, for the depth of a frame: what a fragment adds to the opacity over its pixel, or, with
 // CROSSING, one over its distance along the view where that opacity crosses half.
 #ifdef CROSSING
 #include "inverse_distance.glsl"

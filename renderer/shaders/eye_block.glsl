@@ -7,7 +7,7 @@ struct Eye {
   vec4 cornea;      // z of its centre, its radius, z of the iris, relief of the iris
   vec4 iris;        // colour; w: limbal ring
   vec4 inner;       // colour by the pupil; w: turn of the fibres, turns
-  vec4 pupil;       // half width, half height (over the iris), 1 for a slit, first layer of its caustics
+  vec4 pupil;       // half width, half height (over the iris), 1 for a slit, first shell of its caustics
   vec4 sclera;      // colour; w: wetness
   vec4 lid_right;   // in the eye's frame; w: opening to a corner, radians, 0 without lids
   vec4 lid_up;      // w: opening to the upper lid

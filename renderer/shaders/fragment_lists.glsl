@@ -14,6 +14,6 @@ layout(std430, binding = 8) coherent buffer FragmentLinks { uvec2 links[]; };  /
 layout(std430, binding = 9) coherent buffer FragmentColours { vec4 fragment_colours[]; };  // premultiplied
 
 const uint in_order = 0x80000000u;  // set in `firsts` once a list is sorted
-const uint most_steps = 60000u;     // of a loop: llvmpipe ends loops after 65,535 steps, in silence
+const uint max_steps = 60000u;     // of a loop: llvmpipe ends loops after 65,535 steps, in silence
 
 int pixel_of_list() { return (int(gl_FragCoord.y) - lists.top) * lists.width + int(gl_FragCoord.x) - lists.left; }

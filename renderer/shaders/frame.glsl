@@ -7,7 +7,7 @@ struct Light {
 
 layout(std140, binding = 0) uniform FrameBlock {
   mat4 world_to_clip;
-  vec4 eye;          // w: size of a pixel at distance 1
+  vec4 viewpoint;          // w: size of a pixel at distance 1
   vec4 half_picture; // pixels to the right and down that a unit of clip space is
   vec4 weights;      // ambient, diffuse, specular, ambient floor
   vec4 exponents;    // diffuse, specular, back attenuation, self-shadow (0 when off)

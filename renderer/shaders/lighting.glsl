@@ -1,4 +1,4 @@
-// Light on fur: what arrives, what gets through, and what a fibre sends to the eye.
+// Light on fur: what arrives, what gets through, and what a fibre sends to the camera.
 
 #ifdef SHADOW_MAPS
 #include "shadow.glsl"
@@ -105,7 +105,7 @@ vec3 scatter_again(vec3 tangent, vec3 to_light, vec3 colour) {
   return 0.55 * scattering.weights.x * colour * sqrt(max(0.0, 1.0 - along * along));
 }
 
-#ifdef LAYERS
+#ifdef AOVS
 vec3 direct_light = vec3(0.0);  // of lights alone, summed up by what lights a fragment
 vec2 light_share = vec2(0.0);   // luminance of that light, and what it would be without shadows
 
@@ -119,7 +119,7 @@ void keep_direct(vec3 kept, vec3 whole) {
 struct Fibre {
   vec3 place;
   vec4 open;      // where light comes to it that other parts of the body let through; how high the fur's hull is there, sizes
-  vec3 normal, tangent, to_eye;
+  vec3 normal, tangent, to_camera;
   vec3 colour;    // C
   vec3 over;      // colour of the fur above over C
   float height;   // s in [0, 1]
@@ -128,19 +128,19 @@ struct Fibre {
 };
 
 // Strands on the way to the light that are not met for sure, as the eye looks past them: the hot spot of leaf canopies
-// (Kuusk 1985, "The hot spot effect of a uniform vegetative cover"). Of N to the eye and M to the light, rays that move
+// (Kuusk 1985, "The hot spot effect of a uniform vegetative cover"). Of N to the camera and M to the light, rays that move
 // apart by d widths of a strand share sqrt(N M) (1 - exp(-x)) / x, x = d / c; they may move apart along the strands. c would be
 // 1/2 for any place in the fur. What one sees stands out of what is around it: 1/6 gives furry balls strands' light, within
 // .03 from the side and from above, lying and upright.
 float strands_shared(Fibre fibre, vec3 to_light, float facing, float to_light_strands) {
-  float eye_facing = dot(fibre.normal, fibre.to_eye);
-  float to_eye_strands = strands_crossed(fibre.above, fibre.height, fibre.tangent, fibre.to_eye, eye_facing);
-  vec3 apart = fibre.to_eye * way_out(fibre.height, eye_facing) - to_light * way_out(fibre.height, facing);
+  float view_facing = dot(fibre.normal, fibre.to_camera);
+  float to_camera_strands = strands_crossed(fibre.above, fibre.height, fibre.tangent, fibre.to_camera, view_facing);
+  vec3 apart = fibre.to_camera * way_out(fibre.height, view_facing) - to_light * way_out(fibre.height, facing);
   apart -= dot(apart, fibre.tangent) * fibre.tangent;
   float widths = fibre.above / max(frame.counts.y, 1e-6) * max(dot(fibre.tangent, fibre.normal), 0.15);  // of the fur above
   float x = 6.0 * widths * length(apart);
   float share = (1.0 + x / 6.0) / (1.0 + x * (0.66666667 + x / 6.0));  // (1 - exp(-x)) / x within .02
-  return sqrt(to_eye_strands * to_light_strands) * share;
+  return sqrt(to_camera_strands * to_light_strands) * share;
 }
 
 float strands_to_light(Fibre fibre, vec3 to_light, float facing) {
@@ -148,7 +148,7 @@ float strands_to_light(Fibre fibre, vec3 to_light, float facing) {
   return max(strands - strands_shared(fibre, to_light, facing, strands), 0.0);
 }
 
-// Light that a fibre sends to the eye, after GPU fur eq 1 to 3: each light is scattered by the look's shading model.
+// Light that a fibre sends to the camera, after GPU fur eq 1 to 3: each light is scattered by the look's shading model.
 vec3 fibre_light(Fibre fibre) {
   vec3 crossed = colour_crossed(fibre.colour, fibre.over);
   vec3 sum = frame.weights.x * fibre.colour * ambient_share(fibre.height, fibre.above, crossed) *
@@ -158,20 +158,20 @@ vec3 fibre_light(Fibre fibre) {
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
     float strands = strands_to_light(fibre, to_light, facing);
-#ifdef LAYERS
+#ifdef AOVS
     vec3 unshadowed = radiance;
 #endif
 #ifdef SHADOW_MAPS
-    strands = layer_depth(i, fibre.place, fibre.open, fibre.height, facing, strands);
+    strands = shell_depth(i, fibre.place, fibre.open, fibre.height, facing, strands);
     radiance *= cast_light(i, fibre.place, fibre.open, fibre.normal);
 #endif
-    vec3 scattered = scatter(SHADING_MODEL, fibre.tangent, fibre.normal, to_light, fibre.to_eye, fibre.colour, fibre.strand);
+    vec3 scattered = scatter(SHADING_MODEL, fibre.tangent, fibre.normal, to_light, fibre.to_camera, fibre.colour, fibre.strand);
     if (SHADING_MODEL == model_energy_conserving || SHADING_MODEL == model_marschner) {
       scattered = 0.6 * scattered + scatter_again(fibre.tangent, to_light, fibre.colour);
     }
     sum += radiance * scattered * transmittance(strands, crossed) *
            light_behind(SHADING_MODEL, facing, frame.exponents.z);
-#ifdef LAYERS
+#ifdef AOVS
     vec3 arriving = scattered * light_behind(SHADING_MODEL, facing, frame.exponents.z);
     keep_direct(radiance * arriving * transmittance(strands, crossed), unshadowed * arriving);
 #endif

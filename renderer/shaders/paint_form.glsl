@@ -5,7 +5,7 @@ const float finest_shared = 3.0;  // the level from which on texels hold several
 // Share of the optical depth at a place of a level that belongs to strands whose number is below the density. Numbers
 // cannot be filtered (science.md 1): each of the four texels counts as a whole, and where they hold several strands,
 // the share is the density.
-float strands_kept(vec2 at, int slice, float sharp) {
+float strand_share(vec2 at, int slice, float sharp) {
   if (amounts.x >= 1.0) return 1.0;
   if (sharp >= finest_shared) return amounts.x;
   int lod = int(sharp);
@@ -27,7 +27,7 @@ float strands_kept(vec2 at, int slice, float sharp) {
 
 layout(binding = 15) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it; its pull
 
-const float most_gathered = 0.8, water_gathers = 0.85;
+const float max_gathered = 0.8, water_gathers = 0.85;
 
 vec2 clump_middle = vec2(0.0);  // from here, tiles
 float clump_gather = 0.0;       // at the tip
@@ -37,7 +37,7 @@ vec2 clump_shift = vec2(0.0);   // to the root of the strand that is here, tiles
 // the clump there is none. What is finer than pixels stays. Answers the factor on the optical depth.
 float gather_to_clump(float s) {
   float own = paint_block.coat.x, water = min(own + amounts.z, 1.0) - own;  // what `own` draws together is in the tile
-  float gather = most_gathered * min(forms.y + water_gathers * water, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
+  float gather = max_gathered * min(forms.y + water_gathers * water, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
   if (gather <= 0.0) return 1.0;
   vec4 clump = textureLod(clump_map, tile, 0.0);
   clump_middle = (clump.rg * 2.0 - 1.0) * paint_block.coat.w;

@@ -1,7 +1,7 @@
-// Ribbons that face the eye: what guard hairs and guided curves share. After frame.glsl.
+// Ribbons that face the camera: what guard hairs and guided curves share. After frame.glsl.
 #include "unit.glsl"
 
-// Share of what a hair shows at height s that the fur before it lets through to the eye: hairs are drawn after the
+// Share of what a hair shows at height s that the fur before it lets through to the camera: hairs are drawn after the
 // shells, and without it their roots would lie over the fur. Sorted, they have their place among the shells.
 float seen_through(float s, float facing, float fur_length) {
 #ifdef SORTED
@@ -23,10 +23,10 @@ struct Ribbon {
 // A vertex on one side (-1 or 1) of a ribbon; width in sizes. Thinner than a pixel it is drawn a pixel wide and lets
 // more through.
 Ribbon ribbon_at(vec3 place, vec3 tangent, float width, float side) {
-  vec3 to_eye = frame.eye.xyz - place;
-  float pixel = frame.eye.w * length(to_eye), pixels = width / max(pixel, 1e-20);
+  vec3 to_camera = frame.viewpoint.xyz - place;
+  float pixel = frame.viewpoint.w * length(to_camera), pixels = width / max(pixel, 1e-20);
   float reach = 0.5 * max(pixels, 1.0), across = side * (reach + 0.5);
-  vec3 spread_to = safe_unit(cross(safe_unit(tangent), safe_unit(to_eye)));
+  vec3 spread_to = safe_unit(cross(safe_unit(tangent), safe_unit(to_camera)));
   vec4 clip = frame.world_to_clip * vec4(place + spread_to * (across * pixel), 1.0);
   return Ribbon(clip, across, reach, min(pixels, 1.0));
 }

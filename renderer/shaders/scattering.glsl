@@ -37,26 +37,26 @@ float sine_to(float cosine) { return sqrt(max(0.0, 1.0 - cosine * cosine)); }
 
 vec3 unit_or_zero(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-12)); }
 
-vec3 scatter_kajiya(vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
+vec3 scatter_kajiya(vec3 tangent, vec3 to_light, vec3 to_camera, vec3 colour) {
   float diffuse = sine_power(dot(tangent, to_light), scattering.exponents.x);
-  float specular = sine_power(dot(tangent, unit_or_zero(to_light + to_eye)), sharpness * scattering.exponents.y);
+  float specular = sine_power(dot(tangent, unit_or_zero(to_light + to_camera)), sharpness * scattering.exponents.y);
   return scattering.weights.x * diffuse * colour + shine * scattering.weights.y * specular;
 }
 
 // The cosine to the mirror direction by its sine, which keeps its digits where the cosine is near 1.
-vec3 scatter_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
-  float along_light = dot(tangent, to_light), along_eye = dot(tangent, to_eye);
-  float sine_light = sine_to(along_light), sine_eye = sine_to(along_eye);
-  float mirror = sine_light * sine_eye - along_light * along_eye;
-  float off_mirror = sine_light * along_eye + sine_eye * along_light;
+vec3 scatter_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_camera, vec3 colour) {
+  float along_light = dot(tangent, to_light), along_view = dot(tangent, to_camera);
+  float sine_light = sine_to(along_light), sine_view = sine_to(along_view);
+  float mirror = sine_light * sine_view - along_light * along_view;
+  float off_mirror = sine_light * along_view + sine_view * along_light;
   float highlight = sine_power(mirror > 0.0 ? off_mirror : 1.0, sharpness * scattering.exponents.y);
   return scattering.weights.x * sine_light * colour + shine * scattering.weights.y * highlight;
 }
 
 float scheuermann_lobe(float along, float n) { return smoothstep(-1.0, 0.0, along) * sine_power(along, n); }
 
-vec3 scatter_scheuermann(vec3 tangent, vec3 normal, vec3 to_light, vec3 to_eye, vec3 colour, float strand) {
-  vec3 middle = unit_or_zero(to_light + to_eye);
+vec3 scatter_scheuermann(vec3 tangent, vec3 normal, vec3 to_light, vec3 to_camera, vec3 colour, float strand) {
+  vec3 middle = unit_or_zero(to_light + to_camera);
   vec2 shift = scattering.shifts.xy + scattering.weights.w * (2.0 * strand - 1.0);
   float first = scheuermann_lobe(dot(unit_or_zero(tangent + shift.x * normal), middle), sharpness * scattering.exponents.y);
   float second = scheuermann_lobe(dot(unit_or_zero(tangent + shift.y * normal), middle), scattering.exponents.z);
@@ -79,10 +79,10 @@ float scaled_bessel_i0(float x) {
 }
 
 // Mp of d'Eon 2011 for each lobe. Sines of the inclinations are about the axis from tip to root.
-vec4 longitudinal_lobes(float sine_light, float sine_eye) {
-  float cosine_light = sine_to(sine_light), cosine_eye = sine_to(sine_eye);
-  vec4 tilted_sine = sine_eye * scattering.tilt_cosine + cosine_eye * scattering.tilt_sine;
-  vec4 tilted_cosine = abs(cosine_eye * scattering.tilt_cosine - sine_eye * scattering.tilt_sine);
+vec4 longitudinal_lobes(float sine_light, float sine_view) {
+  float cosine_light = sine_to(sine_light), cosine_view = sine_to(sine_view);
+  vec4 tilted_sine = sine_view * scattering.tilt_cosine + cosine_view * scattering.tilt_sine;
+  vec4 tilted_cosine = abs(cosine_view * scattering.tilt_cosine - sine_view * scattering.tilt_sine);
   vec4 apart = cosine_light - tilted_cosine, sum = sine_light + tilted_sine;
   vec4 fall = exp(-(apart * apart + sum * sum) / (2.0 * scattering.variance)) * scattering.normaliser;
   vec4 x = cosine_light * tilted_cosine / scattering.variance;
@@ -90,18 +90,18 @@ vec4 longitudinal_lobes(float sine_light, float sine_eye) {
 }
 
 // M of Marschner 2003 over cos^2 theta_d for each lobe, and cos theta_d.
-vec4 marschner_longitudinal(float sine_light, float sine_eye, out float cos_difference) {
-  float light = atan(sine_light, sine_to(sine_light)), eye = atan(sine_eye, sine_to(sine_eye));
-  vec4 apart = 0.5 * (light + eye) - scattering.centre;
-  cos_difference = cos(0.5 * (light - eye));
+vec4 marschner_longitudinal(float sine_light, float sine_view, out float cos_difference) {
+  float light = atan(sine_light, sine_to(sine_light)), view = atan(sine_view, sine_to(sine_view));
+  vec4 apart = 0.5 * (light + view) - scattering.centre;
+  cos_difference = cos(0.5 * (light - view));
   return exp(-apart * apart / (2.0 * scattering.variance)) * scattering.normaliser /
          max(cos_difference * cos_difference, 1e-3);
 }
 
-// |phi| between light and eye around the strand. Along the strand there is none: the middle of the range then.
-float azimuth_between(vec3 tangent, vec3 to_light, vec3 to_eye) {
-  vec3 eye = to_eye - tangent * dot(tangent, to_eye), light = to_light - tangent * dot(tangent, to_light);
-  float x = dot(eye, light), y = abs(dot(tangent, cross(eye, light)));
+// |phi| between light and view around the strand. Along the strand there is none: the middle of the range then.
+float azimuth_between(vec3 tangent, vec3 to_light, vec3 to_camera) {
+  vec3 view = to_camera - tangent * dot(tangent, to_camera), light = to_light - tangent * dot(tangent, to_light);
+  float x = dot(view, light), y = abs(dot(tangent, cross(view, light)));
   return x * x + y * y > 1e-20 ? atan(y, x) : 1.57079633;
 }
 
@@ -117,17 +117,17 @@ vec4 azimuthal_lobes(float azimuth, float cos_theta, float absorption) {
   return textureLod(azimuthal_table, (at * (size - 1.0) + 0.5) / size, 0.0);
 }
 
-vec3 scatter_fibre(int model, vec3 tangent, vec3 to_light, vec3 to_eye, vec3 colour) {
-  float sine_light = clamp(-dot(tangent, to_light), -1.0, 1.0), sine_eye = clamp(-dot(tangent, to_eye), -1.0, 1.0);
-  float cos_theta = sine_to(sine_eye), gain = 3.14159265;
+vec3 scatter_fibre(int model, vec3 tangent, vec3 to_light, vec3 to_camera, vec3 colour) {
+  float sine_light = clamp(-dot(tangent, to_light), -1.0, 1.0), sine_view = clamp(-dot(tangent, to_camera), -1.0, 1.0);
+  float cos_theta = sine_to(sine_view), gain = 3.14159265;
   vec4 m;
   if (model == model_marschner) {
-    m = marschner_longitudinal(sine_light, sine_eye, cos_theta);
+    m = marschner_longitudinal(sine_light, sine_view, cos_theta);
     gain *= sine_to(sine_light);
   } else {
-    m = longitudinal_lobes(sine_light, sine_eye);
+    m = longitudinal_lobes(sine_light, sine_view);
   }
-  float azimuth = azimuth_between(tangent, to_light, to_eye);
+  float azimuth = azimuth_between(tangent, to_light, to_camera);
   vec3 at = absorption_coordinates(colour);
   return gain * vec3(dot(m, azimuthal_lobes(azimuth, cos_theta, at.r)),
                      dot(m, azimuthal_lobes(azimuth, cos_theta, at.g)),
@@ -140,13 +140,13 @@ float light_behind(int model, float facing, float reach) {
   return surface && facing < 0.0 ? 1.0 - min(-facing, reach) / reach : 1.0;
 }
 
-// Light scattered to the eye for light of radiance 1, without shadow, B and ambient. Directions are unit and point away
+// Light scattered to the camera for light of radiance 1, without shadow, B and ambient. Directions are unit and point away
 // from the strand, the tangent from root to tip; colour in [0, 1]; strand is the strand's number in [0, 1].
-vec3 scatter(int model, vec3 tangent, vec3 normal, vec3 to_light, vec3 to_eye, vec3 colour, float strand) {
+vec3 scatter(int model, vec3 tangent, vec3 normal, vec3 to_light, vec3 to_camera, vec3 colour, float strand) {
   if (model == model_energy_conserving || model == model_marschner) {
-    return scatter_fibre(model, tangent, to_light, to_eye, colour);
+    return scatter_fibre(model, tangent, to_light, to_camera, colour);
   }
-  if (model == model_scheuermann) return scatter_scheuermann(tangent, normal, to_light, to_eye, colour, strand);
-  if (model == model_kajiya_kay) return scatter_kajiya_kay(tangent, to_light, to_eye, colour);
-  return scatter_kajiya(tangent, to_light, to_eye, colour);
+  if (model == model_scheuermann) return scatter_scheuermann(tangent, normal, to_light, to_camera, colour, strand);
+  if (model == model_kajiya_kay) return scatter_kajiya_kay(tangent, to_light, to_camera, colour);
+  return scatter_kajiya(tangent, to_light, to_camera, colour);
 }

@@ -1,25 +1,25 @@
-// Shadows from maps: the light that the layers above let through (GPU fur 3.1), and the shadow that one part of the body
+// Shadows from maps: the light that the shells above let through (GPU fur 3.1), and the shadow that one part of the body
 // casts on another (GPU fur 4). Layout std140; renderer/upload/shadow_block.h mirrors it.
 layout(std140, binding = 2) uniform ShadowBlock {
   mat4 to_light[8];
   vec4 axis[8];   // linear depth: dot(xyz, place) + w, sizes
-  vec4 slots[8];  // slot of the layer maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
+  vec4 slots[8];  // slot of the shell maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
                   // 1 soft, 2 penumbra), its scale or the light's spread (-1: casts none)
 } shadow;
 
-layout(binding = 4) uniform sampler2DArray kept_maps;   // for each slot 17 boundaries of layers, the skin first
+layout(binding = 4) uniform sampler2DArray shell_maps;   // for each slot 17 boundaries of shells, the skin first
 layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, or of the fur's hull (penumbra), sizes
 layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge; and
                                                         // its mean times the depth of what casts it
 
-const float shadow_layers = 16.0;
+const float shadow_shells = 16.0;
 const float own_part = 0.5 / 32.0;  // of the height: what lies nearer is the strand itself, which does not shade itself
 const float cast_bias = 0.006;   // sizes
 const float shadow_width = 0.03; // sizes from the edge of a shadow to where its map is white
 
 const int search_taps = 8, penumbra_taps = 16;
 const float penumbra_bias = 0.003;   // sizes
-const float least_fold = 0.017;     // sizes: as deep as short fur beside long fur may lie under its hull
+const float min_fold = 0.017;     // sizes: as deep as short fur beside long fur may lie under its hull
 const float furthest_caster = 0.35;  // sizes: a penumbra grows no more behind what lies further from a place
 
 vec2 place_on_map(int i, vec3 place) {
@@ -115,10 +115,10 @@ vec2 blockers(int i, LightDisc disc, float radius, int taps) {
 // rays pass what hides it (Fernando 2005).
 // What lies no further in front than fur is high is fur that it grows into, in folds, and does not count.
 float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
-  LightDisc disc = light_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, least_fold)));
-  float least = 1.5 * disc.texel, most = disc.spread * furthest_caster;
-  vec2 found = blockers(i, disc, max(most, least), search_taps);
-  float radius = clamp(disc.spread * found.x / max(found.y, 1.0), least, max(most, least));
+  LightDisc disc = light_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, min_fold)));
+  float min_radius = 1.5 * disc.texel, max_radius = disc.spread * furthest_caster;
+  vec2 found = blockers(i, disc, max(max_radius, min_radius), search_taps);
+  float radius = clamp(disc.spread * found.x / max(found.y, 1.0), min_radius, max(max_radius, min_radius));
   int taps = found.y == 0.0 || found.y == float(search_taps) ? 0 : penumbra_taps;  // no tap where all agree
   float hidden = taps == 0 ? found.y / float(search_taps) : blockers(i, disc, radius, taps).y / float(penumbra_taps);
   return 1.0 - hidden;
@@ -138,16 +138,16 @@ float cast_light(int i, vec3 place, vec4 open, vec3 normal) {
   return kept;
 }
 
-// Optical depth of the layers above a place; what the estimate says where the map shows another part of the body, or
-// where the surface is turned so far away that its layers leave no trace on the map. `facing` is N.L.
-float layer_depth(int i, vec3 place, vec4 open, float height, float facing, float estimate) {
+// Optical depth of the shells above a place; what the estimate says where the map shows another part of the body, or
+// where the surface is turned so far away that its shells leave no trace on the map. `facing` is N.L.
+float shell_depth(int i, vec3 place, vec4 open, float height, float facing, float estimate) {
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
   vec2 at = place_on_map(i, place);
-  float layer = min(height + own_part, 1.0) * shadow_layers, low = min(floor(layer), shadow_layers - 1.0);
-  float first = slot * (shadow_layers + 1.0);
-  float kept = mix(texture(kept_maps, vec3(at, first + low)).r,
-                   texture(kept_maps, vec3(at, first + min(low + 1.0, shadow_layers))).r, layer - low);
+  float height_in_shells = min(height + own_part, 1.0) * shadow_shells, low = min(floor(height_in_shells), shadow_shells - 1.0);
+  float first = slot * (shadow_shells + 1.0);
+  float kept = mix(texture(shell_maps, vec3(at, first + low)).r,
+                   texture(shell_maps, vec3(at, first + min(low + 1.0, shadow_shells))).r, height_in_shells - low);
   vec3 shown = is_penumbra(i) ? open.xyz : place;
   float below = depth_below(i, shown, place_on_map(i, shown));
   return mix(-log(max(kept, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));

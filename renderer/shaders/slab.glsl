@@ -11,7 +11,7 @@ in vec3 place;
 in vec3 fibre_normal;
 in vec2 tile;
 in vec2 pixel_speed;
-in float most_crossing;
+in float max_crossing;
 in float level;
 in float slant;
 
@@ -38,7 +38,7 @@ void look_around() {
   dense_here = density_here();
   vec2 way = -(dFdx(tile) * pixel_speed.x + dFdy(tile) * pixel_speed.y);
   float far = length(way);
-  tile_per_height = far < 1e6 ? way * min(1.0, most_crossing / max(far, 1e-9)) : vec2(0.0);
+  tile_per_height = far < 1e6 ? way * min(1.0, max_crossing / max(far, 1e-9)) : vec2(0.0);
 }
 
 #ifdef TUFTS
@@ -109,7 +109,7 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
     float slice = floor(s * float(slice_count));
     vec4 shape = textureLod(shapes, vec3(at, slice), sharp);
 #ifdef PAINT
-    shape.a *= strands_kept(at, int(slice), sharp);
+    shape.a *= strand_share(at, int(slice), sharp);
 #endif
     float weight = (1.0 - slab.opacity) * (1.0 - exp2(-scale * shape.a));
     slab.opacity += weight;

@@ -31,15 +31,15 @@ vec3 strip_colour(vec3 strand_colour, float lighter) {
 vec3 strip_normal() { return fibre_normal / max(length(fibre_normal), 1e-20); }
 vec3 strip_tangent() { return fibre_tangent / max(length(fibre_tangent), 1e-20); }
 
-// What a strip of that colour and number sends to the eye.
+// What a strip of that colour and number sends to the camera.
 vec3 strip_light(vec3 colour, float number) {
   int above = clamp(int(height * float(slice_count)), 0, slice_count - 1);
   float strands = frame.depth_above[above / 4][above % 4] * length_share;
 #ifdef PAINT
   strands *= painted_depth();
 #endif
-  vec3 to_eye = frame.eye.xyz - place;
-  to_eye /= max(length(to_eye), 1e-20);
-  return fibre_light(Fibre(place, vec4(place, 0.0), strip_normal(), strip_tangent(), to_eye, colour, colour_above(height),
+  vec3 to_camera = frame.viewpoint.xyz - place;
+  to_camera /= max(length(to_camera), 1e-20);
+  return fibre_light(Fibre(place, vec4(place, 0.0), strip_normal(), strip_tangent(), to_camera, colour, colour_above(height),
                            clamp(height, 0.0, 1.0), strands, number));
 }

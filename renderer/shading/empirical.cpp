@@ -23,7 +23,7 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) { return v / std::sqrt(std::max(glm
 double sine_power(double d, double n) { return sine_power_of(d, n); }
 float sine_power(float d, float n) { return sine_power_of(d, n); }
 
-glm::dvec3 halfway(const ScatterGeometry& geometry) { return unit_or_zero(geometry.to_light + geometry.to_eye); }
+glm::dvec3 halfway(const ScatterGeometry& geometry) { return unit_or_zero(geometry.to_light + geometry.to_camera); }
 
 glm::dvec3 scatter_kajiya(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour) {
   const double along_light = glm::dot(geometry.tangent, geometry.to_light);
@@ -34,8 +34,8 @@ glm::dvec3 scatter_kajiya(const Look& look, const ScatterGeometry& geometry, con
 
 glm::dvec3 scatter_kajiya_kay(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour) {
   const double along_light = glm::dot(geometry.tangent, geometry.to_light);
-  const double along_eye = glm::dot(geometry.tangent, geometry.to_eye);
-  const double mirror = sine_to(along_light) * sine_to(along_eye) - along_light * along_eye;
+  const double along_view = glm::dot(geometry.tangent, geometry.to_camera);
+  const double mirror = sine_to(along_light) * sine_to(along_view) - along_light * along_view;
   const double highlight = std::pow(std::clamp(mirror, 0.0, 1.0), look.specular_exponent);
   return look.diffuse * sine_to(along_light) * colour + look.specular * highlight;
 }

@@ -13,7 +13,7 @@ struct ScatterGeometry {
   glm::dvec3 tangent;
   glm::dvec3 normal;  // of the surface under the fur
   glm::dvec3 to_light;
-  glm::dvec3 to_eye;
+  glm::dvec3 to_camera;
 };
 
 /// (1 - d^2)^(n/2), the sine of the angle to a direction with cosine `d` to the power `n` >= 0. As an exponential of a
@@ -21,7 +21,7 @@ struct ScatterGeometry {
 double sine_power(double d, double n);
 float sine_power(float d, float n);
 
-/// Half way between light and eye, unit; zero where they are opposite.
+/// Half way between light and view, unit; zero where they are opposite.
 glm::dvec3 halfway(const ScatterGeometry& geometry);
 
 /// GPU fur eq 1 without ambient, t and B: kd C (1-(T.L)^2)^(pd/2) + ks (1-(T.H)^2)^(ps/2).

@@ -174,31 +174,31 @@ FibreLobes energy_conserving_lobes(const FibreOptics& fibre) {
   return lobes;
 }
 
-LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& eye) {
+LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& view) {
   LobeValues values{};
   for (std::size_t p = 0; p < lobe_count; ++p) {
     const double sine = lobes.tilt_sine[p], cosine = lobes.tilt_cosine[p];
-    const double tilted_cosine = std::abs(eye.cosine * cosine - eye.sine * sine);
-    values[p] = longitudinal_of(light.cosine, tilted_cosine, light.sine, eye.sine * cosine + eye.cosine * sine,
+    const double tilted_cosine = std::abs(view.cosine * cosine - view.sine * sine);
+    values[p] = longitudinal_of(light.cosine, tilted_cosine, light.sine, view.sine * cosine + view.cosine * sine,
                                 lobes.variance[p], lobes.whole[p]);
   }
   return values;
 }
 
-LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_eye, double h, double azimuth) {
+LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_view, double h, double azimuth) {
   LobeValues values{};
   for (int p = 0; p < lobe_count - 1; ++p) {
-    const double apart = std::remainder(azimuth - exit_azimuth(p, h, cos_theta_eye, lobes.eta), 2 * pi);
+    const double apart = std::remainder(azimuth - exit_azimuth(p, h, cos_theta_view, lobes.eta), 2 * pi);
     values[static_cast<std::size_t>(p)] = trimmed_logistic(apart, lobes.azimuthal_scale);
   }
   values[lobe_count - 1] = 1 / (2 * pi);
   return values;
 }
 
-double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth,
+double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& view, double azimuth,
                          double h, double sigma_a) {
-  const LobeValues m = longitudinal_lobes(lobes, light, eye), n = azimuthal_lobes(lobes, eye.cosine, h, azimuth);
-  const LobeValues a = attenuation(eye.cosine, h, sigma_a, lobes.eta);
+  const LobeValues m = longitudinal_lobes(lobes, light, view), n = azimuthal_lobes(lobes, view.cosine, h, azimuth);
+  const LobeValues a = attenuation(view.cosine, h, sigma_a, lobes.eta);
   double sum = 0;
   for (std::size_t p = 0; p < lobe_count; ++p) sum += m[p] * a[p] * n[p];
   return sum;

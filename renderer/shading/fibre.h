@@ -87,13 +87,13 @@ struct FibreLobes {
 FibreLobes energy_conserving_lobes(const FibreOptics& fibre);
 
 /// Mp for each lobe, with the eye's inclination tilted by the cuticle.
-LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& eye);
+LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& view);
 
 /// Np for each lobe at an offset h: near field. `azimuth` is phi of the light less phi of the eye, radians.
-LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_eye, double h, double azimuth);
+LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_view, double h, double azimuth);
 
 /// Sum of Mp Ap Np at an offset h in [-1, 1] across the fibre: 1 / steradian, with the cosine of theta_i in it.
-double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& eye, double azimuth,
+double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& view, double azimuth,
                          double h, double sigma_a);
 
 }  // namespace pelage

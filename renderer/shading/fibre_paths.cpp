@@ -33,29 +33,29 @@ double wrapped(double angle) {
 
 }  // namespace
 
-FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 eye, float h, glm::vec3 sigma_a)
+FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 view, float h, glm::vec3 sigma_a)
     : scale_(lobes.azimuthal_scale),
       over_scale_(static_cast<float>(1 / scale_)),
       logistic_normal_(static_cast<float>(1 / (scale_ * lobes.azimuthal_whole))) {
-  const Around to_eye = around(eye);
+  const Around to_camera = around(view);
   for (int channel = 0; channel < 3; ++channel) {
-    const LobeValues left = attenuation(to_eye.cosine, double(h), double(sigma_a[channel]), lobes.eta);
+    const LobeValues left = attenuation(to_camera.cosine, double(h), double(sigma_a[channel]), lobes.eta);
     for (std::size_t p = 0; p < lobe_count; ++p) lobes_[p].left[channel] = static_cast<float>(left[p]);
   }
   const double outside = std::asin(double(h)),
-               inside = std::asin(refracted_offset(double(h), to_eye.cosine, lobes.eta));
+               inside = std::asin(refracted_offset(double(h), to_camera.cosine, lobes.eta));
   float sum = 0;
   for (std::size_t p = 0; p < lobe_count; ++p) {
     Lobe& lobe = lobes_[p];
     const double sine = lobes.tilt_sine[p], cosine = lobes.tilt_cosine[p];
-    lobe.sine = to_eye.sine * cosine + to_eye.cosine * sine;
-    lobe.cosine = std::abs(to_eye.cosine * cosine - to_eye.sine * sine);
+    lobe.sine = to_camera.sine * cosine + to_camera.cosine * sine;
+    lobe.cosine = std::abs(to_camera.cosine * cosine - to_camera.sine * sine);
     lobe.variance = lobes.variance[p];
     lobe.over_variance = static_cast<float>(1 / lobe.variance);
     lobe.normal = static_cast<float>(1 / lobes.whole[p]);
     if (p + 1 < lobe_count) {
       const double leaves = static_cast<double>(p) * (2 * inside + pi) - 2 * outside;  // exit_azimuth
-      lobe.azimuth = wrapped(wrapped(to_eye.azimuth + leaves));
+      lobe.azimuth = wrapped(wrapped(to_camera.azimuth + leaves));
     }
     // The brightest channel absorbs least in every lobe, so by its share no channel's weight is above 1.
     sum += lobe.share = std::max({lobe.left.r, lobe.left.g, lobe.left.b});

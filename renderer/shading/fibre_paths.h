@@ -19,7 +19,7 @@ struct FibreSample {
 class FibrePaths {
  public:
   /// `eye` is unit, where the light goes; h in [-1, 1]; sigma_a >= 0 by channel.
-  FibrePaths(const FibreLobes& lobes, glm::vec3 eye, float h, glm::vec3 sigma_a);
+  FibrePaths(const FibreLobes& lobes, glm::vec3 view, float h, glm::vec3 sigma_a);
 
   /// Sum of Mp Ap Np for light from a unit direction: the cosine is in it, 1 / steradian.
   glm::vec3 value(glm::vec3 light) const;

@@ -24,8 +24,8 @@ glm::dvec3 across(const glm::dvec3& tangent, const glm::dvec3& direction) {
 
 /// From the eye to the light, radians. Along the strand there is none: the middle of the range then.
 double azimuth_of(const ScatterGeometry& geometry) {
-  const glm::dvec3 eye = across(geometry.tangent, geometry.to_eye), light = across(geometry.tangent, geometry.to_light);
-  const double x = glm::dot(eye, light), y = -glm::dot(geometry.tangent, glm::cross(eye, light));
+  const glm::dvec3 view = across(geometry.tangent, geometry.to_camera), light = across(geometry.tangent, geometry.to_light);
+  const double x = glm::dot(view, light), y = -glm::dot(geometry.tangent, glm::cross(view, light));
   return x * x + y * y > 1e-20 ? std::atan2(y, x) : pi / 2;
 }
 
@@ -57,11 +57,11 @@ template <typename Azimuthal>
 glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::dvec3& sigma_a,
                                    const Azimuthal& azimuthal) const {
   const Inclination light = inclination_of(geometry.tangent, geometry.to_light);
-  const Inclination eye = inclination_of(geometry.tangent, geometry.to_eye);
+  const Inclination view = inclination_of(geometry.tangent, geometry.to_camera);
   const bool marschner = look_.shading == ShadingModel::marschner;
   const LobeValues m =
-      marschner ? marschner_longitudinal(marschner_, light, eye) : longitudinal_lobes(lobes_, light, eye);
-  const double cos_theta = marschner ? cos_difference(light, eye) : eye.cosine;
+      marschner ? marschner_longitudinal(marschner_, light, view) : longitudinal_lobes(lobes_, light, view);
+  const double cos_theta = marschner ? cos_difference(light, view) : view.cosine;
   const double gain = marschner ? pi * light.cosine : pi;
   const double azimuth = azimuth_of(geometry);
   glm::dvec3 sum(0);
@@ -103,10 +103,10 @@ glm::dvec3 FibreShading::scatter_at_offset(const ScatterGeometry& geometry, cons
   });
 }
 
-double offset_across(const glm::dvec3& tangent, const glm::dvec3& hit_normal, const glm::dvec3& to_eye) {
-  const glm::dvec3 eye = across(tangent, to_eye);
-  const double length = glm::length(eye);
-  return length > 1e-10 ? std::clamp(-glm::dot(tangent, glm::cross(hit_normal, eye)) / length, -1.0, 1.0) : 0;
+double offset_across(const glm::dvec3& tangent, const glm::dvec3& hit_normal, const glm::dvec3& to_camera) {
+  const glm::dvec3 view = across(tangent, to_camera);
+  const double length = glm::length(view);
+  return length > 1e-10 ? std::clamp(-glm::dot(tangent, glm::cross(hit_normal, view)) / length, -1.0, 1.0) : 0;
 }
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int node_count = 192;
-constexpr double least_width = 0.02;
+constexpr double min_width = 0.02;
 
 /// Nodes in h. With h = sin gamma the azimuths are smooth functions of the variable, at the fibre's edge too.
 std::vector<QuadratureNode> offset_nodes() {
@@ -31,7 +31,7 @@ AzimuthalAverage::AzimuthalAverage(ShadingModel shading, const FibreOptics& fibr
       width_(marschner_ ? fibre.caustic_width * pi / 180 : azimuthal_scale(fibre.azimuthal_roughness)),
       nodes_(offset_nodes()) {
   assert(marschner_ || shading == ShadingModel::energy_conserving);
-  width_ = std::max(width_, least_width);
+  width_ = std::max(width_, min_width);
 }
 
 double AzimuthalAverage::distribution(double apart) const {
@@ -99,17 +99,17 @@ MarschnerLobes marschner_lobes(const FibreOptics& fibre) {
           fibre.refractive_index};
 }
 
-double cos_difference(const Inclination& light, const Inclination& eye) {
-  return std::cos((inclination_angle(light) - inclination_angle(eye)) / 2);
+double cos_difference(const Inclination& light, const Inclination& view) {
+  return std::cos((inclination_angle(light) - inclination_angle(view)) / 2);
 }
 
-LobeValues marschner_longitudinal(const MarschnerLobes& lobes, const Inclination& light, const Inclination& eye) {
-  const double middle = (inclination_angle(light) + inclination_angle(eye)) / 2;
-  const double difference = cos_difference(light, eye);
+LobeValues marschner_longitudinal(const MarschnerLobes& lobes, const Inclination& light, const Inclination& view) {
+  const double middle = (inclination_angle(light) + inclination_angle(view)) / 2;
+  const double difference = cos_difference(light, view);
   LobeValues values{};
   for (std::size_t p = 0; p + 1 < lobe_count; ++p) {
     values[p] = gaussian(middle - lobes.centre[p], lobes.width[p]) / 2 /
-                std::max(difference * difference, least_cos2_difference);
+                std::max(difference * difference, min_cos2_difference);
   }
   return values;
 }

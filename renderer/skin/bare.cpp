@@ -21,7 +21,7 @@ double bare_share(const FurSkinRegion& region, glm::dvec3 place, glm::dvec3 norm
   return inside * rise(region.cosine_none, region.cosine_whole, glm::dot(normal, region.facing));
 }
 
-double fur_kept(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::dvec3 normal) {
+double fur_share(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::dvec3 normal) {
   double kept = 1;
   for (const FurSkinRegion& region : regions) kept *= 1 - bare_share(region, place, normal);
   return kept;

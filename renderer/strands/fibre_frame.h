@@ -11,8 +11,8 @@ namespace pelage {
 class FibreFrame {
  public:
   /// Both unit; `tangent` from root to tip.
-  FibreFrame(glm::vec3 tangent, glm::vec3 to_eye) : axis_(-tangent) {
-    const glm::vec3 across = to_eye - axis_ * glm::dot(axis_, to_eye);
+  FibreFrame(glm::vec3 tangent, glm::vec3 to_camera) : axis_(-tangent) {
+    const glm::vec3 across = to_camera - axis_ * glm::dot(axis_, to_camera);
     const float length = glm::length(across);
     towards_ = length > 1e-6f ? across / length : any_across(axis_);  // along the strand there is no azimuth
     aside_ = glm::cross(axis_, towards_);

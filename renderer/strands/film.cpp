@@ -26,39 +26,39 @@ double shown(double linear) {
 
 }  // namespace
 
-std::array<bool, Film::part_count> Film::parts_of(std::span<const FrameLayer> layers, bool filter) {
+std::array<bool, Film::part_count> Film::parts_of(std::span<const Aov> aovs, bool filter) {
   std::array<bool, part_count> parts{};
   const auto need = [&](std::initializer_list<Part> needed) {
     for (const Part part : needed) parts[part] = true;
   };
-  for (const FrameLayer layer : layers) {
-    switch (layer) {
-      case FrameLayer::beauty: need({beauty, spread}); break;
-      case FrameLayer::alpha: need({beauty}); break;
-      case FrameLayer::depth: need({body, depth}); break;
-      case FrameLayer::position: need({body, position}); break;
-      case FrameLayer::normal: need({body, normal}); break;
-      case FrameLayer::tangent: need({body, tangent}); break;
-      case FrameLayer::albedo: need({body, albedo}); break;
-      case FrameLayer::direct: need({body, direct}); break;
-      case FrameLayer::shadow: need({body, light}); break;
-      case FrameLayer::layer_count: need({body}); break;
+  for (const Aov aov : aovs) {
+    switch (aov) {
+      case Aov::beauty: need({beauty, spread}); break;
+      case Aov::alpha: need({beauty}); break;
+      case Aov::depth: need({body, depth}); break;
+      case Aov::position: need({body, position}); break;
+      case Aov::normal: need({body, normal}); break;
+      case Aov::tangent: need({body, tangent}); break;
+      case Aov::albedo: need({body, albedo}); break;
+      case Aov::direct: need({body, direct}); break;
+      case Aov::shadow: need({body, light}); break;
+      case Aov::shell_count: need({body}); break;
     }
   }
   if (filter && parts[beauty]) need({body, depth, normal, tangent, albedo});
   return parts;
 }
 
-std::size_t Film::bytes(int width, int height, std::span<const FrameLayer> layers, bool filter) {
-  const std::array<bool, part_count> parts = parts_of(layers, filter);
+std::size_t Film::bytes(int width, int height, std::span<const Aov> aovs, bool filter) {
+  const std::array<bool, part_count> parts = parts_of(aovs, filter);
   std::size_t each = sizeof(std::uint32_t);
   for (std::size_t part = 0; part < part_count; ++part) each += parts[part] ? widths[part] * sizeof(float) : 0;
   return each * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-Film::Film(int width, int height, std::span<const FrameLayer> layers, bool filter) : width_(width), height_(height) {
+Film::Film(int width, int height, std::span<const Aov> aovs, bool filter) : width_(width), height_(height) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const std::array<bool, part_count> parts = parts_of(layers, filter);
+  const std::array<bool, part_count> parts = parts_of(aovs, filter);
   samples_.resize(pixels);
   for (std::size_t part = 0; part < part_count; ++part) means_[part].resize(parts[part] ? pixels * widths[part] : 0);
 }
@@ -142,31 +142,31 @@ double Film::noise(double exposure) const {
   return all.pixels > 0 ? all.sum / all.pixels : 0;
 }
 
-/// The rules of passes/layers/gather.frag.
-glm::vec4 Film::layer_at(FrameLayer layer, std::size_t pixel) const {
+/// The rules of passes/aovs/gather.frag.
+glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
   const float covered = means_[body].empty() ? 0 : std::clamp(*at(body, pixel), 0.0f, 1.0f);
   const auto whole = [&](Part part) { return glm::vec4(colour(part, pixel), covered); };
   const auto unit = [&](Part part) {
     const glm::vec3 sum = colour(part, pixel);
     return glm::vec4(glm::dot(sum, sum) > 1e-12f ? glm::normalize(sum) : glm::vec3(0), covered);
   };
-  switch (layer) {
-    case FrameLayer::beauty:
-    case FrameLayer::alpha: return {colour(beauty, pixel), at(beauty, pixel)[3]};
-    case FrameLayer::depth: {
+  switch (aov) {
+    case Aov::beauty:
+    case Aov::alpha: return {colour(beauty, pixel), at(beauty, pixel)[3]};
+    case Aov::depth: {
       const float *mean = at(depth, pixel), nearness = mean[1] >= 0.5f ? mean[0] / mean[1] : 0;
       return {nearness, 0, 0, covered};
     }
-    case FrameLayer::position: return {covered > 0 ? colour(position, pixel) / covered : glm::vec3(0), covered};
-    case FrameLayer::normal: return unit(normal);
-    case FrameLayer::tangent: return unit(tangent);
-    case FrameLayer::albedo: return whole(albedo);
-    case FrameLayer::direct: return whole(direct);
-    case FrameLayer::shadow: {
+    case Aov::position: return {covered > 0 ? colour(position, pixel) / covered : glm::vec3(0), covered};
+    case Aov::normal: return unit(normal);
+    case Aov::tangent: return unit(tangent);
+    case Aov::albedo: return whole(albedo);
+    case Aov::direct: return whole(direct);
+    case Aov::shadow: {
       const float* mean = at(light, pixel);
       return {glm::vec3(mean[1] > 0 ? std::clamp(mean[0] / mean[1], 0.0f, 1.0f) : 1.0f), covered};
     }
-    case FrameLayer::layer_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
+    case Aov::shell_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
   }
   assert(false);
   return {};
@@ -189,13 +189,13 @@ FloatImage Film::filtered_beauty() const {
                         .albedo = means_[albedo]});
 }
 
-FloatImage Film::layer(FrameLayer layer, bool filtered) const {
-  const bool shows_light = layer == FrameLayer::beauty || layer == FrameLayer::alpha;
+FloatImage Film::aov(Aov aov, bool filtered) const {
+  const bool shows_light = aov == Aov::beauty || aov == Aov::alpha;
   if (filtered && shows_light && can_filter()) return filtered_beauty();
   FloatImage image{width_, height_, {}};
   image.rgba.reserve(samples_.size() * 4);
   for (std::size_t pixel = 0; pixel < samples_.size(); ++pixel) {
-    const glm::vec4 value = layer_at(layer, pixel);
+    const glm::vec4 value = aov_at(aov, pixel);
     image.rgba.insert(image.rgba.end(), {value.r, value.g, value.b, value.a});
   }
   return image;

@@ -24,16 +24,16 @@ struct FilmSample {
   glm::vec2 light{0};   // luminance of that, and what it would be without shadows
 };
 
-/// Means of samples by pixel. Layers that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
-/// beauty, 48 for what the filter looks at and the layers of it, 12 each for position and direct, 8 for shadow. Pixels
+/// Means of samples by pixel. Shells that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
+/// beauty, 48 for what the filter looks at and the AOVs of it, 12 each for position and direct, 8 for shadow. Pixels
 /// are added to from one thread at a time; a tile belongs to one thread during a pass.
 class Film {
  public:
   static constexpr int tile = 16;  // pixels along the side of the parts that noise is judged by
 
   /// Bytes that a film of this size takes.
-  static std::size_t bytes(int width, int height, std::span<const FrameLayer> layers, bool filter);
-  Film(int width, int height, std::span<const FrameLayer> layers, bool filter);
+  static std::size_t bytes(int width, int height, std::span<const Aov> aovs, bool filter);
+  Film(int width, int height, std::span<const Aov> aovs, bool filter);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -51,17 +51,17 @@ class Film {
   /// The same over the pixels of all tiles where anything was seen, 0 where there are none.
   double noise(double exposure) const;
 
-  /// Means, in the conventions of Renderer::draw_layers (depth: one over the distance). `filtered` smooths beauty by
-  /// direction, depth and colour, the less the more samples there are; at 64 a pixel nothing is left of it. For layers
+  /// Means, in the conventions of Renderer::draw_aovs (depth: one over the distance). `filtered` smooths beauty by
+  /// direction, depth and colour, the less the more samples there are; at 64 a pixel nothing is left of it. For AOVs
   /// that were asked for, `filtered` where the filter was.
-  FloatImage layer(FrameLayer layer, bool filtered) const;
+  FloatImage aov(Aov aov, bool filtered) const;
 
  private:
   /// Running means in float do not drift: what a sample adds shrinks as its weight does.
   enum Part { beauty, spread, body, depth, position, normal, tangent, albedo, direct, light, part_count };
   static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3, 3, 3, 3, 3, 2};  // numbers a pixel
 
-  static std::array<bool, part_count> parts_of(std::span<const FrameLayer> layers, bool filter);
+  static std::array<bool, part_count> parts_of(std::span<const Aov> aovs, bool filter);
   const float* at(Part part, std::size_t pixel) const { return &means_[part][pixel * widths[part]]; }
   struct Noise {
     double sum = 0;  // of the pixels' errors
@@ -77,7 +77,7 @@ class Film {
   Noise judge(int tile, double exposure) const;
   bool can_filter() const;
   FloatImage filtered_beauty() const;
-  glm::vec4 layer_at(FrameLayer layer, std::size_t pixel) const;
+  glm::vec4 aov_at(Aov aov, std::size_t pixel) const;
 
   int width_, height_;
   std::vector<std::uint32_t> samples_;

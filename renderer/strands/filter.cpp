@@ -13,10 +13,10 @@ namespace pelage {
 namespace {
 
 constexpr int farthest = 6;           // pixels that light comes from at 1 sample
-constexpr int margin = farthest + 3;  // and more for outlines, and for windows that touch a pixel
+constexpr int margin = farthest + 3;  // and more for silhouettes, and for windows that touch a pixel
 constexpr int band_rows = 32;
 constexpr int block = 32;              // pixels of a row that are worked on together
-constexpr float least_albedo = 0.02f;  // is added to all: black things keep their highlights
+constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights
 constexpr float unknown = 1e9f;        // noise of a feature that too few pixels show
 
 /// Of features that have no noise: tangent, normal, root of albedo, logarithm of depth.
@@ -84,7 +84,7 @@ class Band {
   void gather(int x, int y);
   void add_tap(int x, int y, int dx, int dy, Sums& sums) const;
   void finish(int x, int y, const Sums& sums);
-  glm::vec4 outlined(int x, int y) const;
+  glm::vec4 at_silhouette(int x, int y) const;
   float smooth_ground(int x, int y) const;
 
   const FilterSource& source_;
@@ -116,7 +116,7 @@ void Band::load(int y) {
     for (int c = 0; c < 3; ++c) {
       const std::size_t k = static_cast<std::size_t>(c);
       row(light + c, y)[x] = row(result + c, y)[x] = source_.beauty[4 * i + k];
-      row(white + c, y)[x] = source_.albedo[3 * i + k] + least_albedo * covered;
+      row(white + c, y)[x] = source_.albedo[3 * i + k] + min_albedo * covered;
     }
     if (covered > 0) load_features(x, y);
   }
@@ -175,12 +175,12 @@ void Band::make_guides(int y) {
       for (const glm::ivec2 other : {glm::ivec2(x + 1, y - 1), {x - 1, y + 1}, {x + 1, y + 1}}) {
         if (row(noise + group, other.y)[other.x] < row(noise + group, best.y)[best.x]) best = other;
       }
-      const float least = row(noise + group, best.y)[best.x];
-      const bool known = least < unknown && row(body, y)[x] > 0;
+      const float min = row(noise + group, best.y)[best.x];
+      const bool known = min < unknown && row(body, y)[x] > 0;
       const float own = known ? row(own_share, y)[x] : 1, drawn = 1 - own;
       for (int k = begin; k < end; ++k)
         row(guide + k, y)[x] = own * row(feature + k, y)[x] + drawn * row(mean + k, best.y)[best.x];
-      const float left = known ? least * (own * own + drawn * drawn / 9) : 0;
+      const float left = known ? min * (own * own + drawn * drawn / 9) : 0;
       row(falloff + group, y)[x] = 1 / (2 * sharp * sharp + 32 * left);
     }
   }
@@ -219,17 +219,17 @@ void Band::add_tap(int x, int y, int dx, int dy, Sums& sums) const {
 }
 
 void Band::gather(int x, int y) {
-  float least = 1;
+  float min = 1;
   for (int i = x; i < x + block; ++i) {
-    if (row(body, y)[i] > 0) least = std::min(least, row(over_reach, y)[i]);
+    if (row(body, y)[i] > 0) min = std::min(min, row(over_reach, y)[i]);
   }
-  if (least == 1) return;
+  if (min == 1) return;
   Sums sums;
   for (int dy = -farthest; dy <= farthest; ++dy) {
     for (int dx = -farthest; dx <= farthest; ++dx) {
       const int square = dx * dx + dy * dy;
       if (square > 9 && (dx + dy) % 2 != 0) continue;  // of far pixels every other one does
-      if (static_cast<float>(square) * least < 1) add_tap(x, y, dx, dy, sums);
+      if (static_cast<float>(square) * min < 1) add_tap(x, y, dx, dy, sums);
     }
   }
   finish(x, y, sums);
@@ -258,21 +258,21 @@ void Band::filter() {
   }
 }
 
-/// Light and body's alpha. Outlines are smoothed by 3 x 3 pixels, the less the more samples there are.
-glm::vec4 Band::outlined(int x, int y) const {
+/// Light and body's alpha. Silhouettes are smoothed by 3 x 3 pixels, the less the more samples there are.
+glm::vec4 Band::at_silhouette(int x, int y) const {
   const float share = 0.75f * (1 / std::sqrt(row(over_reach, y)[x]) - 1) / farthest;
   glm::vec4 own(0), mean(0);
-  float least = 1, most = 0, sum = 0;
+  float min = 1, max = 0, sum = 0;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, source_.height - 1); ++v) {
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, source_.width - 1); ++u) {
       const glm::vec4 value(row(result, v)[u], row(result + 1, v)[u], row(result + 2, v)[u], row(body, v)[u]);
       const float weight = (u == x ? 2.0f : 1.0f) * (v == y ? 2.0f : 1.0f);
       if (u == x && v == y) own = value;
       mean += weight * value, sum += weight;
-      least = std::min(least, value.a), most = std::max(most, value.a);
+      min = std::min(min, value.a), max = std::max(max, value.a);
     }
   }
-  return least < most ? own + share * (mean / sum - own) : own;
+  return min < max ? own + share * (mean / sum - own) : own;
 }
 
 /// Share of what is open that the ground darkens, over the filter's reach.
@@ -296,7 +296,7 @@ void Band::write(FloatImage& image) const {
       const std::size_t i = 4 * index(x, y);
       const bool kept = row(over_reach, y)[x] == 1;
       glm::vec4 pixel(0);
-      if (!kept) pixel = outlined(x, y);
+      if (!kept) pixel = at_silhouette(x, y);
       if (!kept && has_ground_ && pixel.a < 1) pixel.a += (1 - pixel.a) * smooth_ground(x, y);
       for (int c = 0; c < 4; ++c) {
         const std::size_t k = i + static_cast<std::size_t>(c);

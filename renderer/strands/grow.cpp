@@ -20,11 +20,11 @@ namespace pelage {
 
 namespace {
 
-constexpr float least_radius = 1e-7f;  // sizes
+constexpr float min_radius = 1e-7f;  // sizes
 constexpr double looked_through = 16;  // copies for each that is kept, at most
-constexpr double least_of_tile = 256;  // strands that repeat with the tile
+constexpr double min_of_tile = 256;  // strands that repeat with the tile
 
-bool any_above_rest(std::span<const float> field) {
+bool any_above_default(std::span<const float> field) {
   return std::any_of(field.begin(), field.end(), [](float value) { return value > 0; });
 }
 
@@ -32,7 +32,7 @@ bool any_above_rest(std::span<const float> field) {
 /// A power of 1/2 where `share` is one.
 double tile_share_of(double share, int count) {
   double of_tile = 1;
-  while (of_tile > looked_through * share && of_tile * count > 2 * least_of_tile) of_tile /= 2;
+  while (of_tile > looked_through * share && of_tile * count > 2 * min_of_tile) of_tile /= 2;
   return of_tile;
 }
 
@@ -81,7 +81,7 @@ struct Grower::Impl {
         recipe(how),
         vertices(fur_vertices(surface, fields)),
         leans(how.coat.lean_curve, how.coat.root_share),
-        tile(recipe.coat, strand_segments(how.coat, any_above_rest(fields.paint.curl))),
+        tile(recipe.coat, strand_segments(how.coat, any_above_default(fields.paint.curl))),
         tile_share(tile_share_of(how.share, how.coat.count)),
         cells(tile.strands(), how.coat.tile, tile_share),
         form(recipe.coat, tile),
@@ -93,7 +93,7 @@ struct Grower::Impl {
 
   bool bald(std::uint32_t piece) const;
   bool keeps(const FurPiece& piece, const TileCopy& copy) const;
-  void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t most, StrandSet& set) const;
+  void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t max, StrandSet& set) const;
   void append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
   void append_guard_hair(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
 
@@ -136,7 +136,7 @@ void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet
   for (std::size_t i = 0; i < knots; ++i) {
     const int k = static_cast<int>(i);
     set.points[first + i] = {root.place + piece.leaned(share, tile.along(k) * reach) + sideways[i],
-                             std::max(wider * tile.radius(copy.strand, k), least_radius)};
+                             std::max(wider * tile.radius(copy.strand, k), min_radius)};
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), reach, root.wetness});
@@ -158,15 +158,15 @@ void Grower::Impl::append_guard_hair(const FurPiece& piece, const TileCopy& copy
     const int k = static_cast<int>(i);
     const float s = tile.along(k);
     set.points[first + i] = {root.place + stretch * piece.leaned(share, s) + aside * (bow * s * s),
-                             std::max(wider * tile.radius(copy.strand, k), least_radius)};
+                             std::max(wider * tile.radius(copy.strand, k), min_radius)};
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});
 }
 
-void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t most,
+void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t max,
                               StrandSet& set) const {
-  if (bald(index) || set.bytes() > most) return;
+  if (bald(index) || set.bytes() > max) return;
   cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
   const FurPiece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
@@ -174,7 +174,7 @@ void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies
     if (!keeps(piece, copy)) continue;
     const bool guard_hair = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
     guard_hair ? append_guard_hair(piece, copy, set) : append(piece, copy, set);
-    if (set.bytes() > most) return;
+    if (set.bytes() > max) return;
   }
 }
 
@@ -189,11 +189,11 @@ double expected_strands(const FurModel& model, const Coat& coat) {
   return sum;
 }
 
-StrandSet Grower::grow(const StrandChunk& chunk, std::size_t most) const {
+StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   StrandSet set;
   set.segments = impl_->tile.segments();
   std::vector<TileCopy> copies;
-  for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, most, set);
+  for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, max, set);
   set.points.shrink_to_fit(), set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
 }

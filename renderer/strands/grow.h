@@ -51,7 +51,7 @@ class Grower {
   /// The strands of a chunk; some of them and more than `most` bytes, where they would be more. Fur of no length grows
   /// none, density keeps those whose number is below it. A radius is never below 1e-7, so that nothing is divided by 0
   /// where strands have no width.
-  StrandSet grow(const StrandChunk& chunk, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+  StrandSet grow(const StrandChunk& chunk, std::size_t max = std::numeric_limits<std::size_t>::max()) const;
   /// Of all that `grow(chunk)` depends on: the same while it would give the same strands. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
 

@@ -21,13 +21,13 @@ constexpr float worth_a_ray = 0.01f;  // share of TraceScene::brightest below wh
 /// The scattering at a hit: a fibre or matt skin. As a BSDF of pbrt, with the cosine in it.
 class Bsdf {
  public:
-  Bsdf(const TraceScene& scene, const Hit& hit, glm::vec3 position, glm::vec3 to_eye)
-      : scene_(scene), hit_(hit), position_(position), to_eye_(to_eye) {
+  Bsdf(const TraceScene& scene, const Hit& hit, glm::vec3 position, glm::vec3 to_camera)
+      : scene_(scene), hit_(hit), position_(position), to_camera_(to_camera) {
     if (hit.kind == HitKind::strand) {
-      frame_.emplace(hit.tangent, to_eye);
+      frame_.emplace(hit.tangent, to_camera);
       const StrandShading& shading = scene.shading();
       absorption_ = shading.absorption(hit.colour);
-      fibre_.emplace(shading.lobes(), frame_->local(to_eye), hit.offset, absorption_);
+      fibre_.emplace(shading.lobes(), frame_->local(to_camera), hit.offset, absorption_);
     } else {
       hit_.colour = glm::clamp(hit.colour, 0.0f, 1.0f);
       position_ += hit.normal * leave_skin;
@@ -48,7 +48,7 @@ class Bsdf {
   /// The same for a light. Paths hit a strand at any offset alike, so that its mean over the offsets, which the table
   /// has, is as true as the value at this one, and far less noisy.
   glm::vec3 mean_f(glm::vec3 to_light) const {
-    return fibre_ ? scene_.shading().scatter_averaged(hit_, absorption_, to_light, to_eye_) / pi : f(to_light);
+    return fibre_ ? scene_.shading().scatter_averaged(hit_, absorption_, to_light, to_camera_) / pi : f(to_light);
   }
   float pdf(glm::vec3 to_light) const {
     if (fibre_) return fibre_->pdf(frame_->local(to_light));
@@ -69,7 +69,7 @@ class Bsdf {
  private:
   const TraceScene& scene_;
   Hit hit_;
-  glm::vec3 position_, to_eye_, absorption_{0};
+  glm::vec3 position_, to_camera_, absorption_{0};
   std::optional<FibreFrame> frame_;
   std::optional<FibrePaths> fibre_;
 };
@@ -146,9 +146,9 @@ glm::vec3 bounded(glm::vec3 radiance, float brightest) {
 void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& film_sample) {
   Hit hit = seen.hit;
   if (hit.kind == HitKind::skin && seen.base.there) hit.colour = seen.base.albedo, hit.normal = seen.base.normal;
-  glm::vec3 position = film_sample.position, to_eye = -seen.ray.direction, throughput(1);
+  glm::vec3 position = film_sample.position, to_camera = -seen.ray.direction, throughput(1);
   for (int bounce = 0; bounce < scene.frame().knobs.trace.bounces; ++bounce) {
-    const Bsdf bsdf(scene, hit, position, to_eye);
+    const Bsdf bsdf(scene, hit, position, to_camera);
     const DirectLight direct = sample_direct(scene, world, bsdf, throughput, bounce == 0, sampler);
     film_sample.radiance += bounded(throughput * (direct.lights + direct.environment), scene.brightest());
     if (bounce == 0) {
@@ -171,7 +171,7 @@ void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampl
           bounded(throughput * escaped_radiance(scene, sample, bsdf.position()), scene.brightest());
       return;
     }
-    position = ray.origin + ray.direction * hit.distance, to_eye = -ray.direction;
+    position = ray.origin + ray.direction * hit.distance, to_camera = -ray.direction;
   }
 }
 
@@ -183,7 +183,7 @@ FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 pl
   if (seen.hit.kind == HitKind::none) {
     shade_ground(scene, world, seen.ray, sampler, sample);
   } else if (seen.eye || (seen.hit.kind == HitKind::skin && seen.bare)) {
-    light_base(scene, world, seen, sampler, sample);  // what shines and refracts is drawn, not traced
+    light_backplate(scene, world, seen, sampler, sample);  // what shines and refracts is drawn, not traced
     sample.radiance = bounded(sample.radiance, scene.brightest());
   } else {
     follow(scene, world, seen, sampler, sample);

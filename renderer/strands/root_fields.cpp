@@ -10,8 +10,8 @@ namespace pelage {
 
 namespace {
 
-float value_of(std::span<const float> field, std::size_t vertex, float rest) {
-  return field.empty() ? rest : field[vertex];
+float value_of(std::span<const float> field, std::size_t vertex, float default_value) {
+  return field.empty() ? default_value : field[vertex];
 }
 
 glm::vec4 covered(std::span<const glm::vec4> field, std::size_t vertex) {
@@ -38,7 +38,7 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
   const FurPaint& paint = fields.paint;
   std::vector<FurVertex> vertices(model.positions.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const double skin = fields.skin.empty() ? 1 : fur_kept(fields.skin, model.positions[v], model.normals[v]);
+    const double skin = fields.skin.empty() ? 1 : fur_share(fields.skin, model.positions[v], model.normals[v]);
     const float length = fields.length[v] * static_cast<float>(skin) * (1 - value_of(paint.bare, v, 0));
     vertices[v] = {fields.direction[v],         std::max(length, 0.0f),        value_of(paint.density, v, 1),
                    value_of(paint.width, v, 1), value_of(paint.wetness, v, 0), value_of(paint.curl, v, 0),

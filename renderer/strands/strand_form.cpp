@@ -11,10 +11,10 @@ namespace pelage {
 
 namespace {
 
-constexpr float most_gathered = 0.8f, water_gathers = 0.85f;  // as in paint_form.glsl
+constexpr float max_gathered = 0.8f, water_gathers = 0.85f;  // as in paint_form.glsl
 constexpr float turn = 2 * std::numbers::pi_v<float>;
-constexpr double most_curl = 0.5;
-constexpr std::size_t most_knots = 64;
+constexpr double max_curl = 0.5;
+constexpr std::size_t max_knots = 64;
 
 /// Strands of one place curl together; between places the phase changes slowly (curl_angle in paint_form.glsl).
 float curl_phase(glm::vec2 tile_place) {
@@ -34,7 +34,7 @@ struct PaintedCurl {
 
 PaintedCurl painted_curl(const Coat& coat, const Strand& strand, float curl) {
   if (curl <= 0) return {};
-  const double added = std::max(std::min(coat.curl + curl, most_curl) - coat.curl, 0.0);
+  const double added = std::max(std::min(coat.curl + curl, max_curl) - coat.curl, 0.0);
   return {static_cast<float>(added * nominal_length), static_cast<float>(coat.curl_turns),
           curl_phase(glm::vec2(strand.root / coat.tile))};
 }
@@ -55,7 +55,7 @@ StrandForm::StrandForm(const Coat& coat, const TileStrands& tile)
 StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& root) const {
   const auto own = static_cast<float>(coat_.wetness);  // what that draws together is in the tile
   const float water = std::min(own + root.wetness, 1.0f) - own;
-  const float gather = most_gathered * std::min(root.clump + water_gathers * water, 1.0f);
+  const float gather = max_gathered * std::min(root.clump + water_gathers * water, 1.0f);
   if (gather <= 0) return {};
   const StrandClump clump = clumps_.nearest(strand.root);
   return {glm::vec3(clump.centre - strand.root, 0), gather * glm::mix(0.5f, 1.0f, static_cast<float>(clump.pull))};
@@ -74,7 +74,7 @@ void StrandForm::sideways(std::uint32_t index, const RootFields& root, std::span
   const PaintedCurl curl = painted_curl(coat_, strand, root.curl);
   const Pull clump = clump_pull(strand, root), tuft = tuft_pull(root);
   const auto reach = static_cast<float>(strand.length_share);
-  std::array<glm::vec2, most_knots> on_tile;  // weighted sums
+  std::array<glm::vec2, max_knots> on_tile;  // weighted sums
   float furthest = 1e-12f;
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const float s = tile_.along(static_cast<int>(k)) * reach, weight = clump.weight(s * std::sqrt(s));

@@ -101,7 +101,7 @@ Hit StrandPart::hit(const Ray& ray, float distance, std::uint32_t segment, float
 glm::vec3 StrandPart::stopped(std::uint32_t segment, float u) const {
   const std::size_t at = first_point(segment);
   const glm::vec3 colour = glm::mix(unpack_colour(strands_.colours[at]), unpack_colour(strands_.colours[at + 1]), u);
-  return 1.0f - kept_by_pale * glm::sqrt(glm::min(colour, 1.0f));
+  return 1.0f - pale_transmittance * glm::sqrt(glm::min(colour, 1.0f));
 }
 
 }  // namespace pelage

@@ -70,7 +70,7 @@ class StrandPart {
 
   /// Fills in what a ray hit: `u` along the segment. Distance and `kind` are the caller's.
   Hit hit(const Ray& ray, float distance, std::uint32_t segment, float u) const;
-  /// How much light of each channel the strand stops there, over that of a black one: [1 - kept_by_pale, 1].
+  /// How much light of each channel the strand stops there, over that of a black one: [1 - pale_transmittance, 1].
   glm::vec3 stopped(std::uint32_t segment, float u) const;
   StrandId strand_of(std::uint32_t segment) const {
     return {number_, segment / static_cast<std::uint32_t>(strands_.segments)};

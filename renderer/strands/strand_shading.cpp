@@ -49,16 +49,16 @@ glm::vec3 StrandShading::absorption(glm::vec3 colour) const {
   return glm::vec3(shadings_.front().absorption(glm::dvec3(glm::min(colour, 1.0f))));
 }
 
-glm::vec3 StrandShading::scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) const {
+glm::vec3 StrandShading::scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const {
   const auto last = static_cast<float>(shadings_.size() - 1);
   const auto step = static_cast<std::size_t>(std::clamp(hit.wetness, 0.0f, 1.0f) * last + 0.5f);
-  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_eye};
+  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_camera};
   return glm::vec3(shadings_[step].scatter(geometry, glm::dvec3(glm::min(hit.colour, 1.0f)), hit.number, table_));
 }
 
 glm::vec3 StrandShading::scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light,
-                                          glm::vec3 to_eye) const {
-  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_eye};
+                                          glm::vec3 to_camera) const {
+  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_camera};
   return glm::vec3(shadings_.front().scatter_absorbed(geometry, glm::dvec3(sigma_a), table_));
 }
 

@@ -22,9 +22,9 @@ class StrandShading {
   /// sigma_a of a strand of that linear colour, what is over 1 counts as 1.
   glm::vec3 absorption(glm::vec3 colour) const;
   /// Scattered to the eye for light of radiance 1, as FibreShading::scatter: fibre models averaged over the width.
-  glm::vec3 scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) const;
+  glm::vec3 scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const;
   /// The same by energy_conserving, for a strand whose sigma_a is known.
-  glm::vec3 scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light, glm::vec3 to_eye) const;
+  glm::vec3 scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light, glm::vec3 to_camera) const;
 
  private:
   Look look_;

@@ -49,7 +49,7 @@ Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high)
 }
 
 /// Whether a strand is among the share of the tile that is looked at.
-bool is_kept(std::uint32_t strand, double share) {
+bool stays(std::uint32_t strand, double share) {
   return share >= 1 || static_cast<double>(mix_bits(strand | std::uint64_t{3} << 32) >> 40) * 0x1p-24 < share;
 }
 
@@ -91,7 +91,7 @@ TileCells::TileCells(std::span<const Strand> strands, double tile, double share)
   std::vector<std::uint32_t> kept;
   std::vector<std::size_t> cells;
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
-    if (!is_kept(i, share)) continue;
+    if (!stays(i, share)) continue;
     const glm::dvec2 at = glm::clamp(glm::floor(strands[i].root / tile * double(side_)), 0.0, double(side_ - 1));
     kept.push_back(i);
     cells.push_back(static_cast<std::size_t>(at.y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(at.x));
@@ -113,7 +113,7 @@ void TileCells::find_in_cell(std::int64_t x, std::int64_t y, const HalfOpenTrian
   const auto cell = static_cast<std::size_t>((y - tile_y * side_) * side_ + x - tile_x * side_);
   TileCopy copy{0, glm::ivec2(tile_x, tile_y), {}};
   const glm::dvec2 moved = glm::dvec2(copy.tiles) * tile_;
-  for (std::uint32_t i = first_[cell]; i < first_[cell + 1] && found.size() < most_copies; ++i) {
+  for (std::uint32_t i = first_[cell]; i < first_[cell + 1] && found.size() < max_copies; ++i) {
     if (!triangle.contains(roots_[i] + moved, copy.share)) continue;
     copy.strand = strands_[i];
     found.push_back(copy);
@@ -131,11 +131,11 @@ void TileCells::find(const std::array<glm::dvec2, 3>& triangle, std::vector<Tile
   for (glm::dvec2& corner : corners) corner *= double(side_) / tile_;
   const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const std::int64_t last = cell_of(high + slack);
-  for (std::int64_t y = cell_of(low - slack); y <= last && found.size() < most_copies; ++y) {
+  for (std::int64_t y = cell_of(low - slack); y <= last && found.size() < max_copies; ++y) {
     const Span span = row_span(corners, double(y) - slack, double(y + 1) + slack);
     if (span.low > span.high) continue;
     const std::int64_t end = cell_of(span.high + slack);
-    for (std::int64_t x = cell_of(span.low - slack); x <= end && found.size() < most_copies; ++x)
+    for (std::int64_t x = cell_of(span.low - slack); x <= end && found.size() < max_copies; ++x)
       find_in_cell(x, y, inside, found);
   }
 }

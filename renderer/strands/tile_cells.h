@@ -23,7 +23,7 @@ class HalfOpenTriangle;
 class TileCells {
  public:
   static constexpr double furthest = 100;               // sizes; triangles that reach further have no strands
-  static constexpr std::size_t most_copies = 1u << 22;  // of one triangle; what is beyond them is left out
+  static constexpr std::size_t max_copies = 1u << 22;  // of one triangle; what is beyond them is left out
 
   /// Of the strands a share, by a number of their own.
   TileCells(std::span<const Strand> strands, double tile, double share = 1);

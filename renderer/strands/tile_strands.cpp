@@ -12,8 +12,8 @@ namespace pelage {
 
 namespace {
 
-constexpr int least_segments = 6, most_segments = 48;
-constexpr double least_of_turn = 4, most_of_turn = 8;  // segments
+constexpr int min_segments = 6, max_segments = 48;
+constexpr double min_of_turn = 4, max_of_turn = 8;  // segments
 constexpr std::size_t looked_at = 2048;                // strands for a mean: the first ones of a tile lie evenly
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
@@ -22,19 +22,19 @@ double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, 
 /// near the tip.
 double segments_of_turn(const Coat& coat, double radius) {
   const double sag = std::clamp(0.25 * thickness(coat, 0.75) / std::max(radius, 1e-12), 1e-3, 1.0);
-  return std::clamp(std::numbers::pi / std::acos(1 - sag), least_of_turn, most_of_turn);
+  return std::clamp(std::numbers::pi / std::acos(1 - sag), min_of_turn, max_of_turn);
 }
 
 }  // namespace
 
 int strand_segments(const Coat& coat, bool curled) {
-  double segments = least_segments;
-  if (curled) segments = std::max(segments, most_of_turn * coat.curl_turns);
+  double segments = min_segments;
+  if (curled) segments = std::max(segments, max_of_turn * coat.curl_turns);
   if (coat.curl > 0)
     segments = std::max(segments, coat.curl_turns * segments_of_turn(coat, coat.curl * nominal_length));
   if (coat.wave > 0)
     segments = std::max(segments, coat.wave_turns * segments_of_turn(coat, coat.wave * nominal_length));
-  return std::min(static_cast<int>(std::ceil(segments)), most_segments);
+  return std::min(static_cast<int>(std::ceil(segments)), max_segments);
 }
 
 TileStrands::TileStrands(const Coat& coat, int segments) : segments_(segments), strands_(make_strands(coat)) {

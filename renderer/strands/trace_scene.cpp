@@ -25,7 +25,7 @@ glm::vec4 texel(const FloatImage& image, int x, int y) {
 
 }  // namespace
 
-TraceScene::TraceScene(const FurFrame& frame, BasePicture base, const StrandShading& shading)
+TraceScene::TraceScene(const FurFrame& frame, Backplate base, const StrandShading& shading)
     : frame_(frame),
       base_(std::move(base)),
       lights_(frame.lights, frame.environment, frame.look.ambient),
@@ -40,14 +40,14 @@ Ray TraceScene::ray_at(glm::vec2 place) const {
   const FurCamera& camera = frame_.camera;
   const glm::vec2 size(frame_.width, frame_.height);
   const glm::vec2 off = (place * 2.0f - size) / size.y * camera.tan_half_fov;
-  return {.origin = camera.eye, .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
+  return {.origin = camera.position, .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
 }
 
 float TraceScene::pixel_at(float distance) const {
   return 2 * frame_.camera.tan_half_fov / static_cast<float>(frame_.height) * distance;
 }
 
-BasePoint TraceScene::base_at(glm::vec2 place) const {
+BackplatePixel TraceScene::backplate_at(glm::vec2 place) const {
   const FloatImage& beauty = base_.beauty;
   const auto scale = static_cast<float>(beauty.width) / static_cast<float>(frame_.width);
   const int x = std::clamp(static_cast<int>(place.x * scale), 0, beauty.width - 1);
@@ -69,8 +69,8 @@ BasePoint TraceScene::base_at(glm::vec2 place) const {
 
 bool TraceScene::near_eye(const Ray& ray) const {
   return std::any_of(frame_.eyes.begin(), frame_.eyes.end(), [&](const FurEye& eye) {
-    const glm::vec3 to_eye = eye.position - ray.origin;
-    const float along = glm::dot(to_eye, ray.direction), square = glm::dot(to_eye, to_eye) - along * along;
+    const glm::vec3 to_camera = eye.position - ray.origin;
+    const float along = glm::dot(to_camera, ray.direction), square = glm::dot(to_camera, to_camera) - along * along;
     const float margin = eye_margin * eye.radius;
     return square < margin * margin && along > -margin;
   });

@@ -13,8 +13,8 @@
 
 namespace pelage {
 
-/// What the base picture shows at a place of the picture.
-struct BasePoint {
+/// What the backplate shows at a place of the picture.
+struct BackplatePixel {
   bool there = false;
   float distance = 0;  // along the view, sizes
   glm::vec3 ambient{0}, direct{0}, albedo{0};
@@ -24,7 +24,7 @@ struct BasePoint {
 /// A frame made ready to be traced. Safe to share between threads.
 class TraceScene {
  public:
-  TraceScene(const FurFrame& frame, BasePicture base, const StrandShading& shading);  // which outlives it
+  TraceScene(const FurFrame& frame, Backplate base, const StrandShading& shading);  // which outlives it
 
   const FurFrame& frame() const { return frame_; }
   const StrandLights& lights() const { return lights_; }
@@ -35,13 +35,13 @@ class TraceScene {
   /// Through a place of the picture, pixels from its top left corner.
   Ray ray_at(glm::vec2 place) const;
   float pixel_at(float distance) const;  // size of a pixel there, sizes
-  BasePoint base_at(glm::vec2 place) const;
-  /// Whether the ray comes near an eye, which the base picture knows better than the rays.
+  BackplatePixel backplate_at(glm::vec2 place) const;
+  /// Whether the ray comes near an eye, which the backplate knows better than the rays.
   bool near_eye(const Ray& ray) const;
 
  private:
   FurFrame frame_;
-  BasePicture base_;
+  Backplate base_;
   StrandLights lights_;
   const StrandShading& shading_;
   float self_shadow_ = 1, brightest_ = 1;

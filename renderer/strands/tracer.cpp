@@ -21,10 +21,10 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-constexpr double least_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
+constexpr double min_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr double widest = 1.0 / 60;  // of the fur's length that strands are widened to because they are thin, or twice
 constexpr double widest_allowed = 0.05;   // sizes that they are widened to because they would be too many
-constexpr std::size_t base_pictures = 5;  // of a BasePicture
+constexpr std::size_t backplate_images = 5;  // of a Backplate
 constexpr int judged_passes = 8;          // before them no part of the picture is left for its little noise
 constexpr std::size_t film_part = 2;      // a film takes at most one over this of the memory
 
@@ -42,19 +42,19 @@ double mean_length(std::span<const float> lengths) {
 /// seldom changes it. Wide strands stand out of short fur into the light: widened to a third of its height they make it a
 /// tenth too bright, and a small animal larger than it is. So from afar no more are left out.
 void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRecipe& recipe) {
-  const double nearest = std::max(glm::length(glm::dvec3(frame.camera.eye)) - 0.5, 0.0);
+  const double nearest = std::max(glm::length(glm::dvec3(frame.camera.position)) - 0.5, 0.0);
   const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
   const double width = std::max({frame.coat.width_root, frame.coat.width_tip, 1e-6});
-  const double seen = width / std::clamp(least_width * pixel, 1e-9, std::max(widest * fur_length, 1e-9));
+  const double seen = width / std::clamp(min_width * pixel, 1e-9, std::max(widest * fur_length, 1e-9));
   const double allowed = expected > 0 ? frame.knobs.trace.strands / expected : 1;
   recipe.share = std::exp2(std::floor(std::log2(std::min({seen, allowed, 1.0}))));
   recipe.widening = std::clamp(1 / recipe.share, 1.0, std::max(widest_allowed / width, 1.0));
 }
 
-/// Of a base picture and of the layers that are made in the end.
-std::size_t picture_bytes(int width, int height, std::span<const FrameLayer> layers) {
+/// Of a backplate and of the AOVs that are made in the end.
+std::size_t picture_bytes(int width, int height, std::span<const Aov> aovs) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec4) *
-         (base_pictures + layers.size());
+         (backplate_images + aovs.size());
 }
 
 Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
@@ -82,21 +82,21 @@ Tracer::Tracer(int threads, std::size_t memory, bool yielding)
     : impl_(std::make_unique<Impl>(threads, memory, yielding)) {}
 Tracer::~Tracer() = default;
 
-Status Tracer::admit(int width, int height, std::span<const FrameLayer> layers, bool filter) const {
-  const std::size_t film = Film::bytes(width, height, layers, filter), pictures = picture_bytes(width, height, layers);
+Status Tracer::admit(int width, int height, std::span<const Aov> aovs, bool filter) const {
+  const std::size_t film = Film::bytes(width, height, aovs, filter), pictures = picture_bytes(width, height, aovs);
   if (film <= impl_->memory / film_part && film + pictures <= impl_->memory) return {};
   return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
-                 "fewer pixels, or fewer layers");
+                 "fewer pixels, or fewer AOVs");
 }
 
-Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
-                     std::span<const FrameLayer> layers, const GoOn& go_on) {
+Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
+                     std::span<const Aov> aovs, const GoOn& go_on) {
   Impl& tracer = *impl_;
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  if (Status refused = admit(frame.width, frame.height, layers, frame.knobs.trace.filter); !refused.ok())
+  if (Status refused = admit(frame.width, frame.height, aovs, frame.knobs.trace.filter); !refused.ok())
     return refused;
-  tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, layers) -
-                          Film::bytes(frame.width, frame.height, layers, frame.knobs.trace.filter));
+  tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, aovs) -
+                          Film::bytes(frame.width, frame.height, aovs, frame.knobs.trace.filter));
   const Clock::time_point start = Clock::now();
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
   const double expected = expected_strands(model, frame.coat);
@@ -106,7 +106,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   if (!change) return change.status();
   if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading.emplace(frame);
   tracer.scene.emplace(frame, std::move(base), *tracer.shading);
-  tracer.film.emplace(frame.width, frame.height, layers, frame.knobs.trace.filter);
+  tracer.film.emplace(frame.width, frame.height, aovs, frame.knobs.trace.filter);
   tracer.active.assign(static_cast<std::size_t>(tracer.film->tile_count()), 1);
   tracer.report.strands = change->strands;
   tracer.report.grow_ms = milliseconds_since(start);
@@ -172,8 +172,8 @@ Status Tracer::add_pass(const GoOn& go_on) {
 
 TraceReport Tracer::report() const { return impl_->report; }
 
-FloatImage Tracer::layer(FrameLayer layer) const {
-  return impl_->film->layer(layer, impl_->scene->frame().knobs.trace.filter);
+FloatImage Tracer::aov(Aov aov) const {
+  return impl_->film->aov(aov, impl_->scene->frame().knobs.trace.filter);
 }
 
 }  // namespace pelage

@@ -13,8 +13,8 @@
 
 namespace pelage {
 
-/// Pictures of one size, which is a whole multiple of the frame's; conventions of Renderer::draw_layers.
-struct BasePicture {
+/// Pictures of one size, which is a whole multiple of the frame's; conventions of Renderer::draw_aovs.
+struct Backplate {
   FloatImage beauty;  // multiplied by alpha, which is 0 where there is neither skin nor eye
   FloatImage direct;  // of that the part of lights
   FloatImage albedo;
@@ -23,7 +23,7 @@ struct BasePicture {
 };
 
 // The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that the
-// shells' passes drew (BasePicture), so that they look the same in both.
+// shells' passes drew (Backplate), so that they look the same in both.
 
 /// Asked by each tracing thread between small pieces of work. May hold the thread up; false ends the work.
 using GoOn = std::function<bool()>;
@@ -35,21 +35,21 @@ class Tracer {
   Tracer(int threads, std::size_t memory, bool yielding);
   ~Tracer();
 
-  /// Whether a picture may be begun in that memory with its base picture and its layers, before any of it is made.
+  /// Whether a picture may be begun in that memory with its backplate and its AOVs, before any of it is made.
   /// too_large where not.
-  Status admit(int width, int height, std::span<const FrameLayer> layers, bool filter) const;
+  Status admit(int width, int height, std::span<const Aov> aovs, bool filter) const;
   /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths scatter by
   /// energy_conserving, as the contract has it. Fails with too_large where memory does not do,
   /// unavailable when it was not to go on.
-  Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, BasePicture base,
-               std::span<const FrameLayer> layers, const GoOn& go_on);
+  Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
+               std::span<const Aov> aovs, const GoOn& go_on);
   /// Adds a pass, and says in the report why it was the last one. Unavailable when it was not to go on: the picture is
   /// then to be begun again.
   Status add_pass(const GoOn& go_on);
 
   TraceReport report() const;
-  /// Of at least one pass; as Renderer::draw_layers.
-  FloatImage layer(FrameLayer layer) const;
+  /// Of at least one pass; as Renderer::draw_aovs.
+  FloatImage aov(Aov aov) const;
 
  private:
   struct Impl;

@@ -26,18 +26,18 @@ glm::vec3 with_more(const TraceScene& scene, const Hit& hit, glm::vec3 to_light,
   return 0.6f * once + again * glm::min(hit.colour, 1.0f);
 }
 
-glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_eye) {
+glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) {
   const ShadingModel model = scene.shading().model();
   if (model == ShadingModel::energy_conserving) {
     if (2 * hit.radius < near_pixels * scene.pixel_at(hit.distance)) {
-      return with_more(scene, hit, to_light, scene.shading().scatter(hit, to_light, to_eye));
+      return with_more(scene, hit, to_light, scene.shading().scatter(hit, to_light, to_camera));
     }
-    const FibreFrame frame(hit.tangent, to_eye);
+    const FibreFrame frame(hit.tangent, to_camera);
     const StrandShading& shading = scene.shading();
-    const FibrePaths fibre(shading.lobes(), frame.local(to_eye), hit.offset, shading.absorption(hit.colour));
+    const FibrePaths fibre(shading.lobes(), frame.local(to_camera), hit.offset, shading.absorption(hit.colour));
     return with_more(scene, hit, to_light, pi * fibre.value(frame.local(to_light)));
   }
-  const glm::vec3 once = scene.shading().scatter(hit, to_light, to_eye);
+  const glm::vec3 once = scene.shading().scatter(hit, to_light, to_camera);
   return model == ShadingModel::marschner ? with_more(scene, hit, to_light, once) : once;
 }
 
@@ -51,7 +51,7 @@ glm::vec3 ambient_share(const Look& look, glm::vec3 transmittance) {
 void light_strand(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
   const StrandLights& lights = scene.lights();
   const Hit& hit = seen.hit;
-  const glm::vec3 place = sample.position, to_eye = -seen.ray.direction;
+  const glm::vec3 place = sample.position, to_camera = -seen.ray.direction;
   DiscreteDistribution distribution;
   for (int i = 0; i < lights.count(); ++i) distribution.add(lights.importance(i, place));
   distribution.add(lights.mean_environment());
@@ -71,7 +71,7 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
   const float behind = static_cast<float>(
       light_behind(model, glm::dot(hit.normal, light.to_light), scene.frame().look.back_attenuation));
   if (behind <= 0) return;
-  const glm::vec3 whole = light.radiance * behind / chosen.probability * scattered(scene, hit, light.to_light, to_eye);
+  const glm::vec3 whole = light.radiance * behind / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
   const glm::vec3 transmittance =
       world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance, .without = hit.strand},
                    scene.self_shadow());
@@ -95,10 +95,10 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place) {
   const bool strand = seen.hit.kind == HitKind::strand;
   const bool eye = scene.near_eye(seen.ray);
   if (!eye && seen.hit.kind != HitKind::skin) return seen;
-  seen.base = scene.base_at(place);
+  seen.base = scene.backplate_at(place);
   if (seen.hit.kind == HitKind::skin) {
     const glm::dvec3 place_on_skin(seen.ray.origin + seen.ray.direction * seen.hit.distance);
-    seen.bare = fur_kept(scene.frame().skin, place_on_skin, glm::dvec3(seen.base.normal)) < 0.5;
+    seen.bare = fur_share(scene.frame().skin, place_on_skin, glm::dvec3(seen.base.normal)) < 0.5;
   }
   if (!eye) return seen;
   // Lids and cornea stand before the ball that rays hit.
@@ -125,11 +125,11 @@ FilmSample features_of(const TraceScene& scene, const Seen& seen) {
   return sample;
 }
 
-void light_base(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
+void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
   const StrandLights& lights = scene.lights();
-  // On edges rays and base picture do not always agree.
-  const BasePoint lone{.ambient = seen.hit.colour * lights.mean_environment(), .normal = seen.hit.normal};
-  const BasePoint base = seen.base.there ? seen.base : lone;
+  // On edges rays and backplate do not always agree.
+  const BackplatePixel lone{.ambient = seen.hit.colour * lights.mean_environment(), .normal = seen.hit.normal};
+  const BackplatePixel base = seen.base.there ? seen.base : lone;
   const glm::vec3 place = sample.position + base.normal * leave_skin;
   const float ambient = luminance(base.ambient), direct = luminance(base.direct);
   const float pick = sampler.next(), total = ambient + direct;
@@ -195,7 +195,7 @@ FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::
   switch (seen.hit.kind) {
     case HitKind::none: shade_ground(scene, world, seen.ray, sampler, sample); break;
     case HitKind::strand: light_strand(scene, world, seen, sampler, sample); break;
-    case HitKind::skin: light_base(scene, world, seen, sampler, sample); break;
+    case HitKind::skin: light_backplate(scene, world, seen, sampler, sample); break;
   }
   bound(scene, sample);
   return sample;

@@ -16,7 +16,7 @@ FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::
 struct Seen {
   Ray ray;
   Hit hit;         // nothing, a strand, or skin
-  BasePoint base;  // of skin and eyes
+  BackplatePixel base;  // of skin and eyes
   bool eye = false;
   bool bare = false;  // skin without fur
 };
@@ -25,8 +25,8 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place);
 /// Position, normal, tangent and what else is not light.
 FilmSample features_of(const TraceScene& scene, const Seen& seen);
 
-/// Skin and eyes in the light that fur and body transmit to them: the base picture's, one light at a time.
-void light_base(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample);
+/// Skin and eyes in the light that fur and body transmit to them: the backplate's, one light at a time.
+void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample);
 
 /// Darkness on the ground where the ray hits it: black with an alpha.
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample);

@@ -50,8 +50,8 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
   const std::uint32_t segment = RTCHitN_primID(arguments->hit, 1, 0);
   if (part->strand_of(segment) != query.ray->without) {
     query.gathered += part->stopped(segment, RTCHitN_u(arguments->hit, 1, 0));
-    const float least = std::min({query.gathered.r, query.gathered.g, query.gathered.b});
-    if (least * query.depth > black_depth) {
+    const float min = std::min({query.gathered.r, query.gathered.g, query.gathered.b});
+    if (min * query.depth > black_depth) {
       query.through = false;
       return;
     }

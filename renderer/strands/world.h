@@ -62,7 +62,7 @@ struct Hit {
 };
 
 /// Transmittance of a strand of a colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), t for black.
-inline constexpr float kept_by_pale = 0.82f;
+inline constexpr float pale_transmittance = 0.82f;
 
 class World {
  public:

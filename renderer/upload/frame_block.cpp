@@ -28,7 +28,7 @@ glm::mat4 projection(const FurFrame& frame) {
 glm::mat4 view(const FurCamera& camera) {
   const glm::mat3 turn(camera.right, camera.up, -camera.forward);
   glm::mat4 matrix(glm::transpose(turn));
-  matrix[3] = glm::vec4(-(glm::transpose(turn) * camera.eye), 1);
+  matrix[3] = glm::vec4(-(glm::transpose(turn) * camera.position), 1);
   return matrix;
 }
 
@@ -67,7 +67,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   const Coat& coat = frame.coat;
   FrameBlock block;
   block.world_to_clip = projection(frame) * view(frame.camera);
-  block.eye = {frame.camera.eye, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};
+  block.viewpoint = {frame.camera.position, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};
   block.half_picture = 0.5f * glm::vec4(pixels * static_cast<float>(frame.width) / static_cast<float>(frame.height), -pixels, 0, 0);
   block.weights = glm::vec4(look.ambient, look.diffuse, look.specular, look.ambient_floor);
   block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,

@@ -15,7 +15,7 @@ struct LightBlock {
 
 struct FrameBlock {
   glm::mat4 world_to_clip{1};
-  glm::vec4 eye{0}, half_picture{0}, weights{0}, exponents{0}, skin{0}, counts{0}, tile{0};
+  glm::vec4 viewpoint{0}, half_picture{0}, weights{0}, exponents{0}, skin{0}, counts{0}, tile{0};
   std::array<glm::vec4, slice_levels> depth_scale{};
   std::array<glm::vec4, slice_count / 4> depth_above{};
   std::array<glm::vec4, slice_count> colour_above{};
@@ -26,7 +26,7 @@ struct FrameBlock {
 static_assert(sizeof(FrameBlock) == 64 + 16 * (7 + 8 + 8 + 32 + 1 + 24 + 9));
 
 /// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that
-/// layers stay apart at any distance (science.md 1).
+/// shells stay apart at any distance (science.md 1).
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels);
 
 }  // namespace pelage

@@ -153,10 +153,10 @@ void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount&
   for (const ImageView& image : model.images)
     width = std::max(width, image.width), height = std::max(height, image.height);
   width = std::min(width, 4096), height = std::min(height, 4096);
-  const auto layers = static_cast<GLsizei>(std::max<std::size_t>(1, model.images.size()));
+  const auto image_count = static_cast<GLsizei>(std::max<std::size_t>(1, model.images.size()));
   const int levels = model.images.empty() ? 1 : 1 + static_cast<int>(std::floor(std::log2(std::max(width, height))));
   images_ = Texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
-  gl.TextureStorage3D(images_.id(), levels, GL_SRGB8_ALPHA8, width, height, layers);
+  gl.TextureStorage3D(images_.id(), levels, GL_SRGB8_ALPHA8, width, height, image_count);
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     const std::vector<std::uint8_t> pixels = resized(model.images[i], width, height);
     gl.TextureSubImage3D(images_.id(), 0, 0, 0, static_cast<GLint>(i), width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -187,14 +187,14 @@ bool ModelBuffers::set_skin(std::span<const FurSkinRegion> skin) {
   const auto furred = std::stable_partition(skin_order_.begin(), skin_order_.end(),
                                             [&](const glm::uvec3& t) { return touched_by_skin(t); });
   bare_count_ = static_cast<std::size_t>(furred - skin_order_.begin());
-  kept_.resize(skin.empty() ? 0 : positions_.size());
-  for (std::size_t i = 0; i < kept_.size(); ++i)
-    kept_[i] = static_cast<float>(fur_kept(skin_, positions_[i], normals_[i]));
+  fur_share_.resize(skin.empty() ? 0 : positions_.size());
+  for (std::size_t i = 0; i < fur_share_.size(); ++i)
+    fur_share_[i] = static_cast<float>(fur_share(skin_, positions_[i], normals_[i]));
   return true;
 }
 
 float ModelBuffers::length_at(const FurFields& fields, std::uint32_t i) const {
-  const float skin = kept_.empty() ? 1 : kept_[i];
+  const float skin = fur_share_.empty() ? 1 : fur_share_[i];
   const float bare = fields.paint.bare.empty() ? 0 : fields.paint.bare[welded_[i]];
   return fields.length[welded_[i]] * skin * (1 - bare);
 }
@@ -267,16 +267,16 @@ void order_shells(ModelBuffers::DepthPart& part) {
     return height_of(a.shell, a.shells) < height_of(b.shell, b.shells);
   };
   std::stable_sort(part.facing.begin(), part.facing.end(), lower);
-  std::stable_sort(part.averted.begin(), part.averted.end(), lower);
-  std::reverse(part.averted.begin(), part.averted.end());
+  std::stable_sort(part.back_facing.begin(), part.back_facing.end(), lower);
+  std::reverse(part.back_facing.begin(), part.back_facing.end());
 }
 
 }  // namespace
 
-std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const LayerLists& lists, const Coat& coat,
-                                                                const LayerView& view,
+std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists& lists, const Coat& coat,
+                                                                const ShellView& view,
                                                                 std::vector<glm::uvec3>& elements) const {
-  const DepthParts depths(view.to_clip, positions_, triangles_.size() <= most_parted_triangles ? view.depth_parts : 1);
+  const DepthParts depths(view.to_clip, positions_, triangles_.size() <= max_parted_triangles ? view.depth_parts : 1);
   StrandDepths strands({positions_, normals_, tangents_, groom_values_}, coat, view.to_clip);
   std::vector<DepthPart> parts;
   for (int part = 0; part < depths.count(); ++part) parts.push_back({depths.range(part), {}, {}});
@@ -295,21 +295,21 @@ std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const LayerLists
     }
   };
   for (int set = 0; set < sets_of(view.shells, view.policy); ++set) {
-    add(lists.averted[static_cast<std::size_t>(set)], set, &DepthPart::averted);
+    add(lists.back_facing[static_cast<std::size_t>(set)], set, &DepthPart::back_facing);
     add(lists.facing[static_cast<std::size_t>(set)], set, &DepthPart::facing);
   }
   for (DepthPart& part : parts) order_shells(part);
   return parts;
 }
 
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const LayerView& view) {
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
   for (std::size_t i = 0; i < levels_.size(); ++i)
-    levels_[i] = layer_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
+    levels_[i] = shell_lod_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
   const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  const LayerMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
-  const LayerLists lists = sort_triangles(mesh, view);
+  const ShellMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
+  const ShellLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements;
   const std::span<const glm::uvec3> skin(skin_elements());
@@ -322,7 +322,7 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, c
     result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)), elements);
   }
   result.shown = append(shown_triangles(mesh, view), elements);
-  for (std::size_t set = 0; set < most_layer_sets; ++set) result.marks[set] = append(lists.marks[set], elements);
+  for (std::size_t set = 0; set < max_shell_lods; ++set) result.marks[set] = append(lists.marks[set], elements);
   result.parts = parts_of_fur(lists, coat, view, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);

@@ -11,7 +11,7 @@
 #include "renderer/input/fur_scene.h"
 #include "renderer/visibility/changed_fur.h"
 #include "renderer/visibility/depth_parts.h"
-#include "renderer/visibility/layer_sets.h"
+#include "renderer/visibility/shell_lod.h"
 #include "renderer/upload/paint_buffers.h"
 
 namespace pelage {
@@ -79,22 +79,22 @@ class ModelBuffers {
     int set = 0, shell = 0, shells = 1;
     DrawList list;
   };
-  /// In the order of blending: turned away outside in, then facing inside out.
+  /// In the order of blending: back-facing outside in, then facing inside out.
   struct DepthPart {
     DepthRange range;
-    std::vector<ShellList> averted, facing;
+    std::vector<ShellList> back_facing, facing;
   };
   struct DrawLists {
     DrawList all;                // every triangle
     DrawList bare, furred;       // those in the view's part that bare skin may touch, and the others
     DrawList shown;              // those whose fur is drawn
-    std::array<DrawList, most_layer_sets> marks;  // as LayerLists
+    std::array<DrawList, max_shell_lods> marks;  // as ShellLists
     std::vector<DepthPart> parts;                 // of the fur, far to near
   };
   /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
   DrawLists skin_lists(const Gl& gl);
   /// Sends the triangles to draw for a view of a coat, and the level of each vertex.
-  DrawLists sort_for(const Gl& gl, const Coat& coat, const LayerView& view);
+  DrawLists sort_for(const Gl& gl, const Coat& coat, const ShellView& view);
 
   /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many; none
   /// where none has.
@@ -112,7 +112,7 @@ class ModelBuffers {
   void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
   /// Adds the lists of fur to the elements.
-  std::vector<DepthPart> parts_of_fur(const LayerLists& lists, const Coat& coat, const LayerView& view,
+  std::vector<DepthPart> parts_of_fur(const ShellLists& lists, const Coat& coat, const ShellView& view,
                                       std::vector<glm::uvec3>& elements) const;
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
@@ -135,7 +135,7 @@ class ModelBuffers {
   std::vector<FurSkinRegion> skin_;             // bare regions
   std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;
-  std::vector<float> kept_;        // factor on the length at render vertices; empty without bare skin
+  std::vector<float> fur_share_;        // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
   std::vector<float> levels_;      // of the last view
 };

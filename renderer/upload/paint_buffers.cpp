@@ -13,8 +13,8 @@ struct Pair {
   glm::vec4 first{0}, second{0};
 };
 
-float value_of(std::span<const float> field, std::uint32_t vertex, float rest) {
-  return field.empty() ? rest : field[vertex];
+float value_of(std::span<const float> field, std::uint32_t vertex, float default_value) {
+  return field.empty() ? default_value : field[vertex];
 }
 
 Pair numbers_of(const FurPaint& paint, std::uint32_t v) {

@@ -19,23 +19,23 @@ Axes axes_along(glm::vec3 forward) {
   return {right, glm::cross(right, forward), forward};
 }
 
-glm::mat4 view_matrix(const Axes& axes, glm::vec3 eye) {
+glm::mat4 view_matrix(const Axes& axes, glm::vec3 viewpoint) {
   const glm::mat3 turn = glm::transpose(glm::mat3(axes.right, axes.up, -axes.forward));
   glm::mat4 matrix(turn);
-  matrix[3] = glm::vec4(-(turn * eye), 1);
+  matrix[3] = glm::vec4(-(turn * viewpoint), 1);
   return matrix;
 }
 
 LightView directional_view(glm::vec3 direction, float radius, int resolution) {
   const Axes axes = axes_along(direction);
-  const glm::vec3 eye = -direction * far_away;
+  const glm::vec3 viewpoint = -direction * far_away;
   glm::mat4 projection(0);  // depth 1 in front of the ball, 0 behind it
   projection[0][0] = projection[1][1] = 1 / radius;
   projection[2][2] = 1 / (2 * radius);
   projection[3][2] = (far_away + radius) / (2 * radius);
   projection[3][3] = 1;
-  return {projection * view_matrix(axes, eye),
-          eye,
+  return {projection * view_matrix(axes, viewpoint),
+          viewpoint,
           {direction, radius},
           2 * radius / (static_cast<float>(resolution) * far_away)};
 }

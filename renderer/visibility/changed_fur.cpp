@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t most_noted = 1 << 18;  // 4 MiB
+constexpr std::size_t max_noted = 1 << 18;  // 4 MiB
 constexpr int parts = 4;                // of a strand; between their ends it bends by no more than
 constexpr float bend_of_a_part = 0.03f;  // of its length
 
@@ -46,9 +46,9 @@ class StrandBoxes {
 }  // namespace
 
 void ChangedFur::note(std::uint32_t vertex, glm::vec3 groom) {
-  if (noted_.size() == most_noted) {
-    noted_.erase(noted_.begin(), noted_.begin() + most_noted / 2);
-    forgotten_ += most_noted / 2;
+  if (noted_.size() == max_noted) {
+    noted_.erase(noted_.begin(), noted_.begin() + max_noted / 2);
+    forgotten_ += max_noted / 2;
   }
   noted_.push_back({vertex, groom});
 }

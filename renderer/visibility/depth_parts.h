@@ -1,5 +1,5 @@
 // Fur in parts of the view's depth, drawn from far to near, so that fur of what is near is blended over fur of what lies
-// behind it. Within a part layers come in the order of their heights, which is that along a ray through one coat. A fragment
+// behind it. Within a part shells come in the order of their heights, which is that along a ray through one coat. A fragment
 // belongs to a part by its own distance: no coat is torn where two parts meet.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace pelage {
 /// Two thirds of what eight bring to a koala, all that they bring to a creature from behind; eight draw a tenth longer.
 inline constexpr int depth_part_count = 4;
 /// Triangles of a model that is still drawn in parts: each shell has lists of its own there.
-inline constexpr std::size_t most_parted_triangles = 1 << 16;
+inline constexpr std::size_t max_parted_triangles = 1 << 16;
 
 /// Distances along the view, sizes: those from `nearest` on that are less than `furthest`.
 struct DepthRange {

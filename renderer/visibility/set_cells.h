@@ -1,4 +1,4 @@
-// Where on the picture each set of layers may show, so that a set's triangles are drawn only there.
+// Where on the picture each set of shells may show, so that a set's triangles are drawn only there.
 #pragma once
 
 #include <array>

@@ -53,10 +53,10 @@ struct SheetGrid {
 };
 
 /// About square cells for a sheet that is `aspect` times as wide as high.
-SheetGrid grid_for(int triangles, double aspect, int least_columns, int least_rows, bool closed) {
+SheetGrid grid_for(int triangles, double aspect, int min_columns, int min_rows, bool closed) {
   const double cells = triangles / 2.0;
-  const int rows = std::max(least_rows, static_cast<int>(std::lround(std::sqrt(cells / aspect))));
-  const int columns = std::max(least_columns, static_cast<int>(std::lround(cells / rows)));
+  const int rows = std::max(min_rows, static_cast<int>(std::lround(std::sqrt(cells / aspect))));
+  const int columns = std::max(min_columns, static_cast<int>(std::lround(cells / rows)));
   return {columns, rows, closed};
 }
 
@@ -267,11 +267,11 @@ namespace {
 
 TriangleMesh creature_mesh(int triangles) {
   constexpr double kCell = 0.0125;              // the ears are about three cells thin
-  constexpr int kEvenest = 2000, kLeast = 400;  // fewer even triangles than this lose the ears; the least that has legs
+  constexpr int kEvenest = 2000, kMin = 400;  // fewer even triangles than this lose the ears; the least that has legs
   const ImplicitSurface surface(creature_volumes());
   const TriangleMesh fine = largest_part(polygonise(surface, kCell));
   const TriangleMesh even = remesh(surface, fine, std::max(triangles, kEvenest));
-  return triangles < kEvenest ? decimate(even, std::max(triangles, kLeast)) : even;
+  return triangles < kEvenest ? decimate(even, std::max(triangles, kMin)) : even;
 }
 
 }  // namespace

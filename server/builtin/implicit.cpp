@@ -54,7 +54,7 @@ ImplicitSurface::Part ImplicitSurface::make_part(const Volume& volume) {
   Part part{{}, volume.width, volume.joint_width, volume.blend, 1, {}};
   for (const RoundCone& cone : volume.cones) {
     part.pieces.push_back(make_piece(cone));
-    part.most_flat = std::max(part.most_flat, cone.flatten);
+    part.max_flat = std::max(part.max_flat, cone.flatten);
     part.hull.centre += part.pieces.back().hull.centre / static_cast<double>(volume.cones.size());
   }
   for (const Piece& piece : part.pieces) {
@@ -111,7 +111,7 @@ DistanceSample ImplicitSurface::sample_part(const Part& part, glm::dvec3 positio
   for (std::size_t i = 1; i < part.pieces.size(); ++i) {
     const Piece& piece = part.pieces[i];
     const double gap = glm::distance(position, piece.hull.centre) - piece.hull.radius;
-    if (gap / part.most_flat > sum.distance + part.joint_width) continue;
+    if (gap / part.max_flat > sum.distance + part.joint_width) continue;
     sum = smooth_min(sum, sample_piece(piece, position), part.joint_width);
   }
   return sum;
@@ -123,7 +123,7 @@ DistanceSample ImplicitSurface::sample(glm::dvec3 position) const {
     const Part& part = parts_[i];
     const bool adds = part.blend == Blend::add;
     // A part too far away for its fillet changes nothing. Flattening may make a distance come out that much smaller.
-    const double gap = (glm::distance(position, part.hull.centre) - part.hull.radius) / part.most_flat;
+    const double gap = (glm::distance(position, part.hull.centre) - part.hull.radius) / part.max_flat;
     if (gap > (adds ? sum.distance : -sum.distance) + part.width) continue;
     const DistanceSample other = sample_part(part, position);
     sum = adds ? smooth_min(sum, other, part.width) : negated(smooth_min(negated(sum), other, part.width));

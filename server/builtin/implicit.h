@@ -64,7 +64,7 @@ class ImplicitSurface {
     std::vector<Piece> pieces;
     double width, joint_width;
     Blend blend;
-    double most_flat = 1;
+    double max_flat = 1;
     Ball hull;
   };
 

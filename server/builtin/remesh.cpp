@@ -333,8 +333,8 @@ class Remesher {
     const glm::dvec3 a = mesh_.position(mesh_.origin(h)), b = mesh_.position(mesh_.target(h));
     const glm::dvec3 c = mesh_.position(mesh_.apex(h)), d = mesh_.position(mesh_.apex(mesh_.twin(h)));
     const glm::dvec3 normal = area_vector(a, b, c) + area_vector(b, a, d);
-    const double least = 0.1 * glm::length(normal) * glm::length(normal);
-    return glm::dot(area_vector(d, c, a), normal) > least && glm::dot(area_vector(c, d, b), normal) > least;
+    const double min = 0.1 * glm::length(normal) * glm::length(normal);
+    return glm::dot(area_vector(d, c, a), normal) > min && glm::dot(area_vector(c, d, b), normal) > min;
   }
 
   void relax(double edge) {

@@ -29,7 +29,7 @@ Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Ca
   const std::vector<CalibrationScene> scenes = calibration_scenes();
   const double count = static_cast<double>(count_views(scenes));
   std::vector<MeasuredView> views;
-  const auto out_of_time = [&] { return views.size() >= options.least_views && seconds_since(start) > options.seconds; };
+  const auto out_of_time = [&] { return views.size() >= options.min_views && seconds_since(start) > options.seconds; };
   for (std::size_t i = 0; i < scenes.size() && !out_of_time(); ++i) {
     const MeasuredScene scene = make_measured_scene(scenes[i], i + 1);
     sync_scene(renderer, scene.view(), {});

@@ -10,7 +10,7 @@ namespace pelage {
 
 struct CalibrateOptions {
   double seconds = 60;         // no view is begun after them,
-  std::size_t least_views = 4;  // but for so many
+  std::size_t min_views = 4;  // but for so many
 };
 
 /// Draws the calibration's scenes with every row of the ladder of `defaults` and fits the prices anew; errors are the

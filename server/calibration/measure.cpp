@@ -14,7 +14,7 @@ FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& vi
   request.camera.automatic = view.side;
   request.background = Background::transparent;
   FurFrame frame = make_frame(scene, request);
-  frame.camera.eye *= view.distance;
+  frame.camera.position *= view.distance;
   return frame;
 }
 
@@ -31,7 +31,7 @@ Result<Image> draw_often(Renderer& renderer, const CostUnit& unit, const FurFram
   cost = 1e30;
   for (int i = 0; i < repetitions; ++i) {
     DrawTimes times;
-    renderer.forget_kept();
+    renderer.clear_view_cache();
     Result<Image> image = renderer.draw(frame, &times);
     if (!image) return image;
     cost = std::min(cost, std::max(unit.of(times), 1e-3));

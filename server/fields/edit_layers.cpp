@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-Sheet sheet_of(std::size_t layer) { return static_cast<Sheet>(first_layer + layer); }
+Sheet sheet_of(std::size_t layer) { return static_cast<Sheet>(first_edit_layer + layer); }
 
 /// As it is stored on the seen and the under sheet.
 glm::vec4 stored(Field field, glm::dvec4 sum) {
@@ -31,10 +31,10 @@ glm::vec4 stored_addition(Field field, glm::dvec4 added) {
 
 }  // namespace
 
-LayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers) {
-  LayerStack stack;
+EditLayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers) {
+  EditLayerStack stack;
   const glm::vec4 under = fields.on_sheet(under_sheet, field, vertex);
-  stack.covered = under.x == under.x;  // at rest it is NaN
+  stack.covered = under.x == under.x;  // at its default it is NaN
   stack.base = to_summable(field, glm::dvec4(stack.covered ? under : fields.value(field, vertex)));
   for (std::size_t k = 0; stack.covered && k < layers; ++k)
     stack.added[k] = glm::dvec4(fields.on_sheet(sheet_of(k), field, vertex));
@@ -47,17 +47,17 @@ glm::dvec4 held(Field field, glm::dvec4 sum) {
     const double length = glm::length(glm::dvec2(sum));
     return length > 1 ? sum / length : sum;
   }
-  if (shape.channels == 1) return {glm::clamp(sum.x, double{shape.least}, double{shape.most}), 0, 0, 0};
+  if (shape.channels == 1) return {glm::clamp(sum.x, double{shape.min}, double{shape.max}), 0, 0, 0};
   const double cover = glm::clamp(sum.w, 0.0, 1.0);
   return {glm::clamp(glm::dvec3(sum), 0.0, cover), cover};
 }
 
 glm::dvec4 held_addition(Field field, glm::dvec4 added) {
-  const double most = 1000.0 * shape_of(field).most;
-  return glm::clamp(added, -most, most);
+  const double max = 1000.0 * shape_of(field).max;
+  return glm::clamp(added, -max, max);
 }
 
-glm::dvec4 seen_through(const LayerStack& stack, Field field, const std::vector<EditLayer>& layers) {
+glm::dvec4 seen_through(const EditLayerStack& stack, Field field, const std::vector<EditLayer>& layers) {
   glm::dvec4 sum = stack.base;
   for (std::size_t k = 0; k < layers.size(); ++k) {
     if (!layers[k].muted) sum = held(field, sum + layers[k].weight * stack.added[k]);
@@ -66,22 +66,22 @@ glm::dvec4 seen_through(const LayerStack& stack, Field field, const std::vector<
 }
 
 StackWriter::StackWriter(const FieldSet& fields, Field field, std::size_t sheets) : fields_(fields), field_(field) {
-  for (std::size_t s = 0; s < first_layer + sheets; ++s) parts_.push_back({field, {}, {}, static_cast<Sheet>(s)});
+  for (std::size_t s = 0; s < first_edit_layer + sheets; ++s) parts_.push_back({field, {}, {}, static_cast<Sheet>(s)});
 }
 
 void StackWriter::put(std::uint32_t vertex, Sheet sheet, glm::vec4 value) {
   put_change(parts_[sheet], vertex, fields_.on_sheet(sheet, field_, vertex), value);
 }
 
-void StackWriter::put(std::uint32_t vertex, const LayerStack& stack, const std::vector<EditLayer>& layers) {
+void StackWriter::put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers) {
   // What is seen follows from what is stored, so that making it anew gives the same bits.
   const glm::vec4 base = stored(field_, stack.base);
-  LayerStack kept{true, to_summable(field_, glm::dvec4(base)), {}};
+  EditLayerStack kept{true, to_summable(field_, glm::dvec4(base)), {}};
   bool adds = false;
-  for (std::size_t s = first_layer; s < parts_.size(); ++s) {
-    const glm::vec4 added = stored_addition(field_, stack.added[s - first_layer]);
+  for (std::size_t s = first_edit_layer; s < parts_.size(); ++s) {
+    const glm::vec4 added = stored_addition(field_, stack.added[s - first_edit_layer]);
     adds = adds || added != glm::vec4(0);
-    kept.added[s - first_layer] = glm::dvec4(added);
+    kept.added[s - first_edit_layer] = glm::dvec4(added);
     put(vertex, static_cast<Sheet>(s), added);
   }
   put(vertex, seen_sheet, adds ? stored(field_, seen_through(kept, field_, layers)) : base);
@@ -105,9 +105,9 @@ int index_of(const std::string& name, const std::vector<EditLayer>& layers) {
   return found == layers.end() ? nothing : static_cast<int>(found - layers.begin());
 }
 
-Status unknown(const char* pointer) { return failure(Code::invalid, "the scene has no layer of this name", pointer); }
+Status unknown(const char* pointer) { return failure(Code::invalid, "the scene has no edit layer of this name", pointer); }
 
-/// New layers, and for each the number of the old one whose contents it takes.
+/// New edit layers, and for each the number of the old one whose contents it takes.
 struct Arrangement {
   std::vector<EditLayer> layers;
   std::vector<int> from;
@@ -126,38 +126,38 @@ struct Arrangement {
   }
 };
 
-Arrangement arranged(const std::vector<EditLayer>& layers, const ChangeLayer& command) {
+Arrangement arranged(const std::vector<EditLayer>& layers, const ChangeEditLayer& command) {
   Arrangement now{layers, {}};
   for (std::size_t k = 0; k < layers.size(); ++k) now.from.push_back(static_cast<int>(k));
-  if (command.action == LayerAction::add) {
+  if (command.action == EditLayerAction::add) {
     now.insert(now.place_above(command.above),
                {command.name, command.weight.value_or(1), command.muted.value_or(false)}, nothing);
     return now;
   }
   const std::size_t at = number_of(command.name, layers);
   switch (command.action) {
-    case LayerAction::add: break;
-    case LayerAction::set: {
+    case EditLayerAction::add: break;
+    case EditLayerAction::set: {
       EditLayer& layer = now.layers[at];
       layer.weight = command.weight.value_or(layer.weight), layer.muted = command.muted.value_or(layer.muted);
       if (!command.rename.empty()) layer.name = command.rename;
       break;
     }
-    case LayerAction::move:
+    case EditLayerAction::move:
       now.erase(at);
       now.insert(now.place_above(command.above), layers[at], static_cast<int>(at));
       break;
-    case LayerAction::merge_down:
+    case EditLayerAction::merge_down:
       if (at > 0) now.layers[at - 1].weight = 1;
       now.erase(at);
       break;
-    case LayerAction::remove: now.erase(at); break;
+    case EditLayerAction::remove: now.erase(at); break;
   }
   return now;
 }
 
-/// The layer's share of what is seen goes into what lies below it.
-void merge_down(LayerStack& stack, std::size_t at, const std::vector<EditLayer>& layers, Field field) {
+/// The edit layer's share of what is seen goes into what lies below it.
+void merge_down(EditLayerStack& stack, std::size_t at, const std::vector<EditLayer>& layers, Field field) {
   const glm::dvec4 share = layers[at].weight * stack.added[at];
   if (at == 0)
     stack.base = held(field, stack.base + share);
@@ -165,7 +165,7 @@ void merge_down(LayerStack& stack, std::size_t at, const std::vector<EditLayer>&
     stack.added[at - 1] = held_addition(field, layers[at - 1].weight * stack.added[at - 1] + share);
 }
 
-bool any_layer_has(Field field, const FieldSet& fields) { return !fields.untouched(under_sheet, field); }
+bool any_edit_layer_has(Field field, const FieldSet& fields) { return !fields.untouched(under_sheet, field); }
 
 }  // namespace
 
@@ -175,52 +175,52 @@ std::size_t number_of(const std::string& layer, const std::vector<EditLayer>& la
   return static_cast<std::size_t>(at);
 }
 
-Status check(const ChangeLayer& command, const std::vector<EditLayer>& layers) {
+Status check(const ChangeEditLayer& command, const std::vector<EditLayer>& layers) {
   const int at = index_of(command.name, layers);
   const auto taken = [](const char* pointer) { return failure(Code::invalid, "the name is taken", pointer); };
   if (command.above && !command.above->empty() && index_of(*command.above, layers) == nothing) return unknown("/above");
-  if (command.action == LayerAction::add) {
+  if (command.action == EditLayerAction::add) {
     if (at != nothing) return taken("/name");
     if (layers.size() < limits::edit_layers) return {};
-    return failure(Code::invalid, "the scene has too many layers", "/action",
+    return failure(Code::invalid, "the scene has too many edit layers", "/action",
                    "at most " + std::to_string(limits::edit_layers));
   }
   if (at == nothing) return unknown("/name");
   const int renamed = index_of(command.rename, layers);
-  if (command.action == LayerAction::set && renamed != nothing && renamed != at) return taken("/rename");
+  if (command.action == EditLayerAction::set && renamed != nothing && renamed != at) return taken("/rename");
   const auto muted = [&](int k) { return k >= 0 && layers[static_cast<std::size_t>(k)].muted; };
-  if (command.action == LayerAction::merge_down && (muted(at) || muted(at - 1)))
-    return failure(Code::invalid, "a muted layer cannot be merged", "/name", "layers that are not muted");
+  if (command.action == EditLayerAction::merge_down && (muted(at) || muted(at - 1)))
+    return failure(Code::invalid, "a muted edit layer cannot be merged", "/name", "edit layers that are not muted");
   return {};
 }
 
 Status check_groomed(const std::string& layer, const std::vector<EditLayer>& layers) {
   if (layer.empty()) return {};
   const int at = index_of(layer, layers);
-  if (at == nothing) return unknown("/layer");
+  if (at == nothing) return unknown("/edit_layer");
   const EditLayer& groomed = layers[static_cast<std::size_t>(at)];
-  if (!groomed.muted && std::abs(groomed.weight) >= limits::least_groomed_weight) return {};
-  return failure(Code::invalid, "the layer hardly shows, so that grooming it would not be seen", "/layer",
+  if (!groomed.muted && std::abs(groomed.weight) >= limits::min_groomed_weight) return {};
+  return failure(Code::invalid, "the edit layer hardly shows, so that grooming it would not be seen", "/edit_layer",
                  "not muted, and a weight of at least .05 or at most -.05");
 }
 
-std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeLayer& command) {
+std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeEditLayer& command) {
   return arranged(layers, command).layers;
 }
 
-FieldDelta change_layers(const ChangeLayer& command, const std::vector<EditLayer>& layers, const FieldSet& fields) {
+FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers, const FieldSet& fields) {
   const Arrangement next = arranged(layers, command);
   const auto at = static_cast<std::size_t>(std::max(index_of(command.name, layers), 0));
   FieldDelta delta;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (!any_layer_has(field, fields)) continue;
+    if (!any_edit_layer_has(field, fields)) continue;
     StackWriter writer(fields, field, std::max(layers.size(), next.layers.size()));
     for (std::uint32_t v = 0; v < fields.size(); ++v) {
-      LayerStack stack = stack_at(fields, field, v, layers.size());
+      EditLayerStack stack = stack_at(fields, field, v, layers.size());
       if (!stack.covered) continue;
-      if (command.action == LayerAction::merge_down) merge_down(stack, at, layers, field);
-      LayerStack moved{stack.covered, stack.base, {}};
+      if (command.action == EditLayerAction::merge_down) merge_down(stack, at, layers, field);
+      EditLayerStack moved{stack.covered, stack.base, {}};
       for (std::size_t k = 0; k < next.from.size(); ++k) {
         if (next.from[k] != nothing) moved.added[k] = stack.added[static_cast<std::size_t>(next.from[k])];
       }
@@ -243,7 +243,7 @@ static void keep_part(const FieldDelta::Part& part, int layer, const std::vector
     for (int c = 0; c < channels; ++c)
       after[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(before[c]) ^ flips[c]);
     flips += channels;
-    LayerStack stack = stack_at(fields, part.field, v, layers.size());
+    EditLayerStack stack = stack_at(fields, part.field, v, layers.size());
     if (layer == nothing && !stack.covered) {
       writer.put_seen(v, after);
       continue;
@@ -260,12 +260,12 @@ static void keep_part(const FieldDelta::Part& part, int layer, const std::vector
   }
 }
 
-FieldDelta kept_in_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
+FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
                          const FieldSet& fields) {
   const int at = index_of(layer, layers);
   FieldDelta kept;
   for (const FieldDelta::Part& part : seen.parts) {
-    const bool whole = part.field == Field::mask || (at == nothing && !any_layer_has(part.field, fields));
+    const bool whole = part.field == Field::mask || (at == nothing && !any_edit_layer_has(part.field, fields));
     if (whole) {
       kept.parts.push_back(part);
       continue;

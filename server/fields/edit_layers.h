@@ -13,30 +13,30 @@
 
 namespace pelage {
 
-/// All numbers add up (to_summable). seen = base + weight times added, layer by layer, each time held in the range.
-struct LayerStack {
-  bool covered = false;  // whether any layer adds something, or did
+/// All numbers add up (to_summable). seen = base + weight times added, edit layer by edit layer, each time held in the range.
+struct EditLayerStack {
+  bool covered = false;  // whether any edit layer adds something, or did
   glm::dvec4 base{0};
   std::array<glm::dvec4, limits::edit_layers> added{};
 };
 
-LayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers);
+EditLayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers);
 
 /// Held in the field's range.
 glm::dvec4 held(Field field, glm::dvec4 sum);
-/// What a layer adds, held so that it stays finite however often it is groomed.
+/// What an edit layer adds, held so that it stays finite however often it is groomed.
 glm::dvec4 held_addition(Field field, glm::dvec4 added);
-glm::dvec4 seen_through(const LayerStack& stack, Field field, const std::vector<EditLayer>& layers);
+glm::dvec4 seen_through(const EditLayerStack& stack, Field field, const std::vector<EditLayer>& layers);
 
 /// Takes one field's stacks vertex by vertex in rising order, and keeps the bits that they turn over on every sheet.
 class StackWriter {
  public:
-  /// `sheets`: how many layers there are before or after, whichever are more.
+  /// `sheets`: how many edit layers there are before or after, whichever are more.
   StackWriter(const FieldSet& fields, Field field, std::size_t sheets);
 
-  /// `layers` are those that the stack is seen through.
-  void put(std::uint32_t vertex, const LayerStack& stack, const std::vector<EditLayer>& layers);
-  /// A value that no layer covers.
+  /// `edit layers` are those that the stack is seen through.
+  void put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers);
+  /// A value that no edit layer covers.
   void put_seen(std::uint32_t vertex, glm::vec4 value) { put(vertex, seen_sheet, value); }
 
   /// Adds the parts to the delta, which finish_parts puts in order.
@@ -56,25 +56,25 @@ void finish_parts(FieldDelta& delta);
 // How edit layers make what is seen, and what happens to them when what is seen or they themselves are changed.
 
 /// Refused (invalid): names that are unknown or taken, more than limits::edit_layers, merging what is muted.
-Status check(const ChangeLayer& command, const std::vector<EditLayer>& layers);
+Status check(const ChangeEditLayer& command, const std::vector<EditLayer>& layers);
 
-/// Refused (invalid, "/layer"): a layer that is not there, is muted, or hardly shows, so that it could not take what a
+/// Refused (invalid, "/edit layer"): an edit layer that is not there, is muted, or hardly shows, so that it could not take what a
 /// tool does to what is seen.
 Status check_groomed(const std::string& layer, const std::vector<EditLayer>& layers);
 
-/// The layers, from the lowest, once a command that was checked is carried out.
-std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeLayer& command);
+/// The edit layers, from the lowest, once a command that was checked is carried out.
+std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeEditLayer& command);
 
 /// What the command does to the sheets: the contents move, and what is seen is made anew.
-FieldDelta change_layers(const ChangeLayer& command, const std::vector<EditLayer>& layers, const FieldSet& fields);
+FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers, const FieldSet& fields);
 
-/// A change of what is seen as one that the named layer keeps ("" for the groom below them all): it comes to hold what
-/// makes the rest add up to what the tool wanted to be seen, as far as the field's range and the layers above let it.
-/// Without layers it is the change itself.
-FieldDelta kept_in_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
+/// A change of what is seen as one that the named edit layer keeps ("" for the groom below them all): it comes to hold what
+/// makes the rest add up to what the tool wanted to be seen, as far as the field's range and the edit layers above let it.
+/// Without edit layers it is the change itself.
+FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
                          const FieldSet& fields);
 
-/// The number of the layer of this name, which is there.
+/// The number of the edit layer of this name, which is there.
 std::size_t number_of(const std::string& layer, const std::vector<EditLayer>& layers);
 
 }  // namespace pelage

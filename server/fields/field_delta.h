@@ -17,10 +17,10 @@ struct VertexRange {
 };
 
 /// A field lies on sheets: what is seen; what lies under all edit layers, where any of them adds to it; and from
-/// first_layer on, for each edit layer from the lowest, what it adds at full weight.
+/// first_edit_layer on, for each edit layer from the lowest, what it adds at full weight.
 using Sheet = std::uint8_t;
-inline constexpr Sheet seen_sheet = 0, under_sheet = 1, first_layer = 2;
-inline constexpr std::size_t sheet_count = first_layer + limits::edit_layers;
+inline constexpr Sheet seen_sheet = 0, under_sheet = 1, first_edit_layer = 2;
+inline constexpr std::size_t sheet_count = first_edit_layer + limits::edit_layers;
 
 /// Applied once it leads from one state to another, applied again it leads back.
 struct FieldDelta {

@@ -60,22 +60,22 @@ glm::dvec4 mean(Field field, const ValueOf& value, std::span<const MixShare> sha
   return sum;
 }
 
-/// What lies under the layers and what each of them adds, at the vertices that any layer covers.
-class RefinedLayers {
+/// What lies under the edit layers and what each of them adds, at the vertices that any edit layer covers.
+class SubdividedEditLayers {
  public:
-  RefinedLayers(const FieldSet& fields, Field field, const Mesh& before, const Mesh& after, std::size_t layers)
+  SubdividedEditLayers(const FieldSet& fields, Field field, const Mesh& before, const Mesh& after, std::size_t layers)
       : fields_(fields), field_(field), before_(before), after_(after), layers_(layers) {}
 
-  LayerStack at(std::uint32_t vertex, glm::uvec2 parents) const {
+  EditLayerStack at(std::uint32_t vertex, glm::uvec2 parents) const {
     const MixShare shares[] = {{parents.x, 0.5}, {parents.y, 0.5}};
-    LayerStack stack;
+    EditLayerStack stack;
     stack.covered = stack_at(parents.x).covered || stack_at(parents.y).covered;
     stack.base = mixed(vertex, shares, [&](std::uint32_t v) { return stack_at(v).base; });
     for (std::size_t k = 0; stack.covered && k < layers_; ++k)
       stack.added[k] = mixed(vertex, shares, [&](std::uint32_t v) { return stack_at(v).added[k]; });
     return stack;
   }
-  LayerStack stack_at(std::uint32_t old) const { return pelage::stack_at(fields_, field_, old, layers_); }
+  EditLayerStack stack_at(std::uint32_t old) const { return pelage::stack_at(fields_, field_, old, layers_); }
 
  private:
   glm::dvec4 mixed(std::uint32_t vertex, std::span<const MixShare> shares, const ValueOf& value) const {
@@ -96,24 +96,24 @@ glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> 
   return from_summable(field, mean(field, value, shares, from, to, vertex));
 }
 
-FieldSet refined(const FieldSet& fields, const Mesh& before, const Mesh& after,
+FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
                  const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers) {
   const auto old = static_cast<std::uint32_t>(fields.size());
   assert(before.positions.size() == old && after.positions.size() == old + parents.size());
   FieldSet result(after.positions.size());
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (fields.at_rest(field)) continue;
+    if (fields.at_default(field)) continue;
     for (std::uint32_t v = 0; v < old; ++v) result.set(field, v, fields.value(field, v));
     for (std::uint32_t k = 0; k < parents.size(); ++k) {
       const MixShare shares[] = {{parents[k].x, 0.5}, {parents[k].y, 0.5}};
       result.set(field, old + k, stored(field, mixed(fields, field, shares, before, after, old + k)));
     }
     if (fields.untouched(under_sheet, field)) continue;
-    const RefinedLayers finer(fields, field, before, after, layers.size());
+    const SubdividedEditLayers finer(fields, field, before, after, layers.size());
     StackWriter writer(result, field, layers.size());
     for (std::uint32_t v = 0; v < after.positions.size(); ++v) {
-      const LayerStack stack = v < old ? finer.stack_at(v) : finer.at(v, parents[v - old]);
+      const EditLayerStack stack = v < old ? finer.stack_at(v) : finer.at(v, parents[v - old]);
       if (stack.covered) writer.put(v, stack, layers);
     }
     FieldDelta delta;

@@ -24,9 +24,9 @@ struct MixShare {
 glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> shares, const Mesh& from,
                  const Mesh& to, std::uint32_t vertex);
 
-/// All fields and edit layers on a refined mesh: what was there, and at each new vertex the mean of its parents
-/// (RefinedSurface::parents).
-FieldSet refined(const FieldSet& fields, const Mesh& before, const Mesh& after,
+/// All fields and edit layers on a subdivided mesh: what was there, and at each new vertex the mean of its parents
+/// (SubdividedSurface::parents).
+FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
                  const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
 
 }  // namespace pelage

@@ -18,18 +18,18 @@ static_assert(sizeof(glm::vec2) == 2 * sizeof(float) && alignof(glm::vec2) == al
 std::uint64_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// What every channel holds before anything has touched it.
-float rest_of(Sheet sheet, Field field) {
-  if (sheet == seen_sheet) return shape_of(field).rest;
+float default_of(Sheet sheet, Field field) {
+  if (sheet == seen_sheet) return shape_of(field).default_value;
   return sheet == under_sheet ? std::numeric_limits<float>::quiet_NaN() : 0.0f;
 }
 
 /// Adds a vertex's channels, two by two, to the sum, or takes them away.
 void add_hash(FieldsHash& sum, const FieldDelta::Part& part, std::uint32_t vertex, const float* channels, bool remove) {
   const int count = shape_of(part.field).channels;
-  const float rest = rest_of(part.sheet, part.field);
+  const float default_value = default_of(part.sheet, part.field);
   for (int c = 0; c < count; c += 2) {
-    const float second = c + 1 < count ? channels[c + 1] : rest;
-    if (bits_of(channels[c]) == bits_of(rest) && bits_of(second) == bits_of(rest)) continue;
+    const float second = c + 1 < count ? channels[c + 1] : default_value;
+    if (bits_of(channels[c]) == bits_of(default_value) && bits_of(second) == bits_of(default_value)) continue;
     const std::uint64_t key = (std::uint64_t{part.sheet} << 40) | (std::uint64_t{vertex} << 8) |
                               (static_cast<std::uint64_t>(part.field) << 2) | static_cast<std::uint64_t>(c);
     const std::uint64_t bits = bits_of(channels[c]) << 32 | bits_of(second);
@@ -46,12 +46,12 @@ void flip(float* channels, const std::uint32_t* flips, int count) {
 }
 
 /// Arrays that are there from the beginning.
-bool always_kept(Sheet sheet, Field field) {
+bool never_cleared(Sheet sheet, Field field) {
   return sheet == seen_sheet && (field == Field::direction || field == Field::length);
 }
 
-bool all_at_rest(const std::vector<float>& values, float rest) {
-  return std::all_of(values.begin(), values.end(), [&](float value) { return bits_of(value) == bits_of(rest); });
+bool all_at_default(const std::vector<float>& values, float default_value) {
+  return std::all_of(values.begin(), values.end(), [&](float value) { return bits_of(value) == bits_of(default_value); });
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ glm::vec2 stored_direction(glm::dvec2 direction) {
 float stored_value(Field field, double value) {
   assert(!std::isnan(value));
   const FieldShape& shape = shape_of(field);
-  return static_cast<float>(std::clamp(value, double{shape.least}, double{shape.most})) + 0.0f;
+  return static_cast<float>(std::clamp(value, double{shape.min}, double{shape.max})) + 0.0f;
 }
 
 Groom stored_groom(glm::dvec2 direction, double length, double stretch) {
@@ -83,7 +83,7 @@ std::vector<float>& FieldSet::touched(Field field, Sheet sheet) {
   if (sheet >= sheets_.size()) sheets_.resize(std::size_t{sheet} + 1);
   std::vector<float>& values = sheets_[sheet][static_cast<std::size_t>(field)];
   const auto channels = static_cast<std::size_t>(shape_of(field).channels);
-  if (values.empty()) values.assign(vertices_ * channels, rest_of(sheet, field));
+  if (values.empty()) values.assign(vertices_ * channels, default_of(sheet, field));
   return values;
 }
 
@@ -93,8 +93,8 @@ glm::vec4 FieldSet::on_sheet(Sheet sheet, Field field, std::uint32_t vertex) con
   assert(vertex < vertices_);
   const int channels = shape_of(field).channels;
   if (untouched(sheet, field)) {
-    const float rest = rest_of(sheet, field);
-    return {rest, channels > 1 ? rest : 0, channels > 2 ? rest : 0, channels > 3 ? rest : 0};
+    const float default_value = default_of(sheet, field);
+    return {default_value, channels > 1 ? default_value : 0, channels > 2 ? default_value : 0, channels > 3 ? default_value : 0};
   }
   const float* stored = &sheets_[sheet][static_cast<std::size_t>(field)][vertex * static_cast<std::size_t>(channels)];
   return {stored[0], channels > 1 ? stored[1] : 0, channels > 2 ? stored[2] : 0, channels > 3 ? stored[3] : 0};
@@ -107,7 +107,7 @@ bool FieldSet::untouched(Sheet sheet, Field field) const {
 float FieldSet::number(Field field, std::uint32_t vertex) const {
   assert(vertex < vertices_ && shape_of(field).channels == 1);
   const std::vector<float>& all = values(field);
-  return all.empty() ? shape_of(field).rest : all[vertex];
+  return all.empty() ? shape_of(field).default_value : all[vertex];
 }
 
 Groom FieldSet::at(std::uint32_t vertex) const {
@@ -166,18 +166,18 @@ void FieldSet::apply(const FieldDelta& delta) {
     const auto channels = static_cast<std::size_t>(shape_of(part.field).channels);
     std::vector<float>& values = touched(part.field, part.sheet);
     const std::uint32_t* flips = part.flips.data();
-    const float rest = rest_of(part.sheet, part.field);
-    bool to_rest = true;
+    const float default_value = default_of(part.sheet, part.field);
+    bool to_default = true;
     for (const std::uint32_t v : part.vertices) {
       float* stored = &values[v * channels];
       add_hash(hash_, part, v, stored, true);
       flip(stored, flips, static_cast<int>(channels));
       add_hash(hash_, part, v, stored, false);
       flips += channels;
-      for (std::size_t c = 0; c < channels; ++c) to_rest = to_rest && bits_of(stored[c]) == bits_of(rest);
+      for (std::size_t c = 0; c < channels; ++c) to_default = to_default && bits_of(stored[c]) == bits_of(default_value);
     }
     // What has been taken back everywhere costs no frame and no memory any more.
-    if (to_rest && !always_kept(part.sheet, part.field) && all_at_rest(values, rest)) values = {};
+    if (to_default && !never_cleared(part.sheet, part.field) && all_at_default(values, default_value)) values = {};
   }
 }
 

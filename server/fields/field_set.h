@@ -45,7 +45,7 @@ Groom stored_groom(glm::dvec2 direction, double length, double stretch);
 
 class FieldSet {
  public:
-  /// All fields at rest: fur upright and of length 0.
+  /// All fields at its default: fur upright and of length 0.
   explicit FieldSet(std::size_t vertices);
 
   std::size_t size() const { return vertices_; }
@@ -55,7 +55,7 @@ class FieldSet {
   float number(Field field, std::uint32_t vertex) const;
   Groom at(std::uint32_t vertex) const;
 
-  /// What a sheet holds at one vertex. At rest under_sheet holds NaN: what is seen lies there too; layers hold 0.
+  /// What a sheet holds at one vertex. at its default under_sheet holds NaN: what is seen lies there too; edit layers hold 0.
   glm::vec4 on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const;
   /// Whether no vertex of the field has anything on the sheet.
   bool untouched(Sheet sheet, Field field) const;
@@ -63,12 +63,12 @@ class FieldSet {
   /// All values, channel by channel for each vertex; empty while nothing has touched the field, and after a delta that
   /// took back all of it.
   const std::vector<float>& values(Field field) const { return sheets_[seen_sheet][static_cast<std::size_t>(field)]; }
-  bool at_rest(Field field) const { return values(field).empty(); }
+  bool at_default(Field field) const { return values(field).empty(); }
   std::span<const glm::vec2> direction() const;
   std::span<const glm::vec4> colours(Field field) const;  // of a field with four channels; empty as values() is
   const std::vector<float>& length() const { return values(Field::length); }
 
-  /// Kept up to date for touched vertices only. A value at rest adds nothing.
+  /// Kept up to date for touched vertices only. A value at its default adds nothing.
   FieldsHash hash() const { return hash_; }
   /// What it will be once the delta is applied.
   FieldsHash hash_after(const FieldDelta& delta) const;

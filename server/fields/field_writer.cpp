@@ -18,7 +18,7 @@ bool FieldWriter::put(std::uint32_t vertex, glm::dvec4 value) {
   } else {
     for (int c = 0; c < channels; ++c) {
       after[c] = stored_value(field, value[c]);
-      held = held || value[c] < shape_of(field).least || value[c] > shape_of(field).most;
+      held = held || value[c] < shape_of(field).min || value[c] > shape_of(field).max;
     }
   }
   if (before == after) return held;

@@ -10,7 +10,7 @@ namespace {
 /// The change that counts as much.
 double full_change(Field field, const FieldSet& from, const FieldSet& to) {
   const FieldShape& shape = shape_of(field);
-  if (field != Field::length) return shape.channels > 1 ? 1 : double{shape.most} - double{shape.least};
+  if (field != Field::length) return shape.channels > 1 ? 1 : double{shape.max} - double{shape.min};
   float longest = std::numeric_limits<float>::min();
   for (const FieldSet* fields : {&from, &to}) {
     for (const float length : fields->length()) longest = std::max(longest, length);
@@ -24,7 +24,7 @@ std::vector<float> change_shares(const FieldSet& from, const FieldSet& to) {
   std::vector<float> shares(to.size(), 0.0f);
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (from.at_rest(field) && to.at_rest(field)) continue;
+    if (from.at_default(field) && to.at_default(field)) continue;
     const double full = full_change(field, from, to);
     for (std::uint32_t v = 0; v < shares.size(); ++v) {
       const glm::vec4 before = from.value(field, v), after = to.value(field, v);

@@ -10,8 +10,8 @@ namespace pelage {
 
 namespace {
 
-constexpr double least_error = 1e-5;  // of pictures that are the same
-constexpr double most_ratio = 4;      // of the whole's error to that of its windows: fur that they missed
+constexpr double min_error = 1e-5;  // of pictures that are the same
+constexpr double max_ratio = 4;      // of the whole's error to that of its windows: fur that they missed
 
 /// Over the fur of all pictures; none where none shows any.
 std::optional<double> mean_error(std::span<const Image> truths, std::span<const Image> tests) {
@@ -83,7 +83,7 @@ double ErrorProbe::whole_over_windows(const Knobs& knobs, std::span<const Image>
   const std::span<const Image> others(drawn->second);
   const std::optional<double> whole = mean_error(others.first(1), pictures.first(1));
   const std::optional<double> windows = mean_error(others.subspan(1), pictures.subspan(1));
-  return whole && windows && *windows > 0 ? std::clamp(*whole / *windows, 1 / most_ratio, most_ratio) : 1;
+  return whole && windows && *windows > 0 ? std::clamp(*whole / *windows, 1 / max_ratio, max_ratio) : 1;
 }
 
 std::optional<double> ErrorProbe::error(const Knobs& knobs) {
@@ -97,7 +97,7 @@ std::optional<double> ErrorProbe::error(const Knobs& knobs) {
   if (!pictures) return {};
   const std::optional<double> error = mean_error(truths_, std::span(*pictures).subspan(1));
   if (!error) return {};
-  return std::max(*error * whole_over_windows(knobs, *pictures), least_error);
+  return std::max(*error * whole_over_windows(knobs, *pictures), min_error);
 }
 
 }  // namespace pelage

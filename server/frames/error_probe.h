@@ -47,7 +47,7 @@ class ErrorProbe {
   using Pictures = std::vector<Image>;  // of views_, or of the windows among them
 
   std::optional<Pictures> draw(std::span<const FurFrame> views, const Knobs& knobs);
-  /// The error of the whole over that of its windows, told by knobs that are nearer; 1 where it cannot be told.
+  /// The error of the whole over that of its windows, estimated by knobs that are nearer; 1 where it cannot be told.
   double whole_over_windows(const Knobs& knobs, std::span<const Image> pictures);
 
   Renderer& renderer_;

@@ -17,8 +17,8 @@ double expected_cost(const FrameRequest& request) {
   const Knobs& knobs = request.knobs;
   const double pixels = static_cast<double>(request.width) * request.height;
   if (request.max_error) return any_frame + pixels * probe_shells * sorted * shell_pixel;
-  const double layers = knobs.scale * knobs.scale * knobs.shells;
-  return any_frame + pixels * layers * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
+  const double shells = knobs.scale * knobs.scale * knobs.shells;
+  return any_frame + pixels * shells * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
 }
 
 FurredSkin furred_skin(const SceneView& scene) {
@@ -27,7 +27,7 @@ FurredSkin furred_skin(const SceneView& scene) {
   if (!mesh.triangles.empty())
     skin.pieces = static_cast<double>(scene.model.patches.pieces.size()) / static_cast<double>(mesh.triangles.size());
   for (std::size_t field = first_painted; field < field_count; ++field)
-    skin.painted = skin.painted || !scene.fields.at_rest(field_at(field));
+    skin.painted = skin.painted || !scene.fields.at_default(field_at(field));
   return skin;
 }
 

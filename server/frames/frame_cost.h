@@ -1,4 +1,4 @@
-// What a drawn frame has cost, and what a view's estimates are told from.
+// What a drawn frame has cost, and what a view's estimates are estimated from.
 #pragma once
 
 #include "protocol/commands/frame.h"

@@ -38,47 +38,47 @@ struct Channels {
   std::string prefix, names;  // "normal.", "XYZ"
 };
 
-Channels channels_of(FrameLayer layer) {
-  switch (layer) {
-    case FrameLayer::beauty: return {"", "RGBA"};
-    case FrameLayer::alpha: return {"", "A"};
-    case FrameLayer::depth: return {"", "Z"};
-    case FrameLayer::position: return {"position.", "XYZ"};
-    case FrameLayer::normal: return {"normal.", "XYZ"};
-    case FrameLayer::tangent: return {"tangent.", "XYZ"};
-    case FrameLayer::albedo: return {"albedo.", "RGB"};
-    case FrameLayer::direct: return {"direct.", "RGB"};
-    case FrameLayer::shadow: return {"shadow.", "Y"};
-    case FrameLayer::layer_count: return {"layer_count.", "Y"};
+Channels channels_of(Aov aov) {
+  switch (aov) {
+    case Aov::beauty: return {"", "RGBA"};
+    case Aov::alpha: return {"", "A"};
+    case Aov::depth: return {"", "Z"};
+    case Aov::position: return {"position.", "XYZ"};
+    case Aov::normal: return {"normal.", "XYZ"};
+    case Aov::tangent: return {"tangent.", "XYZ"};
+    case Aov::albedo: return {"albedo.", "RGB"};
+    case Aov::direct: return {"direct.", "RGB"};
+    case Aov::shadow: return {"shadow.", "Y"};
+    case Aov::shell_count: return {"shell_count.", "Y"};
   }
   assert(false);
   return {};
 }
 
 /// Half would lose what lies behind: depth and position are always single.
-ExrSample sample_of(FrameLayer layer, ExrType type) {
-  const bool place = layer == FrameLayer::depth || layer == FrameLayer::position;
+ExrSample sample_of(Aov aov, ExrType type) {
+  const bool place = aov == Aov::depth || aov == Aov::position;
   return place || type == ExrType::single ? ExrSample::single : ExrSample::half;
 }
 
-void add_planes(const FloatImage& image, FrameLayer layer, ExrType type, std::vector<ExrPlane>& planes) {
-  const Channels channels = channels_of(layer);
+void add_planes(const FloatImage& image, Aov aov, ExrType type, std::vector<ExrPlane>& planes) {
+  const Channels channels = channels_of(aov);
   for (std::size_t k = 0; k < channels.names.size(); ++k) {
-    const std::size_t offset = layer == FrameLayer::alpha ? 3 : k;
-    planes.push_back({channels.prefix + channels.names[k], image.rgba, offset, 4, sample_of(layer, type)});
+    const std::size_t offset = aov == Aov::alpha ? 3 : k;
+    planes.push_back({channels.prefix + channels.names[k], image.rgba, offset, 4, sample_of(aov, type)});
   }
 }
 
-std::string encode_layers(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement) {
-  assert(images.size() == request.layers.size() && !images.empty());
-  const auto asked = [&](FrameLayer l) { return std::find(request.layers.begin(), request.layers.end(), l) != request.layers.end(); };
+std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement) {
+  assert(images.size() == request.aovs.size() && !images.empty());
+  const auto asked = [&](Aov l) { return std::find(request.aovs.begin(), request.aovs.end(), l) != request.aovs.end(); };
   std::vector<ExrPlane> planes;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const FrameLayer layer = request.layers[i];
-    if (layer == FrameLayer::position) place_in_model(images[i], placement);
-    if (layer == FrameLayer::depth) measure_in_model(images[i], placement);
-    const bool in_beauty = layer == FrameLayer::alpha && asked(FrameLayer::beauty);
-    if (!in_beauty) add_planes(images[i], layer, request.exr_type, planes);
+    const Aov aov = request.aovs[i];
+    if (aov == Aov::position) place_in_model(images[i], placement);
+    if (aov == Aov::depth) measure_in_model(images[i], placement);
+    const bool in_beauty = aov == Aov::alpha && asked(Aov::beauty);
+    if (!in_beauty) add_planes(images[i], aov, request.exr_type, planes);
   }
   return encode_exr(images.front().width, images.front().height, planes);
 }
@@ -91,7 +91,7 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
     case FrameFormat::png:
     case FrameFormat::jpeg: return drawn(renderer.draw(frame, &times, pause));
     case FrameFormat::png16: return drawn(renderer.draw_deep(frame, &times, pause));
-    case FrameFormat::exr: return drawn(renderer.draw_layers(frame, request.layers, &times, pause));
+    case FrameFormat::exr: return drawn(renderer.draw_aovs(frame, request.aovs, &times, pause));
   }
   assert(false);
   return failure(Code::internal, "no such format");
@@ -110,7 +110,7 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
                          PngEncoder& png) {
   const bool keep_alpha = request.background == Background::transparent;
-  if (auto* layers = std::get_if<std::vector<FloatImage>>(&picture)) return encode_layers(std::move(*layers), request, placement);
+  if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture)) return encode_aovs(std::move(*aovs), request, placement);
   if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha);
   Image& image = std::get<Image>(picture);
   if (request.format == FrameFormat::jpeg) return encode_jpeg(image, request.jpeg_quality);

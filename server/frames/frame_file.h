@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// What the renderer gave for a format: 8 bit, 16 bit, or the layers that were asked for.
+/// What the renderer gave for a format: 8 bit, 16 bit, or the AOVs that were asked for.
 using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 
 /// On the render thread.
@@ -25,8 +25,8 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
                                        const FloatImage& beauty);
 
 /// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and A
-/// of beauty, A of alpha, Z of depth, and LAYER.X, .Y, .Z (position, normal, tangent), LAYER.R, .G, .B (albedo, direct)
-/// or LAYER.Y (shadow, layer_count) of the others. `png` remembers pictures of 8 bits.
+/// of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
+/// or AOV.Y (shadow, shell_count) of the others. `png` remembers pictures of 8 bits.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
                          PngEncoder& png);
 

@@ -45,7 +45,7 @@ struct DrawnFrame {
 /// What tracing needs of the render thread; null when that is stopping.
 using Task = std::function<void(Renderer*)>;
 
-constexpr int most_restarts = 2;  // of a frame whose scene changed meanwhile
+constexpr int max_restarts = 2;  // of a frame whose scene changed meanwhile
 
 /// A frame that waits for the render thread or is drawn there.
 struct Job {
@@ -161,7 +161,7 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
 bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
   const Clock::time_point start = Clock::now();
   const auto may = [&](const std::unique_ptr<Job>& other) {
-    return job.restarts < most_restarts || other->scene != job.scene;
+    return job.restarts < max_restarts || other->scene != job.scene;
   };
   auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
     const std::lock_guard lock(mutex);
@@ -317,7 +317,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     if (!shown) return shown.status();
     timings.upload = milliseconds_since(start);
     DrawTimes times;
-    Result<BasePicture> base = renderer.draw_base(shown->fur, &times);
+    Result<Backplate> base = renderer.draw_backplate(shown->fur, &times);
     impl_->count(milliseconds_since(start), base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
@@ -329,11 +329,11 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
 Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request) {
   FrameTimings timings = picture.timings;
   const Clock::time_point asked = Clock::now();
-  Result<DrawnPicture> finished = DrawnPicture(picture.layers);
+  Result<DrawnPicture> finished = DrawnPicture(picture.aovs);
   if (request.format != FrameFormat::exr) {  // an EXR is light as it was traced
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Clock::time_point start = Clock::now();
-      Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.layers.front());
+      Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.aovs.front());
       impl_->count(milliseconds_since(start), shown ? Status{} : shown.status());
       return shown;
     });

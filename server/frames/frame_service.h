@@ -24,7 +24,7 @@ struct FrameAnswer {
   Knobs knobs;  // as used
   FrameTimings timings;
   FrameCounters counters;
-  std::optional<TraceReport> trace = {};  // of a traced picture, and of a request with refine
+  std::optional<TraceReport> trace = {};  // of a traced picture, and of a request with progressive
   std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are on the ladder
 };
 
@@ -33,7 +33,7 @@ struct TraceStart {
   SceneCopy scene;
   FurFrame frame;
   ModelPlacement placement;
-  BasePicture base;
+  Backplate base;
   FrameTimings timings;
   FrameCounters counters;
 };

@@ -43,9 +43,9 @@ FurGround make_ground(const Ground& ground, const Mesh& mesh) {
 
 /// What the renderer keeps the model in its present colours by.
 std::uint64_t copy_id(const SceneView& scene) {
-  if (!scene.base_picture) return scene.copy_id;
+  if (!scene.skin_texture) return scene.copy_id;
   std::uint64_t picture = 0;
-  const char* digits = scene.settings.base_picture.data();
+  const char* digits = scene.settings.skin_texture.data();
   std::from_chars(digits, digits + 16, picture, 16);
   return mix_bits(scene.copy_id ^ picture);
 }
@@ -57,12 +57,12 @@ FurPaint make_paint(const FieldSet& fields) {
           numbers(Field::mask),    fields.colours(Field::root_colour), fields.colours(Field::tip_colour)};
 }
 
-/// The knob `scale` after `least_radius`.
+/// The knob `scale` after `min_radius`.
 double rendered_scale(const Knobs& knobs, const PlacedCamera& camera, int height) {
   constexpr double ball = 0.5;  // radius; the diagonal of the model's box is 1
-  const double radius = ball * 0.5 * height / (glm::length(camera.eye) * camera.tan_half_fov);
-  if (radius * knobs.scale >= knobs.least_radius) return knobs.scale;
-  return std::max(knobs.scale, std::min(1.0, knobs.least_radius / radius));
+  const double radius = ball * 0.5 * height / (glm::length(camera.position) * camera.tan_half_fov);
+  if (radius * knobs.scale >= knobs.min_radius) return knobs.scale;
+  return std::max(knobs.scale, std::min(1.0, knobs.min_radius / radius));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_pictur
 
 ModelArrays make_arrays(const SceneView& scene) {
   const Mesh& mesh = scene.model.surface.mesh();
-  const RawImage* picture = scene.base_picture;
+  const RawImage* picture = scene.skin_texture;
   ModelArrays arrays{make_pieces(mesh, scene.model.patches, picture != nullptr), {}};
   if (picture) {
     arrays.images.push_back({picture->width, picture->height, picture->rgba});
@@ -101,7 +101,7 @@ ModelArrays make_arrays(const SceneView& scene) {
 FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
   const Mesh& mesh = scene.model.surface.mesh();
   return {copy_id(scene),         mesh.positions,        mesh.normals,  mesh.tangents,
-          arrays.pieces.triangles, arrays.pieces.corners, arrays.images, scene.base_picture || !mesh.corners.empty(),
+          arrays.pieces.triangles, arrays.pieces.corners, arrays.images, scene.skin_texture || !mesh.corners.empty(),
           scene.copy_id};
 }
 
@@ -134,7 +134,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
   frame.skin = make_skin(scene.settings.skin, mesh);
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
-  frame.camera = {glm::vec3(camera.eye), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),
+  frame.camera = {glm::vec3(camera.position), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),
                   static_cast<float>(camera.tan_half_fov)};
   frame.width = request.width, frame.height = request.height;
   frame.knobs = request.knobs;

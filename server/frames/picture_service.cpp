@@ -8,24 +8,24 @@ Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, c
     const auto picture = traces_.trace(scene, request, abandoned);
     return picture ? frames_.finish(**picture, request) : picture.status();
   }
-  if (!request.refine) traces_.turn_from(*scene, request);
+  if (!request.progressive) traces_.turn_from(*scene, request);
   Result<FrameAnswer> answer = frames_.frame(scene, request, abandoned);
-  if (!answer || !request.refine) return answer;
+  if (!answer || !request.progressive) return answer;
   answer->trace = TraceReport{};
   // Where too many wait, whoever asks for a better picture is told so; shells are there all the same.
-  static_cast<void>(traces_.refine(scene, request, answer->revision));
+  static_cast<void>(traces_.improve(scene, request, answer->revision));
   return answer;
 }
 
 Status PictureService::look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen) {
-  return traces_.refine(scene, request, seen.revision);
+  return traces_.improve(scene, request, seen.revision);
 }
 
-bool PictureService::is_refined(const Scene& scene, const FrameRequest& request, SeenPicture seen) {
+bool PictureService::has_better_picture(const Scene& scene, const FrameRequest& request, SeenPicture seen) {
   return traces_.better(scene, request, seen).has_value();
 }
 
-std::optional<Result<FrameAnswer>> PictureService::refined(const Scene& scene, const FrameRequest& request,
+std::optional<Result<FrameAnswer>> PictureService::picture_if_better(const Scene& scene, const FrameRequest& request,
                                                            SeenPicture seen) {
   if (!scene.is_at(seen.revision)) return {};
   const auto better = traces_.better(scene, request, seen);

@@ -1,4 +1,4 @@
-// Pictures of a scene by any method: shells, strands that are traced to the end, and shells that strands refine.
+// Pictures of a scene by any method: shells, strands that are traced to the end, and shells that strands improve.
 #pragma once
 
 #include "server/frames/frame_service.h"
@@ -11,17 +11,17 @@ class PictureService {
  public:
   PictureService(FrameService& frames, TraceQueue& traces) : frames_(frames), traces_(traces) {}
 
-  /// As FrameService::frame and TraceQueue::trace. A request with `refine` is answered with shells, and tracing begins.
+  /// As FrameService::frame and TraceQueue::trace. A request with `progressive` is answered with shells, and tracing begins.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
 
-  /// Somebody waits for a better picture than the one seen: as TraceQueue::refine.
+  /// Somebody waits for a better picture than the one seen: as TraceQueue::improve.
   Status look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen);
-  /// Whether `refined` has an answer. Does not wait.
-  bool is_refined(const Scene& scene, const FrameRequest& request, SeenPicture seen);
+  /// Whether `picture_if_better` has an answer. Does not wait.
+  bool has_better_picture(const Scene& scene, const FrameRequest& request, SeenPicture seen);
   /// A better picture of the revision that was seen, or why there is none; nothing while it is traced, and once the
   /// scene is newer.
-  std::optional<Result<FrameAnswer>> refined(const Scene& scene, const FrameRequest& request, SeenPicture seen);
+  std::optional<Result<FrameAnswer>> picture_if_better(const Scene& scene, const FrameRequest& request, SeenPicture seen);
 
  private:
   FrameService& frames_;

@@ -20,8 +20,8 @@ SceneTracer::SceneTracer(FrameService& frames, int threads, std::size_t memory)
 
 Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                     const GoOn& go_on) {
-  layers_ = traced_layers(request);
-  if (Status refused = tracer_.admit(request.width, request.height, layers_, request.knobs.trace.filter); !refused.ok())
+  aovs_ = traced_aovs(request);
+  if (Status refused = tracer_.admit(request.width, request.height, aovs_, request.knobs.trace.filter); !refused.ok())
     return refused;
   Result<TraceStart> start = frames_.begin_trace(scene, request);
   if (!start) return start.status();
@@ -31,13 +31,13 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
   begun_ = {.revision = view.revision,
             .report = {},
-            .layers = {},
+            .aovs = {},
             .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
             .placement = start->placement,
             .timings = start->timings,
             .counters = start->counters};
   Status status = tracer_.begin(make_model(view, arrays_of(view)), make_fields(view, skin, std::span(&all, 1)),
-                                *begun_.frame, std::move(start->base), layers_, go_on);
+                                *begun_.frame, std::move(start->base), aovs_, go_on);
   if (!status.ok()) return status;
   return begun_.revision;
 }
@@ -45,14 +45,14 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
 TracedPicture SceneTracer::picture() const {
   TracedPicture picture = begun_;
   picture.report = tracer_.report();
-  for (const FrameLayer layer : layers_) picture.layers.push_back(tracer_.layer(layer));
+  for (const Aov aov : aovs_) picture.aovs.push_back(tracer_.aov(aov));
   return picture;
 }
 
 const ModelArrays& SceneTracer::arrays_of(const SceneView& scene) {
-  if (model_ == scene.model_owner && base_picture_ == scene.picture_owner) return arrays_;
+  if (model_ == scene.model_owner && backplate_ == scene.picture_owner) return arrays_;
   arrays_ = make_arrays(scene);
-  model_ = scene.model_owner, base_picture_ = scene.picture_owner;
+  model_ = scene.model_owner, backplate_ = scene.picture_owner;
   return arrays_;
 }
 

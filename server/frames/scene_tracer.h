@@ -23,11 +23,11 @@ class SceneTracer : public PictureTracer {
 
   FrameService& frames_;
   Tracer tracer_;
-  std::vector<FrameLayer> layers_;
-  TracedPicture begun_;  // all but report and layers
+  std::vector<Aov> aovs_;
+  TracedPicture begun_;  // all but report and AOVs
   // Of the last model in its colours, which it keeps alive.
   std::shared_ptr<const SceneModel> model_;
-  std::shared_ptr<const RawImage> base_picture_;
+  std::shared_ptr<const RawImage> backplate_;
   ModelArrays arrays_;
 };
 

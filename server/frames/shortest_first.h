@@ -10,13 +10,13 @@
 
 namespace pelage {
 
-/// A job is due `patience` times its expected cost after it came, and what is due first goes first: the short pass the
+/// A job is due `idle_timeout` times its expected cost after it came, and what is due first goes first: the short pass the
 /// long, but none that came so much later. Of those that are due together the one that came first. The clock is the
 /// caller's: milliseconds from any moment.
 template <class Job>
 class ShortestFirst {
  public:
-  static constexpr double patience = 8;
+  static constexpr double idle_timeout = 8;
   /// What is let in between the pieces of a running job costs at most this share of it.
   static constexpr double let_in_share = 0.5;
 
@@ -25,7 +25,7 @@ class ShortestFirst {
 
   /// `cost` in milliseconds, as expected.
   void add(Job job, double cost, double now) {
-    waiting_.push_back({std::move(job), cost, now + patience * cost, came_++});
+    waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, came_++});
   }
 
   struct Taken {

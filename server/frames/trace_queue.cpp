@@ -33,7 +33,7 @@ struct TraceQueue::Job {
   const std::shared_ptr<Scene> scene;
   const FrameRequest request;  // traced_request
   const std::string key;       // of the request as it was asked
-  const std::optional<Revision> revision;  // of a refinement
+  const std::optional<Revision> revision;  // of a progressive picture
   const Clock::time_point start = Clock::now();
   Clock::time_point asked = start, offered = start;
   double queue_ms = 0;
@@ -81,7 +81,7 @@ Result<std::shared_ptr<const TracedPicture>> TraceQueue::trace(const std::shared
   return job->picture;
 }
 
-Status TraceQueue::refine(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision) {
+Status TraceQueue::improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision) {
   if (!scene->is_at(revision)) return {};  // whoever asks again is told of the new revision
   const auto job = std::make_shared<Job>(scene, request, revision);
   const std::lock_guard lock(mutex_);
@@ -139,7 +139,7 @@ std::size_t TraceQueue::count_waiting() const {
   return static_cast<std::size_t>(std::count_if(jobs_.begin(), jobs_.end(), waits));
 }
 
-/// The refinement of that scene and request.
+/// The progressive picture of that scene and request.
 TraceQueue::JobPtr TraceQueue::find(const Scene& scene, const std::string& key) const {
   const auto found = std::find_if(jobs_.begin(), jobs_.end(), [&](const JobPtr& job) {
     return job->revision && job->scene.get() == &scene && job->key == key;
@@ -165,9 +165,9 @@ void TraceQueue::drop_view(const Scene& scene, const std::string& view, const Jo
   }
 }
 
-/// The refinement that ended and that nobody has asked for the longest gives way.
+/// The progressive picture that ended and that nobody has asked for the longest gives way.
 void TraceQueue::make_room() {
-  if (jobs_.size() < limits_.kept) return;
+  if (jobs_.size() < limits_.max_progressive) return;
   const auto oldest = std::min_element(jobs_.begin(), jobs_.end(), [](const JobPtr& a, const JobPtr& b) {
     return std::pair(a->stage != Stage::ended, a->asked) < std::pair(b->stage != Stage::ended, b->asked);
   });
@@ -178,8 +178,8 @@ void TraceQueue::forget_old(Clock::time_point now) {
   const std::vector<JobPtr> jobs = jobs_;
   const bool others_wait = count_waiting() > 0;
   for (const JobPtr& job : jobs) {
-    const auto patience = others_wait && job->stage == Stage::running ? limits_.manners : limits_.patience;
-    const bool old = job->revision && now - job->asked > patience;
+    const auto idle_timeout = others_wait && job->stage == Stage::running ? limits_.busy_idle_timeout : limits_.idle_timeout;
+    const bool old = job->revision && now - job->asked > idle_timeout;
     if (old || !still_wanted(*job)) drop(job, nobody_waits(*job->scene));
   }
 }
@@ -187,7 +187,7 @@ void TraceQueue::forget_old(Clock::time_point now) {
 TraceQueue::JobPtr TraceQueue::take_ready(Clock::time_point now) {
   JobPtr newest;
   for (const JobPtr& job : jobs_) {
-    const bool ready = job->stage == Stage::waiting && (!job->revision || now - job->start >= limits_.rest);
+    const bool ready = job->stage == Stage::waiting && (!job->revision || now - job->start >= limits_.settle_time);
     if (ready && (!newest || job->asked > newest->asked)) newest = job;
   }
   if (newest) newest->stage = Stage::running;
@@ -196,9 +196,9 @@ TraceQueue::JobPtr TraceQueue::take_ready(Clock::time_point now) {
 
 /// When a job becomes ready, or is to be forgotten.
 TraceQueue::Clock::time_point TraceQueue::next_event() const {
-  Clock::time_point first = Clock::now() + limits_.patience;
+  Clock::time_point first = Clock::now() + limits_.idle_timeout;
   for (const JobPtr& job : jobs_) {
-    first = std::min(first, job->stage == Stage::waiting ? job->start + limits_.rest : job->asked + limits_.patience);
+    first = std::min(first, job->stage == Stage::waiting ? job->start + limits_.settle_time : job->asked + limits_.idle_timeout);
   }
   return first;
 }
@@ -269,7 +269,7 @@ bool TraceQueue::offer(const JobPtr& job) {
   return last;
 }
 
-/// What was dropped is out of the list already. A refinement stays, for those who ask for its picture or its failure.
+/// What was dropped is out of the list already. A progressive picture stays, for those who ask for its picture or its failure.
 void TraceQueue::end(const JobPtr& job, Status status, double seconds) {
   {
     const std::lock_guard lock(mutex_);

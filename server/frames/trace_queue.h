@@ -35,17 +35,17 @@ struct TraceCounts {
 };
 
 /// Thread-safe. Of what waits, that which somebody asked for last is traced next. A job is either a picture that its
-/// caller waits for, or a refinement: a picture of one revision that gets better while somebody asks for it, and is
+/// caller waits for, or a progressive picture: a picture of one revision that gets better while somebody asks for it, and is
 /// dropped as soon as the scene leaves that revision. Jobs of a named view give way to the view's next request.
 class TraceQueue {
  public:
   using Clock = std::chrono::steady_clock;
   struct Limits {
     std::size_t waiting = 16;                  // jobs before the tracer
-    std::size_t kept = 32;                     // refinements, ended ones too
-    std::chrono::milliseconds rest{100};       // from a refinement's start to its tracing: the hand may go on
-    std::chrono::milliseconds patience{30'000};  // that a refinement lives without being asked for,
-    std::chrono::milliseconds manners{2'000};    // and that it is traced so while other jobs wait
+    std::size_t max_progressive = 32;                     // progressive pictures, ended ones too
+    std::chrono::milliseconds settle_time{100};       // from a progressive picture's start to its tracing: the hand may go on
+    std::chrono::milliseconds idle_timeout{30'000};  // that a progressive picture lives without being asked for,
+    std::chrono::milliseconds busy_idle_timeout{2'000};    // and that it is traced so while other jobs wait
     std::chrono::milliseconds between{500};    // pictures for somebody who waits
   };
 
@@ -59,11 +59,11 @@ class TraceQueue {
   Result<std::shared_ptr<const TracedPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                                      const std::function<bool()>& abandoned = {});
 
-  /// Somebody looks at a revision of the scene by this request (its `refine`): starts the refinement where there is
+  /// Somebody looks at a revision of the scene by this request (its `progressive`): starts the progressive picture where there is
   /// none. Unavailable when too many wait.
-  Status refine(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
+  Status improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
 
-  /// The refinement's newest picture, when it is of the revision and has more passes than was seen; its failure when
+  /// The progressive picture's newest picture, when it is of the revision and has more passes than was seen; its failure when
   /// there is none; nothing else. Does not wait: when that changes, the scene is woken (Scene::wake).
   std::optional<Result<std::shared_ptr<const TracedPicture>>> better(const Scene& scene, const FrameRequest& request,
                                                                      SeenPicture seen);
@@ -105,7 +105,7 @@ class TraceQueue {
   mutable std::mutex mutex_;
   std::condition_variable changed_;  // for the tracing thread
   std::condition_variable ended_;    // for those in trace()
-  std::vector<JobPtr> jobs_;         // waiting, running, and refinements that ended
+  std::vector<JobPtr> jobs_;         // waiting, running, and progressive pictures that ended
   TraceCounts counts_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

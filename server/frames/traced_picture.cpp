@@ -3,17 +3,17 @@
 namespace pelage {
 
 FrameRequest traced_request(const FrameRequest& request) {
-  if (!request.refine) return request;
+  if (!request.progressive) return request;
   FrameRequest traced = request;
   traced.knobs = knobs_of(Tier::reference);
   traced.knobs.eye_steps = request.knobs.eye_steps;
-  traced.knobs.trace = *request.refine;
-  traced.refine.reset(), traced.budget_ms.reset(), traced.max_error.reset();
+  traced.knobs.trace = *request.progressive;
+  traced.progressive.reset(), traced.budget_ms.reset(), traced.max_error.reset();
   return traced;
 }
 
-std::vector<FrameLayer> traced_layers(const FrameRequest& request) {
-  return request.format == FrameFormat::exr ? request.layers : std::vector{FrameLayer::beauty};
+std::vector<Aov> traced_aovs(const FrameRequest& request) {
+  return request.format == FrameFormat::exr ? request.aovs : std::vector{Aov::beauty};
 }
 
 Knobs knobs_of(const TracedPicture& picture) {

@@ -19,18 +19,18 @@ namespace pelage {
 struct TracedPicture {
   Revision revision = 0;
   TraceReport report = {};
-  std::vector<FloatImage> layers = {};  // those of traced_layers(request)
+  std::vector<FloatImage> aovs = {};  // those of traced_aovs(request)
   std::shared_ptr<const FurFrame> frame = {};
   ModelPlacement placement = {};
   FrameTimings timings = {};
   FrameCounters counters = {};  // of what lies under the strands
 };
 
-/// The request that draws a refinement's pictures: by strands, and without `refine`.
+/// The request that draws a progressive picture's pictures: by strands, and without `progressive`.
 FrameRequest traced_request(const FrameRequest& request);
 
-/// The layers that a request's file is made of: those of an EXR, else beauty.
-std::vector<FrameLayer> traced_layers(const FrameRequest& request);
+/// The AOVs that a request's file is made of: those of an EXR, else beauty.
+std::vector<Aov> traced_aovs(const FrameRequest& request);
 
 /// The knobs that trace the same picture again.
 Knobs knobs_of(const TracedPicture& picture);

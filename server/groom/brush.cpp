@@ -14,8 +14,8 @@ namespace pelage {
 namespace {
 
 glm::dvec3 internal_position(const StrokeSample& sample, const Surface& surface) {
-  if (const auto* place = std::get_if<PositionPlace>(&sample.place)) return surface.mesh().to_internal(place->position);
-  const auto* place = std::get_if<SurfacePlace>(&sample.place);
+  if (const auto* place = std::get_if<PositionSample>(&sample.place)) return surface.mesh().to_internal(place->position);
+  const auto* place = std::get_if<SurfaceSample>(&sample.place);
   assert(place != nullptr);  // resolve replaces pixels
   const glm::dvec3 b = place->barycentric;
   return surface.position({place->triangle, b / (b.x + b.y + b.z)});
@@ -66,7 +66,7 @@ BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface
     : brush_(brush), surface_(surface) {
   for (const StrokeSample& sample : stroke.samples) {
     path_.push_back(
-        {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfacePlace>(sample.place)});
+        {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfaceSample>(sample.place)});
   }
   if (stroke.view) {
     const double aspect = static_cast<double>(stroke.view->width) / stroke.view->height;
@@ -80,7 +80,7 @@ double BrushStroke::radius_at(glm::dvec3 place) const {
   if (brush_.units == RadiusUnits::relative) return brush_.radius;
   if (brush_.units == RadiusUnits::world) return brush_.radius / surface_.mesh().size;
   if (!camera_) return 0;
-  const double depth = std::max(glm::dot(place - camera_->eye, camera_->forward), 0.0);
+  const double depth = std::max(glm::dot(place - camera_->position, camera_->forward), 0.0);
   return brush_.radius * 2 * camera_->tan_half_fov * depth / view_height_;
 }
 
@@ -148,12 +148,12 @@ void BrushStroke::reach_along_surface(const Dab& dab, std::vector<Reached>& reac
 void BrushStroke::reach_on_screen(const Dab& dab, std::vector<Reached>& reached) const {
   const std::vector<glm::vec3>& positions = surface_.mesh().positions;
   const auto on_plane = [&](glm::dvec3 place) {
-    const glm::dvec3 from_eye = place - camera_->eye;
-    const double depth = glm::dot(from_eye, camera_->forward);
-    return depth > 0 ? glm::dvec2(glm::dot(from_eye, camera_->right), glm::dot(from_eye, camera_->up)) / depth
+    const glm::dvec3 from_camera = place - camera_->position;
+    const double depth = glm::dot(from_camera, camera_->forward);
+    return depth > 0 ? glm::dvec2(glm::dot(from_camera, camera_->right), glm::dot(from_camera, camera_->up)) / depth
                      : glm::dvec2(std::numeric_limits<double>::infinity());
   };
-  const double depth = glm::dot(dab.centre - camera_->eye, camera_->forward);
+  const double depth = glm::dot(dab.centre - camera_->position, camera_->forward);
   if (!(depth > 0)) return;
   const glm::dvec2 middle = on_plane(dab.centre);
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
@@ -183,7 +183,7 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
   const double strength = brush_.strength * (1 - brush_.pressure_to_strength * (1 - dab.pressure));
   for (const auto [v, distance] : reached) {
     const glm::dvec3 position(mesh.positions[v]), normal(mesh.normals[v]);
-    const glm::dvec3 front = judge_by_normal || !camera_ ? outwards : safe_unit(camera_->eye - position);
+    const glm::dvec3 front = judge_by_normal || !camera_ ? outwards : safe_unit(camera_->position - position);
     if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off)) continue;
     const double weight = strength * falloff_weight(brush_, distance);
     if (weight > 0) weights.push_back({v, weight});

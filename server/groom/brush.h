@@ -69,7 +69,7 @@ class BrushStroke {
   };
   /// Somewhere between two nodes.
   Dab between(const Node& a, const Node& b, double t) const;
-  /// The brush's radius at a place; in pixels it grows with the distance to the eye.
+  /// The brush's radius at a place; in pixels it grows with the distance to the camera.
   double radius_at(glm::dvec3 place) const;
   void reach_through_space(const Dab& dab, std::vector<Reached>& reached) const;
   void reach_along_surface(const Dab& dab, std::vector<Reached>& reached) const;

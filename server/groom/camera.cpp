@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr double frame_margin = 0.08;  // of the picture, around an automatic view
-constexpr double least_gap = 0.05;     // sizes between an automatic camera and the box
+constexpr double min_gap = 0.05;     // sizes between an automatic camera and the box
 
 /// From the model to the camera.
 glm::dvec3 automatic_direction(AutoView view) {
@@ -49,9 +49,9 @@ void frame_box(PlacedCamera& camera, double aspect, glm::dvec3 low, glm::dvec3 h
     const double nearer = -glm::dot(c, camera.forward);
     const double needed =
         std::max(std::abs(glm::dot(c, camera.right)) / tan_h, std::abs(glm::dot(c, camera.up)) / tan_v);
-    distance = std::max(distance, nearer + std::max(needed, least_gap));
+    distance = std::max(distance, nearer + std::max(needed, min_gap));
   }
-  camera.eye = target - distance * camera.forward;
+  camera.position = target - distance * camera.forward;
 }
 
 }  // namespace
@@ -60,8 +60,8 @@ PlacedCamera place_camera(const Camera& camera, double aspect, const Mesh& mesh)
   PlacedCamera placed{};
   placed.tan_half_fov = std::tan(glm::radians(camera.fov_degrees) / 2);
   if (camera.automatic == AutoView::none) {
-    placed.eye = mesh.to_internal(camera.eye);
-    placed.forward = safe_unit(mesh.to_internal(camera.target) - placed.eye);
+    placed.position = mesh.to_internal(camera.position);
+    placed.forward = safe_unit(mesh.to_internal(camera.target) - placed.position);
     if (placed.forward == glm::dvec3(0)) placed.forward = {0, 0, -1};
     orient(placed, camera.up);
     return placed;

@@ -26,7 +26,7 @@ class ModelMap : public PlaceMap {
     return glm::length(shift) < same_place ? straight : straight + other.size * shift;
   }
 
-  SurfacePlace on_skin(const SurfacePlace& place) const override {
+  SurfaceSample on_skin(const SurfaceSample& place) const override {
     const glm::dvec3 skin = from_.mesh().to_model(from_.position({place.triangle, place.barycentric}));
     const glm::dvec3 wanted = to_.mesh().to_internal(laid_.place(skin));
     const bool numbered = place.triangle < to_.mesh().triangles.size();

@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-constexpr double least_lean = 0.5;  // upright fur has to lean to come together
+constexpr double min_lean = 0.5;  // upright fur has to lean to come together
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& f
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 middle = sign * safe_unit(nearest_on_path(*command.stroke, surface, position) - position);
       const glm::dvec2 direction(fields.direction()[v]);
-      const double lean = std::max(glm::length(direction), least_lean);
+      const double lean = std::max(glm::length(direction), min_lean);
       directions.put(v, turned(direction, frame_at(mesh, v), middle, lean, weight * command.gather));
       clumps.put(v, glm::mix(double{fields.number(Field::clump, v)}, goal, weight));
     }

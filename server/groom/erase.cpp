@@ -19,10 +19,10 @@ bool erases(const Erase& command, Field field) {
 
 }  // namespace
 
-Evaluation erase_layer(const Erase& command, const Surface& surface, const FieldSet& fields,
+Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const FieldSet& fields,
                        const std::vector<EditLayer>& layers) {
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
-  const std::size_t layer = number_of(command.layer, layers);
+  const std::size_t layer = number_of(command.edit_layer, layers);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
@@ -30,7 +30,7 @@ Evaluation erase_layer(const Erase& command, const Surface& surface, const Field
     const double share = strand_share(command.brush, field);
     StackWriter writer(fields, field, layers.size());
     for (const auto [v, reach] : region) {
-      LayerStack stack = stack_at(fields, field, v, layers.size());
+      EditLayerStack stack = stack_at(fields, field, v, layers.size());
       if (!stack.covered) continue;
       stack.added[layer] *= 1 - share * reach;
       writer.put(v, stack, layers);
@@ -42,19 +42,19 @@ Evaluation erase_layer(const Erase& command, const Surface& surface, const Field
 }
 
 // (1 - w) V + w R: at full strength exactly what was.
-Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& rest) {
-  assert(rest.size() == fields.size());
+Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& baseline) {
+  assert(baseline.size() == fields.size());
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (!erases(command, field)) continue;
-    if (fields.at_rest(field) && rest.at_rest(field)) continue;
+    if (fields.at_default(field) && baseline.at_default(field)) continue;
     FieldWriter writer(fields, field);
     const double share = strand_share(command.brush, field);
     for (const auto [v, reach] : region) {
       const double weight = share * reach;
-      const glm::dvec4 now(fields.value(field, v)), then(rest.value(field, v));
+      const glm::dvec4 now(fields.value(field, v)), then(baseline.value(field, v));
       writer.put(v, from_summable(field, (1 - weight) * to_summable(field, now) + weight * to_summable(field, then)));
     }
     writer.finish(done.delta);

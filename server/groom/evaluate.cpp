@@ -27,8 +27,8 @@ struct Tools {
   Evaluation operator()(const Trim& command) const { return trim(command, surface, fields, extras.coat); }
   Evaluation operator()(const Lift& command) const { return lift(command, surface, fields); }
   Evaluation operator()(const Erase& command) const {
-    assert(extras.rest != nullptr);
-    return erase(command, surface, fields, *extras.rest);
+    assert(extras.baseline != nullptr);
+    return erase(command, surface, fields, *extras.baseline);
   }
   Evaluation operator()(const Clump& command) const { return clump(command, surface, fields); }
   Evaluation operator()(const Curl& command) const { return curl(command, surface, fields); }
@@ -39,8 +39,8 @@ struct Tools {
     return map(command, surface, fields, *extras.picture);
   }
   Evaluation operator()(const Retarget& command) const {
-    assert(extras.source != nullptr && extras.rest != nullptr);
-    return retarget(command, surface, fields, *extras.source, *extras.rest);
+    assert(extras.source != nullptr && extras.baseline != nullptr);
+    return retarget(command, surface, fields, *extras.source, *extras.baseline);
   }
   template <class Setting>
   Evaluation operator()(const Setting&) const { return {}; }

@@ -14,7 +14,7 @@ namespace pelage {
 namespace {
 
 constexpr double step = 0.01;          // sizes between places along a curve
-constexpr std::size_t most_steps = 4096;  // on one curve
+constexpr std::size_t max_steps = 4096;  // on one curve
 
 /// Corners around the places that a curve passes, with the way that it goes there.
 std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const Surface& surface) {
@@ -24,7 +24,7 @@ std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const
     const glm::dvec3 from = mesh.to_internal(curve[i - 1]), to = mesh.to_internal(curve[i]);
     const glm::dvec3 way = safe_unit(to - from);
     const double wanted = std::ceil(glm::distance(from, to) / step);
-    const auto pieces = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(most_steps)));
+    const auto pieces = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(max_steps)));
     for (std::size_t k = 0; k <= pieces; ++k) {
       const SurfacePoint place =
           surface.nearest(glm::mix(from, to, static_cast<double>(k) / static_cast<double>(pieces)));

@@ -33,8 +33,8 @@ double goal_of(const Length& command, double length, double value, double mean, 
     case LengthMode::scale: return invert ? (value > 0 ? length / value : length) : length * value;
     case LengthMode::average: return mean;
     case LengthMode::jitter: return length * (1 + value * random_at(position, command.seed) * (invert ? -1 : 1));
-    case LengthMode::least: return std::max(length, value);
-    case LengthMode::most: return std::min(length, value);
+    case LengthMode::min: return std::max(length, value);
+    case LengthMode::max: return std::min(length, value);
   }
   assert(false);
   return length;

@@ -96,20 +96,20 @@ Values grown(const Surface& surface, const Values& mask, double distance) {
   for (std::uint32_t v = 0; v < mask.size(); ++v) {
     if (mask[v] > 0) ways.push({mask[v], distance, v});
   }
-  Values most(mask.size(), 0.0), left(mask.size(), -1.0);
+  Values max(mask.size(), 0.0), left(mask.size(), -1.0);
   while (!ways.empty()) {
     const Way way = ways.top();
     ways.pop();
     if (way.left <= left[way.vertex]) continue;
     left[way.vertex] = way.left;
-    most[way.vertex] = std::max(most[way.vertex], way.value);
+    max[way.vertex] = std::max(max[way.vertex], way.value);
     const glm::dvec3 here(mesh.positions[way.vertex]);
     for (const std::uint32_t next : surface.neighbours(way.vertex)) {
       const double rest = way.left - glm::distance(here, glm::dvec3(mesh.positions[next]));
       if (rest >= 0 && rest > left[next]) ways.push({way.value, rest, next});
     }
   }
-  return most;
+  return max;
 }
 
 Values inverted(Values mask) {

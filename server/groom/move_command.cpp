@@ -47,8 +47,8 @@ class Mover {
   }
   void move(Stroke& stroke) const {
     for (StrokeSample& sample : stroke.samples) {
-      if (auto* place = std::get_if<PositionPlace>(&sample.place)) move_on_skin(place->position);
-      if (auto* place = std::get_if<SurfacePlace>(&sample.place)) *place = map_.on_skin(*place);
+      if (auto* place = std::get_if<PositionSample>(&sample.place)) move_on_skin(place->position);
+      if (auto* place = std::get_if<SurfaceSample>(&sample.place)) *place = map_.on_skin(*place);
     }
     stroke.view.reset();
   }
@@ -92,7 +92,7 @@ class Mover {
   }
   bool move_parts(Length& length) const {
     const bool is_length = length.mode == LengthMode::set || length.mode == LengthMode::add ||
-                           length.mode == LengthMode::least || length.mode == LengthMode::most;
+                           length.mode == LengthMode::min || length.mode == LengthMode::max;
     if (is_length) scale(length.value, length.units);
     return false;
   }

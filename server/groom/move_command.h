@@ -12,7 +12,7 @@ class PlaceMap {
   virtual ~PlaceMap() = default;
   virtual glm::dvec3 place(glm::dvec3 position) const = 0;    // through space
   virtual glm::dvec3 on_skin(glm::dvec3 position) const = 0;  // of what lies on the skin or near it
-  virtual SurfacePlace on_skin(const SurfacePlace& place) const = 0;
+  virtual SurfaceSample on_skin(const SurfaceSample& place) const = 0;
   virtual glm::dvec3 direction(glm::dvec3 direction) const = 0;
   virtual glm::dvec3 normal(glm::dvec3 normal) const = 0;  // of a plane
   virtual double length(double length) const = 0;

@@ -39,7 +39,7 @@ std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const B
                                     const FieldSet& fields, Masked masked) {
   std::vector<VertexWeight> region =
       stroke ? covered(*stroke, brush, surface) : everywhere(brush.strength, fields.size());
-  if (masked == Masked::no || fields.at_rest(Field::mask)) return region;
+  if (masked == Masked::no || fields.at_default(Field::mask)) return region;
   for (VertexWeight& place : region) place.weight *= fields.number(Field::mask, place.vertex);
   std::erase_if(region, [](const VertexWeight& place) { return !(place.weight > 0); });
   return region;

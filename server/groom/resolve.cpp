@@ -30,10 +30,10 @@ std::string sample_pointer(std::size_t sample, const char* field) {
 /// What can only be checked against the surface, for each place but pixels.
 Status check_place(const StrokeSample& sample, std::size_t number, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
-  if (const auto* place = std::get_if<PositionPlace>(&sample.place)) {
+  if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
     if (!reachable(mesh.to_internal(place->position))) return out_of_reach(sample_pointer(number, "position"));
   }
-  if (const auto* place = std::get_if<SurfacePlace>(&sample.place); place && place->triangle >= mesh.triangles.size()) {
+  if (const auto* place = std::get_if<SurfaceSample>(&sample.place); place && place->triangle >= mesh.triangles.size()) {
     return failure(Code::invalid, "the model has no such triangle", sample_pointer(number, "triangle"),
                    "below " + std::to_string(mesh.triangles.size()));
   }
@@ -43,18 +43,18 @@ Status check_place(const StrokeSample& sample, std::size_t number, const Surface
 Status check_view(const Stroke& stroke, const Mesh& mesh) {
   if (!stroke.view || stroke.view->camera.automatic != AutoView::none) return {};
   const Camera& camera = stroke.view->camera;
-  if (!reachable(mesh.to_internal(camera.eye))) return out_of_reach("/stroke/view/camera/eye");
+  if (!reachable(mesh.to_internal(camera.position))) return out_of_reach("/stroke/view/camera/position");
   if (!reachable(mesh.to_internal(camera.target))) return out_of_reach("/stroke/view/camera/target");
   return {};
 }
 
 /// Turns a pixel into the place on the surface that its ray hits.
-std::optional<SurfacePlace> hit(const ScreenPlace& place, const View& view, const Surface& surface) {
+std::optional<SurfaceSample> hit(const ScreenSample& place, const View& view, const Surface& surface) {
   const double aspect = static_cast<double>(view.width) / view.height;
   const PlacedCamera camera = place_camera(view.camera, aspect, surface.mesh());
-  const auto point = surface.raycast(camera.eye, pixel_ray(camera, place.screen, view.width, view.height));
+  const auto point = surface.raycast(camera.position, pixel_ray(camera, place.screen, view.width, view.height));
   if (!point) return std::nullopt;
-  return SurfacePlace{point->triangle, glm::max(point->barycentric, 0.0)};
+  return SurfaceSample{point->triangle, glm::max(point->barycentric, 0.0)};
 }
 
 Status resolve_stroke(Stroke& stroke, const Surface& surface) {
@@ -63,7 +63,7 @@ Status resolve_stroke(Stroke& stroke, const Surface& surface) {
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     StrokeSample sample = stroke.samples[i];
     if (Status bad = check_place(sample, i, surface); !bad.ok()) return bad;
-    if (const auto* pixel = std::get_if<ScreenPlace>(&sample.place)) {
+    if (const auto* pixel = std::get_if<ScreenSample>(&sample.place)) {
       if (!stroke.view) return failure(Code::invalid, "pixel samples need the view they were drawn on", "/stroke/view");
       const auto place = hit(*pixel, *stroke.view, surface);
       if (!place) continue;
@@ -95,7 +95,7 @@ struct CheckTool {
   }
   /// The width of Gaussians.
   Status sigma(double value, Units units) const {
-    if (internal_length(value, units, mesh) >= limits::least_sigma) return length(value, units, "/sigma");
+    if (internal_length(value, units, mesh) >= limits::min_sigma) return length(value, units, "/sigma");
     return failure(Code::invalid, "the width is too small for the model", "/sigma", "at least 1e-6 sizes");
   }
   Status fur_length(double value, Units units, std::string pointer) const {
@@ -131,8 +131,8 @@ struct CheckTool {
   }
   Status operator()(const Length& command) const {
     if (command.mode == LengthMode::scale || command.mode == LengthMode::jitter) {
-      constexpr double most = 1e6;
-      return command.value <= most ? Status{} : failure(Code::invalid, "no fur grows so much", "/value", "at most 1e6");
+      constexpr double max = 1e6;
+      return command.value <= max ? Status{} : failure(Code::invalid, "no fur grows so much", "/value", "at most 1e6");
     }
     return fur_length(std::abs(command.value), command.units, "/value");
   }
@@ -220,7 +220,7 @@ struct CheckTool {
     }
     return {};
   }
-  Status operator()(const SetBasePicture& command) const {
+  Status operator()(const SetSkinTexture& command) const {
     if (command.picture.empty() || has_own_uvs(mesh)) return {};
     return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture", "own");
   }

@@ -64,7 +64,7 @@ Evaluation retarget(const Retarget& command, const Surface& surface, const Field
   if (found.far > 0) done.warnings.push_back(far_warning(found.far, found.corners.size()));
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (!takes(command, field) || (fields.at_rest(field) && source_fields.at_rest(field))) continue;
+    if (!takes(command, field) || (fields.at_default(field) && source_fields.at_default(field))) continue;
     const double factor = field == Field::length ? longer : 1;
     const auto put = [&](std::uint32_t v, FieldWriter& writer) {
       const double weight = command.strength * double{fields.number(Field::mask, v)};

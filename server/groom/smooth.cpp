@@ -105,10 +105,10 @@ class Ring {
     begin_.resize(region.size() + 1);
     for (std::size_t i = 0; i < region.size(); ++i)
       begin_[i + 1] = begin_[i] + static_cast<std::uint32_t>(surface.neighbours(region[i].vertex).size());
-    kept_.resize(begin_.back());
+    shares_.resize(begin_.back());
     for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t first, std::uint32_t end) {
       std::vector<double> inverses;
-      for (std::uint32_t i = first; i < end; ++i) put_shares(region[i].vertex, surface, inverses, &kept_[begin_[i]]);
+      for (std::uint32_t i = first; i < end; ++i) put_shares(region[i].vertex, surface, inverses, &shares_[begin_[i]]);
     });
   }
 
@@ -118,7 +118,7 @@ class Ring {
     std::vector<AnyShare> shares;
   };
   std::span<const AnyShare> of(std::size_t i, Scratch& scratch) const {
-    if (!begin_.empty()) return std::span(kept_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+    if (!begin_.empty()) return std::span(shares_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
     scratch.shares.resize(surface_.neighbours(region_[i].vertex).size());
     put_shares(region_[i].vertex, surface_, scratch.inverses, scratch.shares.data());
     return scratch.shares;
@@ -128,7 +128,7 @@ class Ring {
   const std::vector<VertexWeight>& region_;
   const Surface& surface_;
   std::vector<std::uint32_t> begin_;
-  std::vector<AnyShare> kept_;
+  std::vector<AnyShare> shares_;
 };
 
 glm::dvec4 wide(double value) { return {value, 0, 0, 0}; }
@@ -213,7 +213,7 @@ Evaluation smooth(const Smooth& command, const Surface& surface, const FieldSet&
   const Neighbourhood near(region, surface);
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (std::count(command.fields.begin(), command.fields.end(), field) == 0 || fields.at_rest(field)) continue;
+    if (std::count(command.fields.begin(), command.fields.end(), field) == 0 || fields.at_default(field)) continue;
     if (field == Field::direction)
       done.clamped +=
           SmoothedField<glm::dvec2, TurnedShare>(command, field, region, near, surface, fields).smooth(done.delta);

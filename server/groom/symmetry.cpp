@@ -51,7 +51,7 @@ class MotionMap : public PlaceMap {
 
   glm::dvec3 place(glm::dvec3 position) const override { return motion_.place(position); }
   glm::dvec3 on_skin(glm::dvec3 position) const override { return motion_.place(position); }
-  SurfacePlace on_skin(const SurfacePlace& place) const override {
+  SurfaceSample on_skin(const SurfaceSample& place) const override {
     const Mesh& mesh = surface_.mesh();
     const glm::dvec3 position = mesh.to_model(surface_.position({place.triangle, place.barycentric}));
     const SurfacePoint there = surface_.nearest(mesh.to_internal(motion_.place(position)));

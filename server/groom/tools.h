@@ -18,7 +18,7 @@ Evaluation part(const Part& command, const Surface& surface, const FieldSet& fie
 Evaluation length(const Length& command, const Surface& surface, const FieldSet& fields);
 Evaluation trim(const Trim& command, const Surface& surface, const FieldSet& fields, const Coat& coat);
 Evaluation lift(const Lift& command, const Surface& surface, const FieldSet& fields);
-Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& rest);
+Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& baseline);
 Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& fields);
 Evaluation curl(const Curl& command, const Surface& surface, const FieldSet& fields);
 Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& fields);

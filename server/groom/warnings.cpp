@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t most_looked_at = 16;  // samples of a stroke
+constexpr std::size_t max_looked_at = 16;  // samples of a stroke
 
 double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
   const glm::uvec3 corners = mesh.triangles[triangle];
@@ -20,13 +20,13 @@ double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
 }
 
 std::uint32_t triangle_at(const StrokeSample& sample, const Surface& surface) {
-  if (const auto* place = std::get_if<SurfacePlace>(&sample.place)) return place->triangle;
-  return surface.nearest(surface.mesh().to_internal(std::get<PositionPlace>(sample.place).position)).triangle;
+  if (const auto* place = std::get_if<SurfaceSample>(&sample.place)) return place->triangle;
+  return surface.nearest(surface.mesh().to_internal(std::get<PositionSample>(sample.place).position)).triangle;
 }
 
 /// The longest of the edges' means where the stroke passes, sizes.
 double longest_edges(const Stroke& stroke, const Surface& surface) {
-  const std::size_t step = stroke.samples.size() / most_looked_at + 1;
+  const std::size_t step = stroke.samples.size() / max_looked_at + 1;
   double longest = 0;
   for (std::size_t i = 0; i < stroke.samples.size(); i += step)
     longest = std::max(longest, mean_edge(triangle_at(stroke.samples[i], surface), surface.mesh()));

@@ -67,14 +67,14 @@ void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices)
 
 /// False when a vertex would pass 32 bits.
 bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& vertices) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
   std::uint64_t next = 0;
   for (std::uint64_t i = 0; i < count && in.good(); ++i) {
     const std::uint64_t gap = in.number();
-    if (gap > most - next) return false;
+    if (gap > max - next) return false;
     vertices.push_back(static_cast<std::uint32_t>(next + gap));
     next += gap + 1;
-    if (next > most) return false;
+    if (next > max) return false;
   }
   return true;
 }
@@ -84,7 +84,7 @@ bool take_part(Bytes& in, const FieldDelta& before, FieldDelta::Part& part) {
   const std::uint64_t place = in.number(), count = in.number();
   const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet;
   if (field >= field_count || sheet >= sheet_count) return false;
-  if (count == 0 || count > in.left()) return false;  // each vertex takes an byte or more
+  if (count == 0 || count > in.left()) return false;  // each vertex takes a byte or more
   part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet);
   if (!before.parts.empty() && !comes_before(before.parts.back(), part)) return false;
   if (!take_vertices(in, count, part.vertices)) return false;
@@ -126,7 +126,7 @@ static_assert(std::endian::native == std::endian::little);
 
 void put_word(std::string& text, std::uint32_t word) { text.append(reinterpret_cast<const char*>(&word), sizeof word); }
 
-/// The next run of a refinement; false when it could not follow the one before.
+/// The next run of a subdivision; false when it could not follow the one before.
 bool take_run(std::span<const std::uint32_t> words, ChosenTriangles& runs) {
   const TriangleRun run{words[0], words[1]};
   if (run.begin >= run.end || (!runs.empty() && run.begin <= runs.back().end)) return false;
@@ -136,32 +136,32 @@ bool take_run(std::span<const std::uint32_t> words, ChosenTriangles& runs) {
 
 }  // namespace
 
-std::string encode_refinements(const std::vector<ChosenTriangles>& refinements) {
+std::string encode_subdivisions(const std::vector<ChosenTriangles>& subdivisions) {
   std::string text;
-  for (const ChosenTriangles& runs : refinements) {
+  for (const ChosenTriangles& runs : subdivisions) {
     put_word(text, static_cast<std::uint32_t>(runs.size()));
     for (const TriangleRun run : runs) put_word(text, run.begin), put_word(text, run.end);
   }
   return text;
 }
 
-Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> bytes) {
-  const auto damaged = [] { return failure(Code::internal, "the stored refinements of a model are damaged"); };
+Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::byte> bytes) {
+  const auto damaged = [] { return failure(Code::internal, "the stored subdivisions of a model are damaged"); };
   if (bytes.size() % sizeof(std::uint32_t) != 0) return damaged();
   std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
   if (!words.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
-  std::vector<ChosenTriangles> refinements;
+  std::vector<ChosenTriangles> subdivisions;
   std::span<const std::uint32_t> left(words);
   while (!left.empty()) {
     const std::size_t runs = left[0];
     left = left.subspan(1);
     if (left.size() / 2 < runs) return damaged();
-    ChosenTriangles& chosen = refinements.emplace_back();
+    ChosenTriangles& chosen = subdivisions.emplace_back();
     for (std::size_t i = 0; i < runs; ++i, left = left.subspan(2)) {
       if (!take_run(left, chosen)) return damaged();
     }
   }
-  return refinements;
+  return subdivisions;
 }
 
 }  // namespace pelage

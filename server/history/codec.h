@@ -19,12 +19,12 @@ std::string encode_delta(const FieldDelta& delta);
 /// Refused (internal) unless the bytes are a whole delta of rising fields and vertices.
 Result<FieldDelta> decode_delta(std::span<const std::byte> bytes);
 
-// Refinements of a model as bytes, for the journal. Little-endian.
+// Subdivisions of a model as bytes, for the journal. Little-endian.
 
-/// For each refinement the count of its runs, then where each begins and ends, as 32-bit words.
-std::string encode_refinements(const std::vector<ChosenTriangles>& refinements);
+/// For each subdivision the count of its runs, then where each begins and ends, as 32-bit words.
+std::string encode_subdivisions(const std::vector<ChosenTriangles>& subdivisions);
 
-/// Refused (internal) unless the bytes are whole refinements of rising runs.
-Result<std::vector<ChosenTriangles>> decode_refinements(std::span<const std::byte> bytes);
+/// Refused (internal) unless the bytes are whole subdivisions of rising runs.
+Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::byte> bytes);
 
 }  // namespace pelage

@@ -72,15 +72,15 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
     settings.curves = curves->groups;
   else if (const auto* skin = std::get_if<SetSkin>(&command))
     settings.skin = skin->regions;
-  else if (const auto* base = std::get_if<SetBasePicture>(&command))
-    settings.base_picture = base->picture;
+  else if (const auto* base = std::get_if<SetSkinTexture>(&command))
+    settings.skin_texture = base->picture;
   else if (const auto* blowers = std::get_if<SetBlowers>(&command))
     settings.blowers = blowers->blowers;
   else if (const auto* attractors = std::get_if<SetAttractors>(&command))
     settings.attractors = attractors->attractors;
   else if (const auto* symmetry = std::get_if<SetSymmetry>(&command))
     settings.symmetry = symmetry->symmetry;
-  else if (const auto* layer = std::get_if<ChangeLayer>(&command))
+  else if (const auto* layer = std::get_if<ChangeEditLayer>(&command))
     settings.layers = with_change(settings.layers, *layer);
   else if (const auto* checkpoint = std::get_if<Checkpoint>(&command))
     put_checkpoint(settings.checkpoints, *checkpoint, next);
@@ -98,13 +98,13 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
                                 SetEyes{settings.eyes},
                                 SetCurves{settings.curves},
                                 SetSkin{settings.skin},
-                                SetBasePicture{settings.base_picture},
+                                SetSkinTexture{settings.skin_texture},
                                 SetBlowers{settings.blowers},
                                 SetAttractors{settings.attractors},
                                 SetSymmetry{settings.symmetry}};
   commands.insert(commands.end(), settings.checkpoints.begin(), settings.checkpoints.end());
   for (const EditLayer& layer : settings.layers)
-    commands.push_back(ChangeLayer{.name = layer.name, .weight = layer.weight, .muted = layer.muted});
+    commands.push_back(ChangeEditLayer{.name = layer.name, .weight = layer.weight, .muted = layer.muted});
   return commands;
 }
 

@@ -26,7 +26,7 @@ struct SceneSettings {
   std::vector<Eye> eyes;
   std::vector<CurveGroup> curves;
   std::vector<SkinRegion> skin;
-  std::string base_picture;  // "" for the model's own colours
+  std::string skin_texture;  // "" for the model's own colours
   std::vector<NamedBlower> blowers;
   std::vector<NamedAttractor> attractors;
   Symmetry symmetry;

@@ -1,18 +1,16 @@
 #include "server/history/journal.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "server/history/codec.h"
+#include "server/history/schema_upgrades.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr std::uint64_t schema_version = 5;
 
 // Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
 constexpr const char* how_to_keep = R"(
@@ -28,7 +26,7 @@ constexpr const char* schema = R"(
     number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
     model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
     first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL,
-    refinements BLOB NOT NULL, settings TEXT);
+    subdivisions BLOB NOT NULL, settings TEXT);
   CREATE TABLE entries(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
@@ -38,24 +36,8 @@ constexpr const char* schema = R"(
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
-  PRAGMA user_version = 5;
+  PRAGMA user_version = 6;
 )";
-
-// The first version that is upgraded, and the step from each version to the next.
-constexpr std::uint64_t oldest_schema = 3;
-constexpr const char* upgrades[] = {
-    // Version 3 knew no refined models.
-    R"(
-  ALTER TABLE scenes ADD COLUMN refinements BLOB NOT NULL DEFAULT x'';
-  ALTER TABLE scenes ADD COLUMN settings TEXT;
-  PRAGMA user_version = 4;
-)",
-    // Version 4 had another name for what a picture holds.
-    R"(
-  ALTER TABLE pictures RENAME COLUMN octets TO bytes;
-  PRAGMA user_version = 5;
-)"};
-static_assert(oldest_schema + std::size(upgrades) == schema_version);
 
 // What no log names any more; at the start also what was uploaded and never used.
 constexpr const char* drop_unused_pictures =
@@ -80,16 +62,14 @@ Status check_schema(Database& database) {
     return failure(Code::internal, "the journal comes from a newer version of this program");
   if (*version == 0 && *tables > 0)
     return failure(Code::internal, "the file in the journal's place is another database");
-  if (*version > 0 && *version < oldest_schema) {
+  if (*version > 0 && *version < oldest_upgraded_version) {
     return failure(Code::internal,
                    "the journal comes from an older version, whose fields were stored in another way: start that "
                    "version, save the logs of its scenes, and run them on this one with another data folder");
   }
   return database.transaction([&] {
     if (*version == 0) return database.execute(schema);
-    Status current;
-    for (std::uint64_t from = *version; from < schema_version && current.ok(); ++from)
-      current = database.execute(upgrades[from - oldest_schema]);
+    Status current = upgrade(database, *version);
     return current.ok() ? database.execute(drop_unused_pictures) : current;
   });
 }
@@ -112,7 +92,7 @@ Statement& bind_settings(Statement& statement, const std::shared_ptr<const Scene
 
 /// Binds all that a new model changes about a scene, and its id last.
 Status run_with_model(Statement statement, const StoredScene& scene, const std::string& first_groom) {
-  const std::string refinements = encode_refinements(scene.model.refinements);
+  const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
   statement.text(scene.model.name)
       .number(static_cast<std::uint64_t>(scene.model.up))
       .number(static_cast<std::uint64_t>(scene.model.front))
@@ -121,7 +101,7 @@ Status run_with_model(Statement statement, const StoredScene& scene, const std::
       .blob(first_groom)
       .blob(scene.model.raw)
       .number(static_cast<std::uint64_t>(scene.model.fur_patches))
-      .blob(refinements);
+      .blob(subdivisions);
   return bind_settings(statement, scene.first_settings).text(scene.id).run();
 }
 
@@ -150,8 +130,8 @@ Status keep_picture(Database& database, const std::string& scene, const std::str
 }
 
 Status write_entry(Database& database, const std::string& scene, const Entry& entry, const std::string& delta) {
-  if (entry.settings && !entry.settings->base_picture.empty()) {
-    if (Status kept = keep_picture(database, scene, entry.settings->base_picture); !kept.ok()) return kept;
+  if (entry.settings && !entry.settings->skin_texture.empty()) {
+    if (Status kept = keep_picture(database, scene, entry.settings->skin_texture); !kept.ok()) return kept;
   }
   for (const std::string& picture : entry.pictures) {
     if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
@@ -204,7 +184,7 @@ Status Journal::add_scene(const StoredScene& scene) {
   const std::lock_guard lock(mutex_);
   Statement insert = database_->prepare(
       "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
-      " first_groom, raw, fur_patches, refinements, settings, id) VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
+      " first_groom, raw, fur_patches, subdivisions, settings, id) VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.text(scene.name);
   return run_with_model(std::move(insert), scene, first_groom);
 }
@@ -218,21 +198,21 @@ Status Journal::replace_model(const StoredScene& scene) {
     if (Status unused = leave_pictures(*database_, scene.id); !unused.ok()) return unused;
     return run_with_model(database_->prepare("UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?,"
                                              " first_revision = ?, first_groom = ?, raw = ?, fur_patches = ?,"
-                                             " refinements = ?, settings = ? WHERE id = ?"),
+                                             " subdivisions = ?, settings = ? WHERE id = ?"),
                           scene, first_groom);
   });
 }
 
-Status Journal::refine_model(const StoredScene& scene) {
+Status Journal::subdivide_model(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
-  const std::string refinements = encode_refinements(scene.model.refinements);
+  const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
   const std::lock_guard lock(mutex_);
   return database_->transaction([&] {
     Status changed = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!changed.ok()) return changed;
     Statement update = database_->prepare(
-        "UPDATE scenes SET first_revision = ?, first_groom = ?, refinements = ?, settings = ? WHERE id = ?");
-    update.number(scene.first_revision).blob(first_groom).blob(refinements);
+        "UPDATE scenes SET first_revision = ?, first_groom = ?, subdivisions = ?, settings = ? WHERE id = ?");
+    update.number(scene.first_revision).blob(first_groom).blob(subdivisions);
     return bind_settings(update, scene.first_settings).text(scene.id).run();
   });
 }
@@ -263,8 +243,8 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   return database_->transaction([&] {
     Statement row = database_->prepare(
         "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
-        " first_revision, first_groom, raw, fur_patches, refinements, settings)"
-        " SELECT ?, ?, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches, refinements,"
+        " first_revision, first_groom, raw, fur_patches, subdivisions, settings)"
+        " SELECT ?, ?, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches, subdivisions,"
         " settings"
         " FROM scenes WHERE id = ?");
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
@@ -314,7 +294,7 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
   const std::lock_guard lock(mutex_);
   Statement row = database_->prepare(
       "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches,"
-      " refinements, settings FROM scenes WHERE id = ?");
+      " subdivisions, settings FROM scenes WHERE id = ?");
   const Result<bool> found = row.text(id).step();
   if (!found) return found.status();
   if (!*found) return failure(Code::not_found, "the journal has no such scene");
@@ -323,8 +303,8 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
   if (row.number_at(8) > static_cast<std::uint64_t>(FurPatches::own_uvs)) return damaged("patches of a model");
   Result<FieldDelta> first_groom = decode_delta(row.blob_at(6));
   if (!first_groom) return first_groom.status();
-  Result<std::vector<ChosenTriangles>> refinements = decode_refinements(row.blob_at(9));
-  if (!refinements) return refinements.status();
+  Result<std::vector<ChosenTriangles>> subdivisions = decode_subdivisions(row.blob_at(9));
+  if (!subdivisions) return subdivisions.status();
   std::shared_ptr<const SceneSettings> settings;
   if (!row.null_at(10)) {
     auto stored = settings_from(row.text_at(10));
@@ -338,7 +318,7 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
                     row.number_at(4) != 0,
                     std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
                     static_cast<FurPatches>(row.number_at(8)),
-                    std::move(*refinements)};
+                    std::move(*subdivisions)};
   return StoredScene{id,          row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom),
                      std::move(settings)};
 }

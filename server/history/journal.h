@@ -24,7 +24,7 @@ struct StoredModel {
   bool source_is_32_bit = false;
   std::string raw;  // encode_raw_model
   FurPatches fur_patches = FurPatches::overlapping;
-  std::vector<ChosenTriangles> refinements = {};  // carried out one after the other on the prepared model
+  std::vector<ChosenTriangles> subdivisions = {};  // carried out one after the other on the prepared model
 };
 
 struct StoredScene {
@@ -47,10 +47,10 @@ class Journal {
   Status add_scene(const StoredScene& scene);
   /// Puts a new model in place of the old one and its log.
   Status replace_model(const StoredScene& scene);
-  /// Puts all refinements of the scene's model, its first revision, groom and settings in place of those that are
+  /// Puts all subdivisions of the scene's model, its first revision, groom and settings in place of those that are
   /// there, and empties its log. What the model came from stays, whatever `scene` says of it, and so do the scene's
   /// pictures, one of which its settings may name.
-  Status refine_model(const StoredScene& scene);
+  Status subdivide_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
   /// Fails when the entry's settings or commands name a picture that the journal does not have.
   Status append(const std::string& scene, const Entry& entry) { return append(scene, std::span(&entry, 1)); }

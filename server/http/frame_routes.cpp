@@ -53,7 +53,7 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
     const auto passes = parsed<int>(request.get_param_value("after_pass"));
     if (!passes || *passes < 0) return failure(Code::invalid, "This is no count of passes.", "/after_pass", "0 or more");
     if (!news.after) return failure(Code::invalid, "Passes are of a revision.", "/after_pass", "with after");
-    if (!wanted.refine) return failure(Code::invalid, "Only refine has passes to wait for.", "/after_pass", "with refine");
+    if (!wanted.progressive) return failure(Code::invalid, "Only progressive has passes to wait for.", "/after_pass", "with progressive");
     news.seen = SeenPicture{*news.after, *passes};
   }
   if (request.has_param("wait")) {
@@ -72,10 +72,10 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
 Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
                      const News& news, const ClientSocket& client) {
   if (!news.after || scene->revision() > *news.after) return {};
-  const auto refined = [&] { return news.seen && service.pictures.is_refined(*scene, wanted, *news.seen); };
+  const auto better_picture = [&] { return news.seen && service.pictures.has_better_picture(*scene, wanted, *news.seen); };
   if (news.seen) {
     if (Status full = service.pictures.look(scene, wanted, *news.seen); !full.ok()) return full;
-    if (refined()) return {};
+    if (better_picture()) return {};
   }
   const Status nothing_new = failure(Code::precondition, "Nothing is newer.");
   if (news.wait_seconds == 0) return nothing_new;
@@ -86,7 +86,7 @@ Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, cons
   while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - seconds_since(start);
     if (left <= 0) break;
-    if (scene->wait_newer(*news.after, std::min(left, slice_seconds), refined) > *news.after || refined()) return {};
+    if (scene->wait_newer(*news.after, std::min(left, slice_seconds), better_picture) > *news.after || better_picture()) return {};
     if (const auto still_there = service.scenes.find(scene->id()); !still_there) return still_there.status();
   }
   return nothing_new;
@@ -108,7 +108,7 @@ std::string server_timing(const FrameAnswer& frame) {
 Result<FrameAnswer> picture_of(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
                                const News& news, const ClientSocket& client) {
   if (news.seen) {
-    if (auto refined = service.pictures.refined(*scene, wanted, *news.seen)) return std::move(*refined);
+    if (auto better_picture = service.pictures.picture_if_better(*scene, wanted, *news.seen)) return std::move(*better_picture);
   }
   return service.pictures.frame(scene, wanted, [&client] { return client.gone(); });
 }

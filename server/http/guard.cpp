@@ -57,7 +57,7 @@ using httplib::Request;
 
 // A body a little over the limit is read and refused in peace, so that clients which send first and listen later see
 // the refusal; a longer one is cut off.
-constexpr std::uint64_t patient_body_bytes = 4 * limits::command_body_bytes;
+constexpr std::uint64_t max_drained_body_bytes = 4 * limits::command_body_bytes;
 
 Refusal refuse(int http_status, Code code, std::string message, std::string limit = {}) {
   return {http_status, failure(code, std::move(message), "", std::move(limit))};
@@ -126,7 +126,7 @@ std::optional<Refusal> refused_body(const Request& request) {
   if (request.method != "POST") {
     return refuse(400, Code::malformed, "A " + request.method + " has no body.", "Content-Length 0");
   }
-  if (length > patient_body_bytes) {
+  if (length > max_drained_body_bytes) {
     return refuse(413, Code::too_large, fmt::format("The body has {} bytes.", length),
                   fmt::format("at most {} bytes", limits::command_body_bytes));
   }

@@ -7,8 +7,8 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t kept_answers = 1000;
-constexpr std::size_t kept_body_bytes = 64 * 1024;  // longer answers (large batches) are run once and not repeated
+constexpr std::size_t max_cached_answers = 1000;
+constexpr std::size_t max_cached_body_bytes = 64 * 1024;  // longer answers (large batches) are run once and not repeated
 
 /// FNV-1a.
 std::uint64_t hash_of(const std::string& text, std::uint64_t hash) {
@@ -56,7 +56,7 @@ bool IdempotencyCache::begin(const std::string& key, const Entry& entry, httplib
 
 void IdempotencyCache::finish(const std::string& key, const httplib::Response& response) {
   const std::lock_guard lock(mutex_);
-  const bool keep = response.status >= 200 && response.status < 300 && response.body.size() <= kept_body_bytes;
+  const bool keep = response.status >= 200 && response.status < 300 && response.body.size() <= max_cached_body_bytes;
   if (!keep) {
     entries_.erase(key);
     return;
@@ -68,7 +68,7 @@ void IdempotencyCache::finish(const std::string& key, const httplib::Response& r
   entry.location = response.get_header_value("Location");
   entry.etag = response.get_header_value("ETag");
   finished_.push_back(key);
-  if (finished_.size() > kept_answers) {
+  if (finished_.size() > max_cached_answers) {
     entries_.erase(finished_.front());
     finished_.pop_front();
   }

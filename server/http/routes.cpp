@@ -63,7 +63,7 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/v1/scenes/{id}/model", "PUT"},
                                                 {"/v1/scenes/{id}/subdivide", "POST"},
                                                 {"/v1/scenes/{id}/environment", "PUT"},
-                                                {"/v1/scenes/{id}/base_picture", "PUT"},
+                                                {"/v1/scenes/{id}/skin_texture", "PUT"},
                                                 {"/v1/scenes/{id}/pictures", "PUT"},
                                                 {"/v1/scenes/{id}/maps/{field}", "GET, HEAD, PUT"},
                                                 {"/v1/scenes/{id}/commands", "POST"},

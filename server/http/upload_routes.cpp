@@ -38,11 +38,11 @@ void load_environment(Service& service, Scene& scene, const Request& request, Re
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void load_base_picture(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+void load_skin_texture(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_base_picture(scene, bytes, {.if_match = *if_match});
+  const auto answer = service.scenes.load_skin_texture(scene, bytes, {.if_match = *if_match});
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
@@ -66,21 +66,21 @@ void keep_picture(Service& service, Scene&, const Request& request, Response& re
 
 /// One kind of upload.
 struct Kind {
-  std::size_t most_bytes;
+  std::size_t max_bytes;
   void (*use)(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes);
 };
 
 /// The whole body; a refusal leaves bytes unread, so the connection has to end.
-Result<std::string> read_body(const Request& request, const httplib::ContentReader& read, std::size_t most_bytes) {
+Result<std::string> read_body(const Request& request, const httplib::ContentReader& read, std::size_t max_bytes) {
   const auto length = request.get_header_value<std::uint64_t>("Content-Length");
-  if (length > most_bytes) {
+  if (length > max_bytes) {
     return failure(Code::too_large, fmt::format("The upload has {} bytes.", length), "",
-                   fmt::format("at most {} bytes", most_bytes));
+                   fmt::format("at most {} bytes", max_bytes));
   }
   std::string bytes;
   const bool whole = read([&](const char* data, std::size_t size) {
     bytes.append(data, size);
-    return bytes.size() <= most_bytes;
+    return bytes.size() <= max_bytes;
   });
   if (!whole) return failure(Code::malformed, "The body ended before its Content-Length.");
   return bytes;
@@ -94,7 +94,7 @@ void upload(Service& service, const Kind& kind, const Request& request, Response
     reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", "4 at a time"));
     return close_after(response);
   }
-  const Result<std::string> bytes = read_body(request, read, kind.most_bytes);
+  const Result<std::string> bytes = read_body(request, read, kind.max_bytes);
   if (!bytes) {
     reply_problem(response, bytes.status());
     return close_after(response);
@@ -116,7 +116,7 @@ void put(httplib::Server& server, Service& service, const char* name, Kind kind)
 void add_upload_routes(httplib::Server& server, Service& service) {
   put(server, service, "model", {limits::model_bytes, load_model});
   put(server, service, "environment", {limits::picture_bytes, load_environment});
-  put(server, service, "base_picture", {limits::picture_bytes, load_base_picture});
+  put(server, service, "skin_texture", {limits::picture_bytes, load_skin_texture});
   put(server, service, "maps/([^/]+)", {limits::picture_bytes, load_map});
   put(server, service, "pictures", {limits::picture_bytes, keep_picture});
 }

@@ -121,7 +121,7 @@ class Conversation {
       }
       if (waits[0].revents & POLLOUT) send_some();
       if (waits[0].revents & (POLLIN | POLLHUP | POLLERR)) receive(stream_, result.answer, limits_.answer_bytes + 1);
-      if (waits[1].revents & (POLLIN | POLLHUP | POLLERR)) receive(error_, result.complaint, most_complaint);
+      if (waits[1].revents & (POLLIN | POLLHUP | POLLERR)) receive(error_, result.complaint, max_complaint);
       if (result.answer.size() > limits_.answer_bytes) {
         result.too_long = true;
         return;
@@ -130,7 +130,7 @@ class Conversation {
   }
 
  private:
-  static constexpr std::size_t most_complaint = 4096;
+  static constexpr std::size_t max_complaint = 4096;
 
   void send_some() {
     if (!input_.empty()) {
@@ -144,12 +144,12 @@ class Conversation {
   }
 
   /// Appends what is there, up to `most` bytes in all; the rest is read and forgotten. Closes at the end.
-  static void receive(Descriptor& from, std::string& to, std::size_t most) {
+  static void receive(Descriptor& from, std::string& to, std::size_t max) {
     std::array<char, 65536> buffer;
     const ssize_t count = recv(from.get(), buffer.data(), buffer.size(), MSG_DONTWAIT);
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (count <= 0) return from.close();
-    to.append(buffer.data(), std::min(static_cast<std::size_t>(count), most - to.size()));
+    to.append(buffer.data(), std::min(static_cast<std::size_t>(count), max - to.size()));
   }
 
   Descriptor stream_, error_;

@@ -20,19 +20,19 @@ struct Header {
 };
 
 template <class Sample>
-void append(std::string& bytes, const std::vector<float>& rgba, float most) {
+void append(std::string& bytes, const std::vector<float>& rgba, float max) {
   std::vector<Sample> samples;
   samples.reserve(rgba.size());
-  for (const float value : rgba) samples.push_back(static_cast<Sample>(std::lround(value * most)));
+  for (const float value : rgba) samples.push_back(static_cast<Sample>(std::lround(value * max)));
   bytes.append(reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(Sample));
 }
 
 template <class Sample>
-void take(std::span<const std::byte> bytes, std::vector<float>& rgba, float most) {
+void take(std::span<const std::byte> bytes, std::vector<float>& rgba, float max) {
   for (std::size_t i = 0; i < rgba.size(); ++i) {
     Sample sample;
     std::memcpy(&sample, bytes.data() + i * sizeof sample, sizeof sample);
-    rgba[i] = static_cast<float>(sample) / most;
+    rgba[i] = static_cast<float>(sample) / max;
   }
 }
 

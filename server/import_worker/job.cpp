@@ -30,8 +30,8 @@ Result<std::string> read_data(std::string bytes) {
   return encode_map_picture(*picture);
 }
 
-Result<std::string> read_base(std::string bytes) {
-  const Result<RawImage> image = read_base_picture(bytes);
+Result<std::string> read_backplate(std::string bytes) {
+  const Result<RawImage> image = read_skin_texture(bytes);
   if (!image.ok()) return image.status();
   return encode_raw_image(*image);
 }
@@ -48,7 +48,7 @@ Job job_of(std::string_view name) {
   }
   if (name == worker_environment) return read_light;
   if (name == worker_map) return read_data;
-  return name == worker_picture ? read_base : nullptr;
+  return name == worker_picture ? read_backplate : nullptr;
 }
 
 }  // namespace pelage

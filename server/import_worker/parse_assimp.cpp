@@ -69,11 +69,11 @@ class Collector {
 
  private:
   Status add(const aiMesh& mesh, const glm::dmat4& node) {
-    constexpr std::size_t most_positions = 3 * limits::model_triangles;
+    constexpr std::size_t max_positions = 3 * limits::model_triangles;
     const Result<MaterialReader::Entry> material = materials_.read(mesh.mMaterialIndex);
     if (!material.ok()) return material.status();
-    if (model_.positions.size() + mesh.mNumVertices > most_positions ||
-        model_.face_sizes.size() + mesh.mNumFaces > most_positions) {
+    if (model_.positions.size() + mesh.mNumVertices > max_positions ||
+        model_.face_sizes.size() + mesh.mNumFaces > max_positions) {
       return broken("it has more vertices or faces than " + std::to_string(limits::model_triangles) +
                     " triangles can have.");
     }

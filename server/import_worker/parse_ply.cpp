@@ -72,7 +72,7 @@ bool read_property(std::string_view line, PlyHeader& header) {
 }
 
 /// Fewest bytes that one element takes.
-std::size_t least_bytes(const PlyElement& element, PlyEncoding encoding) {
+std::size_t min_bytes(const PlyElement& element, PlyEncoding encoding) {
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
     const std::size_t binary = size_of(property.is_list ? property.count_type : property.type);
@@ -119,8 +119,8 @@ Result<PlyHeader> take_ply_header(std::string_view& bytes) {
   }
   if (!has_format) return broken("its header names no format.");
   for (const PlyElement& element : header.elements) {
-    const std::size_t least = least_bytes(element, header.encoding);
-    if (least > 0 && element.count > bytes.size() / least + 1) {
+    const std::size_t min = min_bytes(element, header.encoding);
+    if (min > 0 && element.count > bytes.size() / min + 1) {
       return broken("it counts " + std::to_string(element.count) + " of element " + element.name +
                     ", for which it has no room.");
     }

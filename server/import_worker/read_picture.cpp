@@ -15,7 +15,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t most_pixels = std::size_t{limits::picture_pixels} * limits::picture_pixels;
+constexpr std::size_t max_pixels = std::size_t{limits::picture_pixels} * limits::picture_pixels;
 
 Status check_sides(int width, int height) {
   if (std::max(width, height) <= limits::picture_pixels) return {};
@@ -35,7 +35,7 @@ std::optional<double> scale_of(const std::string& text) {
 
 Result<SphericalHarmonics> read_environment(const std::string& bytes) {
   read_exr_without_threads();
-  const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), most_pixels);
+  const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), max_pixels);
   if (!image.ok()) return image.status();
   if (image->display_referred)
     return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
@@ -43,8 +43,8 @@ Result<SphericalHarmonics> read_environment(const std::string& bytes) {
   return project_equirectangular(image->width, image->height, image->rgba);
 }
 
-Result<RawImage> read_base_picture(const std::string& bytes) {
-  Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), most_pixels);
+Result<RawImage> read_skin_texture(const std::string& bytes) {
+  Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), max_pixels);
   if (!image.ok()) return image.status();
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   return RawImage{image->width, image->height, std::move(image->rgba)};
@@ -52,7 +52,7 @@ Result<RawImage> read_base_picture(const std::string& bytes) {
 
 Result<MapPicture> read_map_picture(const std::string& bytes) {
   read_exr_without_threads();
-  Result<DataImage> image = decode_data_image(std::as_bytes(std::span(bytes)), most_pixels, map_scale_text);
+  Result<DataImage> image = decode_data_image(std::as_bytes(std::span(bytes)), max_pixels, map_scale_text);
   if (!image.ok()) return image.status();
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   const auto broken_numbers =

@@ -30,7 +30,7 @@ inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
 Result<SphericalHarmonics> read_environment(const std::string& bytes);
 
 /// The colours of a PNG or JPEG that is laid on a model.
-Result<RawImage> read_base_picture(const std::string& bytes);
+Result<RawImage> read_skin_texture(const std::string& bytes);
 
 /// The numbers of a PNG, JPEG, EXR or HDR that holds data. Also refuses NaN and infinity, with their count.
 Result<MapPicture> read_map_picture(const std::string& bytes);

@@ -15,7 +15,7 @@ namespace {
 bool is_float(MapFormat format) { return format == MapFormat::exr || format == MapFormat::exr_half; }
 
 double largest(const FieldSet& fields, Field field) {
-  if (fields.at_rest(field)) return shape_of(field).rest;
+  if (fields.at_default(field)) return shape_of(field).default_value;
   const std::vector<float>& values = fields.values(field);
   return *std::max_element(values.begin(), values.end());
 }
@@ -36,8 +36,8 @@ double scale_of(const Mesh& mesh, const FieldSet& fields, const MapRequest& requ
   const bool is_open = scaled == Field::length || scaled == Field::stretch || scaled == Field::width;
   if (is_float(request.format)) return world ? 1 / mesh.size : 1;
   if (!is_open) return 1;
-  const double most = largest(fields, scaled);
-  return most > 0 ? most : 1;
+  const double max = largest(fields, scaled);
+  return max > 0 ? max : 1;
 }
 
 /// A corner's value in the map, colours multiplied by what they cover.
@@ -86,7 +86,7 @@ DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& re
   draw_triangles(uvs, values, map.image);
   const double covered = covered_share(map.image);
   dilate(map.image, request.dilate);
-  fit_corners(uvs, values, map.layout.least, map.layout.most, map.image);
+  fit_corners(uvs, values, map.layout.min, map.layout.max, map.image);
   if (map.layout.premultiplied && !is_float(request.format)) divide_by_cover(map.image);
   map.answer = {.field = request.field, .encoding = encoding, .units = request.units, .covered = covered};
   const bool world = is_length(scaled_field(request.field, encoding)) && request.units == Units::world;
@@ -98,7 +98,7 @@ DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& re
 namespace {
 
 constexpr int band_rows = 32;
-constexpr int most_repeats = 4;  // of the picture that a triangle is drawn in, along each side
+constexpr int max_repeats = 4;  // of the picture that a triangle is drawn in, along each side
 
 /// A triangle in pixels, rows from the top.
 struct PixelTriangle {
@@ -128,7 +128,7 @@ struct Repeats {
     const glm::vec2 a = uvs.corners[t.x].uv, b = uvs.corners[t.y].uv, c = uvs.corners[t.z].uv;
     first = glm::ivec2(glm::floor(glm::min(a, glm::min(b, c))));
     last = glm::max(glm::ivec2(glm::ceil(glm::max(a, glm::max(b, c)))) - 1, first);
-    last = glm::min(last, first + most_repeats - 1);
+    last = glm::min(last, first + max_repeats - 1);
   }
 };
 

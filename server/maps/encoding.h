@@ -40,7 +40,7 @@ void dilate(MapImage& image, int distance);
 /// (projections onto each corner's equation in turn, Kaczmarz 1937, held in [least, most]). Without it mixing rounds
 /// off what bends at a vertex. Corners that share pixels and disagree find a compromise; those in
 /// no triangle with an area in the texture are left alone.
-void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::dvec4 least, glm::dvec4 most,
+void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::dvec4 min, glm::dvec4 max,
                  MapImage& image);
 
 /// Triangles with a part outside [0, 1].
@@ -61,7 +61,7 @@ struct MapLayout {
   int channels = 1;  // [1, 4]
   std::array<ChannelKind, 4> kinds{};
   bool premultiplied = false;  // the first three by the fourth, while pixels are mixed
-  glm::dvec4 least{0}, most{1};
+  glm::dvec4 min{0}, max{1};
   glm::dvec4 background{0};    // where no island reaches: the fields at rest
 };
 

@@ -31,7 +31,7 @@ struct Slopes {
     (slope.side > 0 ? plain : mirrored) += slope.along_u;
     (slope.side > 0 ? plain_area : mirrored_area) += glm::length(slope.along_u);
   }
-  Slope of_most() const {
+  Slope of_max() const {
     return mirrored_area > plain_area ? Slope{mirrored, -1} : Slope{plain, 1};
   }
 };
@@ -100,7 +100,7 @@ UvCorners make_uv_corners(const Mesh& mesh) {
       around.add(slopes[t]);
     }
     UvCorner& corner = all.corners.emplace_back(UvCorner{one.vertex, one.uv, {1, 0}, 1, false});
-    settle(corner, around.of_most(), mesh);
+    settle(corner, around.of_max(), mesh);
     ++all.first[one.vertex + 1];
   }
   for (std::size_t v = 0; v + 1 < all.first.size(); ++v) all.first[v + 1] += all.first[v];
@@ -109,10 +109,10 @@ UvCorners make_uv_corners(const Mesh& mesh) {
 
 namespace {
 
-constexpr std::size_t least_passes = 48, most_passes = 2000;
-constexpr std::size_t most_corrections = 10'000'000;  // beyond the least passes: small models may take more of them
+constexpr std::size_t min_passes = 48, max_passes = 2000;
+constexpr std::size_t max_corrections = 10'000'000;  // beyond the least passes: small models may take more of them
 constexpr double close_enough = 1e-6;  // of a value's own size, or of 0.01 where it is smaller
-constexpr double least_hold = 0.05;    // of covered pixels on a corner; with less a correction would grow too far
+constexpr double min_hold = 0.05;    // of covered pixels on a corner; with less a correction would grow too far
 
 /// The sum of weights of one pixel that stands for several of the four.
 Taps merged(Taps taps) {
@@ -139,14 +139,14 @@ double hold_of(const Taps& taps, const MapImage& image) {
 }
 
 /// Whether a pixel can go on in the direction of `miss`.
-bool is_free(const MapImage& image, std::size_t pixel, int channel, double miss, double least, double most) {
+bool is_free(const MapImage& image, std::size_t pixel, int channel, double miss, double min, double max) {
   const double value = image.at(pixel)[channel];
-  return image.covered[pixel] && (miss > 0 ? value < most : value > least);
+  return image.covered[pixel] && (miss > 0 ? value < max : value > min);
 }
 
 /// Moves the free pixels the shortest way to where the corner's equation holds, and those that then still are free
 /// again where others came to a limit. Whether it did not hold before.
-bool project(const Taps& taps, double wanted, int channel, double least, double most, MapImage& image) {
+bool project(const Taps& taps, double wanted, int channel, double min, double max, MapImage& image) {
   const double enough = close_enough * std::max(std::abs(wanted), 0.01);
   double miss = wanted - found(taps, channel, image);
   if (std::abs(miss) <= enough) return false;
@@ -154,13 +154,13 @@ bool project(const Taps& taps, double wanted, int channel, double least, double 
     double hold = 0;  // sum of the squared weights of free pixels
     std::array<bool, 4> free{};
     for (std::size_t i = 0; i < 4; ++i) {
-      free[i] = is_free(image, taps.pixels[i], channel, miss, least, most);
+      free[i] = is_free(image, taps.pixels[i], channel, miss, min, max);
       if (free[i]) hold += taps.weights[i] * taps.weights[i];
     }
     if (hold == 0) return true;
     for (std::size_t i = 0; i < 4; ++i) {
       float& value = image.at(taps.pixels[i])[channel];
-      if (free[i]) value = static_cast<float>(std::clamp(value + miss * taps.weights[i] / hold, least, most));
+      if (free[i]) value = static_cast<float>(std::clamp(value + miss * taps.weights[i] / hold, min, max));
     }
     miss = wanted - found(taps, channel, image);
   }
@@ -169,19 +169,19 @@ bool project(const Taps& taps, double wanted, int channel, double least, double 
 
 }  // namespace
 
-void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::dvec4 least, glm::dvec4 most,
+void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::dvec4 min, glm::dvec4 max,
                  MapImage& image) {
   const std::size_t passes =
-      std::clamp(most_corrections / std::max<std::size_t>(uvs.corners.size(), 1), least_passes, most_passes);
+      std::clamp(max_corrections / std::max<std::size_t>(uvs.corners.size(), 1), min_passes, max_passes);
   bool moved = true;
   for (std::size_t pass = 0; pass < passes && moved; ++pass) {
     moved = false;
     for (std::size_t k = 0; k < uvs.corners.size(); ++k) {
       if (!uvs.corners[k].mapped) continue;
       const Taps taps = merged(taps_at(uvs.corners[k].uv, image.size, image.size));
-      if (hold_of(taps, image) < least_hold) continue;
+      if (hold_of(taps, image) < min_hold) continue;
       for (int c = 0; c < image.channels; ++c)
-        moved = project(taps, values[k][c], c, least[c], most[c], image) || moved;
+        moved = project(taps, values[k][c], c, min[c], max[c], image) || moved;
     }
   }
 }

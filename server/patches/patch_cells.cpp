@@ -92,8 +92,8 @@ class CellGrower {
   }
 
   void split_until_good() {
-    constexpr int most_rounds = 64;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 64;
+    for (int round = 0; round < max_rounds; ++round) {
       const Adjacency members = members_of(cells_);
       const std::uint32_t before = cells_.count;
       for (std::uint32_t c = 0; c < before; ++c) {

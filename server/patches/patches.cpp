@@ -59,7 +59,7 @@ Layout lay_out(const Mesh& mesh, const VertexGraph& graph, Cells cells) {
 bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat, std::size_t cell_size) {
   constexpr double allowed_share = 0.04;
   constexpr std::size_t few = 20;
-  const double most = cell_size < few ? 1.7 : 1.3;
+  const double max = cell_size < few ? 1.7 : 1.3;
   double area = 0, bad = 0;
   for (const glm::uvec3& t : flat.triangles) {
     std::array<glm::dvec3, 3> p;
@@ -71,7 +71,7 @@ bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat, std::size_t cel
     const Stretch stretch = stretch_of(p, uv);
     const double twice = glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
     area += twice;
-    if (stretch.flipped || stretch.large > most || stretch.small < 1 / most) bad += twice;
+    if (stretch.flipped || stretch.large > max || stretch.small < 1 / max) bad += twice;
   }
   return bad > allowed_share * area;
 }
@@ -125,11 +125,11 @@ float weight_sum(const PatchMap& map, const Piece& piece) {
 }  // namespace
 
 PatchMap lay_patches(const Mesh& mesh) {
-  constexpr int most_rounds = 4;
+  constexpr int max_rounds = 4;
   const VertexGraph graph = make_vertex_graph(mesh);
   Cells cells = partition(mesh, graph, {});
   Layout layout = lay_out(mesh, graph, cells);
-  for (int round = 0; round < most_rounds && split_stretched(mesh, graph, layout, cells); ++round) {
+  for (int round = 0; round < max_rounds && split_stretched(mesh, graph, layout, cells); ++round) {
     layout = lay_out(mesh, graph, cells);
   }
   return assemble(mesh, layout);

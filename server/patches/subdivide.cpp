@@ -14,9 +14,9 @@ namespace pelage {
 
 namespace {
 
-/// A point of the refined map: one of the old map, or the middle of two of them.
+/// A point of the subdivided map: one of the old map, or the middle of two of them.
 struct Middle {
-  std::uint32_t vertex = 0;         // of the refined mesh
+  std::uint32_t vertex = 0;         // of the subdivided mesh
   std::uint32_t low = 0, high = 0;  // points of the old map; the same for a point that was there
 
   auto order() const { return std::tie(vertex, low, high); }
@@ -24,7 +24,7 @@ struct Middle {
   bool operator==(const Middle& other) const { return order() == other.order(); }
 };
 
-/// A piece of the refined map before its points have numbers.
+/// A piece of the subdivided map before its points have numbers.
 struct NewPiece {
   std::uint32_t triangle = 0, patch = 0;
   std::array<Middle, 3> corners;
@@ -34,26 +34,26 @@ float weight_of(const PatchMap& map, const Middle& middle) {
   return static_cast<float>((double{map.points[middle.low].weight} + double{map.points[middle.high].weight}) / 2);
 }
 
-NewPiece split_piece(const Piece& piece, const ChildTriangle& child, std::uint32_t triangle, const Mesh& refined) {
+NewPiece split_piece(const Piece& piece, const ChildTriangle& child, std::uint32_t triangle, const Mesh& subdivided) {
   NewPiece result{triangle, piece.patch, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     const int corner = child.corners[k];
     const std::uint32_t a = piece.points[corner % 3];
     const std::uint32_t b = corner < 3 ? a : piece.points[(corner + 1) % 3];
-    result.corners[k] = {refined.triangles[triangle][static_cast<int>(k)], std::min(a, b), std::max(a, b)};
+    result.corners[k] = {subdivided.triangles[triangle][static_cast<int>(k)], std::min(a, b), std::max(a, b)};
   }
   return result;
 }
 
 /// The pieces of all children, by triangle, then patch.
 std::vector<NewPiece> split_pieces(const PatchMap& map, const std::vector<ChildTriangle>& children,
-                                   const Mesh& refined) {
+                                   const Mesh& subdivided) {
   std::vector<NewPiece> pieces;
   std::size_t begin = 0, end = 0;  // pieces of the parent
   for (std::uint32_t t = 0; t < children.size(); ++t) {
     while (map.pieces[begin].triangle < children[t].parent) ++begin;
     for (end = begin; end < map.pieces.size() && map.pieces[end].triangle == children[t].parent; ++end) {
-      const NewPiece piece = split_piece(map.pieces[end], children[t], t, refined);
+      const NewPiece piece = split_piece(map.pieces[end], children[t], t, subdivided);
       const bool counts = std::any_of(piece.corners.begin(), piece.corners.end(),
                                       [&](const Middle& corner) { return weight_of(map, corner) > 0; });
       if (counts) pieces.push_back(piece);
@@ -70,18 +70,18 @@ glm::vec3 across(glm::dvec3 axis, glm::dvec3 normal) {
   return glm::vec3(length > vanishing ? axis / length : tailward(normal));
 }
 
-PatchPoint make_point(const PatchMap& map, const Middle& middle, const Mesh& refined) {
+PatchPoint make_point(const PatchMap& map, const Middle& middle, const Mesh& subdivided) {
   const PatchPoint &a = map.points[middle.low], &b = map.points[middle.high];
   if (middle.low == middle.high) return a;
   const glm::dvec3 axis = glm::dvec3(a.axis) + glm::dvec3(b.axis);
   return {middle.vertex, a.patch, glm::vec2((glm::dvec2(a.uv) + glm::dvec2(b.uv)) / 2.0),
-          across(axis, glm::dvec3(refined.normals[middle.vertex])), weight_of(map, middle)};
+          across(axis, glm::dvec3(subdivided.normals[middle.vertex])), weight_of(map, middle)};
 }
 
 }  // namespace
 
-PatchMap refine_patches(const PatchMap& map, const std::vector<ChildTriangle>& children, const Mesh& refined) {
-  const std::vector<NewPiece> pieces = split_pieces(map, children, refined);
+PatchMap subdivide_patches(const PatchMap& map, const std::vector<ChildTriangle>& children, const Mesh& subdivided) {
+  const std::vector<NewPiece> pieces = split_pieces(map, children, subdivided);
   std::vector<std::vector<Middle>> of_patch(map.patches);
   for (const NewPiece& piece : pieces)
     of_patch[piece.patch].insert(of_patch[piece.patch].end(), piece.corners.begin(), piece.corners.end());
@@ -93,7 +93,7 @@ PatchMap refine_patches(const PatchMap& map, const std::vector<ChildTriangle>& c
   std::vector<std::uint32_t> first;
   for (const std::vector<Middle>& middles : of_patch) {
     first.push_back(static_cast<std::uint32_t>(result.points.size()));
-    for (const Middle& middle : middles) result.points.push_back(make_point(map, middle, refined));
+    for (const Middle& middle : middles) result.points.push_back(make_point(map, middle, subdivided));
   }
   for (const NewPiece& piece : pieces) {
     Piece& numbered = result.pieces.emplace_back(Piece{piece.triangle, piece.patch, {}});
@@ -185,7 +185,7 @@ void add_children(const Mesh& mesh, const Middles& middles, std::uint32_t triang
   }
 }
 
-void add_vertex(const Mesh& mesh, glm::uvec2 parents, Mesh& refined) {
+void add_vertex(const Mesh& mesh, glm::uvec2 parents, Mesh& subdivided) {
   constexpr double vanishing = 1e-4;
   const auto [a, b] = std::pair(parents.x, parents.y);
   const glm::dvec3 sum = glm::dvec3(mesh.normals[a]) + glm::dvec3(mesh.normals[b]);
@@ -194,10 +194,10 @@ void add_vertex(const Mesh& mesh, glm::uvec2 parents, Mesh& refined) {
   glm::dvec3 tangent = glm::dvec3(mesh.tangents[a]) + glm::dvec3(mesh.tangents[b]);
   tangent -= glm::dot(tangent, normal) * normal;
   const double length = glm::length(tangent);
-  refined.positions.push_back(middle_of(mesh, a, b));
-  refined.normals.emplace_back(normal);
-  refined.tangents.emplace_back(length > vanishing ? tangent / length : tailward(normal));
-  refined.length_scale.push_back(static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
+  subdivided.positions.push_back(middle_of(mesh, a, b));
+  subdivided.normals.emplace_back(normal);
+  subdivided.tangents.emplace_back(length > vanishing ? tangent / length : tailward(normal));
+  subdivided.length_scale.push_back(static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
 }
 
 LookCorner mean(const LookCorner& a, const LookCorner& b) {
@@ -220,22 +220,22 @@ std::vector<std::array<Corner, 3>> corners_of(const std::vector<std::array<Corne
   return result;
 }
 
-Mesh refine_mesh(const Mesh& mesh, const Middles& middles, const std::vector<ChildTriangle>& children) {
-  Mesh refined = mesh;
-  for (const glm::uvec2 parents : middles.parents) add_vertex(mesh, parents, refined);
-  refined.triangles.clear();
-  refined.triangles.reserve(children.size());
+Mesh subdivide_mesh(const Mesh& mesh, const Middles& middles, const std::vector<ChildTriangle>& children) {
+  Mesh subdivided = mesh;
+  for (const glm::uvec2 parents : middles.parents) add_vertex(mesh, parents, subdivided);
+  subdivided.triangles.clear();
+  subdivided.triangles.reserve(children.size());
   for (const ChildTriangle& child : children) {
     const auto at = [&](std::size_t c) {
       return c < 3 ? mesh.triangles[child.parent][static_cast<int>(c)] : middles.of[child.parent][c - 3];
     };
-    refined.triangles.emplace_back(at(child.corners[0]), at(child.corners[1]), at(child.corners[2]));
+    subdivided.triangles.emplace_back(at(child.corners[0]), at(child.corners[1]), at(child.corners[2]));
   }
-  refined.corners = corners_of(mesh.corners, children);
-  refined.texture_uv = corners_of(mesh.texture_uv, children);
-  refined.report.vertices = refined.positions.size();
-  refined.report.triangles = refined.triangles.size();
-  return refined;
+  subdivided.corners = corners_of(mesh.corners, children);
+  subdivided.texture_uv = corners_of(mesh.texture_uv, children);
+  subdivided.report.vertices = subdivided.positions.size();
+  subdivided.report.triangles = subdivided.triangles.size();
+  return subdivided;
 }
 
 Status too_many(std::size_t triangles) {
@@ -255,7 +255,7 @@ Result<std::vector<bool>> flags_of(const ChosenTriangles& chosen, std::size_t tr
 
 }  // namespace
 
-Result<RefinedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, const ChosenTriangles& chosen) {
+Result<SubdividedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, const ChosenTriangles& chosen) {
   const Result<std::vector<bool>> flags = flags_of(chosen, mesh.triangles.size());
   if (!flags) return flags.status();
   Middles middles = halve_edges(mesh, *flags);
@@ -263,9 +263,9 @@ Result<RefinedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, cons
   children.reserve(mesh.triangles.size() + 2 * middles.parents.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_children(mesh, middles, t, children);
   if (children.size() > limits::model_triangles) return too_many(children.size());
-  Mesh refined = refine_mesh(mesh, middles, children);
-  PatchMap map = refine_patches(patches, children, refined);
-  return RefinedSurface{std::move(refined), std::move(map), std::move(middles.parents)};
+  Mesh subdivided = subdivide_mesh(mesh, middles, children);
+  PatchMap map = subdivide_patches(patches, children, subdivided);
+  return SubdividedSurface{std::move(subdivided), std::move(map), std::move(middles.parents)};
 }
 
 }  // namespace pelage

@@ -18,8 +18,8 @@ struct ChildTriangle {
   std::array<std::uint8_t, 3> corners{0, 1, 2};
 };
 
-/// The map on the children of its triangles; they lie in the order of their parents. `refined` is their mesh.
-PatchMap refine_patches(const PatchMap& map, const std::vector<ChildTriangle>& children, const Mesh& refined);
+/// The map on the children of its triangles; they lie in the order of their parents. `subdivided` is their mesh.
+PatchMap subdivide_patches(const PatchMap& map, const std::vector<ChildTriangle>& children, const Mesh& subdivided);
 
 // Splitting triangles of the field mesh at the middles of their edges; the shape stays (linear subdivision).
 
@@ -28,12 +28,12 @@ struct TriangleRun {
   std::uint32_t begin = 0, end = 0;
   bool operator==(const TriangleRun&) const = default;
 };
-/// What one refinement splits: runs that rise and do not touch; none is empty.
+/// What one subdivision splits: runs that rise and do not touch; none is empty.
 using ChosenTriangles = std::vector<TriangleRun>;
 
-/// A mesh after one refinement. Vertices that were there keep their numbers; parents[k] are the two ends of the edge
+/// A mesh after one subdivision. Vertices that were there keep their numbers; parents[k] are the two ends of the edge
 /// that vertex (old count + k) halves.
-struct RefinedSurface {
+struct SubdividedSurface {
   Mesh mesh;
   PatchMap patches;
   std::vector<glm::uvec2> parents;
@@ -45,6 +45,6 @@ struct RefinedSurface {
 /// colours, texture coordinates and places on the sample tile are means, so that no root of fur moves. Pieces of
 /// patches that count nothing on a new triangle are left out. Refused (invalid): a choice beyond the mesh, or more
 /// triangles than the limit of models. The same bits at any thread count.
-Result<RefinedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, const ChosenTriangles& chosen);
+Result<SubdividedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, const ChosenTriangles& chosen);
 
 }  // namespace pelage

@@ -35,7 +35,7 @@ Command with_named(Command command, const SceneSettings& settings) {
       if (named.name != blow->blower) continue;
       Blow filled = named.blow;
       filled.stroke = blow->stroke, filled.brush = blow->brush;
-      filled.blower = blow->blower, filled.layer = blow->layer;
+      filled.blower = blow->blower, filled.edit_layer = blow->edit_layer;
       *blow = std::move(filled);
       break;
     }
@@ -45,7 +45,7 @@ Command with_named(Command command, const SceneSettings& settings) {
       if (named.name != attract->attractor) continue;
       Attract filled = named.attract;
       filled.stroke = attract->stroke, filled.brush = attract->brush;
-      filled.attractor = attract->attractor, filled.layer = attract->layer;
+      filled.attractor = attract->attractor, filled.edit_layer = attract->edit_layer;
       *attract = std::move(filled);
       break;
     }
@@ -53,30 +53,30 @@ Command with_named(Command command, const SceneSettings& settings) {
   return command;
 }
 
-/// Whether an erase takes away what its layer adds, and does not go back to another time.
-bool erases_layer(const Command& command) {
+/// Whether an erase takes away what its edit layer adds, and does not go back to another time.
+bool erases_edit_layer(const Command& command) {
   const auto* erase = std::get_if<Erase>(&command);
-  return erase && !erase->layer.empty() && erase->checkpoint.empty() && !erase->revision;
+  return erase && !erase->edit_layer.empty() && erase->checkpoint.empty() && !erase->revision;
 }
 
 /// What one image does to all sheets.
 Evaluation evaluate_image(const Command& image, const Surface& surface, const FieldSet& fields,
                           const SceneSettings& settings, const ToolExtras& extras) {
-  if (erases_layer(image)) return erase_layer(std::get<Erase>(image), surface, fields, settings.layers);
+  if (erases_edit_layer(image)) return erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers);
   Evaluation done = evaluate(image, surface, fields, extras);
-  done.delta = kept_in_layer(done.delta, layer_of(image), settings.layers, fields);
+  done.delta = stored_in_edit_layer(done.delta, edit_layer_of(image), settings.layers, fields);
   return done;
 }
 
 /// All images of a command, one on what the other left; applied to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings) {
   Evaluation all;
-  if (const auto* layer = std::get_if<ChangeLayer>(&step.command)) {
-    all.delta = change_layers(*layer, settings.layers, fields);
+  if (const auto* layer = std::get_if<ChangeEditLayer>(&step.command)) {
+    all.delta = change_edit_layers(*layer, settings.layers, fields);
     fields.apply(all.delta);
     return all;
   }
-  const ToolExtras extras{settings.coat, step.rest.get(), step.source.get(), step.picture.get()};
+  const ToolExtras extras{settings.coat, step.baseline.get(), step.source.get(), step.picture.get()};
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
     const Evaluation one = evaluate_image(image, surface, fields, settings, extras);
     fields.apply(one.delta);

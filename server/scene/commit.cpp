@@ -31,7 +31,7 @@ Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke
   if (!picture) return picture.status();
   std::vector<VertexRange> dirty = with_changes(dirty_, entries);
   SceneSummary summary = describe();
-  summary.layers = prepared.settings().layers;
+  summary.edit_layers = prepared.settings().layers;
   if (Status written = journal_.append(id_, entries); !written.ok()) return written;
   fields_ = std::move(fields);
   history_.record(std::move(prepared));
@@ -44,7 +44,7 @@ Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke
 
 /// The journal keeps the pictures that logs name, so that undo and redo find them.
 Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings) const {
-  const std::string& name = settings.base_picture;
+  const std::string& name = settings.skin_texture;
   if (name == picture_.name) return picture_;
   if (name.empty()) return LaidPicture{};
   const Result<std::string> bytes = journal_.picture(name);

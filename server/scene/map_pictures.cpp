@@ -40,8 +40,8 @@ std::vector<std::string> pictures_read_by(const std::vector<Command>& commands) 
 Result<std::shared_ptr<const MapPicture>> BatchPictures::read(const std::string& name, const char* pointer) {
   if (const auto found = known_.find(name); found != known_.end()) return found->second;
   if (!journal_.has_picture(name)) return unknown_picture(pointer);
-  if (known_.size() == most)
-    return failure(Code::invalid, "a batch reads too many pictures", pointer, std::to_string(most) + " different ones");
+  if (known_.size() == max)
+    return failure(Code::invalid, "a batch reads too many pictures", pointer, std::to_string(max) + " different ones");
   const Result<std::string> bytes = journal_.picture(name);
   if (!bytes) return bytes.status();
   Result<MapPicture> picture = decode_map_picture(std::as_bytes(std::span(*bytes)));
@@ -60,12 +60,12 @@ Result<std::shared_ptr<const MapPicture>> BatchPictures::find(const Command& com
   return picture;
 }
 
-Status check_base_picture(const std::string& name, const Journal& journal) {
+Status check_skin_texture(const std::string& name, const Journal& journal) {
   if (!journal.has_picture(name)) return unknown_picture("/picture");
   const Result<std::string> bytes = journal.picture(name);
   if (!bytes) return bytes.status();
   if (decode_raw_image(std::as_bytes(std::span(*bytes)))) return {};
-  return failure(Code::invalid, "this picture was uploaded as data; upload it to base_picture", "/picture");
+  return failure(Code::invalid, "this picture was uploaded as data; upload it to skin_texture", "/picture");
 }
 
 std::string name_of_picture(std::string_view bytes) {

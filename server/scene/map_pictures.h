@@ -21,7 +21,7 @@ std::vector<std::string> pictures_read_by(const std::vector<Command>& commands);
 /// The pictures that the commands of a batch read, each once in memory.
 class BatchPictures {
  public:
-  static constexpr std::size_t most = 8;  // different ones in a batch: each takes up to 256 MiB
+  static constexpr std::size_t max = 8;  // different ones in a batch: each takes up to 256 MiB
 
   explicit BatchPictures(const Journal& journal) : journal_(journal) {}
 
@@ -37,7 +37,7 @@ class BatchPictures {
 };
 
 /// Refuses (invalid, "/picture") a name that is not known, or is that of a picture that was uploaded as data.
-Status check_base_picture(const std::string& name, const Journal& journal);
+Status check_skin_texture(const std::string& name, const Journal& journal);
 
 /// 32 hex digits that follow from the bytes alone, so that a log finds its picture on another server too.
 std::string name_of_picture(std::string_view bytes);

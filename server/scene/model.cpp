@@ -60,13 +60,13 @@ Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const
   if (!mesh) return mesh.status();
   Result<PatchMap> patches = lay(*mesh, how.fur_patches);
   if (!patches) return patches.status();
-  for (const ChosenTriangles& chosen : how.refinements) {
-    Result<RefinedSurface> finer = subdivide(*mesh, *patches, chosen);
+  for (const ChosenTriangles& chosen : how.subdivisions) {
+    Result<SubdividedSurface> finer = subdivide(*mesh, *patches, chosen);
     if (!finer) return finer.status();
     mesh = std::move(finer->mesh), patches = std::move(finer->patches);
   }
   return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name,
-                                                          how.fur_patches, how.refinements});
+                                                          how.fur_patches, how.subdivisions});
 }
 
 }  // namespace pelage

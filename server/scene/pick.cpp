@@ -45,7 +45,7 @@ void read_paint(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
 PickAnswer pick(const Surface& surface, const FieldSet& fields, const View& view, glm::dvec2 pixel) {
   const Mesh& mesh = surface.mesh();
   const PlacedCamera camera = place_camera(view.camera, static_cast<double>(view.width) / view.height, mesh);
-  const auto point = surface.raycast(camera.eye, pixel_ray(camera, pixel, view.width, view.height));
+  const auto point = surface.raycast(camera.position, pixel_ray(camera, pixel, view.width, view.height));
   PickAnswer answer;
   if (!point) return answer;
   answer.hit = true;

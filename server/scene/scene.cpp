@@ -191,11 +191,11 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
     return failure(Code::invalid, "the scene has no blower of this name", "/blower");
   if (const auto* attract = std::get_if<Attract>(&command); attract && missing(settings.attractors, attract->attractor))
     return failure(Code::invalid, "the scene has no attractor of this name", "/attractor");
-  if (const auto* layer = std::get_if<ChangeLayer>(&command)) return check(*layer, settings.layers);
-  if (Status bad = check_groomed(layer_of(command), settings.layers); !bad.ok()) return bad;
-  const auto* base = std::get_if<SetBasePicture>(&command);
+  if (const auto* layer = std::get_if<ChangeEditLayer>(&command)) return check(*layer, settings.layers);
+  if (Status bad = check_groomed(edit_layer_of(command), settings.layers); !bad.ok()) return bad;
+  const auto* base = std::get_if<SetSkinTexture>(&command);
   if (base == nullptr || base->picture.empty()) return {};
-  return check_base_picture(base->picture, journal_);
+  return check_skin_texture(base->picture, journal_);
 }
 
 /// An erase finds the fields that it goes back to.
@@ -217,9 +217,9 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
       return failure(Code::invalid, "the scene has no checkpoint of this name", "/checkpoint");
     revision = *named->revision;
   }
-  Result<FieldSet> rest = past.fields_at(revision);
-  if (!rest) return rest.status();
-  step.rest = std::make_shared<const FieldSet>(std::move(*rest));
+  Result<FieldSet> baseline = past.fields_at(revision);
+  if (!baseline) return baseline.status();
+  step.baseline = std::make_shared<const FieldSet>(std::move(*baseline));
   return step;
 }
 

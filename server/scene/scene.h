@@ -36,7 +36,7 @@ struct SceneModel {
   std::uint64_t id = 0;  // unique in the process: what the renderer caches by, but for branches that share the model
   std::string name;      // "creature", "obj", ...
   FurPatches fur_patches = FurPatches::overlapping;
-  std::vector<ChosenTriangles> refinements = {};  // since it was prepared
+  std::vector<ChosenTriangles> subdivisions = {};  // since it was prepared
 };
 
 /// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.
@@ -54,7 +54,7 @@ struct SceneView {
   const FieldSet& fields;
   const SceneSettings& settings;
   Revision revision;
-  const RawImage* base_picture = nullptr;  // that the settings name; null for the model's own colours
+  const RawImage* skin_texture = nullptr;  // that the settings name; null for the model's own colours
   std::uint64_t copy_id = model.id;        // what the renderer keeps the model with these fields by
   std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on without the lock
   std::shared_ptr<const RawImage> picture_owner = {};

@@ -5,7 +5,7 @@
 
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
-#include "server/scene/refine.h"
+#include "server/scene/subdivide.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -53,20 +53,20 @@ Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
 Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options) {
   const std::lock_guard lock(mutex_);
   if (Status refused = admit(options); !refused.ok()) return refused;
-  Result<RefinedScene> refined = refine(*model_, fields_, history_.settings().layers, how, id);
-  if (!refined) return refined.status();
-  if (options.dry_run || !refined->model) return describe();
+  Result<SubdividedScene> subdivided = subdivide_scene(*model_, fields_, history_.settings().layers, how, id);
+  if (!subdivided) return subdivided.status();
+  if (options.dry_run || !subdivided->model) return describe();
   const Revision revision = history_.revision() + 1;
   auto settings = std::make_shared<SceneSettings>(history_.settings());
   settings->checkpoints.clear();  // of revisions that are gone
   StoredModel model;
-  model.refinements = refined->model->refinements;
-  const FieldDelta groom = difference(FieldSet(refined->fields.size()), refined->fields);
-  Status written = journal_.refine_model({id_, name_, std::move(model), revision, groom, settings});
+  model.subdivisions = subdivided->model->subdivisions;
+  const FieldDelta groom = difference(FieldSet(subdivided->fields.size()), subdivided->fields);
+  Status written = journal_.subdivide_model({id_, name_, std::move(model), revision, groom, settings});
   if (!written.ok()) return written;
-  model_ = std::move(refined->model);
+  model_ = std::move(subdivided->model);
   copy_id_ = model_->id;
-  fields_ = std::move(refined->fields);
+  fields_ = std::move(subdivided->fields);
   history_ = new_history(revision, *settings);
   live_.end();
   dirty_ = {{0, static_cast<std::uint32_t>(fields_.size())}};

@@ -251,21 +251,21 @@ Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how
   return scene.execute({SetEnvironment{how}}, execute);
 }
 
-Result<CommandAnswer> SceneStore::load_base_picture(Scene& scene, std::span<const std::byte> bytes,
+Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
                                                     const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
   if (!slot.has()) return too_many_imports();
   const Result<RawImage> picture = import_picture(impl_->worker, bytes);
   if (!picture) return picture.status();
-  return lay_base_picture(scene, *picture, execute);
+  return lay_skin_texture(scene, *picture, execute);
 }
 
-Result<CommandAnswer> SceneStore::lay_base_picture(Scene& scene, const RawImage& picture,
+Result<CommandAnswer> SceneStore::lay_skin_texture(Scene& scene, const RawImage& picture,
                                                    const ExecuteOptions& execute) {
   const std::string bytes = encode_raw_image(picture);
   const std::string name = name_of_picture(bytes);
   if (Status kept = impl_->journal->add_picture(name, bytes); !kept.ok()) return kept;
-  return scene.execute({SetBasePicture{name}}, execute);
+  return scene.execute({SetSkinTexture{name}}, execute);
 }
 
 Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> bytes) {

@@ -56,10 +56,10 @@ class SceneStore {
                                          const ExecuteOptions& execute = {});
 
   /// Reads a PNG or JPEG through the worker and lays it on the scene's model. Counts as an import.
-  Result<CommandAnswer> load_base_picture(Scene& scene, std::span<const std::byte> bytes,
+  Result<CommandAnswer> load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
                                           const ExecuteOptions& execute = {});
-  /// Keeps the picture and names it in a set_base_picture. Refused as that command is.
-  Result<CommandAnswer> lay_base_picture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
+  /// Keeps the picture and names it in a set_skin_texture. Refused as that command is.
+  Result<CommandAnswer> lay_skin_texture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
   /// Keeps a picture of data for commands to name. One that no log names is gone after a restart.
   Result<PictureAnswer> keep_picture(std::span<const std::byte> bytes);
   /// The same, and reads a map from it with ApplyMap. Refused as that command is.

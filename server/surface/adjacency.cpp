@@ -22,16 +22,16 @@ void for_each_side(const std::vector<glm::uvec3>& triangles, const Visit& visit)
 
 // Counted out by their lower vertex, of which each has few.
 std::vector<Side> sorted_sides(const std::vector<glm::uvec3>& triangles) {
-  std::uint32_t most = 0;
-  for (const glm::uvec3& t : triangles) most = std::max({most, t.x, t.y, t.z});
-  std::vector<std::size_t> begin(std::size_t{most} + 2, 0);
+  std::uint32_t max = 0;
+  for (const glm::uvec3& t : triangles) max = std::max({max, t.x, t.y, t.z});
+  std::vector<std::size_t> begin(std::size_t{max} + 2, 0);
   for_each_side(triangles, [&](const Side& side) { ++begin[side.low + 1]; });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   std::vector<Side> sides(triangles.size() * 3);
   for_each_side(triangles, [&](const Side& side) { sides[next[side.low]++] = side; });
   const auto at = [&](std::size_t i) { return sides.begin() + static_cast<std::ptrdiff_t>(i); };
-  for (std::size_t low = 0; low <= most; ++low) {
+  for (std::size_t low = 0; low <= max; ++low) {
     std::sort(at(begin[low]), at(begin[low + 1]), [](const Side& a, const Side& b) {
       return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
     });

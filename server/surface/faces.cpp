@@ -13,7 +13,7 @@ namespace {
 
 using Indices = std::array<std::uint32_t, 3>;
 
-constexpr std::size_t most_corners_for_ears = 128;
+constexpr std::size_t max_corners_for_ears = 128;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -30,7 +30,7 @@ class Polygon {
 
   std::vector<Indices> split() {
     if (ring_.size() == 4) split_quad();
-    if (ring_.size() > 3 && (ring_.size() > most_corners_for_ears || is_convex())) split_fan();
+    if (ring_.size() > 3 && (ring_.size() > max_corners_for_ears || is_convex())) split_fan();
     while (ring_.size() > 3) cut(find_ear());
     if (ring_.size() == 3) add(0, 1, 2);
     return std::move(triangles_);

@@ -81,7 +81,7 @@ EdgeSearch::EdgeSearch(const Surface& surface) : surface_(surface) {
 }
 
 Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
-  constexpr double bands_a_step = 4, most_bands = 1 << 14;  // narrow, but not so many that going through them counts
+  constexpr double bands_a_step = 4, max_bands = 1 << 14;  // narrow, but not so many that going through them counts
   const std::vector<glm::vec3>& normals = surface_.mesh().normals;
   const Adjacency& edges = surface_.adjacency();
   Spread spread = nothing_reached(normals.size());
@@ -90,9 +90,9 @@ Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
   std::vector<std::uint32_t> before(
       normals.size());  // the vertex that the way comes from; the vertex itself at sources
   for (const auto& [distance, vertex] : starts) before[vertex] = vertex;
-  MonotoneQueue front(std::max(mean_ / bands_a_step, longest_ / most_bands), longest_);
+  MonotoneQueue front(std::max(mean_ / bands_a_step, longest_ / max_bands), longest_);
   for (auto start = starts.begin(); start != starts.end() || !front.empty();) {
-    for (; start != starts.end() && (front.empty() || start->first <= front.least()); ++start)
+    for (; start != starts.end() && (front.empty() || start->first <= front.min()); ++start)
       front.push(start->first, start->second);
     const auto [distance, vertex] = front.pop();
     if (distance > spread.distance[vertex]) continue;

@@ -43,7 +43,7 @@ class MonotoneQueue {
   }
 
   /// The least distance in it; infinite when it is empty.
-  double least() {
+  double min() {
     if (empty()) return std::numeric_limits<double>::infinity();
     while (near_.empty()) {
       near_.swap(bands_[++band_ % bands_.size()]);
@@ -54,7 +54,7 @@ class MonotoneQueue {
 
   /// Takes the nearest out. There must be one.
   Place pop() {
-    least();
+    min();
     std::pop_heap(near_.begin(), near_.end(), std::greater<>());
     const Place place = near_.back();
     near_.pop_back();
@@ -106,7 +106,7 @@ struct Spread {
   std::vector<glm::dvec3> vector;  // the nearest source's, brought there by smallest rotations along the way
 };
 
-/// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and refining the mesh does
+/// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and subdividing the mesh does
 /// not cure that. Lengths of edges are found once for all searches, which may run in parallel. Of several shortest ways
 /// to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
 /// vertex.

@@ -14,7 +14,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 /// Heat falls like exp(-distance / reach): shorter, and it would leave the range of double on the far side.
-constexpr double least_reach = 1.0 / 200;
+constexpr double min_reach = 1.0 / 200;
 /// Of the smaller of two matrices' diagonals; makes the Laplacian of every connected part invertible.
 constexpr double regularisation = 1e-9;
 
@@ -86,7 +86,7 @@ struct HeatDistance::Impl {
 
 HeatDistance::Impl::Impl(const Surface& surface) : elements(elements_of(surface.mesh())), parts(parts_of(surface)) {
   const auto size = static_cast<Eigen::Index>(surface.mesh().positions.size());
-  const double reach = std::max(mean_edge(surface.mesh()), least_reach);
+  const double reach = std::max(mean_edge(surface.mesh()), min_reach);
   std::vector<Eigen::Triplet<double>> stiffness, mass;
   for (const Element& element : elements) {
     for (int i = 0; i < 3; ++i) {

@@ -29,7 +29,7 @@ std::array<View, 3> views() {
   Camera front, back, ear;
   front.automatic = AutoView::three_quarter, back.automatic = AutoView::back;
   ear.automatic = AutoView::none;
-  ear.eye = {-0.35, 2.3, 1.9}, ear.target = {0.05, 0.9, 0.12}, ear.fov_degrees = 17;
+  ear.position = {-0.35, 2.3, 1.9}, ear.target = {0.05, 0.9, 0.12}, ear.fov_degrees = 17;
   return {{{"three quarter", front, 0.03, 0.45}, {"back", back, 0.03, 0.45}, {"ear before flank", ear, 0.04, 0.6}}};
 }
 
@@ -47,7 +47,7 @@ Picture picture_of(Renderer& renderer, const FurFrame& frame) {
   Picture picture;
   DrawTimes times;
   const Cost cost = measure([&] {
-    Result<std::vector<FloatImage>> light = renderer.draw_layers(frame, std::array{FrameLayer::beauty}, &times);
+    Result<std::vector<FloatImage>> light = renderer.draw_aovs(frame, std::array{Aov::beauty}, &times);
     if (!light) std::fprintf(stderr, "%s\n", light.status().message.c_str()), std::exit(4);
     picture.light = std::move(light.value().front());
   });
@@ -61,13 +61,13 @@ void print(const std::string& name, const Picture& truth, const Picture& picture
   const Result<PictureError> error = compare(truth.light, picture.light, mask);
   if (!error || !error->figures) std::fprintf(stderr, "the pictures cannot be compared\n"), std::exit(4);
   const PictureFigures& f = *error->figures;
-  std::printf("  %-20s FLIP %.5f, 95th %.4f, outline %.5f; relMSE %.2e, bias %+.2e; %8.2f Mfragments, %7.1f s CPU\n",
-              name.c_str(), f.flip.mean, f.flip.percentile_95, f.outline.value_or(FlipFigures{}).mean, f.rel_mse, f.bias,
+  std::printf("  %-20s FLIP %.5f, 95th %.4f, silhouette %.5f; relMSE %.2e, bias %+.2e; %8.2f Mfragments, %7.1f s CPU\n",
+              name.c_str(), f.flip.mean, f.flip.percentile_95, f.silhouette.value_or(FlipFigures{}).mean, f.rel_mse, f.bias,
               picture.megafragments, picture.seconds);
   std::fflush(stdout);
 }
 
-void run(Renderer& renderer, const View& view, int size, int most) {
+void run(Renderer& renderer, const View& view, int size, int max) {
   const testing::FurredModel model = testing::furred({Builtin::creature, 5000}, {.length = view.length, .inclination = view.inclination});
   testing::draw(renderer, model, testing::small_frame());
   std::printf("\n%s\n", view.name);
@@ -75,24 +75,24 @@ void run(Renderer& renderer, const View& view, int size, int most) {
     return picture_of(renderer, frame_of(model, view, size, shells, order));
   };
   Picture truth = draw(64, FragmentOrder::sorted);
-  for (int shells = 128; shells <= most; shells *= 2) {
+  for (int shells = 128; shells <= max; shells *= 2) {
     Picture next = draw(shells, FragmentOrder::sorted);
     print(std::to_string(shells / 2) + " by " + std::to_string(shells), next, truth);
     truth = std::move(next);
   }
   for (const int shells : {16, 64, 256}) {
-    const std::string against = std::to_string(shells) + " by " + std::to_string(most);
-    print(against + " layers", truth, draw(shells, FragmentOrder::layers));
+    const std::string against = std::to_string(shells) + " by " + std::to_string(max);
+    print(against + " shells", truth, draw(shells, FragmentOrder::shells));
     print(against + " sorted", truth, draw(shells, FragmentOrder::sorted));
   }
   renderer.forget(model.model.id);
 }
 
 int main(int count, char** arguments) {
-  const int size = argument(count, arguments, "--size", 512), most = argument(count, arguments, "--most", 1024);
+  const int size = argument(count, arguments, "--size", 512), max = argument(count, arguments, "--most", 1024);
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  for (const View& view : views()) run(*opened.renderer, view, size, most);
+  for (const View& view : views()) run(*opened.renderer, view, size, max);
   return 0;
 }
 

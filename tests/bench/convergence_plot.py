@@ -26,17 +26,17 @@ def slope(points):
 def main():
     series = [(name, points_of(file)) for name, file in (argument.split("=") for argument in sys.argv[2:])]
     every = [point for _, points in series for point in points]
-    most = max(p for p, _ in every)
+    maximum = max(p for p, _ in every)
     low, high = math.floor(math.log10(min(e for _, e in every)) * 2) / 2, math.ceil(math.log10(max(e for _, e in every)) * 2) / 2
 
     def place(passes, error):
-        x = LEFT + (WIDTH - LEFT - RIGHT) * math.log2(passes) / math.log2(most)
+        x = LEFT + (WIDTH - LEFT - RIGHT) * math.log2(passes) / math.log2(maximum)
         y = TOP + (HEIGHT - TOP - BOTTOM) * (high - math.log10(error)) / (high - low)
         return f"{x:.1f},{y:.1f}"
 
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{HEIGHT}" font-family="sans-serif" font-size="13">',
              f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>']
-    for k in range(int(math.log2(most)) + 1):
+    for k in range(int(math.log2(maximum)) + 1):
         x, y = place(2 ** k, 10 ** low).split(",")
         lines += [f'<path d="M{x},{TOP}V{y}" stroke="#ddd"/>', f'<text x="{x}" y="{float(y) + 18}" text-anchor="middle">{2 ** k}</text>']
     for k in range(round(2 * low), round(2 * high) + 1):

@@ -21,7 +21,7 @@ double cpu_milliseconds() {
 
 }  // namespace
 
-void Cost::least(const Cost& other) { wall = std::min(wall, other.wall), cpu = std::min(cpu, other.cpu); }
+void Cost::lower_to(const Cost& other) { wall = std::min(wall, other.wall), cpu = std::min(cpu, other.cpu); }
 
 Cost measure(const std::function<void()>& work) {
   const double cpu = cpu_milliseconds();
@@ -35,7 +35,7 @@ std::vector<Cost> measure_alternating(const std::vector<std::function<void()>>& 
   std::vector<Cost> costs(works.size());
   for (const auto& work : works) work();
   for (int i = 0; i < repetitions; ++i) {
-    for (std::size_t k = 0; k < works.size(); ++k) costs[k].least(measure(works[k]));
+    for (std::size_t k = 0; k < works.size(); ++k) costs[k].lower_to(measure(works[k]));
   }
   return costs;
 }

@@ -8,7 +8,7 @@ namespace pelage::bench {
 
 struct Cost {
   double wall = 1e300, cpu = 1e300;  // milliseconds
-  void least(const Cost& other);
+  void lower_to(const Cost& other);
 };
 
 /// CPU is the time of all threads of the process, so that other processes count little.

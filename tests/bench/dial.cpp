@@ -26,7 +26,7 @@
 namespace pelage::bench {
 namespace {
 
-const char* name_of(FragmentOrder order) { return order == FragmentOrder::sorted ? "sorted" : "layers"; }
+const char* name_of(FragmentOrder order) { return order == FragmentOrder::sorted ? "sorted" : "shells"; }
 
 void print_row(const Knobs& k, double cost, double error, const char* mark = "") {
   std::printf("  %s %3d x %d, scale %.2f, %s: %8.2f ms, FLIP %.4f %s\n", name_of(k.order), k.shells, k.steps, k.scale,
@@ -54,11 +54,11 @@ void print_view(const char* name, const MeasuredView& view, std::span<const Knob
 }
 
 std::vector<MeasuredView> measure_all(Renderer& renderer, std::span<const Knobs> ladder, const MeasureOptions& options,
-                                      int most_scenes) {
+                                      int max_scenes) {
   std::vector<MeasuredView> views;
   std::uint64_t id = 0;
   for (const CalibrationScene& described : calibration_scenes()) {
-    if (static_cast<int>(id) >= most_scenes) break;
+    if (static_cast<int>(id) >= max_scenes) break;
     const MeasuredScene scene = make_measured_scene(described, ++id);
     sync_scene(renderer, scene.view(), {});
     for (const CalibrationScene::View& view : described.views) {
@@ -151,23 +151,23 @@ void Judged::budgets(const MeasuredView& view, const FurFrame& frame, const Cost
   }
 }
 
-/// By probes, as the first request of its scene; or told from its features alone.
+/// By probes, as the first request of its scene; or estimated from its features alone.
 void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool probing,
                         Tally& tally) {
-  for (double most = 0.008; most <= 0.12; most *= 1.2) {
+  for (double max = 0.008; max <= 0.12; max *= 1.2) {
     double cheapest = 1e30;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (view.error[i] <= most) cheapest = std::min(cheapest, view.cost_ms[i]);
+      if (view.error[i] <= max) cheapest = std::min(cheapest, view.cost_ms[i]);
     }
     if (cheapest > 1e29) continue;
     MeasuredErrors errors;
     const MeasureError measure = [&](const Knobs& knobs) { return ++probes, std::optional(view.probed_error[index_of(knobs)]); };
     requests += probing;
     const PlannedFrame planned =
-        probing ? plan_measured(calibration, view.features, frame, correction, most, errors, measure)
-                : plan(calibration, view.features, frame, correction, {{}, most});
+        probing ? plan_measured(calibration, view.features, frame, correction, max, errors, measure)
+                : plan(calibration, view.features, frame, correction, {{}, max});
     const std::size_t row = index_of(planned.knobs);
-    tally.add(view.error[row] <= most, view.cost_ms[row] / cheapest, 1.5);
+    tally.add(view.error[row] <= max, view.cost_ms[row] / cheapest, 1.5);
   }
 }
 
@@ -191,7 +191,7 @@ void Judged::judge(const MeasuredView& view, const FurFrame& frame) {
   const CostCorrection correction = learnt(view);
   const ViewFeatures& f = view.features;
   std::printf("cost %.2f and FLIP %.2f times the estimate; learnt %.2f and %.2f; fur %.1f px, behind %.2f, area %.0f\n",
-              std::exp(cost / count), std::exp(error / count), correction.layers, correction.sorted, f.fur_pixels,
+              std::exp(cost / count), std::exp(error / count), correction.shells, correction.sorted, f.fur_pixels,
               f.behind, f.area);
   std::fflush(stdout);
   budgets(view, frame, {}, first), budgets(view, frame, correction, later);
@@ -222,7 +222,7 @@ int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& o
   }
   judged.first.print("budgets, first frames", "FLIP over the best");
   judged.later.print("budgets, later frames", "FLIP over the best");
-  judged.told.print("errors told from the view", "cost over the cheapest");
+  judged.told.print("errors estimated from the view", "cost over the cheapest");
   judged.measured.print("errors probed", "cost over the cheapest");
   std::printf("%.1f knob sets were probed for a request\n", double(judged.probes) / std::max(judged.requests, 1));
   return 0;

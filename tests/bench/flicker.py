@@ -53,8 +53,8 @@ def sample(picture, x, y):
 
 def draw(scene, eye, target, size, quality):
     request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
-               "layers": ["beauty", "position", "depth"], "quality": quality,
-               "camera": {"eye": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": FOV}}
+               "aovs": ["beauty", "position", "depth"], "quality": quality,
+               "camera": {"position": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": FOV}}
     answer = scene.post("frames", request, timeout=600)
     assert answer.status == 200, answer
     channels = read_exr(answer.body)

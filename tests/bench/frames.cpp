@@ -27,9 +27,9 @@ double run(const Gl& gl, Renderer& renderer, const char* name, const testing::Fu
   const double difference = testing::mean_difference(picture, naive.draw());
   Cost ours, ours_draft, theirs;
   for (int i = 0; i < repetitions; ++i) {
-    theirs.least(measure([&] { naive.draw(); }));
-    ours.least(measure([&] { draw(renderer, frame); }));
-    ours_draft.least(measure([&] { draw(renderer, draft); }));
+    theirs.lower_to(measure([&] { naive.draw(); }));
+    ours.lower_to(measure([&] { draw(renderer, frame); }));
+    ours_draft.lower_to(measure([&] { draw(renderer, draft); }));
   }
   std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
               model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours.wall, ours.cpu,
@@ -41,14 +41,14 @@ double run(const Gl& gl, Renderer& renderer, const char* name, const testing::Fu
 
 int main(int count, char** arguments) {
   int repetitions = 7, size = 512;
-  double most_difference = 255;
+  double max_difference = 255;
   std::string ply;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string name = arguments[i];
     if (name == "--repetitions") repetitions = std::atoi(arguments[i + 1]);
     else if (name == "--size") size = std::atoi(arguments[i + 1]);
     else if (name == "--ply") ply = arguments[i + 1];
-    else if (name == "--most-difference") most_difference = std::atof(arguments[i + 1]);
+    else if (name == "--most-difference") max_difference = std::atof(arguments[i + 1]);
     else return std::fprintf(stderr, "unknown argument %s\n", name.c_str()), 2;
   }
   const BenchRenderer opened = open_renderer();
@@ -63,7 +63,7 @@ int main(int count, char** arguments) {
   add("creature", testing::furred({Builtin::creature, 5000}));
   if (ply.empty()) add("creature", testing::furred({Builtin::creature, 100000}));
   else add("file", testing::furred_ply(ply));
-  return difference <= most_difference ? 0 : 1;
+  return difference <= max_difference ? 0 : 1;
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ Command dab(const Mesh& mesh, double radius, Random& random) {
   tool.stroke.emplace();
   const glm::dvec3 from(mesh.positions[v]), along(mesh.tangents[v]);
   if (std::is_same_v<Tool, Comb>)
-    tool.stroke->samples.push_back({PositionPlace{mesh.to_model(from - tool.brush.spacing * radius * along)}});
-  tool.stroke->samples.push_back({PositionPlace{mesh.to_model(from)}});
+    tool.stroke->samples.push_back({PositionSample{mesh.to_model(from - tool.brush.spacing * radius * along)}});
+  tool.stroke->samples.push_back({PositionSample{mesh.to_model(from)}});
   return tool;
 }
 using Dab = Command (*)(const Mesh&, double, Random&);
@@ -110,7 +110,7 @@ DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
   const double radius = radius_for(surface, dab_vertices);
   Random random(1);
   DabCosts costs;
-  const auto least = [](Cost& cost, const Cost& other) { cost.least({other.wall / places, other.cpu / places}); };
+  const auto lower = [](Cost& cost, const Cost& other) { cost.lower_to({other.wall / places, other.cpu / places}); };
   for (int i = 0; i < repetitions; ++i) {
     std::vector<Command> dabs;
     for (int k = 0; k < places; ++k) dabs.push_back(dab(surface.mesh(), radius, random));
@@ -122,17 +122,17 @@ DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
     const Cost change = measure([&] {
       for (const FieldDelta& delta : deltas) fields.apply(delta);
     });
-    least(costs.evaluate, evaluate_cost), least(costs.change, change);
+    lower(costs.evaluate, evaluate_cost), lower(costs.change, change);
     for (const FieldDelta& delta : deltas)
       costs.touched += static_cast<double>(delta.vertices().size()) / places / repetitions;
     for (Command& place : dabs) place = dab(surface.mesh(), radius, random);
-    least(costs.scene, measure([&] {
+    lower(costs.scene, measure([&] {
             for (const Command& one : dabs) require(made.scene().execute({one}).ok(), "a dab");
           }));
-    least(costs.undo, measure([&] {
+    lower(costs.undo, measure([&] {
             for (int k = 0; k < places; ++k) require(made.scene().move(Undo{}).ok(), "undo");
           }));
-    least(costs.redo, measure([&] {
+    lower(costs.redo, measure([&] {
             for (int k = 0; k < places; ++k) require(made.scene().move(Redo{}).ok(), "redo");
           }));
   }
@@ -166,7 +166,7 @@ void print_dabs(int few, int many, int repetitions) {
 Stroke stroke_on(const Mesh& mesh) {
   Stroke stroke;
   for (const double step : {0.0, 0.1})
-    stroke.samples.push_back({PositionPlace{mesh.to_model(glm::dvec3(mesh.positions[0]) + glm::dvec3(0, step, 0))}});
+    stroke.samples.push_back({PositionSample{mesh.to_model(glm::dvec3(mesh.positions[0]) + glm::dvec3(0, step, 0))}});
   return stroke;
 }
 
@@ -274,7 +274,7 @@ void print_interpolation(int vertices, int repetitions) {
   }
   Cost cost;
   for (int i = 0; i < repetitions; ++i)
-    cost.least(measure([&] { require(!evaluate(command, surface, fields).delta.empty(), "interpolate"); }));
+    cost.lower_to(measure([&] { require(!evaluate(command, surface, fields).delta.empty(), "interpolate"); }));
   std::printf("interpolate, 16 keys, %d vertices: %.2f s, CPU %.2f s\n\n", vertices, cost.wall / 1e3, cost.cpu / 1e3);
 }
 

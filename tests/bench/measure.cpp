@@ -15,7 +15,7 @@ BenchRenderer open_renderer() {
 }
 
 Image draw(Renderer& renderer, const FurFrame& frame, DrawTimes* times) {
-  renderer.forget_kept();
+  renderer.clear_view_cache();
   Result<Image> image = renderer.draw(frame, times);
   if (!image) std::fprintf(stderr, "%s\n", image.status().message.c_str()), std::exit(4);
   return std::move(image).value();

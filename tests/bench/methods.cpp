@@ -96,8 +96,8 @@ void compare_methods(Renderer& renderer, const Place& place, const Options& opti
   for (const Tier tier : {Tier::interactive, Tier::detailed}) {
     request.knobs = knobs_of(tier);
     FurFrame frame = make_frame(model.view(), request);
-    frame.camera.eye *= options.distance;
-    Result<std::vector<FloatImage>> drawn = renderer.draw_layers(frame, std::array{FrameLayer::beauty});
+    frame.camera.position *= options.distance;
+    Result<std::vector<FloatImage>> drawn = renderer.draw_aovs(frame, std::array{Aov::beauty});
     if (!drawn) std::exit(4);
     const FloatImage& shells = drawn->front();
     const Result<PictureError> error = compare(strands, shells, union_of(alpha_mask(strands), alpha_mask(shells)));

@@ -56,7 +56,7 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
 
 Image NaiveRenderer::draw() {
   const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
-  const auto lists = model_.sort_for(gl_, frame_.coat, {glm::vec3(block.eye), block.eye.w, frame_.knobs.shells, ShellPolicy::uniform});
+  const auto lists = model_.sort_for(gl_, frame_.coat, {glm::vec3(block.viewpoint), block.viewpoint.w, frame_.knobs.shells, ShellPolicy::uniform});
   const std::array<float, 4> nothing{};
   const float far_away = 0;
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());
@@ -90,7 +90,7 @@ Image NaiveRenderer::draw() {
       draw_list(gl_, each.list);
     }
   };
-  draw_side(lists.parts.front().averted, -1);
+  draw_side(lists.parts.front().back_facing, -1);
   draw_side(lists.parts.front().facing, 1);
   gl_.Disable(GL_BLEND);
   resolve_.draw(gl_, frame_, drawn_, picture_, 255, 0);

@@ -57,9 +57,9 @@ void trace_ours(Renderer& renderer, const testing::FurredModel& model, const Opt
     const int passes = tracer.report().passes;
     if (truth || (passes & (passes - 1)) != 0) continue;
     times << passes << ' ' << spent.wall / 1e3 << ' ' << spent.cpu / 1e3 << std::endl;
-    write_exr(tracer.layer(FrameLayer::beauty), options.folder + "/ours_" + std::to_string(passes) + ".exr");
+    write_exr(tracer.aov(Aov::beauty), options.folder + "/ours_" + std::to_string(passes) + ".exr");
   }
-  if (truth) write_exr(tracer.layer(FrameLayer::beauty), options.folder + "/ours_truth.exr");
+  if (truth) write_exr(tracer.aov(Aov::beauty), options.folder + "/ours_truth.exr");
 }
 
 void write_all(Renderer& renderer, const Options& options) {
@@ -111,20 +111,20 @@ struct Fit {
 
 Fit fit_of(const std::vector<Run>& runs) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  const Run* least = nullptr;
-  const Run* most = nullptr;
+  const Run* min = nullptr;
+  const Run* max = nullptr;
   for (const Run& run : runs) {
     if (run.samples == 0) continue;
     const double u = std::log(run.samples), v = std::log(run.error);
     n += 1, x += u, y += v, xx += u * u, xy += u * v;
-    if (!least || run.samples < least->samples) least = &run;
-    if (!most || run.samples > most->samples) most = &run;
+    if (!min || run.samples < min->samples) min = &run;
+    if (!max || run.samples > max->samples) max = &run;
   }
   if (n < 2) stop("too few pictures");
   Fit fit;
   fit.power = (n * xy - x * y) / (n * xx - x * x), fit.at_one = std::exp((y - fit.power * x) / n);
-  fit.each = (most->cpu - least->cpu) / (most->samples - least->samples);
-  fit.start = least->cpu - fit.each * least->samples;
+  fit.each = (max->cpu - min->cpu) / (max->samples - min->samples);
+  fit.start = min->cpu - fit.each * min->samples;
   return fit;
 }
 

@@ -55,7 +55,7 @@ void write_settings(const FurFrame& frame, std::ostream& out) {
   const auto ambient = static_cast<float>(frame.look.ambient);
   out.precision(9);
   out << "  \"width\": " << frame.width << ", \"height\": " << frame.height
-      << ", \"bounces\": " << frame.knobs.trace.bounces << ",\n  \"camera\": {\"eye\": " << camera.eye
+      << ", \"bounces\": " << frame.knobs.trace.bounces << ",\n  \"camera\": {\"position\": " << camera.position
       << ", \"right\": " << camera.right << ", \"up\": " << camera.up << ", \"forward\": " << camera.forward
       << ", \"tan_half_fov\": " << camera.tan_half_fov << "},\n  \"light\": {\"direction\": " << light.direction
       << ", \"half_angle\": " << light.angle << ", \"radiance\": " << light.radiance

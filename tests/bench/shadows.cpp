@@ -29,7 +29,7 @@ void run(Renderer& renderer, const char* name, testing::FurredModel model, std::
   for (int i = 0; i < repetitions; ++i) {
     maps.lights[0].radiance *= 1.0001f;  // any change makes them anew
     DrawTimes times;
-    fresh.least(measure([&] { draw(renderer, maps, &times); }));
+    fresh.lower_to(measure([&] { draw(renderer, maps, &times); }));
     making = std::min(making, times.shadow);
   }
   std::printf("%-9s %7zu %6zu | %8.1f | %8.1f %5.2f | %8.1f %5.2f | %8.1f %8.1f\n", name,

@@ -26,7 +26,7 @@ struct Setup {
 };
 
 struct Point {
-  double error = 0, outline = 0;  // FLIP, means
+  double error = 0, silhouette = 0;  // FLIP, means
   Cost cost;
 };
 
@@ -46,7 +46,7 @@ void set_error(Point& point, const Image& truth, const Image& image) {
   const Result<PictureError> error = compare(truth, image, mask);
   if (!error || !error->figures) return;
   point.error = error->figures->flip.mean;
-  point.outline = error->figures->outline.value_or(FlipFigures{}).mean;
+  point.silhouette = error->figures->silhouette.value_or(FlipFigures{}).mean;
 }
 
 /// The tiers, or knobs as --try has them.
@@ -113,12 +113,12 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
   for (std::size_t i = 0; i < points.size(); ++i) points[i].cost = costs[i];
   const std::vector<Point> curve(points.begin() + static_cast<std::ptrdiff_t>(frames.size()), points.end());
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    std::printf("  %-12s FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms\n", named[i].name.c_str(), points[i].error,
-                points[i].outline, points[i].cost.wall, points[i].cost.cpu);
+    std::printf("  %-12s FLIP %.4f silhouette %.4f  wall %7.1f cpu %7.1f ms\n", named[i].name.c_str(), points[i].error,
+                points[i].silhouette, points[i].cost.wall, points[i].cost.cpu);
   }
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    std::printf("  naive %-6d FLIP %.4f outline %.4f  wall %7.1f cpu %7.1f ms", naive_shells[i], curve[i].error,
-                curve[i].outline, curve[i].cost.wall, curve[i].cost.cpu);
+    std::printf("  naive %-6d FLIP %.4f silhouette %.4f  wall %7.1f cpu %7.1f ms", naive_shells[i], curve[i].error,
+                curve[i].silhouette, curve[i].cost.wall, curve[i].cost.cpu);
     for (const double scale : scales) print_cheapest(named, points, scale, curve[i]);
     std::printf("\n");
   }

@@ -107,7 +107,7 @@ void run(Renderer& renderer, const Options& options) {
   const FurFrame frame = begin_trace(renderer, tracer, model, request);
   trace_to_end(tracer, report_passes);
   if (!options.out.empty()) {
-    const Result<Image> picture = renderer.finish(frame, tracer.layer(FrameLayer::beauty), nullptr);
+    const Result<Image> picture = renderer.finish(frame, tracer.aov(Aov::beauty), nullptr);
     if (!picture) std::exit(4);
     std::ofstream(options.out, std::ios::binary) << encode_png(*picture, false);
   }
@@ -140,13 +140,13 @@ void converge(Renderer& renderer, const Options& options) {
   Tracer tracer(options.threads, std::size_t{6} << 30, false);
   begin_trace(renderer, tracer, model, request);
   trace_to_end(tracer);
-  const FloatImage truth = tracer.layer(FrameLayer::beauty);
+  const FloatImage truth = tracer.aov(Aov::beauty);
   request.knobs.trace.passes = options.passes, request.knobs.trace.seed = 1;
   begin_trace(renderer, tracer, model, request);
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   trace_to_end(tracer, [&](const TraceReport& report) {
     if ((report.passes & (report.passes - 1)) != 0) return;
-    const FloatImage picture = tracer.layer(FrameLayer::beauty);
+    const FloatImage picture = tracer.aov(Aov::beauty);
     const double error = root_mean_square(picture, truth),
                  brightest = *std::max_element(picture.rgba.begin(), picture.rgba.end());
     const double log_passes = std::log2(report.passes), log_error = std::log2(error);

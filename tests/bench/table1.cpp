@@ -11,7 +11,7 @@ namespace pelage::bench {
 namespace {
 
 struct PaperRow {
-  double layer_maps, depth_maps, plain, shadowed;  // ms, ms, frames a second, frames a second
+  double shell_maps, depth_maps, plain, shadowed;  // ms, ms, frames a second, frames a second
 };
 
 struct Row {
@@ -36,15 +36,15 @@ testing::FurredModel model_of(const Row& row) {
 
 /// The least time of making a light's maps.
 double making(Renderer& renderer, FurFrame frame, bool layers, CastShadow cast, int repetitions) {
-  double least = 1e300;
+  double min = 1e300;
   frame.lights[0].self_shadow_maps = layers, frame.lights[0].cast_shadow = cast;
   for (int i = 0; i <= repetitions; ++i) {
     frame.lights[0].radiance *= 1.0001f;  // any change makes them anew
     DrawTimes times;
     draw(renderer, frame, &times);
-    if (i > 0) least = std::min(least, times.shadow);
+    if (i > 0) min = std::min(min, times.shadow);
   }
-  return least;
+  return min;
 }
 
 void run(Renderer& renderer, const Row& row, int size, int repetitions) {
@@ -69,7 +69,7 @@ void run(Renderer& renderer, const Row& row, int size, int repetitions) {
   // The third drew two frames with new maps each: half of it is one frame.
   const double frame_anew = costs[2].wall / 2;
   std::printf("| %s, %zu | %.0f (%.0f) | %.0f (%.0f) | %.1f, %.1f/s (%.1f) | %.1f, %.1f/s (%.1f) | %.2f (%.2f) | %.1f, %.1f/s |\n",
-              row.name, model.model.surface.mesh().triangles.size(), both - depth, row.paper.layer_maps, depth,
+              row.name, model.model.surface.mesh().triangles.size(), both - depth, row.paper.shell_maps, depth,
               row.paper.depth_maps, costs[0].wall, 1e3 / costs[0].wall, row.paper.plain, costs[1].wall, 1e3 / costs[1].wall,
               row.paper.shadowed, costs[1].cpu / costs[0].cpu, row.paper.plain / row.paper.shadowed, frame_anew, 1e3 / frame_anew);
   std::fflush(stdout);

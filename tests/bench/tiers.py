@@ -1,4 +1,4 @@
-"""The tiers on six animals: how far each is from sorted layers (R1) and from traced strands (R2), near and far; and
+"""The tiers on six animals: how far each is from sorted shells (R1) and from traced strands (R2), near and far; and
 how the error falls with shells. Through HTTP, because grooms are recipes.
 
 R1 has many uniform shells whose fragments are sorted, 32-bit float, and the shadows of the tier; R2 is the look's own
@@ -88,7 +88,7 @@ def draw(scene, distance, size, quality):
     eye = target + DIRECTION / numpy.linalg.norm(DIRECTION) * distance * info["size"]
     request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
                "quality": quality,
-               "camera": {"eye": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": 35}}
+               "camera": {"position": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": 35}}
     answer = scene.post("frames", request, timeout=900)
     assert answer.status == 200, answer
     return Frame(answer)
@@ -139,7 +139,7 @@ def tier_rows(scene, options, animal):
     r1, r2 = at.r1(whole["detailed"].knobs), at.r2()  # strands have the shadows of `detailed`
     between, between_map = compare(r1, r2)
     floor = compare(at.r1(at.base), at.r1(at.base, options.truth // 2))[0]["flip"]["mean"]
-    print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {outline_of(between)} | | | | "
+    print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {silhouette_of(between)} | | | | "
           f"(R1 is known to {floor:.4f}) |")
     cells += [("R1", r1, None), (f"R2, {between['flip']['mean']:.3f} from R1", r2, between_map)]
     for tier in TIERS:
@@ -148,15 +148,15 @@ def tier_rows(scene, options, animal):
         frames = {name: whole[tier] if name == "whole" else draw(scene, distance, options.size, tier)
                   for name, distance in DISTANCES.items()}
         light, coverage = zip(*(ratios_of(frame, truths[name].r2()) for name, frame in frames.items()))
-        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {outline_of(error)} | "
+        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {silhouette_of(error)} | "
               f"{error['flip']['percentile_95']:.3f} | {strands['flip']['mean']:.3f} | {three(light)} | "
               f"{three(coverage)} |", flush=True)
         cells.append((f"{tier}, {error['flip']['mean']:.3f} from R1", whole[tier], error_map))
     return cells, at, base
 
 
-def outline_of(error):
-    return f"{error['outline']['mean']:.4f}" if error["outline"] else ""
+def silhouette_of(error):
+    return f"{error['silhouette']['mean']:.4f}" if error["silhouette"] else ""
 
 
 def three(values):
@@ -210,7 +210,7 @@ def measure(server, animal, options):
 
 
 def convergence_rows(scene, options, animal, truths, knobs):
-    return [convergence_row(scene, options, animal, truths, {**knobs, "order": order}) for order in ("layers", "sorted")]
+    return [convergence_row(scene, options, animal, truths, {**knobs, "order": order}) for order in ("aovs", "sorted")]
 
 
 def main():
@@ -224,7 +224,7 @@ def main():
     server = Server()
     try:
         print(f"{options.size} pixels, R1 of {options.truth} sorted shells, R2 of {options.passes} passes\n")
-        print("| animal | tier | FLIP to R1 | outline | 95% | FLIP to R2 | light over R2, near whole far | "
+        print("| animal | tier | FLIP to R1 | silhouette | 95% | FLIP to R2 | light over R2, near whole far | "
               "coverage over R2 |")
         print("|---|---|---|---|---|---|---|---|")
         rows = [row for animal in ANIMALS if not options.only or animal.name.startswith(tuple(options.only))

@@ -23,12 +23,12 @@ FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredMo
   const SceneView view = model.view();
   sync_scene(renderer, view, {});
   FurFrame frame = make_frame(view, request);
-  frame.camera.eye *= distance;
-  Result<BasePicture> base = renderer.draw_base(frame);
+  frame.camera.position *= distance;
+  Result<Backplate> base = renderer.draw_backplate(frame);
   if (!base) check(base.status());
   const ModelArrays arrays = make_arrays(view);
   check(tracer.begin(make_model(view, arrays), make_fields(view, frame.skin, {}), frame, std::move(*base),
-                     std::array{FrameLayer::beauty}, always));
+                     std::array{Aov::beauty}, always));
   return frame;
 }
 
@@ -44,7 +44,7 @@ FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, 
   Tracer tracer(2, memory, false);
   begin_trace(renderer, tracer, model, request, distance);
   trace_to_end(tracer);
-  return tracer.layer(FrameLayer::beauty);
+  return tracer.aov(Aov::beauty);
 }
 
 }  // namespace pelage::bench

@@ -124,10 +124,10 @@ class BadFrames(ServedTest):
         def refused(camera, pointer):
             self.assert_problem(self.scene.post("frames", {"camera": camera}), 422, pointer)
         refused({"auto": "below"}, "/camera/auto")
-        refused({"eye": [0, 0, 1]}, "/camera/target")
-        refused({"eye": [0, 0, 1], "target": [0, 0, 1]}, "/camera")
-        refused({"eye": [0, 1, 0], "target": [0, 0, 0]}, "/camera/up")
-        refused({"eye": [0, 0, 1], "target": [0, 0, 0], "fov_degrees": 180}, "/camera/fov_degrees")
+        refused({"position": [0, 0, 1]}, "/camera/target")
+        refused({"position": [0, 0, 1], "target": [0, 0, 1]}, "/camera")
+        refused({"position": [0, 1, 0], "target": [0, 0, 0]}, "/camera/up")
+        refused({"position": [0, 0, 1], "target": [0, 0, 0], "fov_degrees": 180}, "/camera/fov_degrees")
 
     def test_dials(self):
         def refused(request, pointer):
@@ -143,9 +143,9 @@ class BadFrames(ServedTest):
 
     def test_extremes_give_a_picture(self):
         for request in ({"width": 1, "height": 1}, {"width": 8192, "height": 1}, {"exposure": 20}, {"exposure": -20},
-                        {"camera": {"eye": [0, 0, 1e20], "target": [0, 0, 0]}},
-                        {"camera": {"eye": [0, 0, 1e-9], "target": [0, 0, 0]}},
-                        {"quality": {"shells": 1}}, {"camera": {"eye": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 150}}):
+                        {"camera": {"position": [0, 0, 1e20], "target": [0, 0, 0]}},
+                        {"camera": {"position": [0, 0, 1e-9], "target": [0, 0, 0]}},
+                        {"quality": {"shells": 1}}, {"camera": {"position": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 150}}):
             self.scene.frame(**request)
 
     def test_picks(self):

@@ -45,7 +45,7 @@ class Compare(unittest.TestCase):
     def test_a_picture_equals_itself(self):
         a = self.picture("a.png", self.fur)
         figures = self.figures(a, a)
-        self.assertEqual((figures["flip"], figures["outline"]["mean"], figures["rmse"], figures["bias"]),
+        self.assertEqual((figures["flip"], figures["silhouette"]["mean"], figures["rmse"], figures["bias"]),
                          ({"mean": 0, "percentile_95": 0}, 0, 0, 0))
         share = (self.fur[..., 3] > 0).mean()
         self.assertAlmostEqual(figures["coverage"], share, places=6)
@@ -82,7 +82,7 @@ class Compare(unittest.TestCase):
         self.assertGreater(self.figures(a, b)["flip"]["mean"], 0.05)
         opaque = self.picture("opaque.png", self.fur[..., :3])
         whole = self.figures(opaque, opaque)
-        self.assertEqual((whole["coverage"], whole["outline"]), (1, None))
+        self.assertEqual((whole["coverage"], whole["silhouette"]), (1, None))
         self.assertIn("none in the mask", self.compare(opaque, opaque).stdout)
 
     def test_other_formats(self):

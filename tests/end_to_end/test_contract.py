@@ -51,9 +51,9 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetBasePicture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
+                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetSkinTexture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
-                    "Lids", "Coat", "Undercoat", "OddHairs", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
+                    "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Subdivide", "Retarget", "Layer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
                     "PickRequest")
         for name in requests:
@@ -81,9 +81,9 @@ class Document(unittest.TestCase):
         self.assertIn(f"At most {limits['curves']} curves", SCHEMAS["SetCurves"]["description"])
         guides = SCHEMAS["CurveGroup"]["properties"]["curves"]
         self.assertEqual((guides["maxItems"], guides["items"]["maxItems"]), (limits["curves"], limits["curve_points"]))
-        self.assertEqual(SCHEMAS["Eye"]["properties"]["radius"]["minimum"], limits["least_eye_radius"])
+        self.assertEqual(SCHEMAS["Eye"]["properties"]["radius"]["minimum"], limits["min_eye_radius"])
         self.assertEqual(SCHEMAS["SetSkin"]["properties"]["regions"]["maxItems"], limits["skin_regions"])
-        self.assertEqual(SCHEMAS["SkinRegion"]["properties"]["radii"]["items"]["minimum"], limits["least_skin_radius"])
+        self.assertEqual(SCHEMAS["SkinRegion"]["properties"]["radii"]["items"]["minimum"], limits["min_skin_radius"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
         self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
         tracing = SCHEMAS["Tracing"]["properties"]
@@ -91,10 +91,10 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
         of_map = {p.get("name"): p.get("schema") for p in CONTRACT["paths"]["/v1/scenes/{id}/maps/{field}"]["get"]["parameters"]}
         self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
-        self.assertEqual(SCHEMAS["KeptPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
+        self.assertEqual(SCHEMAS["StoredPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
         self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
         self.assertIn(f"At most {limits['edit_layers']}.", SCHEMAS["Layer"]["description"])
-        self.assertEqual(SCHEMAS["Scene"]["properties"]["layers"]["maxItems"], limits["edit_layers"])
+        self.assertEqual(SCHEMAS["Scene"]["properties"]["aovs"]["maxItems"], limits["edit_layers"])
         self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
         builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
@@ -151,13 +151,13 @@ class Requests(ServedTest):
             {"op": "set_coat", "coat": {"count": 100, "tile": 0.2, "curl": 0.1, "lean_curve": "root", "seed": 3,
                                         "ramp": [{"at": 0, "colour": [0, 0, 0]}], "wave": 0.1, "lodge": 0.5, "wetness": 0.5,
                                         "undercoat": {"share": 0.5, "length": 0.4, "colour": "#808080"},
-                                        "odd_hairs": {"share": 0.1, "colour": [1, 1, 1]},
+                                        "ticking": {"share": 0.1, "colour": [1, 1, 1]},
                                         "tufts": {"gather": 0.5, "size": 0.2, "scales": 3, "seed": 5},
                                         "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
             {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
             {"op": "set_environment", "environment": {"harmonics": [[1, 2, 3]] * 9, "turn_degrees": 30, "intensity": 2}},
-            {"op": "set_base_picture", "picture": "own"},
+            {"op": "set_skin_texture", "picture": "own"},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2, "radius": 0.25}]},
             {"op": "set_lights", "lights": [{"kind": "area", "direction": [0, -1, 0], "position": [0, 1, 0], "width": 0.5, "height": 0.25},
                                             {"kind": "directional", "angle_degrees": 4}]},
@@ -181,20 +181,20 @@ class Requests(ServedTest):
 
     def test_frames_and_the_rest(self):
         scene = self.server.new_scene("plane", 50)
-        frame = {"width": 8, "height": 8, "camera": {"eye": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
-                 "quality": {"shells": 4, "shell_policy": "uniform", "steps": 2, "scale": 1.0, "least_radius": 5, "eye_steps": 2, "self_shadow": True, "order": "sorted",
+        frame = {"width": 8, "height": 8, "camera": {"position": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
+                 "quality": {"shells": 4, "shell_policy": "uniform", "steps": 2, "scale": 1.0, "min_radius": 5, "eye_steps": 2, "self_shadow": True, "order": "sorted",
                              "fins": True, "guard_hairs": 100},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
-        exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "layers": ["depth", "beauty"], "overlay": "none"}
+        exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "aovs": ["depth", "beauty"], "overlay": "none"}
         jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
         difference = {"width": 8, "height": 8, "overlay": "difference", "overlay_from": 0}
         trace = {"passes": 1, "transport": "paths", "scattering": "energy_conserving", "bounces": 2, "strands": 100,
                  "noise": 0, "seconds": 0.1, "filter": True, "seed": 1}
         strands = {"width": 8, "height": 8, "quality": {"method": "strands", "eye_steps": 2, "trace": trace}, "overlay": "length"}
         look = {"width": 8, "height": 8, "quality": {"method": "strands", "trace": {"passes": 1, "scattering": "look", "strands": 100}}}
-        refined = {"width": 8, "height": 8, "quality": "draft", "refine": trace, "overlay": "layer_count"}
-        switched = {"width": 8, "height": 8, "quality": "reference", "refine": False, "overlay": "layer_count"}
-        several = [frame, exr, jpeg, difference, strands, look, {**refined, "overlay": "mask"}, refined, {**refined, "refine": True},
+        progressive = {"width": 8, "height": 8, "quality": "draft", "progressive": trace, "overlay": "shell_count"}
+        switched = {"width": 8, "height": 8, "quality": "reference", "progressive": False, "overlay": "shell_count"}
+        several = [frame, exr, jpeg, difference, strands, look, {**progressive, "overlay": "mask"}, progressive, {**progressive, "progressive": True},
                    switched]
         for variation in (v for request in several for v in self.variations(request)):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
@@ -204,11 +204,11 @@ class Requests(ServedTest):
 
     def test_layers(self):
         empty, scene = self.server.new_scene("plane", 50), self.server.new_scene("plane", 50)
-        scene.run({"op": "layer", "name": "text"})
-        for variation in self.variations({"op": "layer", "action": "add", "name": "a", "weight": 0.5, "muted": True}):
+        scene.run({"op": "edit_layer", "name": "text"})
+        for variation in self.variations({"op": "edit_layer", "action": "add", "name": "a", "weight": 0.5, "muted": True}):
             self.agree("Command", variation, lambda b: empty.post("commands?dry_run=1", b))
-        for body in ({"op": "layer", "action": "set", "name": "text", "weight": 0.5, "muted": True, "rename": "b"},
-                     {"op": "layer", "action": "move", "name": "text", "above": ""}):
+        for body in ({"op": "edit_layer", "action": "set", "name": "text", "weight": 0.5, "muted": True, "rename": "b"},
+                     {"op": "edit_layer", "action": "move", "name": "text", "above": ""}):
             for variation in self.variations(body):
                 if variation.get("above") == "text" or ("above" in variation and "action" not in variation):
                     continue  # well formed: on itself, and a new layer whose name is taken
@@ -299,7 +299,7 @@ class Defaults(ServedTest):
         self.assert_defaults("Blow", blown, given=["direction"])
         self.assert_defaults("Attract", attracted)
         self.assert_defaults("Coat", coat["coat"], given=["count"])
-        for schema, part in (("Undercoat", "undercoat"), ("OddHairs", "odd_hairs"), ("Tufts", "tufts"), ("Pattern", "pattern"), ("Variation", "variation")):
+        for schema, part in (("Undercoat", "undercoat"), ("Ticking", "ticking"), ("Tufts", "tufts"), ("Pattern", "pattern"), ("Variation", "variation")):
             self.assert_defaults(schema, coat["coat"][part])
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
@@ -356,7 +356,7 @@ class Answers(ServedTest):
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "branch": {"name": "side"},
                 "subdivide": {"levels": 1, "masked": False}, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
-                 "environment": hdr([[[1, 1, 1]]]), "base_picture": png([[[1, 2, 3]]]), "pictures": png([[[1, 2, 3]]]),
+                 "environment": hdr([[[1, 1, 1]]]), "skin_texture": png([[[1, 2, 3]]]), "pictures": png([[[1, 2, 3]]]),
                  "{field}": png([[[1, 2, 3]]])}
         seen = 0
         for path, method, _ in operations():

@@ -35,7 +35,7 @@ class Depth(ServedTest):
         angle = math.radians(elevation)
         target = [(low + high) / 2 for low, high in zip(*(scene.info()["bounds"][k] for k in ("min", "max")))]
         way = (.6 * math.cos(angle), math.sin(angle), .8 * math.cos(angle))
-        camera = {"eye": [t + distance * w for t, w in zip(target, way)], "target": target, "up": [0, 1, 0],
+        camera = {"position": [t + distance * w for t, w in zip(target, way)], "target": target, "up": [0, 1, 0],
                   "fov_degrees": 1.5 if distance > 3 else 35}
         return self.light(scene, HEIGHT, quality, camera) / self.light(scene, GREY, quality, camera)
 

@@ -48,7 +48,7 @@ class Dial(ServedTest):
     def test_the_ends(self):
         ends = [header(self.scene.frame(**request), "pelage-error")["end"]
                 for request in ({"budget_ms": 1}, {"budget_ms": 600000}, {"max_error": 1}, {"max_error": 0.000001}, {})]
-        self.assertEqual(ends, ["least", "best", "error", "best", "asked"])
+        self.assertEqual(ends, ["min", "best", "error", "best", "asked"])
 
     def test_a_larger_budget_is_no_worse(self):
         estimates = [header(self.scene.frame(budget_ms=b), "pelage-error") for b in (1, 10, 30, 100, 1000)]
@@ -67,11 +67,11 @@ class Dial(ServedTest):
         self.assertEqual(exr.headers["content-type"], "image/x-exr")
         self.scene.frame(budget_ms=50, overlay="length")
         trace = {"passes": 1, "strands": 2000}
-        refined = self.scene.frame(max_error=0.1, refine=trace, view="dial")
-        self.assertIn("pelage-trace", refined.headers)
-        self.assertIn("pelage-error", refined.headers)
-        better = self.scene.post(f"frames?after={refined.headers['pelage-revision']}&after_pass=0&wait=25",
-                                 {"width": 128, "height": 128, "max_error": 0.1, "refine": trace, "view": "dial"})
+        progressive = self.scene.frame(max_error=0.1, progressive=trace, view="dial")
+        self.assertIn("pelage-trace", progressive.headers)
+        self.assertIn("pelage-error", progressive.headers)
+        better = self.scene.post(f"frames?after={progressive.headers['pelage-revision']}&after_pass=0&wait=25",
+                                 {"width": 128, "height": 128, "max_error": 0.1, "progressive": trace, "view": "dial"})
         self.assertEqual(better.status, 200, better)
         self.assertEqual(header(better, "pelage-quality")["method"], "strands")
 

@@ -9,8 +9,8 @@ from PIL import Image
 
 from support.server import BIN, ServedTest
 
-CAMERA = {"eye": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
-NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "layer_count")
+CAMERA = {"position": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
+NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "shell_count")
 
 
 class Frames(ServedTest):
@@ -36,15 +36,15 @@ class Frames(ServedTest):
     def described(self, path):
         return subprocess.run(["oiiotool", "--info", "-v", path], check=True, capture_output=True, text=True).stdout
 
-    def test_layers_agree_with_a_pick(self):
+    def test_aovs_agree_with_a_pick(self):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
         path = self.exr(scene, layers=list(NAMES))
         said = self.described(path)
-        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "layer_count.Y", "Z"):
+        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "shell_count.Y", "Z"):
             self.assertIn(name, said)
         depth, alpha = self.channels(path, "", "Z")[..., 0], self.channels(path, "", "A")[..., 0]
         position, normal = self.channels(path, "position.", "XYZ"), self.channels(path, "normal.", "XYZ")
-        eye = numpy.array(CAMERA["eye"], dtype=float)
+        eye = numpy.array(CAMERA["position"], dtype=float)
         forward = -eye / numpy.linalg.norm(eye)
         size = numpy.linalg.norm(numpy.subtract(scene.info()["bounds"]["max"], scene.info()["bounds"]["min"]))
         hits, close = 0, 0
@@ -113,20 +113,20 @@ class Frames(ServedTest):
 
     def test_same_request_same_content(self):
         scene = self.server.new_scene("torus", 1000)
-        for request in ({"format": "exr", "layers": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"},
-                        {"overlay": "strokes"}, {"overlay": "layer_count"}):
+        for request in ({"format": "exr", "aovs": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"},
+                        {"overlay": "strokes"}, {"overlay": "shell_count"}):
             self.assertEqual(scene.frame(**request).body, scene.frame(**request).body, request)
 
     def test_refusals(self):
         scene = self.server.new_scene("sphere", 500)
-        for request, pointer in (({"layers": ["depth"]}, "/layers"), ({"layers": ["beauty"], "format": "jpeg"}, "/layers"),
-                                 ({"format": "exr", "layers": []}, "/layers"), ({"format": "exr", "layers": ["depht"]}, "/layers/0"),
-                                 ({"format": "exr", "layers": ["depth", "depth"]}, "/layers/1"),
+        for request, pointer in (({"aovs": ["depth"]}, "/aovs"), ({"aovs": ["beauty"], "format": "jpeg"}, "/aovs"),
+                                 ({"format": "exr", "aovs": []}, "/aovs"), ({"format": "exr", "aovs": ["depht"]}, "/aovs/0"),
+                                 ({"format": "exr", "aovs": ["depth", "depth"]}, "/aovs/1"),
                                  ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "stretch"}, "/overlay"),
                                  ({"overlay": "shadow_width", "quality": {"shadow_maps": False}}, "/overlay"),
                                  ({"format": "jpeg", "background": "transparent"}, "/background"),
                                  ({"format": "jpeg", "jpeg_quality": 0}, "/jpeg_quality"), ({"format": "tiff"}, "/format"),
-                                 ({"format": "exr", "width": 8192, "height": 8192, "layers": ["beauty", "depth"]}, "/layers")):
+                                 ({"format": "exr", "width": 8192, "height": 8192, "aovs": ["beauty", "depth"]}, "/aovs")):
             self.assert_problem(scene.post("frames", request), 422, pointer)
         self.assert_problem(self.server.get(f"{scene.path}/frame.png?format=exr"), 422, "/format")
 
@@ -153,7 +153,7 @@ class Frames(ServedTest):
 
         self.assertTrue(draw("a.png").startswith(b"\x89PNG"))
         self.assertTrue(draw("a.JPG").startswith(b"\xff\xd8"))
-        self.assertTrue(draw("a.exr", "--layers", "beauty,depth,normal").startswith(b"\x76\x2f\x31\x01"))
+        self.assertTrue(draw("a.exr", "--aovs", "beauty,depth,normal").startswith(b"\x76\x2f\x31\x01"))
         self.assertIn("normal.X", self.described(self.server.folder / "a.exr"))
         self.assertTrue(draw("b.exr", "--format", "png", "--overlay", "strokes").startswith(b"\x89PNG"))
 

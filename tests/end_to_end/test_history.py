@@ -136,9 +136,9 @@ class Difference(ServedTest):
         self.assertEqual(scene.run({"op": "mask", "sphere": sphere, "combine": "subtract"}).status, 200)
         now = scene.info()["revision"]
         same, changed = (scene.frame(**view, overlay="difference", overlay_from=revision).image for revision in (now, 0))
-        for image, side, least, most in ((same, "left", -20, 40), (same, "right", -20, 40), (changed, "left", -20, 40), (changed, "right", 80, 255)):
-            self.assertGreater(self.yellow(image, side), least, side)
-            self.assertLess(self.yellow(image, side), most, side)
+        for image, side, minimum, maximum in ((same, "left", -20, 40), (same, "right", -20, 40), (changed, "left", -20, 40), (changed, "right", 80, 255)):
+            self.assertGreater(self.yellow(image, side), minimum, side)
+            self.assertLess(self.yellow(image, side), maximum, side)
         address = f"{scene.path}/frame.png?camera=front&width=96&height=96&overlay=difference&overlay_from=0"
         self.assertEqual(self.server.get(address).body, scene.frame(**view, overlay="difference", overlay_from=0).body)
         with tempfile.TemporaryDirectory() as folder:

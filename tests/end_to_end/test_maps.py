@@ -77,7 +77,7 @@ class Maps(ServedTest):
         self.assertEqual(self.put(scene, "length", png16(left_long), "?scale=0.2").status, 200)
         size = scene.info()["size"]
         for x, wanted in ((-0.4, 0.2), (0.4, 0.0)):
-            view = {"camera": {"eye": [x, 2, 0], "target": [x, 0, 0], "up": [0, 0, -1]}, "width": 65, "height": 65}
+            view = {"camera": {"position": [x, 2, 0], "target": [x, 0, 0], "up": [0, 0, -1]}, "width": 65, "height": 65}
             found = scene.post("pick", {"view": view, "pixel": [32, 32]}).json
             self.assertAlmostEqual(found["length"], wanted, 5)
         self.assertEqual(self.changes(self.put(scene, "length", png16(left_long), f"?units=world&scale={0.2 * size}")), {})
@@ -120,11 +120,11 @@ class Maps(ServedTest):
         self.assertEqual(chosen.status, 200, chosen)
         self.assertEqual(scene.run({"op": "length", "flood": True, "mode": "set", "value": 0.2, "brush": {"strength": 1}}).status, 200)
         for x, wanted in ((-0.4, 0.03), (0.4, 0.2)):
-            view = {"camera": {"eye": [x, 2, 0], "target": [x, 0, 0], "up": [0, 0, -1]}, "width": 65, "height": 65}
+            view = {"camera": {"position": [x, 2, 0], "target": [x, 0, 0], "up": [0, 0, -1]}, "width": 65, "height": 65}
             self.assertAlmostEqual(scene.post("pick", {"view": view, "pixel": [32, 32]}).json["length"], wanted, 5)
         self.assert_problem(scene.run({"op": "mask", "picture": {"name": "0" * 32}}), 422, "/picture/name")
         self.assert_problem(scene.run({"op": "mask", "picture": {"name": name}, "all": {}}), 422)
-        self.assert_problem(scene.run({"op": "set_base_picture", "picture": name}), 422, "/picture")
+        self.assert_problem(scene.run({"op": "set_skin_texture", "picture": name}), 422, "/picture")
         through = self.put(scene, "mask", png(numpy.full((2, 2, 3), 255)))
         self.assertEqual(self.changes(through), {"mask": 1.0}, "a map of the mask looks past the mask")
 

@@ -35,7 +35,7 @@ class Recipes(ServedTest):
         self.assertAlmostEqual(self.length_at(scene, [0, 4 * low[1], 0.001]), 0.3, places=5)
 
     def picked(self, scene, eye, target=(0, 0, 0), up=(0, 1, 0)):
-        view = {"camera": {"eye": list(eye), "target": list(target), "up": list(up)}, "width": 64, "height": 64}
+        view = {"camera": {"position": list(eye), "target": list(target), "up": list(up)}, "width": 64, "height": 64}
         answer = self.server.post(f"/v1/scenes/{scene}/pick", {"view": view, "pixel": [32, 32]})
         self.assertTrue(answer.status == 200 and answer.json["hit"], answer)
         return answer.json

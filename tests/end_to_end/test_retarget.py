@@ -20,14 +20,14 @@ class Retarget(ServedTest):
 
     def test_no_root_moves(self):
         # On a plane hardly more than rounding differs. On a body the new vertices have unit normals, where they were
-        # interpolated before, which shells and outlines show. Other roots differ by more.
-        for builtin, most in (("plane", 0.005), ("creature", 0.065)):
+        # interpolated before, which shells and silhouettes show. Other roots differ by more.
+        for builtin, maximum in (("plane", 0.005), ("creature", 0.065)):
             scene = self.server.new_scene(builtin, 5000)
             before = self.picture(scene)
             self.assertEqual(scene.post("subdivide", {}).status, 200)
             after = self.picture(scene)
             scene.run({"op": "set_coat", "coat": {"seed": 2}})
-            self.assertLess(self.flip(before, after), most, builtin)
+            self.assertLess(self.flip(before, after), maximum, builtin)
             self.assertGreater(self.flip(before, self.picture(scene)), 0.04, builtin)
 
     def test_subdividing_survives_a_restart(self):

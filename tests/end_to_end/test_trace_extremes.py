@@ -34,7 +34,7 @@ class TraceExtremes(ServedTest):
         scene = self.server.new_scene("sphere", 500)
         for eye in ([0, 0, 0], [0, 0, 1], [0, 0, 1.01], [0, 1e6, 1], [0, 0, 1e20], [1e27, 0, 0], [-1e27, 1e27, 1e27]):
             for fov in (1, 150):
-                camera = {"eye": eye, "target": [0, 1e-3, 2e-3], "up": [0.3, 1, 0.2], "fov_degrees": fov}
+                camera = {"position": eye, "target": [0, 1e-3, 2e-3], "up": [0.3, 1, 0.2], "fov_degrees": fov}
                 self.answered(scene, camera=camera)
                 self.answered(scene, {"transport": "paths"}, camera=camera)
 

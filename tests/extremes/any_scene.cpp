@@ -128,14 +128,14 @@ void add_strokes(Texts& commands) {
 
 std::string any_camera() {
   if (chance(40)) return R"({"auto": )" + any_of({"\"front\"", "\"top\"", "\"three_quarter\""}) + "}";
-  return R"({"up": [0.1, 1, 0.2], "eye": )" + any_of({"[0, 0, 1.05]", "[0, 0, 1]", "[0, 0, 0]", "[0, 0, 3.5e7]", "[2, 1, 1]"}) +
+  return R"({"up": [0.1, 1, 0.2], "position": )" + any_of({"[0, 0, 1.05]", "[0, 0, 1]", "[0, 0, 0]", "[0, 0, 3.5e7]", "[2, 1, 1]"}) +
          R"(, "target": [1e-3, 2e-3, -1e-3], "fov_degrees": )" + any_of({"1", "30", "150"}) + "}";
 }
 
 std::string any_shells() {
   return any_object({{"shells", {"1", "2", "7", "40"}}, {"shell_policy", {"\"uniform\"", "\"adaptive\""}},
                      {"steps", {"1", "4", "16"}}, {"scale", {"0.25", "0.7", "2"}},
-                     {"least_radius", {"0", "5", "8192"}}, {"eye_steps", {"0", "1", "64"}},
+                     {"min_radius", {"0", "5", "8192"}}, {"eye_steps", {"0", "1", "64"}},
                      {"self_shadow", truth}, {"shadow_maps", truth}, {"shadow_resolution", {"1", "7", "64"}},
                      {"order", {"\"layers\"", "\"layers\"", "\"sorted\""}}, {"fins", truth}, {"guard_hairs", {"0", "1", "3000"}}},
                     50);
@@ -147,7 +147,7 @@ std::string any_frame() {
   return R"({"width": )" + any_of({"1", "7", "12"}) + R"(, "height": )" + any_of({"1", "9"}) + R"(, "camera": )" + any_camera() +
          R"(, "quality": )" + any_shells() + R"(, "exposure": )" + any_of({"-20", "0", "20"}) + R"(, "background": )" +
          any_of({"\"transparent\"", "\"studio\"", "\"#102030\""}) + R"(, "tone_map": )" + any_of({"\"none\"", "\"filmic\""}) +
-         R"(, "overlay": )" + any_of({"\"none\"", "\"none\"", "\"strokes\"", "\"layer_count\"", "\"wetness\""}) + "}";
+         R"(, "overlay": )" + any_of({"\"none\"", "\"none\"", "\"strokes\"", "\"shell_count\"", "\"wetness\""}) + "}";
 }
 
 std::string any_tracing() {

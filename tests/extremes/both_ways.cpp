@@ -12,21 +12,21 @@ namespace pelage::testing {
 
 namespace {
 
-constexpr std::array all_layers{FrameLayer::beauty, FrameLayer::alpha,      FrameLayer::depth,  FrameLayer::position,
-                                FrameLayer::normal, FrameLayer::tangent,    FrameLayer::albedo, FrameLayer::direct,
-                                FrameLayer::shadow, FrameLayer::layer_count};
-constexpr std::array<const char*, 10> layer_names{"beauty",  "alpha",  "depth",  "position", "normal",
-                                                  "tangent", "albedo", "direct", "shadow",   "layer_count"};
+constexpr std::array all_aovs{Aov::beauty, Aov::alpha,      Aov::depth,  Aov::position,
+                                Aov::normal, Aov::tangent,    Aov::albedo, Aov::direct,
+                                Aov::shadow, Aov::shell_count};
+constexpr std::array<const char*, 10> aov_names{"beauty",  "alpha",  "depth",  "position", "normal",
+                                                  "tangent", "albedo", "direct", "shadow",   "shell_count"};
 constexpr float above_one = 1.001f;  // sums of half floats
 
-bool is_light(FrameLayer layer) {
-  return layer == FrameLayer::beauty || layer == FrameLayer::direct || layer == FrameLayer::albedo;
+bool is_light(Aov aov) {
+  return aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo;
 }
 
-bool fine(FrameLayer layer, std::size_t channel, float value) {
+bool fine(Aov aov, std::size_t channel, float value) {
   if (!std::isfinite(value)) return false;
-  if (is_light(layer) && value < 0) return false;
-  if (layer == FrameLayer::depth) return channel != 0 || value >= 0;
+  if (is_light(aov) && value < 0) return false;
+  if (aov == Aov::depth) return channel != 0 || value >= 0;
   if (channel == 3) return value >= 0 && value <= above_one;
   return true;
 }
@@ -52,12 +52,12 @@ bool always() { return true; }
 
 }  // namespace
 
-std::string complaint_about(const std::vector<FloatImage>& layers) {
-  for (std::size_t l = 0; l < layers.size(); ++l) {
-    for (std::size_t i = 0; i < layers[l].rgba.size(); ++i) {
-      const float value = layers[l].rgba[i];
-      if (fine(all_layers[l], i % 4, value)) continue;
-      return std::string(layer_names[l]) + " of pixel " + std::to_string(i / 4) + ", channel " + std::to_string(i % 4) +
+std::string complaint_about(const std::vector<FloatImage>& aovs) {
+  for (std::size_t l = 0; l < aovs.size(); ++l) {
+    for (std::size_t i = 0; i < aovs[l].rgba.size(); ++i) {
+      const float value = aovs[l].rgba[i];
+      if (fine(all_aovs[l], i % 4, value)) continue;
+      return std::string(aov_names[l]) + " of pixel " + std::to_string(i / 4) + ", channel " + std::to_string(i % 4) +
              ": " + std::to_string(value);
     }
   }
@@ -70,7 +70,7 @@ FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
     sync_scene(renderer_, view, dirty);
     frame = make_frame(view, request);
   });
-  renderer_.forget_kept();
+  renderer_.clear_view_cache();
   return *frame;
 }
 
@@ -79,16 +79,16 @@ Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return
 Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
   const FurFrame frame = sync(scene, request);
   if (Result<Image> shown = renderer_.draw(frame); !shown) return shown.status();
-  return renderer_.draw_layers(frame, all_layers);
+  return renderer_.draw_aovs(frame, all_aovs);
 }
 
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
-  if (Status refused = tracer_.admit(request.width, request.height, all_layers, true); !refused.ok()) return refused;
+  if (Status refused = tracer_.admit(request.width, request.height, all_aovs, true); !refused.ok()) return refused;
   Status status;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
     sync_scene(renderer_, view, dirty);
     const FurFrame frame = make_frame(view, request);
-    Result<BasePicture> base = renderer_.draw_base(frame);
+    Result<Backplate> base = renderer_.draw_backplate(frame);
     if (!base) {
       status = base.status();
       return;
@@ -98,12 +98,12 @@ Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest
     const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
     const ModelArrays arrays = make_arrays(view);
     status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1)), frame,
-                           std::move(base).value(), all_layers, always);
+                           std::move(base).value(), all_aovs, always);
   });
   while (status.ok() && tracer_.report().end == TraceEnd::none) status = tracer_.add_pass(always);
   if (!status.ok()) return status;
   std::vector<FloatImage> images;
-  for (const FrameLayer layer : all_layers) images.push_back(tracer_.layer(layer));
+  for (const Aov aov : all_aovs) images.push_back(tracer_.aov(aov));
   return images;
 }
 

@@ -41,6 +41,6 @@ class BothWays {
 
 /// What is wrong with the layers of a picture, "" for nothing: all are finite, light is not negative, shares lie in
 /// [0, 1].
-std::string complaint_about(const std::vector<FloatImage>& layers);
+std::string complaint_about(const std::vector<FloatImage>& aovs);
 
 }  // namespace pelage::testing

@@ -40,7 +40,7 @@ std::vector<Feature> of_light() {
   const std::string shine = R"("look": {"shading": "energy_conserving", "fibre": {"refractive_index": 2}})";
   return {{"ground", one("set_ground", R"("ground": {"visible": true})"), "",
            one("set_ground", R"("ground": {"visible": false, "height": 1, "shadow": 1})")},
-          {"layer-wise shadow maps", light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_maps": true)"),
+          {"shadow maps of the shells", light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_maps": true)"),
            light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_resolution": 4096)")},
           {"hard shadow", light(R"(, "cast_shadow": "hard")"), quality(R"("shadow_maps": true)"),
            light(R"(, "cast_shadow": "hard")")},
@@ -56,20 +56,20 @@ std::vector<Feature> of_light() {
 std::vector<Feature> of_the_frame() {
   return {{"fins", "", quality(R"("fins": true)"), "", quality(R"("fins": false)")},
           {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
-          {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "layers")")},
+          {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "shells")")},
           {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},
           {"overlay of a field", "", R"("overlay": "direction")", "", R"("overlay": "none")"},
           {"overlay of strokes", "", R"("overlay": "strokes")", "", R"("overlay": "none")"},
-          {"overlay of layers", "", R"("overlay": "layer_count")", "", R"("overlay": "none")"},
-          {"layers of an EXR", "", R"("format": "exr", "layers": ["beauty", "depth", "normal"])", "",
+          {"overlay of layers", "", R"("overlay": "shell_count")", "", R"("overlay": "none")"},
+          {"AOVs of an EXR", "", R"("format": "exr", "aovs": ["beauty", "depth", "normal"])", "",
            R"("format": "png")"}};
 }
 
 /// These change what tools do, and no frame.
 std::vector<Feature> of_the_groom() {
-  const std::string layer = one("layer", R"("action": "add", "name": "l")");
-  return {{"edit layers", batch(layer, one("length", R"("flood": true, "layer": "l", "mode": "set", "value": 0.1)")), "",
-           batch(layer, one("layer", R"("action": "set", "name": "l", "muted": true)"))},
+  const std::string aov = one("edit_layer", R"("action": "add", "name": "l")");
+  return {{"edit layers", batch(aov, one("length", R"("flood": true, "edit_layer": "l", "mode": "set", "value": 0.1)")), "",
+           batch(aov, one("edit_layer", R"("action": "set", "name": "l", "muted": true)"))},
           {"blowers that stay", "", "", one("set_blowers", R"("blowers": [{"name": "b", "source": [0, 0, 3]}])")},
           {"symmetry", "", "", one("set_symmetry", R"("symmetry": {"planes": [{"normal": [1, 0, 0]}]})")},
           {"checkpoints", "", "", one("checkpoint", R"("name": "c")")}};

@@ -73,16 +73,16 @@ class Worker {
   }
 
   /// None where there are more strands than tracing may take, which only growing them can tell.
-  static std::optional<Layers> fine_or_too_many(Result<Layers> layers) {
-    if (!layers && layers.status().code == Code::too_large && layers.status().pointer == "/quality/trace/strands") return {};
-    return fine("strands", std::move(layers));
+  static std::optional<Layers> fine_or_too_many(Result<Layers> aovs) {
+    if (!aovs && aovs.status().code == Code::too_large && aovs.status().pointer == "/quality/trace/strands") return {};
+    return fine("strands", std::move(aovs));
   }
 
-  static std::optional<Layers> fine(const std::string& way, Result<Layers> layers) {
-    if (!layers) RC_FAIL(way + ": " + layers.status().message + " " + layers.status().pointer);
-    const std::string complaint = complaint_about(*layers);
+  static std::optional<Layers> fine(const std::string& way, Result<Layers> aovs) {
+    if (!aovs) RC_FAIL(way + ": " + aovs.status().message + " " + aovs.status().pointer);
+    const std::string complaint = complaint_about(*aovs);
     if (!complaint.empty()) RC_FAIL(way + ": " + complaint);
-    return std::move(layers).value();
+    return std::move(aovs).value();
   }
 
   Renderer& renderer_;

@@ -49,9 +49,9 @@ class Needs : public WithRenderer {
       frame = make_frame(view, request);
     });
     DrawTimes times;
-    renderer->forget_kept();
+    renderer->clear_view_cache();
     const bool exr = request.format == FrameFormat::exr;
-    const Status drawn = exr ? status_of(renderer->draw_layers(*frame, request.layers, &times))
+    const Status drawn = exr ? status_of(renderer->draw_aovs(*frame, request.aovs, &times))
                              : status_of(renderer->draw(*frame, &times));
     EXPECT_TRUE(drawn.ok()) << drawn.message;
     return times.counters;

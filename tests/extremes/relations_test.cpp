@@ -63,7 +63,7 @@ Row moved(const Move& move, std::uint64_t shuffle = 0) {
   return {.area = "relations",
           .value = "moved",
           .commands = {R"({"op": "set_lights", "lights": [{"direction": )" + way({-1, -1, -1}) + "}]}"},
-          .frame = R"({"width": 48, "height": 48, "camera": {"eye": )" + json_of(move({1, 2, 5})) + R"(, "target": )" +
+          .frame = R"({"width": 48, "height": 48, "camera": {"position": )" + json_of(move({1, 2, 5})) + R"(, "target": )" +
                    json_of(origin) + R"(, "up": )" + way({0, 1, 0}) + "}}",
           .scene = R"({"fur": {"length": 0.05, "inclination": 0}})",
           .model = {torus(move, shuffle)}};
@@ -72,9 +72,9 @@ Row moved(const Move& move, std::uint64_t shuffle = 0) {
 glm::dvec3 stay(glm::dvec3 v) { return v; }
 
 /// Mean red, green, blue and alpha of beauty.
-std::array<double, 4> mean_of(const Layers& layers) {
+std::array<double, 4> mean_of(const Layers& aovs) {
   std::array<double, 4> sum{};
-  const std::vector<float>& values = layers[0].rgba;
+  const std::vector<float>& values = aovs[0].rgba;
   for (std::size_t i = 0; i < values.size(); ++i) sum[i % 4] += 4.0 * double{values[i]} / static_cast<double>(values.size());
   return sum;
 }
@@ -148,14 +148,14 @@ TEST_P(Relations, LightIsAdditive) {
     return pictured(row, strands)[7];  // direct
   };
   const FloatImage a = lit(left, false), b = lit(right, false), both = lit(left + ", " + right, false);
-  float most = 0, error = 0;
+  float max = 0, error = 0;
   for (std::size_t i = 0; i < both.rgba.size(); ++i) {
     if (i % 4 == 3) continue;
-    most = std::max(most, both.rgba[i]);
+    max = std::max(max, both.rgba[i]);
     error = std::max(error, std::abs(both.rgba[i] - a.rgba[i] - b.rgba[i]));
   }
-  EXPECT_GT(most, 0.01f);
-  EXPECT_LT(error, 1e-4f * most);
+  EXPECT_GT(max, 0.01f);
+  EXPECT_LT(error, 1e-4f * max);
   // A sample of strands sees one light, so the sum holds for means.
   const auto total = [](const FloatImage& image) {
     return std::accumulate(image.rgba.begin(), image.rgba.end(), 0.0) -
@@ -174,21 +174,21 @@ double linear(std::uint8_t value) {
 TEST_P(Relations, AnotherBackgroundLeavesTheFur) {
   const std::shared_ptr<Scene> scene = scene_of(moved(stay), *store_).value();
   FrameRequest asked = request(moved(stay), false);
-  const Layers layers = ways_->draw(*scene, asked).value();
+  const Layers aovs = ways_->draw(*scene, asked).value();
   asked.tone_map = ToneMap::none;
   const auto shown = [&](glm::vec3 colour) {
     asked.background = Background::colour, asked.background_colour = colour;
     return ways_->show(*scene, asked).value();
   };
   const Image red = shown({1, 0, 0}), green = shown({0, 1, 0});
-  double most = 0;
+  double max = 0;
   for (std::size_t i = 0; i < red.rgba.size(); i += 4) {
-    const double clear = 1 - double{layers[0].rgba[i + 3]};
+    const double clear = 1 - double{aovs[0].rgba[i + 3]};
     const glm::dvec2 on_red(linear(red.rgba[i]) - clear, linear(red.rgba[i + 1]));
     const glm::dvec2 on_green(linear(green.rgba[i]), linear(green.rgba[i + 1]) - clear);
-    if (red.rgba[i] < 255 && green.rgba[i + 1] < 255) most = std::max(most, glm::length(on_red - on_green));
+    if (red.rgba[i] < 255 && green.rgba[i + 1] < 255) max = std::max(max, glm::length(on_red - on_green));
   }
-  EXPECT_LT(most, 0.02);  // 8 bits
+  EXPECT_LT(max, 0.02);  // 8 bits
 }
 
 // More shells come closer to many, for this fur seen from this side: science.md's doubling of N.

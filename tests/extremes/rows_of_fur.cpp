@@ -103,7 +103,7 @@ Rows fur_rows() {
                             "colour_spread": 1, "root_share": 1, "tufts": {"gather": 1, "size": 0.01, "scales": 3})")}),
             of_fur("all spread at its most",
                    {coat(R"("length_spread": 1, "undercoat": {"share": 1, "length": 0.02, "width": 4, "lightness": 4},
-                            "odd_hairs": {"share": 1}, "variation": {"lightness": 1, "hue": 1, "length": 1, "lean": 1,
+                            "ticking": {"share": 1}, "variation": {"lightness": 1, "hue": 1, "length": 1, "lean": 1,
                             "size": 0.005}, "pattern": {"kind": "rosettes", "scale": 0.005, "warp": 2, "softness": 0})")})};
   for (const char* shells : {"1", "2", "1024"}) {
     rows.push_back(of_quality(std::string(shells) + " layers", std::string(R"("shells": )") + shells));

@@ -28,7 +28,7 @@ Row of_frame(std::string value, const std::string& frame, std::string refused = 
 
 /// An eye in front of the ball. The ball's radius is 1, its size 3.46.
 Row of_eye(std::string value, const std::string& eye, std::string refused = {}, const std::string& steps = "8",
-           const std::string& camera = R"("eye": [0, 0, 2], "target": [0, 0, 1])") {
+           const std::string& camera = R"("position": [0, 0, 2], "target": [0, 0, 1])") {
   return {.area = "eye",
           .value = std::move(value),
           .commands = {R"({"op": "set_eyes", "eyes": [{"position": [0, 0, 1], )" + eye + "}]}"},
@@ -111,21 +111,21 @@ Rows light_rows() {
 }
 
 Rows camera_rows() {
-  Rows rows{of_camera("inside the fur", R"("eye": [0, 0, 1.08], "target": [0, 0, 0])"),
-            of_camera("inside the fur, outwards", R"("eye": [0, 0, 1.08], "target": [0, 0, 2])"),
-            of_camera("on the skin", R"("eye": [0, 0, 1], "target": [0, 0, 0])"),
-            of_camera("on the skin, along it", R"("eye": [0, 0, 1], "target": [1, 0, 1])"),
-            of_camera("in the middle of the model", R"("eye": [0, 0, 0], "target": [0, 0, 1])"),
-            of_camera("grazing the tips", R"("eye": [0, 1.1, 4], "target": [0, 1.1, 0])"),
-            of_camera("grazing the skin, 1 degree wide", R"("eye": [0, 1, 4], "target": [0, 1, 0], "fov_degrees": 1)"),
-            of_camera("far over near 1e7: 1e-7 above the tips", R"("eye": [0, 0, 1.1732052], "target": [0, 0, 0], "fov_degrees": 150)"),
-            of_camera("far over near 1e7: 3.5e7 away", R"("eye": [0, 0, 3.5e7], "target": [0, 0, 0], "fov_degrees": 1)"),
-            of_camera("1e27 away", R"("eye": [1e27, 1e27, 0], "target": [0, 0, 0])"),
-            of_camera("150 degrees wide", R"("eye": [0, 0, 1.3], "target": [0, 0, 0], "fov_degrees": 150)"),
-            of_camera("0.9 degrees wide", R"("eye": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 0.9)", "/camera/fov_degrees"),
-            of_camera("at its target", R"("eye": [0, 0, 3], "target": [0, 0, 3])", "/camera"),
-            of_camera("up along the view", R"("eye": [0, 3, 0], "target": [0, 0, 0])", "/camera/up"),
-            of_camera("beyond 1e27", R"("eye": [0, 1e28, 0], "target": [0, 0, 0])", "/camera/eye/1")};
+  Rows rows{of_camera("inside the fur", R"("position": [0, 0, 1.08], "target": [0, 0, 0])"),
+            of_camera("inside the fur, outwards", R"("position": [0, 0, 1.08], "target": [0, 0, 2])"),
+            of_camera("on the skin", R"("position": [0, 0, 1], "target": [0, 0, 0])"),
+            of_camera("on the skin, along it", R"("position": [0, 0, 1], "target": [1, 0, 1])"),
+            of_camera("in the middle of the model", R"("position": [0, 0, 0], "target": [0, 0, 1])"),
+            of_camera("grazing the tips", R"("position": [0, 1.1, 4], "target": [0, 1.1, 0])"),
+            of_camera("grazing the skin, 1 degree wide", R"("position": [0, 1, 4], "target": [0, 1, 0], "fov_degrees": 1)"),
+            of_camera("far over near 1e7: 1e-7 above the tips", R"("position": [0, 0, 1.1732052], "target": [0, 0, 0], "fov_degrees": 150)"),
+            of_camera("far over near 1e7: 3.5e7 away", R"("position": [0, 0, 3.5e7], "target": [0, 0, 0], "fov_degrees": 1)"),
+            of_camera("1e27 away", R"("position": [1e27, 1e27, 0], "target": [0, 0, 0])"),
+            of_camera("150 degrees wide", R"("position": [0, 0, 1.3], "target": [0, 0, 0], "fov_degrees": 150)"),
+            of_camera("0.9 degrees wide", R"("position": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 0.9)", "/camera/fov_degrees"),
+            of_camera("at its target", R"("position": [0, 0, 3], "target": [0, 0, 3])", "/camera"),
+            of_camera("up along the view", R"("position": [0, 3, 0], "target": [0, 0, 0])", "/camera/up"),
+            of_camera("beyond 1e27", R"("position": [0, 1e28, 0], "target": [0, 0, 0])", "/camera/position/1")};
   for (const char* size : {R"("width": 1, "height": 1)", R"("width": 1, "height": 300)", R"("width": 300, "height": 1)",
                            R"("width": 2048, "height": 1)"})
     rows.push_back(of_frame(std::string("picture: ") + size, size));
@@ -139,8 +139,8 @@ Rows camera_rows() {
   rows.push_back(of_frame("8192 x 8192 at twice the size", R"("width": 8192, "height": 8192, "quality": {"scale": 2})", "/quality"));
   rows.push_back(of_frame("8192 x 8192, sorted, 64 layers",
                           R"("width": 8192, "height": 8192, "quality": {"order": "sorted", "shells": 64})", "/quality"));
-  rows.push_back(of_frame("8192 x 8192, two layers of an EXR",
-                          R"("width": 8192, "height": 8192, "format": "exr", "layers": ["beauty", "depth"])", "/layers"));
+  rows.push_back(of_frame("8192 x 8192, two AOVs of an EXR",
+                          R"("width": 8192, "height": 8192, "format": "exr", "aovs": ["beauty", "depth"])", "/aovs"));
   return rows;
 }
 
@@ -151,7 +151,7 @@ Rows eye_rows() {
     const std::string eye = ball + R"(, "refraction": )" + index;
     rows.push_back(of_eye(std::string("n = ") + index, eye));
     rows.push_back(of_eye(std::string("n = ") + index + ", seen at 89.9 degrees", eye, "", "8",
-                          R"("eye": [2, 0, 1.0034907], "target": [0, 0, 1])"));
+                          R"("position": [2, 0, 1.0034907], "target": [0, 0, 1])"));
     rows.push_back(of_eye(std::string("n = ") + index + ", iris depth 0, relief 0.2",
                           eye + R"(, "iris": {"depth": 0, "relief": 0.2})"));
     for (const char* pupil : {"0", "1"})
@@ -163,7 +163,7 @@ Rows eye_rows() {
   rows.push_back(of_eye("no bulge, iris depth 0.5", ball + R"(, "bulge": 0, "iris": {"depth": 0.5})"));
   rows.push_back(of_eye("radius 1e-6 sizes", R"("radius": 1e-6)"));
   rows.push_back(of_eye("radius 1e6 sizes, around everything", R"("radius": 1e6)"));
-  rows.push_back(of_eye("seen from inside", ball, "", "8", R"("eye": [0, 0, 1.1], "target": [0, 0, 0])"));
+  rows.push_back(of_eye("seen from inside", ball, "", "8", R"("position": [0, 0, 1.1], "target": [0, 0, 0])"));
   rows.push_back(of_eye("lids that are shut", ball + R"(, "lids": {"upper_degrees": -90, "lower_degrees": -90})"));
   rows.push_back(of_eye("radius 0", R"("radius": 0)", "/eyes/0/radius"));
   rows.push_back(of_eye("n = 0.9", ball + R"(, "refraction": 0.9)", "/eyes/0/refraction"));

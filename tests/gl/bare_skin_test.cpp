@@ -118,7 +118,7 @@ TEST_P(BareSkinFrames, HasTheSameShapeInShadersAndOnVertices) {
   }
   // A ball of radius c around a place on a ball of radius R cuts a circle of radius c sqrt(1 - c^2 / 4 R^2).
   const double circle = cap * std::sqrt(1 - cap * cap / (4 * ball_radius * ball_radius));
-  const double eye = glm::length(make_frame(model.view(), small_frame()).camera.eye), furry = ball_radius + 0.004;
+  const double eye = glm::length(make_frame(model.view(), small_frame()).camera.position), furry = ball_radius + 0.004;
   const double seen = circle / (eye - ball_radius + cap * cap / (2 * ball_radius));
   EXPECT_NEAR(std::sqrt(blue / all), seen / (furry / std::sqrt(eye * eye - furry * furry)), 0.025);
 }

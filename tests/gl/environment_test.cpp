@@ -68,14 +68,14 @@ TEST_P(EnvironmentLight, AWhitePictureIsConstantLight) {
 }
 
 TEST_P(EnvironmentLight, ExtremesStayFinite) {
-  SphericalHarmonics largest, least;
-  largest.fill(glm::dvec3(1e6)), least.fill(glm::dvec3(-1e6));
+  SphericalHarmonics largest, min;
+  largest.fill(glm::dvec3(1e6)), min.fill(glm::dvec3(-1e6));
   for (const ShadingModel shading : {ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving}) {
     Environment environment = with_light(largest);
     environment.intensity = 100;
     EXPECT_GT(mean_colour(draw_in(environment, shading)).y, 200);
     EXPECT_LT(mean_colour(draw_in(with_light(SphericalHarmonics{}), shading)).y, 1);
-    environment = with_light(least);
+    environment = with_light(min);
     environment.intensity = 100;
     const Image dark = draw_in(environment, shading);
     EXPECT_GT(covered(dark), 0.2);

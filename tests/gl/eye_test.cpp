@@ -20,7 +20,7 @@ FurFrame frame_with(FurEye eye) {
   FurFrame frame;
   eye.radius = 0.1f;
   frame.eyes = {eye};
-  frame.camera.eye = {0, 0, 2};
+  frame.camera.position = {0, 0, 2};
   frame.camera.tan_half_fov = 0.06f;
   frame.width = frame.height = size;
   frame.background_colour = glm::vec3(0.5f);
@@ -121,17 +121,17 @@ TEST_P(Eyes, ExtremesStayFinite) {
 
 TEST_P(Eyes, BehindTheCameraOrAroundItNothingIsDrawn) {
   FurFrame frame = frame_with({});
-  frame.camera.eye = {0, 0, -1};  // looks away from it
+  frame.camera.position = {0, 0, -1};  // looks away from it
   EXPECT_EQ(alpha_of(draw(frame)), 0);
   for (const float z : {0.f, 0.05f, 0.099f}) {
-    frame.camera.eye = {0, 0, z};
+    frame.camera.position = {0, 0, z};
     const auto pixels = draw(frame);
     EXPECT_TRUE(all_finite(pixels));
     EXPECT_EQ(alpha_of(pixels), 0) << z;
   }
-  frame.camera.eye = {0, 0, 0.2f};  // close by
+  frame.camera.position = {0, 0, 0.2f};  // close by
   EXPECT_GT(alpha_of(draw(frame)), 0.99 * size * size);
-  frame.camera.eye = {0, 0, 1e6f};
+  frame.camera.position = {0, 0, 1e6f};
   EXPECT_TRUE(all_finite(draw(frame)));
 }
 
@@ -141,7 +141,7 @@ std::optional<bool> sees_pupil(const FurFrame& frame, int x, int y) {
   const double span = 2 * double{frame.camera.tan_half_fov} / size;
   const glm::dvec3 along = glm::normalize(glm::dvec3(frame.camera.forward) + (x + 0.5 - size / 2) * span * glm::dvec3(frame.camera.right) -
                                           (y + 0.5 - size / 2) * span * glm::dvec3(frame.camera.up));
-  const glm::dvec3 from = glm::dvec3(frame.camera.eye) / 0.1 - glm::dvec3(0, 0, shape.cornea_centre);
+  const glm::dvec3 from = glm::dvec3(frame.camera.position) / 0.1 - glm::dvec3(0, 0, shape.cornea_centre);
   const double half = glm::dot(from, along), inner = half * half - glm::dot(from, from) + shape.cornea_radius * shape.cornea_radius;
   if (inner <= 0) return std::nullopt;
   const glm::dvec3 away = from - along * (half + std::sqrt(inner));
@@ -185,7 +185,7 @@ TEST_P(Eyes, PupilLiesWhereRefractionPutsIt) {
 std::optional<double> cosine_on_ball(const FurFrame& frame, int x, int y) {
   const double span = 2 * double{frame.camera.tan_half_fov} / size;
   const glm::dvec3 along = glm::normalize(glm::dvec3((x + 0.5 - size / 2) * span, -(y + 0.5 - size / 2) * span, -1));
-  const glm::dvec3 from = glm::dvec3(frame.camera.eye) / 0.1;
+  const glm::dvec3 from = glm::dvec3(frame.camera.position) / 0.1;
   const double half = glm::dot(from, along), inner = half * half - glm::dot(from, from) + 1;
   if (inner <= 0) return std::nullopt;
   return std::sqrt(inner);
@@ -304,12 +304,12 @@ TEST_P(Eyes, ALightIsASharpDiscOnAWetEye) {
   FurEye eye;
   eye.wetness = 1, eye.sclera = eye.iris.colour = eye.iris.inner_colour = glm::vec3(0);
   const auto peak = [&] {
-    float most = 0;
+    float max = 0;
     const std::vector<glm::vec4> pixels = draw(frame_with(eye));
     for (int y = size / 4; y < size * 3 / 4; ++y) {
-      for (int x = size / 4; x < size * 3 / 4; ++x) most = std::max(most, pixels[static_cast<std::size_t>(y * size + x)].b);
+      for (int x = size / 4; x < size * 3 / 4; ++x) max = std::max(max, pixels[static_cast<std::size_t>(y * size + x)].b);
     }
-    return most;
+    return max;
   };
   const float wet = peak();
   eye.wetness = 0;

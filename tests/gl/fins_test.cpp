@@ -1,4 +1,4 @@
-// Fins and guard hairs: only at outlines, never in the way of a frame that did not ask for them.
+// Fins and guard hairs: only at silhouettes, never in the way of a frame that did not ask for them.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -20,14 +20,14 @@ FrameRequest request_with(bool fins, int hairs, int size = 192) {
 }
 
 /// Distance in pixels to the nearest pixel whose coverage (alpha over half) is the other one, up to `most`.
-int to_outline(const Image& mask, int x, int y, int most) {
+int to_silhouette(const Image& mask, int x, int y, int max) {
   const auto inside = [&](int u, int v) {
     if (u < 0 || v < 0 || u >= mask.width || v >= mask.height) return false;
     return mask.rgba[4 * static_cast<std::size_t>(v * mask.width + u) + 3] > 127;
   };
-  int nearest = most;
-  for (int v = y - most; v <= y + most; ++v) {
-    for (int u = x - most; u <= x + most; ++u) {
+  int nearest = max;
+  for (int v = y - max; v <= y + max; ++v) {
+    for (int u = x - max; u <= x + max; ++u) {
       if (inside(u, v) != inside(x, y)) nearest = std::min(nearest, std::max(std::abs(u - x), std::abs(v - y)));
     }
   }
@@ -38,13 +38,13 @@ struct Change {
   double band = 0, inside = 0, outside = 0;  // mean differences in 1/255
 };
 
-/// How two pictures differ near the outline of the first, and further away than `reach` pixels.
+/// How two pictures differ near the silhouette of the first, and further away than `reach` pixels.
 Change change_between(const Image& a, const Image& b, int reach) {
   Change sum, count;
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
       const std::size_t i = 4 * static_cast<std::size_t>(y * a.width + x);
-      const bool near = to_outline(a, x, y, reach) < reach, in = a.rgba[i + 3] > 127;
+      const bool near = to_silhouette(a, x, y, reach) < reach, in = a.rgba[i + 3] > 127;
       double difference = 0;
       for (std::size_t k = 0; k < 4; ++k) difference += std::abs(int(a.rgba[i + k]) - int(b.rgba[i + k])) / 4.0;
       (near ? sum.band : in ? sum.inside : sum.outside) += difference;
@@ -65,7 +65,7 @@ TEST_P(Fins, AFrameWithoutThemIsAsBefore) {
   EXPECT_EQ(with.rgba, draw(*renderer, model, request_with(true, 3000)).rgba);
 }
 
-TEST_P(Fins, ChangeTheOutlineAndHardlyTheInside) {
+TEST_P(Fins, ChangeTheSilhouetteAndHardlyTheInside) {
   const FurredModel model = furred({Builtin::sphere, 3000}, {.length = 0.05, .inclination = 0.4});
   const Image plain = draw(*renderer, model, request_with(false, 0));
   const Change fins = change_between(plain, draw(*renderer, model, request_with(true, 0)), 12);
@@ -122,7 +122,7 @@ TEST_P(Fins, NothingPopsWhenTheCameraMoves) {
     double largest = 0;
     Image last;
     for (int step = 0; step < 24; ++step) {
-      request.camera.eye = {0.003 * step, 0, 3};
+      request.camera.position = {0.003 * step, 0, 3};
       const Image image = draw(*renderer, model, request);
       if (step > 0) largest = std::max(largest, mean_difference(image, last));
       last = image;
@@ -173,7 +173,7 @@ TEST_P(Fins, GoWithPatternsAndEveryShadingModel) {
   }
 }
 
-/// Pixels inside the skin of a bare model, away from its outline, that fins or hairs change.
+/// Pixels inside the skin of a bare model, away from its silhouette, that fins or hairs change.
 int changed_on_skin(Renderer& renderer, BuiltinModel shape, const FurredModel& furry, bool fins, int hairs) {
   const FurredModel bare = furred(shape, {.length = 0});
   const Image skin = draw(renderer, bare, request_with(false, 0));
@@ -186,15 +186,15 @@ int changed_on_skin(Renderer& renderer, BuiltinModel shape, const FurredModel& f
     for (int x = 2; x + 2 < skin.width; ++x) {
       if (!inside(x - 2, y) || !inside(x + 2, y) || !inside(x, y - 2) || !inside(x, y + 2)) continue;
       const std::size_t i = 4 * static_cast<std::size_t>(y * skin.width + x);
-      int most = 0;
-      for (std::size_t c = i; c < i + 3; ++c) most = std::max(most, std::abs(with.rgba[c] - plain.rgba[c]));
-      changed += most > 4;
+      int max = 0;
+      for (std::size_t c = i; c < i + 3; ++c) max = std::max(max, std::abs(with.rgba[c] - plain.rgba[c]));
+      changed += max > 4;
     }
   }
   return changed;
 }
 
-/// Where one part of a knot lies before another, its outline is seen before skin: with a depth of far away nothing of it
+/// Where one part of a knot lies before another, its silhouette is seen before skin: with a depth of far away nothing of it
 /// would be left there.
 TEST_P(Fins, InFrontOfTheSkinTheyShow) {
   const BuiltinModel knot{Builtin::knot, 3000};
@@ -256,8 +256,8 @@ TEST(Strips, OnlyWhatIsSeenFromTheSideFarThingsFirst) {
   EXPECT_TRUE(shown_fins(square.mesh(), edges, {0.5f, 0.5f, 3}).strips.empty());
   const ShownStrips<FinEdge> side = shown_fins(square.mesh(), edges, {3, 0.5f, 0.1f});
   EXPECT_EQ(side.strips.size(), 5u);
-  EXPECT_EQ(side.averted, 0u);
-  EXPECT_EQ(shown_fins(square.mesh(), edges, {3, 0.5f, -0.1f}).averted, 5u);
+  EXPECT_EQ(side.back_facing, 0u);
+  EXPECT_EQ(shown_fins(square.mesh(), edges, {3, 0.5f, -0.1f}).back_facing, 5u);
   const ShownStrips<HairRoot> hairs = shown_hairs(square.mesh(), scatter_hairs(square.mesh(), 100), {3, 0.5f, 0.1f});
   const auto x_of = [&](const HairRoot& root) {
     float x = 0;

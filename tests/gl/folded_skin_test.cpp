@@ -21,7 +21,7 @@ class FoldedSkin : public WithRenderer {
  protected:
   double middle(const FurredModel& model, bool self_shadow) {
     FrameRequest request = small_frame();
-    request.camera = {.automatic = AutoView::none, .eye = {0, 0, 10}};
+    request.camera = {.automatic = AutoView::none, .position = {0, 0, 10}};
     request.knobs.self_shadow = self_shadow;
     const Image image = draw(*renderer, model, request);
     return image.rgba[4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2)];

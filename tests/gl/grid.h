@@ -8,8 +8,8 @@
 
 namespace pelage::testing {
 
-/// Texels in layers of side x side, one layer after the other, read with texelFetch; or with linear filtering, clamped.
-inline Texture send_layers(const Gl& gl, int side, const std::vector<glm::vec4>& texels, bool linear = false) {
+/// Texels in shells of side x side, one shell after the other, read with texelFetch; or with linear filtering, clamped.
+inline Texture send_images(const Gl& gl, int side, const std::vector<glm::vec4>& texels, bool linear = false) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
   const int layers = static_cast<int>(texels.size()) / (side * side);
   gl.TextureStorage3D(texture.id(), 1, GL_RGBA32F, side, side, layers);

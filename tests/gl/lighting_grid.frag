@@ -2,7 +2,7 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 
-// One layer each: place with height, normal with the strands above, tangent with the strand's number, to eye, colour.
+// One shell each: place with height, normal with the strands above, tangent with the strand's number, to eye, colour.
 layout(binding = 0) uniform sampler2DArray cases;
 
 uniform int asked;
@@ -24,14 +24,14 @@ void main() {
     light_at(0, fibre.place, to_light, radiance);
     result = vec4(to_light, radiance.g);
   }
-#ifdef LAYERS
+#ifdef AOVS
   if (asked == 4) fibre_light(fibre), result = vec4(direct_light, light_share.x);
   if (asked == 5) fibre_light(fibre), result.r = light_share.y;
 #endif
 #ifdef SHADOW_MAPS
   if (asked == 6) {
     result.r = cast_light(light, fibre.place, fibre.open, fibre.normal);
-    result.g = layer_depth(light, fibre.place, fibre.open, fibre.height, 1.0, 7.0);
+    result.g = shell_depth(light, fibre.place, fibre.open, fibre.height, 1.0, 7.0);
   }
 #endif
 }

@@ -26,7 +26,7 @@ constexpr int side = 32, cases = side * side;
 constexpr int asked_light = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
 
 struct Case {
-  glm::vec3 place, normal, tangent, to_eye, colour;
+  glm::vec3 place, normal, tangent, to_camera, colour;
   float height, above, strand;
 };
 
@@ -41,7 +41,7 @@ std::vector<Case> random_cases() {
   for (int i = 0; i < cases; ++i) {
     Case c;
     c.place = 0.6f * glm::vec3(number(), number(), number()) - 0.3f;
-    c.normal = direction(), c.tangent = direction(), c.to_eye = direction();
+    c.normal = direction(), c.tangent = direction(), c.to_camera = direction();
     c.colour = {number(), number(), number()};
     c.height = number(), c.above = 3 * number(), c.strand = number();
     made.push_back(c);
@@ -63,9 +63,9 @@ class Lighting : public OnBackend {
     for (const Case& c : of) texels.emplace_back(c.place, c.height);
     for (const Case& c : of) texels.emplace_back(c.normal, c.above);
     for (const Case& c : of) texels.emplace_back(c.tangent, c.strand);
-    for (const Case& c : of) texels.emplace_back(c.to_eye, 0);
+    for (const Case& c : of) texels.emplace_back(c.to_camera, 0);
     for (const Case& c : of) texels.emplace_back(c.colour, 0);
-    const Texture inputs = send_layers(gl(), side, texels);
+    const Texture inputs = send_images(gl(), side, texels);
     gl().BindTextureUnit(0, inputs.id());
     program.use();
     program.set("asked", static_cast<int>(asked));
@@ -106,14 +106,14 @@ double strands_crossed(const Case& c, const glm::dvec3& direction) {
 /// Those that a ray crosses but for what the eye's ray, which meets none, shares with it: less the further they part, seen along
 /// the strands, in sixths of a strand's width.
 double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3& to_light) {
-  const glm::dvec3 tangent(c.tangent), to_eye(c.to_eye);
-  const double to_eyes = strands_crossed(c, to_eye), to_lights = strands_crossed(c, to_light);
+  const glm::dvec3 tangent(c.tangent), to_camera(c.to_camera);
+  const double to_cameras = strands_crossed(c, to_camera), to_lights = strands_crossed(c, to_light);
   const double width = (coat.width_root + coat.width_tip) / 2, by_width = coat.count * width * width / (coat.tile * coat.tile);
   const double widths = double(c.above) / by_width * std::max(glm::dot(tangent, glm::dvec3(c.normal)), 0.15);
-  const double apart = glm::length(glm::cross(tangent, to_eye * way_out(c, to_eye) - to_light * way_out(c, to_light)));
+  const double apart = glm::length(glm::cross(tangent, to_camera * way_out(c, to_camera) - to_light * way_out(c, to_light)));
   const double x = 6 * widths * apart;
   const double shared = (1 + x / 6) / (1 + 2 * x / 3 + x * x / 6);
-  return std::max(to_lights - std::sqrt(to_eyes * to_lights) * shared, 0.0);
+  return std::max(to_lights - std::sqrt(to_cameras * to_lights) * shared, 0.0);
 }
 
 struct Arriving {
@@ -155,7 +155,7 @@ Expected expected_light(const FurFrame& frame, const FibreShading& shading, cons
   for (const FurLight& light : frame.lights) {
     const Arriving from = arriving_from(light, glm::dvec3(c.place));
     const double facing = glm::dot(normal, from.to_light);
-    const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_eye)};
+    const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_camera)};
     const double behind = light_behind(look.shading, facing, look.back_attenuation);
     const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
     sum.direct += whole * let_through(look, strands_to_light(frame.coat, c, from.to_light), crossed);
@@ -244,8 +244,8 @@ TEST_P(Lighting, KeepsTheLightOfLightsApart) {
   const FurFrame frame = lit_frame();
   const FibreShading shading(frame.look);
   const std::vector<Case> of = random_cases();
-  const std::vector<glm::vec4> kept = on_gpu(direct, frame, of, "#define LAYERS\n");
-  const std::vector<glm::vec4> whole = on_gpu(unshadowed, frame, of, "#define LAYERS\n");
+  const std::vector<glm::vec4> kept = on_gpu(direct, frame, of, "#define AOVS\n");
+  const std::vector<glm::vec4> whole = on_gpu(unshadowed, frame, of, "#define AOVS\n");
   const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const Expected expected = expected_light(frame, shading, of[i]);
@@ -332,16 +332,16 @@ class ShadowFormulas : public Lighting {
     float white = 1;  // shadow-width map
     bool soft = true;
     float scale = 10;              // Cscale; -1 casts none
-    float layers = 1, depths = 1;  // slots
+    float shells = 1, depths = 1;  // slots
     float lower = 0.5f;            // depth of the skin on the map's lower half
   };
 
-  /// rg: S, and the optical depth of the layers above, for places at (x, y, z) with height s; the estimate is 7.
+  /// rg: S, and the optical depth of the shells above, for places at (x, y, z) with height s; the estimate is 7.
   std::vector<glm::vec4> asked(const Maps& maps, const std::vector<Case>& of) {
     ShadowBlock block;
     block.to_light[asked_light] = glm::mat4(1);
     block.axis[asked_light] = {0, 0, -1, 0.5f};
-    block.slots[asked_light] = {maps.layers, maps.depths, maps.soft ? 1 : 0, maps.scale};
+    block.slots[asked_light] = {maps.shells, maps.depths, maps.soft ? 1 : 0, maps.scale};
     const Buffer buffer = send_block(gl(), 2, block);
     const auto texels = [&](glm::vec4 value) { return std::vector<glm::vec4>(4, value); };
     std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));
@@ -349,10 +349,10 @@ class ShadowFormulas : public Lighting {
     for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(std::exp(0.2f * float(layer - 16))));
     depths.insert(depths.end(), 2, glm::vec4(0.5f)), depths.insert(depths.end(), 2, glm::vec4(maps.lower));
     widths.insert(widths.end(), 4, glm::vec4(maps.white, 0.5f * maps.white, 0, 0));  // cast by the skin at depth .5
-    const Texture kept_maps = send_layers(gl(), 2, kept, true);
-    const Texture depth_maps = send_layers(gl(), 2, depths, true);
-    const Texture width_maps = send_layers(gl(), 2, widths, true);
-    gl().BindTextureUnit(4, kept_maps.id());
+    const Texture shell_maps = send_images(gl(), 2, kept, true);
+    const Texture depth_maps = send_images(gl(), 2, depths, true);
+    const Texture width_maps = send_images(gl(), 2, widths, true);
+    gl().BindTextureUnit(4, shell_maps.id());
     gl().BindTextureUnit(5, depth_maps.id());
     gl().BindTextureUnit(6, width_maps.id());
     return on_gpu(mapped, lit_frame(), of, "#define SHADOW_MAPS\n");
@@ -398,8 +398,8 @@ TEST_P(ShadowFormulas, HardShadowIsAllOrNothingPastTheBias) {
 }
 
 /// The maps hold exp(-.2 (16 - i)) at boundary i: between two of them what is let through is mixed. Half a slice, a
-/// quarter of a layer, is the strand itself.
-TEST_P(ShadowFormulas, LayersLetThroughWhatTheirMapsSay) {
+/// quarter of a shell, is the strand itself.
+TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
   const std::vector<Case> of = places_below(0);
   const std::vector<glm::vec4> values = asked({}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
@@ -408,7 +408,7 @@ TEST_P(ShadowFormulas, LayersLetThroughWhatTheirMapsSay) {
         glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (low - 15)), layer - low);
     ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
   }
-  for (const glm::vec4& value : asked({.layers = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate
+  for (const glm::vec4& value : asked({.shells = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate
   const std::vector<Case> behind = places_below(0.3);
   const std::vector<glm::vec4> other = asked({}, behind);
   EXPECT_EQ(other[cases - 1].g, 7) << "the maps show another part of the body";

@@ -60,11 +60,11 @@ TEST_P(PaintedFrames, TouchedButAtRestGivesTheSamePicture) {
   request.knobs.fins = true, request.knobs.guard_hairs = 2000;
   const Image before = drawn(model);
   for (std::size_t i = first_painted; i < field_count; ++i) {  // touched, but as at rest
-    const float rest = field_shapes[i].rest;
+    const float rest = field_shapes[i].default_value;
     flood(model, field_at(i), glm::vec4(field_shapes[i].channels == 1 ? rest * 0.5f + 0.25f : 0.5f));
     flood(model, field_at(i), field_shapes[i].channels == 1 ? glm::vec4(rest, 0, 0, 0) : glm::vec4(0));
   }
-  ASSERT_FALSE(model.fields.at_rest(Field::clump));
+  ASSERT_FALSE(model.fields.at_default(Field::clump));
   const Image after = drawn(model);
   EXPECT_LE(largest_difference(before, after), 1) << "rounding of what is drawn by other programs";
   EXPECT_LT(mean_difference(before, after), 0.01);
@@ -115,12 +115,12 @@ TEST_P(PaintedFrames, WhatDensityLeavesIsWhole) {
   Look& look = model.settings.look;
   look.skin = glm::vec3(0), look.ambient = 0.6, look.ambient_floor = 1, look.diffuse = look.specular = 0;
   request = small_frame(AutoView::none, 256);
-  request.camera.eye = {0.02, 0.25, 0.03}, request.camera.target = {0.02, 0, 0.02};
+  request.camera.position = {0.02, 0.25, 0.03}, request.camera.target = {0.02, 0, 0.02};
   request.camera.fov_degrees = 12;
-  const auto share_of = [&](int least, int most) {
+  const auto share_of = [&](int min, int max) {
     const Image image = drawn(model);
     double count = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += image.rgba[i] >= least && image.rgba[i] <= most;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += image.rgba[i] >= min && image.rgba[i] <= max;
     return 4 * count / static_cast<double>(image.rgba.size());
   };
   const int bright = 180, dark = 60;
@@ -195,9 +195,9 @@ TEST_P(PaintedFrames, WaterShines) {
   model.settings.look.specular_exponent = 8;
   const Image wet = drawn(model);
   const auto brightest = [](const Image& image) {
-    int most = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) most = std::max(most, int{image.rgba[i]});
-    return most;
+    int max = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) max = std::max(max, int{image.rgba[i]});
+    return max;
   };
   model.fields = ball().fields;
   EXPECT_GT(brightest(wet), brightest(drawn(model)));
@@ -267,7 +267,7 @@ TEST_P(PaintedFrames, ShadowMapsSeeThem) {
   request.knobs.shadow_maps = true;
   const auto light_kept = [&] {  // in the middle
     drawn(model);
-    const auto images = renderer->draw_layers(make_frame(model.view(), request), std::array{FrameLayer::shadow});
+    const auto images = renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::shadow});
     EXPECT_TRUE(images.ok());
     const FloatImage& image = images->front();
     return image.rgba[4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2)];
@@ -327,12 +327,12 @@ TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {
   request = small_frame(AutoView::front, 24);
   request.background = Background::colour;
   request.knobs.fins = true, request.knobs.guard_hairs = 500;
-  for (const bool most : {false, true}) {
+  for (const bool max : {false, true}) {
     for (std::size_t i = first_painted; i < field_count; ++i) {
-      const float value = most ? field_shapes[i].most : field_shapes[i].least;
+      const float value = max ? field_shapes[i].max : field_shapes[i].min;
       flood(model, field_at(i), glm::vec4(value));
     }
-    if (most) flood(model, Field::bare, 0.4f);
+    if (max) flood(model, Field::bare, 0.4f);
     for (const ShadingModel shading : {ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving}) {
       model.settings.look.shading = shading;
       const Image image = drawn(model);

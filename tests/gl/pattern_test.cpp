@@ -76,7 +76,7 @@ TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
   }
 }
 
-TEST_P(PatternOnGpu, VariationOfLengthChangesTheOutline) {
+TEST_P(PatternOnGpu, VariationOfLengthChangesTheSilhouette) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.1});
   const Image even = draw(*renderer, model, small_frame());
   model.settings.coat.variation.length = 0.8;

@@ -13,7 +13,7 @@ class FramesInPieces : public WithRenderer {
     return make_frame(model.view(), request);
   }
   std::vector<std::uint8_t> whole(const FurFrame& frame) {
-    renderer->forget_kept();
+    renderer->clear_view_cache();
     return renderer->draw(frame).value().rgba;
   }
 };
@@ -41,12 +41,12 @@ TEST_P(FramesInPieces, HaveTheBitsOfAWholeOne) {
   FrameRequest hairy = layers;
   hairy.knobs.fins = true, hairy.knobs.guard_hairs = 200, hairy.knobs.shadow_maps = true;
   FrameRequest shown = layers;
-  shown.overlay = Overlay::layer_count;
+  shown.overlay = Overlay::shell_count;
   for (const FrameRequest& request : {layers, hairy, shown, large(Tier::detailed, 400)}) {
     const FurFrame frame = frame_of(model, request);
     const std::vector<std::uint8_t> expected = whole(frame);
     int pauses = 0;
-    renderer->forget_kept();
+    renderer->clear_view_cache();
     const Result<Image> image = renderer->draw(frame, nullptr, [&] {
       // Another picture leaves targets, maps and tables of its own.
       if (++pauses == 2) {
@@ -63,10 +63,10 @@ TEST_P(FramesInPieces, HaveTheBitsOfAWholeOne) {
 TEST_P(FramesInPieces, LayersBesideLightToo) {
   const FurredModel model = lit({});
   const FurFrame frame = frame_of(model, large(Tier::detailed, 400));
-  const std::array asked{FrameLayer::beauty, FrameLayer::normal};
-  const auto expected = renderer->draw_layers(frame, asked).value();
+  const std::array asked{Aov::beauty, Aov::normal};
+  const auto expected = renderer->draw_aovs(frame, asked).value();
   int pauses = 0;
-  const auto images = renderer->draw_layers(frame, asked, nullptr, [&] { return ++pauses > 0; }).value();
+  const auto images = renderer->draw_aovs(frame, asked, nullptr, [&] { return ++pauses > 0; }).value();
   EXPECT_GT(pauses, 2);
   for (std::size_t i = 0; i < asked.size(); ++i) EXPECT_TRUE(images[i].rgba == expected[i].rgba) << i;
 }

@@ -26,8 +26,8 @@ TEST_P(Frames, SameFrameSameBits) {
   EXPECT_EQ(first.rgba, draw(*renderer, model, small_frame()).rgba);
 }
 
-TEST_P(Frames, LayerCountKeepsTheOpacity) {
-  // With a fixed alpha for each layer these coverages would be far apart (science.md 1).
+TEST_P(Frames, ShellCountKeepsTheOpacity) {
+  // With a fixed alpha for each shell these coverages would be far apart (science.md 1).
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.1, .inclination = 0.2});
   FrameRequest request = small_frame();
   std::vector<double> means;
@@ -41,7 +41,7 @@ TEST_P(Frames, LayerCountKeepsTheOpacity) {
   for (const double mean : means) EXPECT_NEAR(mean, means.back(), 0.03 * means.back());
 }
 
-TEST_P(Frames, MoreLayersComeCloser) {
+TEST_P(Frames, MoreShellsComeCloser) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
   FrameRequest request = small_frame();
   request.knobs.shell_policy = ShellPolicy::uniform;
@@ -55,7 +55,7 @@ TEST_P(Frames, MoreLayersComeCloser) {
   EXPECT_LT(fine, middle * 0.7);
 }
 
-TEST_P(Frames, FewerLayersWhereTheViewNeedsFewerKeepTheOpacity) {
+TEST_P(Frames, FewerShellsWhereTheViewNeedsFewerKeepTheOpacity) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.1, .inclination = 0.2});
   FrameRequest request = small_frame();
   const auto mean_alpha = [&](ShellPolicy policy) {
@@ -70,7 +70,7 @@ TEST_P(Frames, FewerLayersWhereTheViewNeedsFewerKeepTheOpacity) {
 }
 
 TEST_P(Frames, NothingPopsWhenTheCameraMoves) {
-  // From step to step of a slow approach no picture may change much more than with the same layers everywhere.
+  // From step to step of a slow approach no picture may change much more than with the same shells everywhere.
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
   FrameRequest request = small_frame();
   request.camera.automatic = AutoView::none;
@@ -80,7 +80,7 @@ TEST_P(Frames, NothingPopsWhenTheCameraMoves) {
     double largest = 0;
     Image last;
     for (int step = 0; step < 12; ++step) {
-      request.camera.eye = {0.02 * step, 0, 3 - 0.03 * step};
+      request.camera.position = {0.02 * step, 0, 3 - 0.03 * step};
       const Image image = draw(*renderer, model, request);
       if (step > 0) largest = std::max(largest, mean_difference(image, last));
       last = image;
@@ -218,7 +218,7 @@ TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
 
 TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   // A scene without maps, ground, pattern or environment. These are the numbers of a program that has none of those:
-  // skin, coarse depth, fur averted and facing in each part of the depth, and the picture; 4 shells of depth and 8 of fur
+  // skin, coarse depth, fur back-facing and facing in each part of the depth, and the picture; 4 shells of depth and 8 of fur
   // on each side of the parts that it reaches. The model and the coat are bound for skin and each side of a part.
   const FurredModel model = furred({Builtin::sphere, 300});
   FrameRequest request = small_frame();

@@ -118,8 +118,8 @@ double enlarged(const Image16& drawn, double x, double y, std::size_t channel) {
 TEST_P(Resolve, PartSizeFramesAreEnlargedByCatmullRom) {
   FrameRequest request = small_frame();
   request.exposure = -4;  // nothing is brighter than white
-  // Strands at the outline, from so near that pixels of both frames read the finest texels: the light is the same.
-  request.camera = {.automatic = AutoView::none, .eye = {1.07, 0, 1.4}, .target = {1.07, 0, 0}, .fov_degrees = 1.5};
+  // Strands at the silhouette, from so near that pixels of both frames read the finest texels: the light is the same.
+  request.camera = {.automatic = AutoView::none, .position = {1.07, 0, 1.4}, .target = {1.07, 0, 0}, .fov_degrees = 1.5};
   const double scale = 0.5;
   request.knobs.scale = scale;
   const Image16 picture_of_part = picture(request);

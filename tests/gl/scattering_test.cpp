@@ -26,12 +26,12 @@ constexpr ShadingModel all_models[] = {ShadingModel::lengyel,           ShadingM
 
 /// One pixel's question, in the floats that the shader gets.
 struct Case {
-  glm::vec3 tangent, normal, to_light, to_eye, colour;
+  glm::vec3 tangent, normal, to_light, to_camera, colour;
   float strand;
 
   ScatterGeometry geometry() const {
     const auto unit = [](const glm::vec3& v) { return glm::normalize(glm::dvec3(v)); };
-    return {unit(tangent), unit(normal), unit(to_light), unit(to_eye)};
+    return {unit(tangent), unit(normal), unit(to_light), unit(to_camera)};
   }
 };
 
@@ -85,9 +85,9 @@ class Scattering : public OnBackend {
     for (const Case& c : asked) texels.emplace_back(c.tangent, 0);
     for (const Case& c : asked) texels.emplace_back(c.normal, 0);
     for (const Case& c : asked) texels.emplace_back(c.to_light, 0);
-    for (const Case& c : asked) texels.emplace_back(c.to_eye, 0);
+    for (const Case& c : asked) texels.emplace_back(c.to_camera, 0);
     for (const Case& c : asked) texels.emplace_back(c.colour, c.strand);
-    return send_layers(gl(), side, texels);
+    return send_images(gl(), side, texels);
   }
 
   Texture send_table(const ScatteringTable& table) {
@@ -159,14 +159,14 @@ LobeValues lobes_of(const FibreShading& shading, const Look& look, const Case& c
     const double sine = std::clamp(-glm::dot(geometry.tangent, direction), -1.0, 1.0);
     return Inclination{sine, std::sqrt(1 - sine * sine)};
   };
-  const Inclination light = inclination(geometry.to_light), eye = inclination(geometry.to_eye);
+  const Inclination light = inclination(geometry.to_light), eye = inclination(geometry.to_camera);
   const bool marschner = look.shading == ShadingModel::marschner;
   const LobeValues m = marschner ? marschner_longitudinal(marschner_lobes(look.fibre), light, eye)
                                  : longitudinal_lobes(energy_conserving_lobes(look.fibre), light, eye);
   const glm::dvec3 across_light = geometry.to_light + geometry.tangent * light.sine;
-  const glm::dvec3 across_eye = geometry.to_eye + geometry.tangent * eye.sine;
+  const glm::dvec3 across_view = geometry.to_camera + geometry.tangent * eye.sine;
   const double azimuth =
-      std::acos(std::clamp(glm::dot(glm::normalize(across_light), glm::normalize(across_eye)), -1.0, 1.0));
+      std::acos(std::clamp(glm::dot(glm::normalize(across_light), glm::normalize(across_view)), -1.0, 1.0));
   const double sigma_a = shading.absorption(glm::dvec3(c.colour)).r;
   LobeValues n = table.at(marschner ? cos_difference(light, eye) : eye.cosine, azimuth, absorption_coordinate(sigma_a));
   for (std::size_t p = 0; p < lobe_count; ++p) n[p] *= m[p];
@@ -215,22 +215,22 @@ TEST_P(Scattering, WhiteFurnace) {
   Look look;
   look.shading = ShadingModel::energy_conserving;
   const ScatteringTable table = make_scattering_table(look);
-  for (const double eye_sine : {-0.8, 0.0, 0.5}) {
+  for (const double view_sine : {-0.8, 0.0, 0.5}) {
     std::vector<Case> asked;
     std::vector<double> weights;
-    const glm::vec3 to_eye(eye_sine, std::sqrt(1 - eye_sine * eye_sine), 0);
+    const glm::vec3 to_camera(view_sine, std::sqrt(1 - view_sine * view_sine), 0);
     for (const QuadratureNode& node : gauss_legendre(side, -1.0, 1.0)) {
       for (int i = 0; i < side; ++i) {
         const double around = 2 * 3.14159265358979 * (i + 0.5) / side, across = std::sqrt(1 - node.x * node.x);
         const glm::vec3 to_light(node.x, across * std::cos(around), across * std::sin(around));
-        asked.push_back({{1, 0, 0}, {0, 1, 0}, to_light, to_eye, glm::vec3(1), 0.5f});
+        asked.push_back({{1, 0, 0}, {0, 1, 0}, to_light, to_camera, glm::vec3(1), 0.5f});
         weights.push_back(node.weight * 2 / side);
       }
     }
     const std::vector<glm::vec4> pixels = on_gpu(look, asked, table);
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) sum += weights[i] * double(pixels[i].g);
-    EXPECT_NEAR(sum, 1, 1e-3) << eye_sine;
+    EXPECT_NEAR(sum, 1, 1e-3) << view_sine;
   }
 }
 

@@ -28,7 +28,7 @@ class Shadows : public WithRenderer {
 
 const Light from_above{.direction = {0, -1, 0}, .intensity = 1};
 
-TEST_P(Shadows, LayerMapsAgreeWithTheEstimateOnAPlane) {
+TEST_P(Shadows, ShellMapsAgreeWithTheEstimateOnAPlane) {
   // Upright fur seen along the light: the map holds what the strands above let through, the estimate their mean.
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.6});
   Light light = from_above;
@@ -43,7 +43,7 @@ TEST_P(Shadows, LayerMapsAgreeWithTheEstimateOnAPlane) {
 /// The share of light that black fur, which keeps what it takes, leaves: from the maps and from the estimate. The light
 /// comes from a side, as what is seen along it has nothing above it. The maps leave more: gaps let light in to what is
 /// seen through them, and the mean of what strands let through is more than the mean depth does.
-TEST_P(Shadows, LayerMapsHoldTheOpticalDepthOfTheFur) {
+TEST_P(Shadows, ShellMapsHoldTheOpticalDepthOfTheFur) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
   model.settings.coat.ramp = {{0, glm::vec3(0)}};
   model.settings.coat.count = 4000;
@@ -53,8 +53,8 @@ TEST_P(Shadows, LayerMapsHoldTheOpticalDepthOfTheFur) {
     model.settings.lights[0].self_shadow_maps = maps;
     request.knobs.shadow_maps = maps;
     sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
-    const std::vector<FrameLayer> asked{FrameLayer::shadow};
-    const FloatImage image = renderer->draw_layers(make_frame(model.view(), request), asked).value()[0];
+    const std::vector<Aov> asked{Aov::shadow};
+    const FloatImage image = renderer->draw_aovs(make_frame(model.view(), request), asked).value()[0];
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
       if (image.rgba[i + 3] > 0.9f) sum += double(image.rgba[i]), ++count;
@@ -104,13 +104,13 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
     model.settings.lights = {{.direction = along, .cast_shadow = CastShadow::hard}};
     sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
     const FurFrame frame = make_frame(model.view(), request);
-    const std::vector<FrameLayer> asked{FrameLayer::position, FrameLayer::normal, FrameLayer::shadow};
-    const std::vector<FloatImage> layers = renderer->draw_layers(frame, asked).value();
+    const std::vector<Aov> asked{Aov::position, Aov::normal, Aov::shadow};
+    const std::vector<FloatImage> shells = renderer->draw_aovs(frame, asked).value();
     const glm::dvec3 to_light = -glm::dvec3(frame.lights[0].direction);
     int blocked = 0, open = 0, wrong = 0;
-    for (std::size_t i = 0; i < layers[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&layers[layer].rgba[i])); };
-      if (layers[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
+    for (std::size_t i = 0; i < shells[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&shells[layer].rgba[i])); };
+      if (shells[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
       const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
       (hidden ? blocked : open) += 1;
       wrong += hidden != (value(2).r < 0.5);
@@ -142,13 +142,13 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
     model.settings.lights = {{.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
     sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
     const FurFrame frame = make_frame(model.view(), request);
-    const std::vector<FrameLayer> asked{FrameLayer::position, FrameLayer::normal, FrameLayer::shadow};
-    const std::vector<FloatImage> layers = renderer->draw_layers(frame, asked).value();
+    const std::vector<Aov> asked{Aov::position, Aov::normal, Aov::shadow};
+    const std::vector<FloatImage> shells = renderer->draw_aovs(frame, asked).value();
     const std::vector<glm::dvec3> rays = rays_to(frame.lights[0], 64);
     double error = 0, bias = 0, count = 0, between = 0;
-    for (std::size_t i = 0; i < layers[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&layers[layer].rgba[i])); };
-      if (layers[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
+    for (std::size_t i = 0; i < shells[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&shells[layer].rgba[i])); };
+      if (shells[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
       double open = 0;
       for (const glm::dvec3& ray : rays) open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
       error += std::abs(value(2).r - open), bias += value(2).r - open, ++count;
@@ -175,7 +175,7 @@ TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
     request.knobs.shadow_maps = true;
     sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
     const std::vector<FloatImage> images =
-        renderer->draw_layers(make_frame(model.view(), request), std::array{FrameLayer::direct, FrameLayer::position}).value();
+        renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::direct, Aov::position}).value();
     double sum = 0;
     for (std::size_t i = 0; i < images[0].rgba.size(); i += 4) {
       const bool below = images[1].rgba[i + 3] > 0.9f && images[1].rgba[i + 1] < -0.1f;
@@ -198,7 +198,7 @@ TEST_P(Shadows, KnobAndLightMustBothAsk) {
   EXPECT_NE(picture(model, light, true).rgba, plain.rgba);
 }
 
-TEST_P(Shadows, MapsAreKeptUntilFieldsOrLightChange) {
+TEST_P(Shadows, MapsAreCachedUntilFieldsOrLightChange) {
   FurredModel model = furred({Builtin::sphere, 300});
   Light light = from_above;
   light.self_shadow_maps = true;
@@ -260,13 +260,13 @@ double light_between_strands(Renderer& renderer, Coat coat) {
   FurFrame frame = make_frame(model.view(), request);
   const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
   sync_scene(renderer, model.view(), {all});
-  frame.lights = {{.kind = LightKind::point, .position = frame.camera.eye, .self_shadow_maps = true}};
-  auto layers = renderer.draw_layers(frame, std::array{FrameLayer::shadow, FrameLayer::albedo});
-  EXPECT_TRUE(layers.ok());
+  frame.lights = {{.kind = LightKind::point, .position = frame.camera.position, .self_shadow_maps = true}};
+  auto shells = renderer.draw_aovs(frame, std::array{Aov::shadow, Aov::albedo});
+  EXPECT_TRUE(shells.ok());
   double sum = 0, count = 0;
-  for (std::size_t i = 0; i < (*layers)[0].rgba.size(); i += 4) {
-    if ((*layers)[1].rgba[i] < 0.9f) continue;
-    sum += double{(*layers)[0].rgba[i]}, ++count;
+  for (std::size_t i = 0; i < (*shells)[0].rgba.size(); i += 4) {
+    if ((*shells)[1].rgba[i] < 0.9f) continue;
+    sum += double{(*shells)[0].rgba[i]}, ++count;
   }
   EXPECT_GT(count, 100);
   return sum / count;
@@ -303,7 +303,7 @@ TEST_P(Shadows, WhatLiesBelowASurfaceDoesNotChangeTheSoftShadowOnIt) {
   const auto draw_levels = [&](bool gap) {
     FurredModel model = furred(three_levels(gap), {.length = 0});
     FrameRequest request = small_frame(AutoView::front, 200);
-    request.camera = {.automatic = AutoView::none, .eye = {2, 2.2, 0}, .target = {0, 0.5, 0}, .fov_degrees = 45};
+    request.camera = {.automatic = AutoView::none, .position = {2, 2.2, 0}, .target = {0, 0.5, 0}, .fov_degrees = 45};
     request.knobs.shadow_maps = true;
     model.settings.lights = {{.direction = {0, -1, 0}, .cast_shadow = CastShadow::soft}};
     return draw(*renderer, model, request);
@@ -394,7 +394,7 @@ TEST_P(Shadows, CurvesCastThemOnTheGround) {
   model.settings.lights = {{.direction = {0, -1, 0}, .cast_shadow = CastShadow::hard}};
   FrameRequest request = small_frame(AutoView::top, 160);
   request.camera = {.automatic = AutoView::none,
-                    .eye = mesh.to_model({1.2, 0.6, 0}),
+                    .position = mesh.to_model({1.2, 0.6, 0}),
                     .target = mesh.to_model({0.4, -0.3, 0}),
                     .fov_degrees = 30};
   request.knobs.shadow_maps = true;

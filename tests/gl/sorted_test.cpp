@@ -177,7 +177,7 @@ class Sorted : public WithRenderer {
   FloatImage light_of(Renderer& with, const FurredModel& model, const FrameRequest& request, DrawTimes* times = nullptr) {
     sync_scene(with, model.view(), {VertexRange{0, static_cast<std::uint32_t>(model.fields.size())}});
     const FurFrame frame = make_frame(model.view(), request);
-    Result<std::vector<FloatImage>> images = with.draw_layers(frame, std::array{FrameLayer::beauty}, times);
+    Result<std::vector<FloatImage>> images = with.draw_aovs(frame, std::array{Aov::beauty}, times);
     EXPECT_TRUE(images.ok()) << images.status().message;
     with.forget(model.model.id);
     return std::move(images.value().front());
@@ -209,36 +209,36 @@ TEST_P(Sorted, OrderOfTrianglesDoesNotMatter) {
   FurredModel model = furred({Builtin::creature, 1500}, {.length = 0.05, .inclination = 0.5});
   const FrameRequest request = request_of(FragmentOrder::sorted, 32);
   const FloatImage before = light_of(*renderer, model, request);
-  FrameRequest layers = request;
-  layers.knobs.order = FragmentOrder::layers;
-  const FloatImage layers_before = light_of(*renderer, model, layers);
+  FrameRequest aovs = request;
+  aovs.knobs.order = FragmentOrder::shells;
+  const FloatImage aovs_before = light_of(*renderer, model, aovs);
   std::reverse(model.model.patches.pieces.begin(), model.model.patches.pieces.end());
   EXPECT_LT(largest(before, light_of(*renderer, model, request)), 1e-5);
-  EXPECT_GT(largest(layers_before, light_of(*renderer, model, layers)), 1e-3);  // so the order did change
+  EXPECT_GT(largest(aovs_before, light_of(*renderer, model, aovs)), 1e-3);  // so the order did change
 }
 
-TEST_P(Sorted, IsWhatLayersAreOnOneConvexPieceSeenHeadOn) {
+TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
   FurredModel model = furred({Builtin::plane, 2}, {.length = 0.05, .inclination = 0.2});
   model.model.patches = hard_pieces(model.model.patches);  // no two fragments at one depth
   FrameRequest request = request_of(FragmentOrder::sorted, 64);
   request.camera.automatic = AutoView::top;
   const FloatImage sorted = light_of(*renderer, model, request);
-  request.knobs.order = FragmentOrder::layers;
-  const FloatImage layers = light_of(*renderer, model, request);
+  request.knobs.order = FragmentOrder::shells;
+  const FloatImage aovs = light_of(*renderer, model, request);
   double seen = 0;
-  for (std::size_t i = 3; i < layers.rgba.size(); i += 4) seen += double{layers.rgba[i]};
+  for (std::size_t i = 3; i < aovs.rgba.size(); i += 4) seen += double{aovs.rgba[i]};
   EXPECT_GT(seen, 500);
-  EXPECT_LT(largest(sorted, layers), 1e-3);  // layers leave out what lies well below dense fur
+  EXPECT_LT(largest(sorted, aovs), 1e-3);  // shells leave out what lies well below dense fur
 }
 
-/// From behind, where a body's own fur lies behind its fur. In the order of layers alone, all of the body at once, they are
+/// From behind, where a body's own fur lies behind its fur. In the order of shells alone, all of the body at once, they are
 /// twice as far apart.
-TEST_P(Sorted, LayersOfWhatIsNearLieOverThoseOfWhatIsFar) {
+TEST_P(Sorted, ShellsOfWhatIsNearLieOverThoseOfWhatIsFar) {
   const FurredModel model = furred({Builtin::creature, 1500}, {.length = 0.05, .inclination = 0.5});
   FrameRequest request = request_of(FragmentOrder::sorted, 16, 96);
   request.camera.automatic = AutoView::back;
   const FloatImage sorted = light_of(*renderer, model, request);
-  request.knobs.order = FragmentOrder::layers;
+  request.knobs.order = FragmentOrder::shells;
   EXPECT_LT(apart(sorted, light_of(*renderer, model, request)), 0.0016);
 }
 
@@ -271,8 +271,8 @@ TEST_P(Sorted, ThousandShellsComeCloserToEachOther) {
   const FurredModel model = furred({Builtin::torus, 1000}, {.length = 0.05, .inclination = 0.5});
   const FloatImage few = light_of(*renderer, model, request_of(FragmentOrder::sorted, 64, 32));
   const FloatImage more = light_of(*renderer, model, request_of(FragmentOrder::sorted, 256, 32));
-  const FloatImage most = light_of(*renderer, model, request_of(FragmentOrder::sorted, 1024, 32));
-  EXPECT_LT(apart(more, most), 0.5 * apart(few, most));
+  const FloatImage max = light_of(*renderer, model, request_of(FragmentOrder::sorted, 1024, 32));
+  EXPECT_LT(apart(more, max), 0.5 * apart(few, max));
 }
 
 // The colour of one height for all of a slab would give two slices that of one of them.

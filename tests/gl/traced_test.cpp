@@ -29,7 +29,7 @@ Ray ray_through(const FurCamera& camera, std::size_t i, int width, int height) {
   const double x = (static_cast<double>(i % static_cast<std::size_t>(width)) + 0.5) / width;
   const double y = (static_cast<double>(i / static_cast<std::size_t>(width)) + 0.5) / height;
   const double up = double(camera.tan_half_fov), right = up * width / height;
-  return {glm::dvec3(camera.eye), glm::dvec3(camera.forward) + glm::dvec3(camera.right) * ((2 * x - 1) * right) +
+  return {glm::dvec3(camera.position), glm::dvec3(camera.forward) + glm::dvec3(camera.right) * ((2 * x - 1) * right) +
                                       glm::dvec3(camera.up) * ((1 - 2 * y) * up)};
 }
 
@@ -43,8 +43,8 @@ std::optional<double> depth_of_ball(const Ray& ray, double radius) {
 
 class Base : public WithRenderer {
  protected:
-  BasePicture base_of(const FurredModel& model, const FrameRequest& request) {
-    Result<BasePicture> base = renderer->draw_base(frame_of(*renderer, model, request));
+  Backplate base_of(const FurredModel& model, const FrameRequest& request) {
+    Result<Backplate> base = renderer->draw_backplate(frame_of(*renderer, model, request));
     EXPECT_TRUE(base.ok()) << base.status().message;
     return std::move(base).value();
   }
@@ -54,7 +54,7 @@ FrameRequest askew(int width, int height) {
   FrameRequest request = small_frame();
   request.width = width, request.height = height;
   request.camera = {
-      .automatic = AutoView::none, .eye = {2.2, 1.8, 4.0}, .target = {0.1, -0.05, 0.06}, .up = {0.2, 1, 0}};
+      .automatic = AutoView::none, .position = {2.2, 1.8, 4.0}, .target = {0.1, -0.05, 0.06}, .up = {0.2, 1, 0}};
   return request;
 }
 
@@ -70,7 +70,7 @@ TEST_P(Base, RaysMeetTheBallWhereItIsDrawn) {
   for (const glm::ivec2 size : {glm::ivec2(200, 120), glm::ivec2(120, 200), glm::ivec2(97, 61)}) {
     const FrameRequest request = askew(size.x, size.y);
     const FurFrame frame = frame_of(*renderer, model, request);
-    const BasePicture base = base_of(model, request);
+    const Backplate base = base_of(model, request);
     ASSERT_EQ(glm::ivec2(base.depth.width, base.depth.height), 2 * size);
     int seen = 0, beside = 0;
     for (std::size_t i = 0; i < base.depth.rgba.size() / 4; ++i) {
@@ -99,7 +99,7 @@ TEST_P(Base, RaysMeetThePlaneWhereItIsDrawn) {
   const FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05});
   const FrameRequest request = askew(200, 120);
   const FurFrame frame = frame_of(*renderer, model, request);
-  const BasePicture base = base_of(model, request);
+  const Backplate base = base_of(model, request);
   const double half = 0.5 / std::sqrt(2.0);
   int seen = 0;
   for (std::size_t i = 0; i < base.depth.rgba.size() / 4; ++i) {
@@ -129,7 +129,7 @@ TEST_P(Base, SkinIsLitAsIfNothingGrewOnIt) {
   const FrameRequest request = askew(120, 90);
   const FurFrame frame = frame_of(*renderer, model, request);
   const glm::dvec3 place_of_light(frame.lights[1].position);
-  const BasePicture base = base_of(model, request);
+  const Backplate base = base_of(model, request);
   int lit = 0;
   for (std::size_t i = 0; i < base.depth.rgba.size() / 4; ++i) {
     if (base.beauty.rgba[4 * i + 3] == 0) continue;
@@ -154,12 +154,12 @@ TEST_P(Base, OfTheKnobsOnlyEyeStepsCount) {
   model.settings.lights[0].cast_shadow = CastShadow::hard;
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.08}};
   FrameRequest request = askew(80, 60);
-  const BasePicture before = base_of(model, request);
+  const Backplate before = base_of(model, request);
   request.knobs = knobs_of(Tier::detailed);
   request.knobs.eye_steps = knobs_of(Tier::interactive).eye_steps, request.knobs.scale = 0.5;
   model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 1};
   model.settings.curves = {{.curves = {{{0, 0, 1}, {0.2, 0.2, 1.5}}}, .width_root = 0.02}};
-  const BasePicture after = base_of(model, request);
+  const Backplate after = base_of(model, request);
   EXPECT_EQ(before.beauty.rgba, after.beauty.rgba);
   EXPECT_EQ(before.direct.rgba, after.direct.rgba);
   EXPECT_EQ(before.depth.rgba, after.depth.rgba);
@@ -183,7 +183,7 @@ TEST_P(Base, DirectIsWhatLightsBring) {
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .wetness = 0.5}};
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1, .lids = Lids{}}};
   FrameRequest request = askew(120, 90);
-  const auto beside = [](const BasePicture& base) {  // least and most of what is not of lights
+  const auto beside = [](const Backplate& base) {  // least and most of what is not of lights
     glm::dvec2 ends(1e9, -1e9);
     for (std::size_t i = 0; i < base.beauty.rgba.size(); ++i) {
       if (i % 4 == 3) continue;
@@ -213,7 +213,7 @@ TEST_P(Base, IsFiniteUnderBlindingLights) {
   model.settings.lights.clear();
   for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot, LightKind::area})
     model.settings.lights.push_back({.kind = kind, .direction = -on_skin, .position = on_skin, .intensity = 1e8});
-  const BasePicture base = base_of(model, askew(60, 40));
+  const Backplate base = base_of(model, askew(60, 40));
   for (const FloatImage* image : {&base.beauty, &base.direct, &base.albedo, &base.normal, &base.depth})
     EXPECT_TRUE(std::all_of(image->rgba.begin(), image->rgba.end(), [](float v) { return std::isfinite(v); }));
   EXPECT_GT(*std::max_element(base.beauty.rgba.begin(), base.beauty.rgba.end()), 1e7f);
@@ -232,7 +232,7 @@ class Finish : public WithRenderer {
     model.settings.ground = {.visible = true, .height = {}, .shadow = 0.8, .contact = 0.8};
   }
   FloatImage light_of(const FurFrame& frame) {
-    return std::move(renderer->draw_layers(frame, std::array{FrameLayer::beauty}).value()[0]);
+    return std::move(renderer->draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
   }
   /// Largest difference in steps of each depth between what is drawn and what is finished of the same light.
   std::pair<int, int> steps_apart(const FrameRequest& request) {
@@ -243,7 +243,7 @@ class Finish : public WithRenderer {
     const Image16 deep = renderer->draw_deep(frame).value();
     FurFrame other = frame;  // what was drawn last is not what is finished
     other.camera.tan_half_fov *= 2;
-    EXPECT_TRUE(renderer->draw_base(other).ok());
+    EXPECT_TRUE(renderer->draw_backplate(other).ok());
     const Image finished = renderer->finish(frame, light).value();
     const Image16 finished_deep = renderer->finish_deep(frame, light).value();
     int largest = 0;
@@ -292,7 +292,7 @@ TEST_P(Finish, ShowsTheLightThatItIsGiven) {
 
 TEST_P(Finish, HasNoMapsOfShells) {
   for (const Overlay overlay :
-       {Overlay::layer_count, Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
+       {Overlay::shell_count, Overlay::light_depth, Overlay::light_occlusion, Overlay::shadow_width}) {
     FurFrame frame = frame_of(*renderer, model, askew(8, 8));
     const FloatImage light{8, 8, std::vector<float>(4 * 8 * 8)};
     frame.overlay = overlay;

@@ -66,7 +66,7 @@ class Artist {
     const glm::dvec3 step = 0.02 * size_ * glm::dvec3(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
     for (int i = 0; i < 4; ++i) {
       StrokeSample sample;
-      sample.place = PositionPlace{start + static_cast<double>(i) * step};
+      sample.place = PositionSample{start + static_cast<double>(i) * step};
       stroke.samples.push_back(sample);
     }
     tool.stroke = stroke;

@@ -47,14 +47,14 @@ FrameRequest small_frame(AutoView view, int size) {
 Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request) {
   const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
   sync_scene(renderer, model.view(), {all});
-  renderer.forget_kept();
+  renderer.clear_view_cache();
   Result<Image> image = renderer.draw(make_frame(model.view(), request));
   if (!image) throw std::runtime_error(image.status().message);
   return std::move(image).value();
 }
 
 FrameCounters counters_of(Renderer& renderer, const FurFrame& frame) {
-  renderer.forget_kept();
+  renderer.clear_view_cache();
   DrawTimes times;
   const Result<Image> image = renderer.draw(frame, &times);
   if (!image) throw std::runtime_error(image.status().message);
@@ -81,11 +81,11 @@ int largest_difference(const Image& a, const Image& b) {
   return largest;
 }
 
-glm::dvec3 mean_colour(const Image& image, int least) {
+glm::dvec3 mean_colour(const Image& image, int min) {
   glm::dvec3 sum(0);
   int count = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i + 3] < least) continue;
+    if (image.rgba[i + 3] < min) continue;
     sum += glm::dvec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]);
     ++count;
   }

@@ -15,9 +15,9 @@ struct FurredModel {
   SceneModel model;
   FieldSet fields;
   SceneSettings settings;
-  std::optional<RawImage> base_picture = {};  // named by settings.base_picture
+  std::optional<RawImage> skin_texture = {};  // named by settings.skin_texture
 
-  SceneView view() const { return {model, fields, settings, 0, base_picture ? &*base_picture : nullptr}; }
+  SceneView view() const { return {model, fields, settings, 0, skin_texture ? &*skin_texture : nullptr}; }
 };
 
 /// A model, prepared as the server does it.
@@ -44,6 +44,6 @@ double covered(const Image& image);
 double mean_difference(const Image& a, const Image& b);
 int largest_difference(const Image& a, const Image& b);
 /// Mean of red, green and blue over the pixels with alpha over `least`, in 1/255.
-glm::dvec3 mean_colour(const Image& image, int least = 200);
+glm::dvec3 mean_colour(const Image& image, int min = 200);
 
 }  // namespace pelage::testing

@@ -13,11 +13,11 @@ namespace pelage {
 namespace {
 
 Result<FloatImage> read_picture(const std::string& path) {
-  constexpr std::size_t most_bytes = std::size_t{2} << 30;
-  constexpr std::size_t most_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
-  const auto bytes = read_file(path, most_bytes);
+  constexpr std::size_t max_bytes = std::size_t{2} << 30;
+  constexpr std::size_t max_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
+  const auto bytes = read_file(path, max_bytes);
   if (!bytes) return bytes.status();
-  auto picture = decode_float_image(std::as_bytes(std::span(*bytes)), most_pixels);
+  auto picture = decode_float_image(std::as_bytes(std::span(*bytes)), max_pixels);
   if (picture) return picture;
   Status status = picture.status();
   status.message = path + ": " + status.message;
@@ -70,11 +70,11 @@ std::string json_of(const FlipFigures& flip) {
 void print(const PictureError& error) {
   const PictureFigures& figures = *error.figures;
   fmt::print("FLIP        mean {:.4f}, 95th percentile {:.4f}\n", figures.flip.mean, figures.flip.percentile_95);
-  if (figures.outline) {
-    fmt::print("outline     mean {:.4f}, 95th percentile {:.4f}\n", figures.outline->mean,
-               figures.outline->percentile_95);
+  if (figures.silhouette) {
+    fmt::print("silhouette     mean {:.4f}, 95th percentile {:.4f}\n", figures.silhouette->mean,
+               figures.silhouette->percentile_95);
   } else {
-    fmt::print("outline     none in the mask\n");
+    fmt::print("silhouette     none in the mask\n");
   }
   fmt::print("relMSE      {:.6g}\nRMSE        {:.6g}\n", figures.rel_mse, figures.rmse);
   fmt::print("bias        {:+.6g} of a mean luminance of {:.6g}\n", figures.bias, figures.reference_luminance);
@@ -83,8 +83,8 @@ void print(const PictureError& error) {
 
 void print_json(const PictureError& error) {
   const PictureFigures& figures = *error.figures;
-  fmt::print(R"({{"flip":{},"outline":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
-             json_of(figures.flip), figures.outline ? json_of(*figures.outline) : "null", figures.rel_mse, figures.rmse,
+  fmt::print(R"({{"flip":{},"silhouette":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
+             json_of(figures.flip), figures.silhouette ? json_of(*figures.silhouette) : "null", figures.rel_mse, figures.rmse,
              figures.bias, figures.reference_luminance);
   fmt::print("\"coverage\":{:.7g},\"pixels\":{},\"non_finite\":{}}}\n", error.coverage, error.pixels, error.non_finite);
 }

@@ -21,7 +21,7 @@ glm::dvec3 from(double degrees_up, double degrees_around) {
   return {std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around)};
 }
 
-/// One light that is seen from behind the eye, or one that shines at it, with a weak one from above.
+/// One light that is seen from behind the camera, or one that shines at it, with a weak one from above.
 std::string lights(bool front, glm::dvec3 towards) {
   const glm::dvec3 to = front ? -towards + glm::dvec3{0.4, -0.5, 0} : towards + glm::dvec3{0, -0.6, 0};
   return fmt::format(R"({{"op":"set_lights","lights":[{{"direction":[{:.4f},{:.4f},{:.4f}],"intensity":1.6,)"
@@ -133,7 +133,7 @@ void add_numbers(Collector& collect, const Base& base, bool quick) {
 void add_choices(Collector& collect, const Base& base) {
   collect.choice(base, "shell policy", "uniform", [](Knobs& k) { k.shell_policy = ShellPolicy::uniform; });
   collect.choice(base, "shell policy", "adaptive", [](Knobs& k) { k.shell_policy = ShellPolicy::adaptive; });
-  collect.choice(base, "order", "layers", [](Knobs& k) { k.order = FragmentOrder::layers; });
+  collect.choice(base, "order", "aovs", [](Knobs& k) { k.order = FragmentOrder::shells; });
   collect.choice(base, "order", "sorted", [](Knobs& k) { k.order = FragmentOrder::sorted; });
   collect.choice(base, "fins", "off", [](Knobs& k) { k.fins = false; });
   collect.choice(base, "fins", "on", [](Knobs& k) { k.fins = true; });
@@ -159,7 +159,7 @@ std::vector<Setting> settings_for(bool swept, bool quick) {
   using Ints = std::vector<int>;
   const Ints shells = quick ? Ints{4, 16} : Ints{2, 4, 8, 16, 32, 64};
   Base draft{"draft", knobs_of(Tier::draft)};
-  draft.knobs.least_radius = 0;  // its scale as in large pictures: the report's are so small that it would be 1
+  draft.knobs.min_radius = 0;  // its scale as in large pictures: the report's are so small that it would be 1
   const Base interactive{"interactive", knobs_of(Tier::interactive)};
   std::vector<Setting> settings;
   Collector collect(settings);

@@ -15,7 +15,7 @@ namespace pelage::trade {
 
 namespace {
 
-constexpr std::size_t most_pixels = std::size_t{1} << 26;
+constexpr std::size_t max_pixels = std::size_t{1} << 26;
 constexpr int jpeg_quality = 84;
 constexpr double paper = 0.35;  // linear grey behind the pictures of the report
 
@@ -59,7 +59,7 @@ double timing_of(std::string_view header, std::string_view entry) {
 Result<Shot> shoot(Session& session, const Place& place, const Knobs& knobs) {
   const auto answer = draw(session, place, knobs, FrameFormat::exr);
   if (!answer) return answer.status();
-  auto picture = decode_float_image(std::as_bytes(std::span(answer->body)), most_pixels);
+  auto picture = decode_float_image(std::as_bytes(std::span(answer->body)), max_pixels);
   if (!picture) return picture.status();
   const auto drawn = decode_frame_request("{\"quality\": " + header(*answer, "pelage-quality") + "}");
   if (!drawn) return drawn.status();
@@ -70,17 +70,17 @@ Result<Shot> shoot(Session& session, const Place& place, const Knobs& knobs) {
 
 Result<FrameCost> cost_of_frame(Session& session, const Place& place, const Knobs& knobs, int repeats) {
   constexpr double never = std::numeric_limits<double>::infinity();
-  FrameCost least{never, never};
+  FrameCost min{never, never};
   for (int i = 0; i < repeats; ++i) {
     Place moved = place;  // a little: a server does not draw again what it shows already
-    moved.request.camera.eye *= 1 + 1e-5 * (1 + i % 2);
+    moved.request.camera.position *= 1 + 1e-5 * (1 + i % 2);
     const auto answer = draw(session, moved, knobs, FrameFormat::png);
     if (!answer) return answer.status();
     const std::string timing = header(*answer, "server-timing");
-    least.draw = std::min(least.draw, timing_of(timing, "draw") + timing_of(timing, "shadow"));
-    least.cpu = std::min(least.cpu, timing_of(timing, "cost"));
+    min.draw = std::min(min.draw, timing_of(timing, "draw") + timing_of(timing, "shadow"));
+    min.cpu = std::min(min.cpu, timing_of(timing, "cost"));
   }
-  return least;
+  return min;
 }
 
 Result<PictureError> error_of(const FloatImage& truth, const FloatImage& picture) {

@@ -20,7 +20,7 @@ struct Place {
 /// A picture in linear light, and figures of it.
 struct Shot {
   FloatImage picture;
-  double scale = 1;                    // as drawn: the knob, after `least_radius`
+  double scale = 1;                    // as drawn: the knob, after `min_radius`
   std::size_t non_finite = 0;          // pixels
   double luminance = 0, coverage = 0;  // mean over alpha; sum of alpha in pixels
 };
@@ -56,7 +56,7 @@ struct Truth {
   std::string name;  // "R1", with its shadows where they are not the estimate, or "R2"
   Shot shot;
   int detail = 0;    // shells of R1, or passes of R2
-  double floor = 0;  // FLIP against half the layers; 0 for R2
+  double floor = 0;  // FLIP against half the shells; 0 for R2
 };
 
 class References {
@@ -66,8 +66,8 @@ class References {
       : session_(session), place_(std::move(place)), shells_(shells), passes_(passes) {}
 
   /// R1 with the shadows of these knobs: many uniform shells, fragments sorted, 32-bit float. Shadows are the same so
-  /// that layers are measured and not light; what light leaves out is seen against R2. Its proof is the difference from
-  /// half the shells under the estimate of self-shadow, for the layers are the same in any light.
+  /// that shells are measured and not light; what light leaves out is seen against R2. Its proof is the difference from
+  /// half the shells under the estimate of self-shadow, for the shells are the same in any light.
   Result<const Truth*> shells(const Knobs& knobs);
 
   /// R2: traced strands, lit by the look's own model.

@@ -65,7 +65,7 @@ Result<Place> place_of(Session& session, const std::string& path, const Case& sc
   Camera& camera = place.request.camera;
   camera.automatic = AutoView::none;
   camera.target = (model.min + model.max) / 2.0;
-  camera.eye = camera.target + scene.towards * model.size;
+  camera.position = camera.target + scene.towards * model.size;
   place.request.background = Background::transparent;
   return place;
 }
@@ -125,11 +125,11 @@ class Sweeper {
     const auto error = error_of(truth.shot.picture, shot.picture);
     if (!error) return error.status();
     if (error->figures) {
-      const FlipFigures outline = error->figures->outline.value_or(FlipFigures{});
+      const FlipFigures silhouette = error->figures->silhouette.value_or(FlipFigures{});
       row.flip = error->figures->flip.mean, row.flip_95 = error->figures->flip.percentile_95;
-      row.outline = outline.mean, row.outline_95 = outline.percentile_95;
+      row.silhouette = silhouette.mean, row.silhouette_95 = silhouette.percentile_95;
     } else {
-      row.flip = row.flip_95 = row.outline = row.outline_95 = 1;  // a broken picture is as wrong as can be
+      row.flip = row.flip_95 = row.silhouette = row.silhouette_95 = 1;  // a broken picture is as wrong as can be
     }
     report.rows.push_back(row);
     if (picture && error->figures) add_picture(row, shot, *error, report);
@@ -139,7 +139,7 @@ class Sweeper {
   static void add_picture(const Row& row, const Shot& shot, const PictureError& error, Report& report) {
     const Image map = error_picture(error.flip, shot.picture.width, shot.picture.height);
     const std::string caption =
-        fmt::format("error {:.4f}, outline {:.4f}, {} ms", row.flip, row.outline, milliseconds(cost_of(row)));
+        fmt::format("error {:.4f}, silhouette {:.4f}, {} ms", row.flip, row.silhouette, milliseconds(cost_of(row)));
     report.pictures.push_back({row.scene, row.value, caption, jpeg_of(shot.picture), encode_jpeg(map, 84)});
   }
 
@@ -184,7 +184,7 @@ Status show_truths(References& truths, const Case& scene, Report& report) {
   const auto error = error_of((*shells)->shot.picture, (*strands)->shot.picture);
   if (!error) return error.status();
   const std::string far = error->figures ? fmt::format(", {:.3f} from R1", error->figures->flip.mean) : "";
-  report.pictures.push_back({scene.name, "R1", "the truth of layers", jpeg_of((*shells)->shot.picture), ""});
+  report.pictures.push_back({scene.name, "R1", "the truth of shells", jpeg_of((*shells)->shot.picture), ""});
   report.pictures.push_back({scene.name, "R2", "every strand traced" + far, jpeg_of((*strands)->shot.picture), ""});
   return {};
 }

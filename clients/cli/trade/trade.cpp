@@ -16,7 +16,7 @@ namespace {
 
 using namespace pelage::trade;
 
-constexpr std::size_t most_table_bytes = std::size_t{256} << 20;
+constexpr std::size_t max_table_bytes = std::size_t{256} << 20;
 
 /// Says on standard error what is done and how long the rest may take: over one line on a terminal, else every 5 s.
 class Progress {
@@ -81,7 +81,7 @@ Result<std::string> renderer_of(Session& session) {
 
 Result<std::vector<Row>> rows_before(const Options& options, const std::string& table) {
   if (!options.resume || !std::filesystem::exists(table)) return std::vector<Row>{};
-  const auto text = read_file(table, most_table_bytes);
+  const auto text = read_file(table, max_table_bytes);
   return text ? from_csv(*text) : text.status();
 }
 

@@ -3,14 +3,14 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "fragment.glsl"
-#ifdef LAYERS
-#include "layers.glsl"
+#ifdef AOVS
+#include "aovs.glsl"
 #endif
 #ifdef COVERING
 #include "covering.glsl"
 #endif
 
-uniform float least_opacity;
+uniform float min_opacity;
 
 in vec3 place;
 in vec3 tangent;
@@ -24,18 +24,18 @@ in float strength;
 // A curve is lit as a strand at the tips of the fur that it grows from: nothing stands above it.
 void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
-  if (opacity < least_opacity) discard;
+  if (opacity < min_opacity) discard;
 #ifdef COVERING
 #ifdef CROSSING
   keep_crossings();
 #endif
   put_fragment(covering(opacity));
 #else
-  vec3 to_eye = unit_or_zero(frame.eye.xyz - place), along = unit_or_zero(tangent);
-  Fibre fibre = Fibre(place, vec4(place, 0.0), normal, along, to_eye, colour, colour_above(1.0), 1.0, 0.0, number);
+  vec3 to_camera = unit_or_zero(frame.viewpoint.xyz - place), along = unit_or_zero(tangent);
+  Fibre fibre = Fibre(place, vec4(place, 0.0), normal, along, to_camera, colour, colour_above(1.0), 1.0, 0.0, number);
   put_fragment(vec4(fibre_light(fibre) * opacity, opacity));
-#ifdef LAYERS
-  write_layers(place, normal, along, colour, 0.0, opacity);
+#ifdef AOVS
+  write_aovs(place, normal, along, colour, 0.0, opacity);
 #endif
 #endif
 }

@@ -40,7 +40,7 @@ void main() {
   Ribbon ribbon = ribbon_at(place, tangent, looks.w, side);
   across = ribbon.across;
   reach = ribbon.reach;
-  float facing = abs(dot(safe_unit(frame.eye.xyz - points[root].xyz), normal));
+  float facing = abs(dot(safe_unit(frame.viewpoint.xyz - points[root].xyz), normal));
   strength = ribbon.strength * mix(seen_through(point.w, facing, nominal_length), 1.0, smoothstep(0.8, 1.1, point.w));
   gl_Position = ribbon.clip;
 }

@@ -48,11 +48,11 @@ void CurvesPass::send_strips(const Gl& gl, const std::vector<FurCurves>& curves)
   sent_ = curves;
 }
 
-CurveOrder CurvesPass::bind(const Gl& gl, const FurFrame& frame, glm::vec3 eye) {
+CurveOrder CurvesPass::bind(const Gl& gl, const FurFrame& frame, glm::vec3 viewpoint) {
   assert(!frame.curves.empty());
   if (!array_) make_buffers(gl);
   send_strips(gl, frame.curves);
-  CurveOrder order = order_strips(strips_, eye);
+  CurveOrder order = order_strips(strips_, viewpoint);
   send(gl, numbers_, order.curves, GL_STREAM_DRAW);
   gl.BindVertexArray(array_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, points_binding, points_.id());
@@ -62,24 +62,24 @@ CurveOrder CurvesPass::bind(const Gl& gl, const FurFrame& frame, glm::vec3 eye) 
 }
 
 void CurvesPass::draw(const Gl& gl, const FurFrame& frame, const std::string& variant) {
-  const CurveOrder order = bind(gl, frame, frame.camera.eye);
+  const CurveOrder order = bind(gl, frame, frame.camera.position);
   const Program& program = program_of(gl, variant);
   program.use();
   program.set("segments", curve_segments);
   if (frame.knobs.order == FragmentOrder::sorted) {
     draw_unordered(gl, program, curve_segments, order.curves.size());
   } else {
-    draw_four_passes(gl, program, curve_segments, order.averted, order.curves.size());
+    draw_four_passes(gl, program, curve_segments, order.back_facing, order.curves.size());
   }
 }
 
 void CurvesPass::draw_plain(const Gl& gl, const FurFrame& frame, const std::string& variant) {
-  const CurveOrder order = bind(gl, frame, frame.camera.eye);
+  const CurveOrder order = bind(gl, frame, frame.camera.position);
   draw_all_strips(gl, program_of(gl, variant), curve_segments, order.curves.size());
 }
 
 void CurvesPass::draw_shadow(const Gl& gl, const FurFrame& frame, const LightView& light, const RenderTarget& target) {
-  const CurveOrder order = bind(gl, frame, light.eye);
+  const CurveOrder order = bind(gl, frame, light.viewpoint);
   if (!shadow_) {
     shadow_.emplace(gl, shaders::curve_vert, shaders::curve_shadow_frag);
     failure_ += shadow_->log();

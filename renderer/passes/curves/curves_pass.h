@@ -1,4 +1,4 @@
-// Whiskers, lashes and brows: guided curves as ribbons that face the eye.
+// Whiskers, lashes and brows: guided curves as ribbons that are front-facing.
 #pragma once
 
 #include <map>
@@ -39,7 +39,7 @@ class CurvesPass {
   void make_buffers(const Gl& gl);
   void send_strips(const Gl& gl, const std::vector<FurCurves>& curves);
   /// Sends and binds what programs of curve.vert read, for a view.
-  CurveOrder bind(const Gl& gl, const FurFrame& frame, glm::vec3 eye);
+  CurveOrder bind(const Gl& gl, const FurFrame& frame, glm::vec3 viewpoint);
 
   VertexArray array_;
   Buffer elements_, points_, styles_, numbers_;

@@ -43,14 +43,14 @@ void draw_all_strips(const Gl& gl, const Program& program, int segments, std::si
   program.use();
   program.set("segments", segments);
   program.set("first", 0);
-  program.set("least_opacity", visible);
+  program.set("min_opacity", visible);
   draw_strips(gl, segments, count);
 }
 
-void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t averted, std::size_t count) {
-  const auto draw = [&](std::size_t first, std::size_t number, float least_opacity) {
+void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t back_facing, std::size_t count) {
+  const auto draw = [&](std::size_t first, std::size_t number, float min_opacity) {
     program.set("first", static_cast<int>(first));
-    program.set("least_opacity", least_opacity);
+    program.set("min_opacity", min_opacity);
     draw_strips(gl, segments, number);
   };
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -64,9 +64,9 @@ void draw_four_passes(const Gl& gl, const Program& program, int segments, std::s
   gl.Enable(GL_BLEND);
   draw(0, count, opaque);
   gl.DepthFunc(GL_GREATER);
-  draw(0, averted, visible);
+  draw(0, back_facing, visible);
   gl.DepthMask(GL_TRUE);
-  draw(averted, count - averted, visible);
+  draw(back_facing, count - back_facing, visible);
   gl.DepthFunc(GL_GEQUAL);
   gl.Disable(GL_BLEND);
 }

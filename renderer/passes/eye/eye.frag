@@ -3,8 +3,8 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "eye_block.glsl"
-#ifdef LAYERS
-#include "layers.glsl"
+#ifdef AOVS
+#include "aovs.glsl"
 #endif
 
 // x^p for x in [0, 1] as an exponential of a logarithm that stays finite.
@@ -24,7 +24,7 @@ layout(location = 0) out vec4 result;  // premultiplied
 const int caustic_angles = 20;
 const float caustic_reach = 2.0;
 const float rows = 256.0;           // of the map of the iris
-const float most = 6e4;             // half floats end at 65504
+const float max_value = 6e4;             // half floats end at 65504
 const float forward_scatter = 0.2;  // Henyey and Greenstein's g
 
 Eye eye;
@@ -87,9 +87,9 @@ float gathered(vec2 at, vec3 to_light) {
   if (angle >= float(caustic_angles - 1)) return 0.0;
   vec2 from = to_light.xy * inversesqrt(max(dot(to_light.xy, to_light.xy), 1e-12));
   vec2 turned = vec2(dot(at, from), from.x * at.y - from.y * at.x) / eye.up.w * 0.5 + 0.5;
-  float layer = floor(angle), first = eye.pupil.w + layer;
+  float index = floor(angle), first = eye.pupil.w + index;
   return mix(textureLod(caustics, vec3(turned, first), 0.0).r, textureLod(caustics, vec3(turned, first + 1.0), 0.0).r,
-             angle - layer);
+             angle - index);
 }
 
 // Distance from the axis to the pupil's edge in the direction of a place on the iris.
@@ -115,11 +115,11 @@ float phase(float cosine) {
   return pow(turned * turned / (1.0 + g * g - 2.0 * g * cosine), 1.5);
 }
 
-const int most_lights = 8;
+const int max_lights = 8;
 struct IrisLight {
-  vec3 arriving[most_lights];  // irradiance on the iris
-  float rising[most_lights];   // cosine of the light inside
-  float scattered[most_lights];
+  vec3 arriving[max_lights];  // irradiance on the iris
+  float rising[max_lights];   // cosine of the light inside
+  float scattered[max_lights];
 };
 
 IrisLight light_on_iris(vec3 surface, vec3 normal, vec3 inside, vec2 at) {
@@ -150,7 +150,7 @@ float sent_back(float above, float thick, float slant, float rising) {
   return exp(-above / rising) * (1.0 - exp(-thick * (slant + 1.0 / rising)));
 }
 
-// Subsurface texture mapping (character rendering; Francois et al. 2006): a march through the layers of the iris.
+// Subsurface texture mapping (character rendering; Francois et al. 2006): a march through the shells of the iris.
 // Height says where tissue is; it scatters once, and what lies deeper is darker and more saturated. Below it is the pigment.
 vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sky) {
   const float density = 7.0;  // optical depth of the whole relief
@@ -284,7 +284,7 @@ struct Surface {
 };
 
 // Where the ray enters a ball on the axis. Taken from the ray's nearest place to its centre, so that nothing is lost
-// far from the eye; where it misses by less than a pixel, the place on the outline.
+// far from the eye; where it misses by less than a pixel, the place on the silhouette.
 Surface enter(vec3 along, float centre, float radius) {
   vec3 off = local - vec3(0.0, 0.0, centre);
   vec3 nearest = off - along * dot(off, along);
@@ -331,7 +331,7 @@ vec3 light_of(Seen seen, vec3 along) {
   return seen.shut > 0.0 ? mix(light, lid_light(seen.lid, along), seen.shut) : light;
 }
 
-#ifdef LAYERS
+#ifdef AOVS
 vec3 albedo_of(Seen seen, vec3 along) {
   vec2 at = place_on_iris(seen.ball, through_cornea(eyeball_normal(seen.ball, along), along));
   vec4 tissue = tissue_at(at, pupil_edge(at));
@@ -341,12 +341,12 @@ vec3 albedo_of(Seen seen, vec3 along) {
 }
 
 // Lids and cornea count as what reflects, not as shadow: all of an eye's light light is left.
-void write_eye_layers(Seen seen, vec3 along, vec3 hit, vec3 light) {
+void write_eye_aovs(Seen seen, vec3 along, vec3 hit, vec3 light) {
   light_count = 0;
-  direct_light = clamp(light - light_of(seen, along), 0.0, most);
+  direct_light = clamp(light - light_of(seen, along), 0.0, max_value);
   light_share = vec2(dot(direct_light, vec3(0.2126, 0.7152, 0.0722)));
   vec3 normal = seen.shut > 0.5 ? unit(seen.lid) : eyeball_normal(seen.ball, along);
-  write_layers(eye.position.xyz + eye.right.w * in_world(hit), in_world(normal), vec3(0.0), albedo_of(seen, along), 0.0,
+  write_aovs(eye.position.xyz + eye.right.w * in_world(hit), in_world(normal), vec3(0.0), albedo_of(seen, along), 0.0,
                seen.covered);
 }
 #endif
@@ -355,7 +355,7 @@ void main() {
   eye = eyes[number];
   light_count = int(frame.counts.z);
   vec3 along = unit(local - viewer);
-  pixel = max(frame.eye.w * distance(local, viewer), 1e-6);
+  pixel = max(frame.viewpoint.w * distance(local, viewer), 1e-6);
   Surface ball = enter(along, 0.0, 1.0), dome = enter(along, eye.cornea.x, eye.cornea.y);
   bool over = dome.covered > 0.0 && (ball.covered <= 0.0 || dot(dome.place - ball.place, along) < 0.0);
   Surface lid = enter(along, 0.0, lid_radius);
@@ -374,10 +374,10 @@ void main() {
   if (seen.covered < 0.5) discard;
   result = vec4(1.0 / max(clip.w, 1e-12), 0.0, 0.0, 1.0);
 #else
-  vec3 light = clamp(light_of(seen, along), 0.0, most);  // mixing with a blinding light may end below 0
+  vec3 light = clamp(light_of(seen, along), 0.0, max_value);  // mixing with a blinding light may end below 0
   result = vec4(light * seen.covered, seen.covered);
-#ifdef LAYERS
-  write_eye_layers(seen, along, hit, light);
+#ifdef AOVS
+  write_eye_aovs(seen, along, hit, light);
 #endif
 #endif
 }

@@ -16,7 +16,7 @@ vec3 in_frame(Eye eye, vec3 v) { return vec3(dot(eye.right.xyz, v), dot(eye.up.x
 void main() {
   number = gl_VertexID / 36;
   Eye eye = eyes[number];
-  viewer = in_frame(eye, frame.eye.xyz - eye.position.xyz) / eye.right.w;
+  viewer = in_frame(eye, frame.viewpoint.xyz - eye.position.xyz) / eye.right.w;
   vec3 corner = corners[faces[gl_VertexID % 36]];
   float side = 1.02 * lid_radius, top = 1.02 * max(lid_radius, eye.cornea.x + eye.cornea.y);
   local = corner * vec3(side, side, corner.z > 0.0 ? top : side);

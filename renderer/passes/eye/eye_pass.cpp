@@ -12,8 +12,8 @@ namespace pelage {
 
 namespace {
 
-void add_lids(const FurLids& lids, const glm::mat3& to_eye, EyeEntry& entry) {
-  const glm::mat3 frame = to_eye * lids.frame;
+void add_lids(const FurLids& lids, const glm::mat3& to_camera, EyeEntry& entry) {
+  const glm::mat3 frame = to_camera * lids.frame;
   entry.lid_right = {frame[0], lids.opening.x};
   entry.lid_up = {frame[1], lids.opening.y};
   entry.lid_facing = {frame[2], lids.opening.z};
@@ -49,9 +49,9 @@ namespace {
 
 constexpr int vertices_of_box = 36;
 
-Texture make_texture(const Gl& gl, GLenum format, int levels, int width, int height, int layers, GLenum across) {
+Texture make_texture(const Gl& gl, GLenum format, int levels, int width, int height, int count, GLenum across) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
-  gl.TextureStorage3D(texture.id(), levels, format, width, height, layers);
+  gl.TextureStorage3D(texture.id(), levels, format, width, height, count);
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, static_cast<GLint>(across));
@@ -77,17 +77,17 @@ void EyePass::make_textures(const Gl& gl) {
   gl.TextureSubImage3D(tissues_.id(), 0, 0, 0, 0, iris_map_width, iris_map_height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
                        make_iris_map().data());
   gl.GenerateTextureMipmap(tissues_.id());
-  kept_.resize(limits::eyes);
+  cache_.resize(limits::eyes);
   caustics_ = make_texture(gl, GL_R32F, 1, caustic_texels, caustic_texels,
-                           caustic_angles * static_cast<int>(kept_.size()), GL_CLAMP_TO_EDGE);
+                           caustic_angles * static_cast<int>(cache_.size()), GL_CLAMP_TO_EDGE);
 }
 
 int EyePass::caustics_of(const Gl& gl, const EyeShape& shape) {
-  auto place = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.shape == shape; });
-  const bool made = place != kept_.end();
-  const auto older = [](const Kept& a, const Kept& b) { return a.used < b.used; };
-  if (!made) place = std::min_element(kept_.begin(), kept_.end(), older);
-  const int first = caustic_angles * static_cast<int>(place - kept_.begin());
+  auto place = std::find_if(cache_.begin(), cache_.end(), [&](const Cached& kept) { return kept.shape == shape; });
+  const bool made = place != cache_.end();
+  const auto older = [](const Cached& a, const Cached& b) { return a.used < b.used; };
+  if (!made) place = std::min_element(cache_.begin(), cache_.end(), older);
+  const int first = caustic_angles * static_cast<int>(place - cache_.begin());
   *place = {shape, draws_};
   if (made) return first;
   gl.TextureSubImage3D(caustics_.id(), 0, 0, 0, first, caustic_texels, caustic_texels, caustic_angles, GL_RED, GL_FLOAT,
@@ -109,7 +109,7 @@ void EyePass::draw(const Gl& gl, const FurFrame& frame, const std::string& outpu
   gl.BindVertexArray(nothing_.id());
   gl.BindTextureUnit(9, tissues_.id());
   gl.BindTextureUnit(10, caustics_.id());
-  gl.Enable(GL_BLEND);  // for the softened outline
+  gl.Enable(GL_BLEND);  // for the softened silhouette
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.Enable(GL_CULL_FACE);  // one side of the box, the far one: a camera inside the box still sees it
   const Program& program = program_of(gl, outputs);

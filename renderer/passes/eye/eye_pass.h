@@ -26,7 +26,7 @@ struct EyeBlock {
 };
 static_assert(sizeof(EyeBlock) == 16 * (1 + 8 * 13));
 
-/// `first_caustic` is the layer at which the caustics of the eye's shape begin. A pupil without a size answers the
+/// `first_caustic` is the array index at which the caustics of the eye's shape begin. A pupil without a size answers the
 /// frame's lights.
 EyeEntry make_eye_entry(const FurEye& eye, const FurFrame& frame, int first_caustic);
 
@@ -43,26 +43,26 @@ class EyePass {
 
   /// Into the bound target. Expects the frame's uniform block at binding 0 and depth testing as the fur pass sets it
   /// up; leaves a vertex array, a program and textures of its own bound. The frame has 1 to 8 eyes. The #define lines
-  /// of `outputs` say what is written: "" light, LAYERS the layers beside it, COVERING one over the distance of what
+  /// of `outputs` say what is written: "" light, AOVS the AOVs beside it, COVERING one over the distance of what
   /// covers half of a pixel.
   void draw(const Gl& gl, const FurFrame& frame, const std::string& outputs = {});
 
  private:
-  struct Kept {
+  struct Cached {
     std::optional<EyeShape> shape;
     std::uint64_t used = 0;  // number of the draw that needed it last
   };
 
   const Program& program_of(const Gl& gl, const std::string& outputs);
   void make_textures(const Gl& gl);
-  int caustics_of(const Gl& gl, const EyeShape& shape);  // first layer
+  int caustics_of(const Gl& gl, const EyeShape& shape);  // first array index
 
   std::map<std::string, Program> programs_;  // by outputs, made when first used
   std::string failure_;
   VertexArray nothing_;
   Buffer block_;
   Texture tissues_, caustics_;
-  std::vector<Kept> kept_;  // shapes whose caustics the texture holds
+  std::vector<Cached> cache_;  // shapes whose caustics the texture holds
   std::uint64_t draws_ = 0;
 };
 

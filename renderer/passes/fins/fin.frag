@@ -7,8 +7,8 @@
 #endif
 #include "strip_light.glsl"
 #include "fragment.glsl"
-#ifdef LAYERS
-#include "layers.glsl"
+#ifdef AOVS
+#include "aovs.glsl"
 #endif
 #ifdef COVERING
 #include "covering.glsl"
@@ -31,8 +31,8 @@ void main() {
 #else
   vec3 colour = strip_colour(texel.rgb / texel.a, 1.0);
   put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));
-#ifdef LAYERS
-  write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
+#ifdef AOVS
+  write_aovs(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
 #endif
 #endif
 }

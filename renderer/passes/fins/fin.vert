@@ -12,7 +12,7 @@ struct FinEdge {
 layout(std430, binding = 3) readonly buffer Fins { FinEdge fins[]; };
 
 uniform int segments;
-uniform float limit;       // cosine to the eye from which on a fin fades in
+uniform float limit;       // cosine to the camera from which on a fin fades in
 uniform float slab_depth;  // of the side view, sizes
 
 out vec3 place;
@@ -47,7 +47,7 @@ void main() {
   // Along the axis of the tile that the edge follows more, so that strands go on from edge to edge.
   vec2 apart = abs(vertex_vec2(edge.ends.y, 9) - vertex_vec2(edge.ends.x, 9));
   along = (apart.x > apart.y ? strand.tile_uv.x : strand.tile_uv.y) * frame.tile.x;
-  float facing = abs(dot(safe_unit(frame.eye.xyz - strand.root), safe_unit(strand.normal)));
+  float facing = abs(dot(safe_unit(frame.viewpoint.xyz - strand.root), safe_unit(strand.normal)));
   strength = min(1.0, edge.width / slab_depth) * furred(strand.fur_length) * (1.0 - smoothstep(0.3 * limit, limit, facing));
   hand_on_paint(uvec3(gl_VertexID % 2 == 0 ? edge.ends.x : edge.ends.y), vec3(1.0, 0.0, 0.0));
 #ifdef PAINT

@@ -37,10 +37,10 @@ struct HalfEdge {
 struct Facing {
   float cosine, distance;
 };
-Facing facing(glm::vec3 place, glm::vec3 normal, glm::vec3 eye) {
-  const glm::vec3 to_eye = eye - place;
-  const float distance = glm::length(to_eye);
-  return {glm::dot(to_eye, normal) / std::max(distance * glm::length(normal), 1e-20f), distance};
+Facing facing(glm::vec3 place, glm::vec3 normal, glm::vec3 viewpoint) {
+  const glm::vec3 to_camera = viewpoint - place;
+  const float distance = glm::length(to_camera);
+  return {glm::dot(to_camera, normal) / std::max(distance * glm::length(normal), 1e-20f), distance};
 }
 
 template <class Strip, class FacingOf>
@@ -51,13 +51,13 @@ ShownStrips<Strip> choose(std::span<const Strip> all, float limit, const FacingO
     if (std::abs(facing.cosine) < limit) chosen.emplace_back(facing, strip);
   }
   const auto behind = [](const auto& a, const auto& b) {
-    const bool a_averted = a.first.cosine < 0, b_averted = b.first.cosine < 0;
-    return a_averted != b_averted ? a_averted : a.first.distance > b.first.distance;
+    const bool a_back_facing = a.first.cosine < 0, b_back_facing = b.first.cosine < 0;
+    return a_back_facing != b_back_facing ? a_back_facing : a.first.distance > b.first.distance;
   };
   std::stable_sort(chosen.begin(), chosen.end(), behind);
   ShownStrips<Strip> shown;
   for (const auto& [facing, strip] : chosen) {
-    shown.averted += facing.cosine < 0;
+    shown.back_facing += facing.cosine < 0;
     shown.strips.push_back(strip);
   }
   return shown;
@@ -118,22 +118,22 @@ std::vector<HairRoot> scatter_hairs(const StripMesh& mesh, int count) {
   return roots;
 }
 
-ShownStrips<FinEdge> shown_fins(const StripMesh& mesh, std::span<const FinEdge> edges, glm::vec3 eye) {
+ShownStrips<FinEdge> shown_fins(const StripMesh& mesh, std::span<const FinEdge> edges, glm::vec3 viewpoint) {
   return choose(edges, fin_limit, [&](const FinEdge& edge) {
-    const Facing a = facing(mesh.positions[edge.ends.x], mesh.normals[edge.ends.x], eye);
-    const Facing b = facing(mesh.positions[edge.ends.y], mesh.normals[edge.ends.y], eye);
+    const Facing a = facing(mesh.positions[edge.ends.x], mesh.normals[edge.ends.x], viewpoint);
+    const Facing b = facing(mesh.positions[edge.ends.y], mesh.normals[edge.ends.y], viewpoint);
     return std::abs(a.cosine) < std::abs(b.cosine) ? a : b;  // one end in the band is enough
   });
 }
 
-ShownStrips<HairRoot> shown_hairs(const StripMesh& mesh, std::span<const HairRoot> roots, glm::vec3 eye) {
+ShownStrips<HairRoot> shown_hairs(const StripMesh& mesh, std::span<const HairRoot> roots, glm::vec3 viewpoint) {
   return choose(roots, hair_limit, [&](const HairRoot& root) {
     glm::vec3 place(0), normal(0);
     for (int k = 0; k < 3; ++k) {
       place += root.weights[k] * mesh.positions[root.corners[k]];
       normal += root.weights[k] * mesh.normals[root.corners[k]];
     }
-    return facing(place, normal, eye);
+    return facing(place, normal, viewpoint);
   });
 }
 
@@ -216,11 +216,11 @@ void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& 
 void FinsPass::draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range) {
   Geometry& geometry = geometry_of(frame.model);
   if (!geometry.edges) geometry.edges = list_edges(mesh_of(drawing.model));
-  std::vector<FinEdge> shown = shown_fins(mesh_of(drawing.model), *geometry.edges, frame.camera.eye).strips;
+  std::vector<FinEdge> shown = shown_fins(mesh_of(drawing.model), *geometry.edges, frame.camera.position).strips;
   std::erase_if(shown, [&](const FinEdge& edge) {
     const std::span<const glm::vec3> places = drawing.model.positions();
     const glm::vec3 middle = 0.5f * (places[edge.ends.x] + places[edge.ends.y]);
-    return !range.holds(glm::dot(middle - frame.camera.eye, frame.camera.forward));
+    return !range.holds(glm::dot(middle - frame.camera.position, frame.camera.forward));
   });
   if (shown.empty()) return;
   send_side_view(gl, frame.coat);
@@ -250,13 +250,13 @@ FinsPass::BoundHairs FinsPass::bind_hairs(const Gl& gl, const FurFrame& frame, c
     geometry.hair_count = frame.knobs.guard_hairs;
     geometry.roots = scatter_hairs(mesh_of(drawing.model), geometry.hair_count);
   }
-  const ShownStrips<HairRoot> shown = shown_hairs(mesh_of(drawing.model), geometry.roots, frame.camera.eye);
+  const ShownStrips<HairRoot> shown = shown_hairs(mesh_of(drawing.model), geometry.roots, frame.camera.position);
   bind(gl, drawing);
   send(gl, strips_, shown.strips);
   const Program& hair = programs_of(gl, drawing.variant).hair;
   hair.use();
   set_hair(hair, frame.coat);
-  return {hair, shown.averted, shown.strips.size()};
+  return {hair, shown.back_facing, shown.strips.size()};
 }
 
 void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing) {
@@ -264,7 +264,7 @@ void FinsPass::draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing&
   if (frame.knobs.order == FragmentOrder::sorted) {
     draw_unordered(gl, hairs.program, hair_segments, hairs.count);
   } else {
-    draw_four_passes(gl, hairs.program, hair_segments, hairs.averted, hairs.count);
+    draw_four_passes(gl, hairs.program, hair_segments, hairs.back_facing, hairs.count);
   }
 }
 

@@ -52,19 +52,19 @@ std::vector<FinEdge> list_edges(const StripMesh& mesh);
 /// Roots spread evenly over the surface's area; deterministic. Empty for a surface without area.
 std::vector<HairRoot> scatter_hairs(const StripMesh& mesh, int count);
 
-/// What faces the eye by less than these cosines is drawn, fading in from the limit on. The shaders hold the same.
+/// What is front-facing by less than these cosines is drawn, fading in from the limit on. The shaders hold the same.
 inline constexpr float fin_limit = 0.15f, hair_limit = 0.6f;
 
-/// What a view shows, far things first. The first `averted` stand on surface turned away from the eye.
+/// What a view shows, far things first. The first `back-facing` stand on surface back-facing.
 template <class Strip>
 struct ShownStrips {
   std::vector<Strip> strips;
-  std::size_t averted = 0;
+  std::size_t back_facing = 0;
 };
-ShownStrips<FinEdge> shown_fins(const StripMesh& mesh, std::span<const FinEdge> edges, glm::vec3 eye);
-ShownStrips<HairRoot> shown_hairs(const StripMesh& mesh, std::span<const HairRoot> roots, glm::vec3 eye);
+ShownStrips<FinEdge> shown_fins(const StripMesh& mesh, std::span<const FinEdge> edges, glm::vec3 viewpoint);
+ShownStrips<HairRoot> shown_hairs(const StripMesh& mesh, std::span<const HairRoot> roots, glm::vec3 viewpoint);
 
-// What makes the outline of fur look like fur: fins on edges seen from the side, and guard hairs as ribbons.
+// What makes the silhouette of fur look like fur: fins on edges seen from the side, and guard hairs as ribbons.
 
 /// Reads a model's buffers and a coat's textures, writes premultiplied linear light (and the depth of guard hairs).
 /// Edges and roots are kept for one model, the side view for one coat; both are made when a frame first asks for them.
@@ -75,12 +75,12 @@ class FinsPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Fins near the outline whose edges have their middle in `range`, from far to near. Between a part's fur turned away
-  /// from the eye and its fur that faces it: what stands beyond the outline has only fins in it, and on the body fur covers
+  /// Fins near the silhouette whose edges have their middle in `range`, from far to near. Between a part's fur back-facing
+  /// from the eye and its fur that faces it: what stands beyond the silhouette has only fins in it, and on the body fur covers
   /// them. The frame's block is bound.
   void draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range);
 
-  /// Guard hairs near the outline, after all other fur, in four passes (draw_four_passes), or at once where fragments are sorted.
+  /// Guard hairs near the silhouette, after all other fur, in four passes (draw_four_passes), or at once where fragments are sorted.
   void draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
   /// The same fins and hairs once, with whatever blending and depth is set: for variants that write something other
@@ -108,7 +108,7 @@ class FinsPass {
   void set_hair(const Program& hair, const Coat& coat) const;
   struct BoundHairs {
     const Program& program;
-    std::size_t averted, count;
+    std::size_t back_facing, count;
   };
   BoundHairs bind_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 

@@ -7,8 +7,8 @@
 #endif
 #include "strip_light.glsl"
 #include "fragment.glsl"
-#ifdef LAYERS
-#include "layers.glsl"
+#ifdef AOVS
+#include "aovs.glsl"
 #endif
 #ifdef COVERING
 #include "covering.glsl"
@@ -16,7 +16,7 @@
 
 layout(binding = 1) uniform sampler2DArray colours;  // as fur.frag
 
-uniform float least_opacity;
+uniform float min_opacity;
 
 in vec2 tile;
 in float across;
@@ -28,7 +28,7 @@ const float local_mean = 5.0;  // level whose texels hold a few strands' colours
 
 void main() {
   float opacity = strength * clamp(reach + 0.5 - abs(across), 0.0, 1.0);
-  if (opacity < least_opacity) discard;
+  if (opacity < min_opacity) discard;
 #ifdef COVERING
 #ifdef CROSSING
   keep_crossings();
@@ -39,8 +39,8 @@ void main() {
   vec3 strand = textureLod(colours, vec3(tile, float(slice)), local_mean).rgb;
   vec3 colour = strip_colour(strand * strand * lightness, lightness);
   put_fragment(vec4(strip_light(colour, 0.5) * opacity, opacity));
-#ifdef LAYERS
-  write_layers(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
+#ifdef AOVS
+  write_aovs(place, strip_normal(), strip_tangent(), colour, 0.0, opacity);
 #endif
 #endif
 }

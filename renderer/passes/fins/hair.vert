@@ -14,7 +14,7 @@ layout(std430, binding = 3) readonly buffer Hairs { HairRoot hairs[]; };
 
 uniform int first;         // of the hairs to draw
 uniform int segments;
-uniform float limit;       // cosine to the eye from which on a hair fades in
+uniform float limit;       // cosine to the camera from which on a hair fades in
 uniform float width_root;  // sizes
 uniform float width_tip;
 uniform float bow;         // how far a hair may bow to a side, sizes
@@ -84,7 +84,7 @@ void main() {
   Ribbon ribbon = ribbon_at(place, fibre_tangent, width, side);
   across = ribbon.across;
   reach = ribbon.reach;
-  float facing = abs(dot(safe_unit(frame.eye.xyz - strand.root), normal));
+  float facing = abs(dot(safe_unit(frame.viewpoint.xyz - strand.root), normal));
   strength = ribbon.strength * furred(strand.fur_length) * (1.0 - smoothstep(0.4 * limit, limit, facing)) *
              seen_through(height, facing, strand.fur_length);
 #ifdef PAINT

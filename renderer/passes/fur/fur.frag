@@ -8,8 +8,8 @@
 #include "slab.glsl"
 #include "paint_light.glsl"
 #include "fragment.glsl"
-#ifdef LAYERS
-#include "layers.glsl"
+#ifdef AOVS
+#include "aovs.glsl"
 #endif
 
 layout(early_fragment_tests) in;  // nothing here writes depth, and most pixels belong to other sets
@@ -31,7 +31,7 @@ in float density_share;
 in float length_share;
 #ifdef LENGYEL
 in vec3 vertex_light;  // for fur of colour 1
-#ifdef LAYERS
+#ifdef AOVS
 in vec3 vertex_direct;
 in vec2 vertex_share;
 #endif
@@ -48,7 +48,7 @@ float lightness_over(vec3 strand, vec3 mean) {
 }
 #endif
 
-const float least_opacity = 0.002;  // over the whole height: half a step of 255
+const float min_opacity = 0.002;  // over the whole height: half a step of 255
 
 // Premultiplied.
 vec4 lit(Slab slab, vec3 normal) {
@@ -82,9 +82,9 @@ vec4 lit(Slab slab, vec3 normal) {
 #else
   vec4 open = vec4(place, 0.0);
 #endif
-  Fibre fibre = Fibre(place, open, normal, tangent, normalize(frame.eye.xyz - place), colour, over, height, above,
+  Fibre fibre = Fibre(place, open, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, over, height, above,
                       strand.a);
-#ifdef LAYERS
+#ifdef AOVS
   direct_light = vec3(0.0), light_share = vec2(0.0);
 #endif
 #ifdef LENGYEL
@@ -92,12 +92,12 @@ vec4 lit(Slab slab, vec3 normal) {
 #else
   vec3 light = fibre_light(fibre);
 #endif
-#ifdef LAYERS
+#ifdef AOVS
 #ifdef LENGYEL
   direct_light = colour * vertex_direct;
   light_share = vertex_share;
 #endif
-  add_layers(place, normal, tangent, colour, slab.opacity);
+  add_aovs(place, normal, tangent, colour, slab.opacity);
 #endif
   return vec4(light * slab.opacity, slab.opacity);
 }
@@ -109,11 +109,11 @@ void main() {
 #ifdef TUFTS
   shift_to_strand(normal, tile_u);
 #endif
-#ifdef LAYERS
-  write_layers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 1.0, 0.0);
+#ifdef AOVS
+  write_aovs(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 1.0, 0.0);
 #endif
   float thickness = 1.0 / float(shell_count);
   Slab slab = march(step_count, 0.0, density_share, shell_height(), thickness);
-  if (!(slab.opacity > least_opacity * thickness) || !in_part()) discard;
+  if (!(slab.opacity > min_opacity * thickness) || !in_part()) discard;
   put_fragment(lit(slab, normal));
 }

@@ -15,7 +15,7 @@ layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
 layout(location = 8) in float weight;   // of the patch that the piece belongs to
-layout(location = 9) in float layer_level;
+layout(location = 9) in float shell_lod_level;
 #ifdef PATTERN
 layout(location = 10) in vec4 variation;  // factor on length, addition to inclination, factor on lightness, turn of hue
 #endif
@@ -24,8 +24,8 @@ layout(location = 10) in vec4 variation;  // factor on length, addition to incli
 
 uniform int shell_count;
 uniform int shell;
-uniform int shell_side;   // 1 on triangles that face the eye, -1 on those turned away
-uniform float push;       // how much further from the eye the depth is written, in lengths of the fur
+uniform int shell_side;   // 1 on front-facing triangles, -1 on those back-facing
+uniform float push;       // how much further from the camera the depth is written, in lengths of the fur
 
 out vec3 place;
 #ifdef SHADOW_MAPS
@@ -44,7 +44,7 @@ out vec3 fibre_tangent;
 out vec2 tile;           // place on the tile at the slab's middle, in tiles
 out float level;         // mip level for the size of a pixel here
 out vec2 pixel_speed;    // of a strand on the picture as it rises, pixels for a unit of height
-out float most_crossing; // length of tile_per_height in slab.glsl at most
+out float max_crossing; // length of tile_per_height in slab.glsl at most
 out float slant;         // path through a slab over its thickness, as the strands see it
 out vec3 tile_u;
 out vec3 base_uv;
@@ -52,7 +52,7 @@ out vec3 base_colour;
 flat out vec3 over;      // colour of the fur above this shell over the colour in it
 #ifdef LENGYEL
 out vec3 vertex_light;   // the baseline of GPU fur: light at the vertices, for fur of colour 1
-#ifdef LAYERS
+#ifdef AOVS
 out vec3 vertex_direct;  // the part of it that comes from lights
 out vec2 vertex_share;
 #endif
@@ -90,31 +90,31 @@ void main() {
 
   // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans. On
   // flat skin: enough for the slant, and slab.glsl knows better where the ray goes.
-  vec3 to_eye = normalize(frame.eye.xyz - place);
-  float facing = dot(to_eye, normal);
+  vec3 to_camera = normalize(frame.viewpoint.xyz - place);
+  float facing = dot(to_camera, normal);
   float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // one sign for all of a triangle
   float up_speed = fur_length * cos(curve.z), across_speed = fur_length * sin(curve.z);
-  vec3 crossing = (to_eye - facing * normal) * (up_speed / rising) - across_speed * lean;
+  vec3 crossing = (to_camera - facing * normal) * (up_speed / rising) - across_speed * lean;
   vec3 tile_v = cross(normal, tile_axis);
   vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
   tile = tile_uv * frame.tile.x;
   float lateral = length(sideways) / nominal_length;
   // What lies on its side is met by its length: a ray across the lean crosses more than it moves past.
-  float aside = dot(cross(lean, to_eye), normal) * across_speed / (rising * nominal_length);
+  float aside = dot(cross(lean, to_camera), normal) * across_speed / (rising * nominal_length);
   slant = sqrt(1.0 + lateral * lateral + aside * aside);
-  float pixel = frame.eye.w * distance(frame.eye.xyz, place);
+  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   density_share = weight * grown(groom.z);
-  wanted_level = layer_level;
+  wanted_level = shell_lod_level;
   length_share = fur_length / nominal_length;
   tile_u = tile_axis;
 #ifdef LENGYEL
   int above = int(s * float(slice_count));
   float strands = frame.depth_above[above / 4][above % 4] * length_share;
   const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
-  vertex_light = fibre_light(Fibre(place, vec4(place, 0.0), normal, normalize(fibre_tangent), to_eye, vec3(grey), colour_above(s), s,
+  vertex_light = fibre_light(Fibre(place, vec4(place, 0.0), normal, normalize(fibre_tangent), to_camera, vec3(grey), colour_above(s), s,
                                    strands, 0.5)) / grey;
-#ifdef LAYERS
+#ifdef AOVS
   vertex_direct = direct_light / grey;
   vertex_share = light_share;
 #endif
@@ -127,6 +127,6 @@ void main() {
   vec4 speed = frame.world_to_clip * vec4(fur_length * fibre_tangent, 0.0);
   pixel_speed = frame.half_picture.xy * (speed.xy * gl_Position.w - gl_Position.xy * speed.w) /
                 max(gl_Position.w * gl_Position.w, 1e-12);
-  most_crossing = 5.0 * fur_length * frame.tile.x;
+  max_crossing = 5.0 * fur_length * frame.tile.x;
   gl_Position.z *= gl_Position.w / (gl_Position.w + push * fur_length / max(abs(facing), 0.2));  // depth is near / distance
 }

@@ -18,8 +18,8 @@ extern const char* const skin_frag;
 namespace {
 
 // Fur behind dense fur of something nearer is hidden by a coarse depth of it, written further away by a part of the
-// fur's length over the cosine of the view, so that the layers of one coat do not hide each other. Without it the
-// body's outer layers would cover an ear's fringe; with a whole length they shine through thin rims.
+// fur's length over the cosine of the view, so that the shells of one coat do not hide each other. Without it the
+// body's outer shells would cover an ear's fringe; with a whole length they shine through thin rims.
 constexpr int solid_shells = 4;
 constexpr float solid_push = 0.25f;
 
@@ -47,8 +47,8 @@ std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const std::vector<Mode
 
 }  // namespace
 
-std::vector<FurPass::Shell> FurPass::averted_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part) {
-  return shells_of(knobs, part.averted, part.range, -1);
+std::vector<FurPass::Shell> FurPass::back_facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part) {
+  return shells_of(knobs, part.back_facing, part.range, -1);
 }
 
 std::vector<FurPass::Shell> FurPass::facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part) {
@@ -127,7 +127,7 @@ void FurPass::mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuf
     const ModelBuffers::DrawList& list = drawing.lists.marks[static_cast<std::size_t>(set)];
     if (list.count == 0) continue;
     gl.StencilFunc(GL_ALWAYS, set, 0xff);
-    mark.set("layer_set", set);
+    mark.set("shell_lod", set);
     draw_list(gl, list);
   }
   gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -147,8 +147,8 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void FurPass::draw_averted(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
-  draw_fur(gl, drawing, averted_shells(drawing.knobs, part));
+void FurPass::draw_back_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
+  draw_fur(gl, drawing, back_facing_shells(drawing.knobs, part));
 }
 
 void FurPass::draw_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {

@@ -32,7 +32,7 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Before anything else, in each target that fur is drawn into: which set of layers each pixel gets, as its stencil.
+  /// Before anything else, in each target that fur is drawn into: which set of shells each pixel gets, as its stencil.
   /// Leaves the depth cleared. Nothing is drawn where all pixels get the same set.
   void mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer);
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
@@ -42,14 +42,14 @@ class FurPass {
   /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
   /// sorted.
   void draw_dense(const Gl& gl, const FurDrawing& drawing);
-  /// A part's fur that is turned away from the eye, outside in.
-  void draw_averted(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part);
-  /// A part's fur that faces the eye, inside out. What is drawn between the two lies behind it.
+  /// A part's fur that is back-facing, outside in.
+  void draw_back_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part);
+  /// A part's fur that is front-facing, inside out. What is drawn between the two lies behind it.
   void draw_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part);
   /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
   void draw_depth(const Gl& gl, const FurDrawing& drawing);
 
-  /// One shell of one set of layers: the triangles, from which side of the slab the ray comes (1 or -1), and what of it is
+  /// One shell of one set of shells: the triangles, from which side of the slab the ray comes (1 or -1), and what of it is
   /// drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
   static constexpr int every_pixel = -1;
   struct Shell {
@@ -58,8 +58,8 @@ class FurPass {
     int side;
     DepthRange range{};
   };
-  /// In the order of blending: turned away outside in; facing inside out.
-  static std::vector<Shell> averted_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
+  /// In the order of blending: back-facing outside in; facing inside out.
+  static std::vector<Shell> back_facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
   static std::vector<Shell> facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
   /// With a program of fur.vert and slab.glsl, in use.
   static void draw_shell(const Gl& gl, const Program& program, const Shell& shell);

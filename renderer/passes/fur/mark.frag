@@ -1,8 +1,8 @@
 #version 450 core
-// Which set of layers a pixel gets: the one that the outermost fur there asks for.
+// Which set of shells a pixel gets: the one that the outermost fur there asks for.
 in float wanted_level;
 
-uniform int layer_set;
+uniform int shell_lod;
 uniform float dithered_levels;  // over how much of a level pixels of two sets are mixed
 
 // Of 4 x 4 pixels, ordered (Bayer 1973), in (-.5, .5).
@@ -14,5 +14,5 @@ float dither() {
 }
 
 void main() {
-  if (int(floor(wanted_level + 0.5 + dithered_levels * dither())) != layer_set) discard;
+  if (int(floor(wanted_level + 0.5 + dithered_levels * dither())) != shell_lod) discard;
 }

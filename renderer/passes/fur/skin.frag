@@ -11,8 +11,8 @@
 #include "bare_skin.glsl"
 #endif
 
-#ifdef LAYERS
-#include "layers.glsl"
+#ifdef AOVS
+#include "aovs.glsl"
 
 in vec3 root_tangent;
 #endif
@@ -36,7 +36,7 @@ layout(location = 0) out vec4 result;
 /// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body, where no shell is seen.
 float rising_from_face() {
   vec3 across = cross(dFdx(place), dFdy(place));
-  across = dot(across, frame.eye.xyz - place) < 0.0 ? -across : across;
+  across = dot(across, frame.viewpoint.xyz - place) < 0.0 ? -across : across;
   float size = length(across) * length(fur_offset);
   return size > 0.0 ? smoothstep(-0.1, 0.15, dot(across, fur_offset) / size) : 1.0;
 }
@@ -82,15 +82,15 @@ void main() {
     float facing = dot(normal, to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
     float to_skin = covered * strands_crossed(above, 0.0, normal, to_light, facing);
-#ifdef LAYERS
+#ifdef AOVS
     vec3 unshadowed = radiance;
 #endif
 #ifdef SHADOW_MAPS
-    to_skin = layer_depth(i, place, open_place, 0.0, facing, to_skin);
+    to_skin = shell_depth(i, place, open_place, 0.0, facing, to_skin);
     radiance *= cast_light(i, place, open_place, normal);
 #endif
     sum += radiance * colour * lit * transmittance(to_skin, crossed);
-#ifdef LAYERS
+#ifdef AOVS
     keep_direct(radiance * colour * lit * transmittance(to_skin, crossed), unshadowed * colour * lit);
 #endif
   }
@@ -108,15 +108,15 @@ void main() {
 #else
     vec4 open = vec4(place, 0.0);
 #endif
-#ifdef LAYERS
+#ifdef AOVS
     direct_light *= 1.0 - region.share, light_share *= 1.0 - region.share;
 #endif
     sum = mix(sum, bare_light(region, place, open, normal), region.share);
     colour = mix(colour, region.colour.rgb, region.share);
   }
 #endif
-#ifdef LAYERS
-  write_layers(place, normal, root_tangent, colour, 0.0, 1.0);
+#ifdef AOVS
+  write_aovs(place, normal, root_tangent, colour, 0.0, 1.0);
 #endif
   result = known(vec4(sum, 1.0));
 }

@@ -24,7 +24,7 @@ out vec3 fur_offset;  // from the root to the hull of the fur
 #ifdef SHADOW_MAPS
 out vec4 open_place;  // where light that the rest of the body lets through comes to the fur, on its hull; the hull's height
 #endif
-#ifdef LAYERS
+#ifdef AOVS
 out vec3 root_tangent;  // of the fur where it leaves the skin; 0 where there is none
 
 vec3 fur_at_root() {
@@ -53,7 +53,7 @@ void main() {
 #ifdef PATTERN
   varied = variation;
 #endif
-#ifdef LAYERS
+#ifdef AOVS
   root_tangent = fur_at_root();
 #endif
   gl_Position = frame.world_to_clip * vec4(place, 1.0);

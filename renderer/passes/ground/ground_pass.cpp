@@ -43,7 +43,7 @@ void GroundPass::prepare(const Gl& gl, const FurFrame& frame, const ModelBuffers
 
 void GroundPass::draw(const Gl& gl, const FurFrame& frame, const std::string& variant) {
   const FurGround& ground = *frame.ground;
-  if (frame.camera.eye.y <= ground.height) return;
+  if (frame.camera.position.y <= ground.height) return;
   const Program& program = program_of(gl, variant);
   gl.BindVertexArray(nothing_.id());
   gl.BindTextureUnit(7, contact_.texture());

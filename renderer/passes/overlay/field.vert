@@ -20,7 +20,7 @@ void main() {
   vec3 towards = tangent * groom.x + cross(normal, tangent) * groom.y;
   gl_Position = frame.world_to_clip * vec4(position, 1.0);
   vec4 change = frame.world_to_clip * vec4(towards, 0.0);
-  float near = frame.eye.w * 1e-3;  // no division by what lies in the eye
+  float near = frame.viewpoint.w * 1e-3;  // no division by what lies in the eye
   vec2 moved = (change.xy - gl_Position.xy / max(gl_Position.w, near) * change.w) * vec2(aspect, 1.0);
   float across = length(towards), shown = length(moved) / length(vec3(frame.world_to_clip[0].y, frame.world_to_clip[1].y, frame.world_to_clip[2].y));
   lean = across > 1e-6 && shown > 1e-9 ? moved / length(moved) * min(shown, across) : vec2(0.0);

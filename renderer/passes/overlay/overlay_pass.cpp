@@ -22,7 +22,7 @@ namespace {
 
 constexpr float strength = 0.6f;     // of colours over the frame
 constexpr GLuint shares_binding = 3;  // as in difference.vert
-constexpr float full_layers = 2.0f;  // times the shells: what the end of the ramp stands for
+constexpr float full_shells = 2.0f;  // times the shells: what the end of the ramp stands for
 
 enum class FieldKind { direction, strokes, length, density, wetness, mask };  // numbers of field.frag
 
@@ -114,7 +114,7 @@ RenderTarget OverlayPass::draw_count(const Gl& gl, const FurFrame& frame, GLuint
   const Program& count = programs(gl).count;
   count.use();
   count.set("scale", scale);
-  count.set("most", full_layers * static_cast<float>(frame.knobs.shells));
+  count.set("max_count", full_shells * static_cast<float>(frame.knobs.shells));
   count.set("strength", strength);
   draw_whole(gl, colours, counts);
   return colours;

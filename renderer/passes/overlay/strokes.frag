@@ -8,7 +8,7 @@ layout(location = 0) out vec4 result;
 const float cell = 10.0;                            // pixels
 const float longest = 1.6;                          // cells
 const float root_width = 0.8, tip_width = 0.2;      // half widths, pixels
-const float outline = 0.9;                          // pixels
+const float silhouette = 0.9;                          // pixels
 
 // Cells are moved a little, so that rows do not catch the eye.
 vec2 moved(ivec2 at) { return 0.3 * (fract(sin(vec2(at.x * 127 + at.y * 311, at.x * 269 + at.y * 183) * 0.37) * 43.758) - 0.5); }
@@ -31,6 +31,6 @@ void main() {
   for (int y = -2; y <= 2; ++y) {
     for (int x = -2; x <= 2; ++x) nearest = min(nearest, distance_to(middle + ivec2(x, y), gl_FragCoord.xy));
   }
-  float core = clamp(0.5 - nearest, 0.0, 1.0), whole = clamp(0.5 + outline - nearest, 0.0, 1.0);
+  float core = clamp(0.5 - nearest, 0.0, 1.0), whole = clamp(0.5 + silhouette - nearest, 0.0, 1.0);
   result = vec4(vec3(core), max(core, 0.6 * whole));
 }

@@ -15,7 +15,7 @@ layout(location = 0) out vec2 occluded;
 // The inverted occlusion map: 1 where skin that faces the light lies deeper than what the light sees (GPU fur 4). Then the
 // depth of what the light sees.
 void main() {
-  if (dot(skin_normal, frame.eye.xyz - place) <= 0.0) discard;
+  if (dot(skin_normal, frame.viewpoint.xyz - place) <= 0.0) discard;
   float depth = dot(axis, place) + offset;
   float seen = texelFetch(light_depth, ivec2(gl_FragCoord.xy), 0).r;
   occluded = depth > seen + bias ? vec2(1.0, seen) : vec2(0.0);

@@ -12,10 +12,10 @@ uniform int step_count;
 
 layout(location = 0) out float kept;
 
-// What one layer lets through on the way from the light; blending multiplies the layers.
+// What one shell lets through on the way from the light; blending multiplies the shells.
 void main() {
   look_around();
-  if (dot(fibre_normal, frame.eye.xyz - place) <= 0.0) discard;
+  if (dot(fibre_normal, frame.viewpoint.xyz - place) <= 0.0) discard;
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif

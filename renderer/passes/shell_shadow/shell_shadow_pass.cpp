@@ -15,7 +15,7 @@ extern const char* const shell_shadow_frag;
 
 namespace {
 
-constexpr int steps = 2;  // inside each layer
+constexpr int steps = 2;  // inside each shell
 
 void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slice) {
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
@@ -27,8 +27,8 @@ void keep(const Gl& gl, const RenderTarget& target, GLuint maps, int slice) {
 ShellShadowPass::ShellShadowPass(const Gl& gl)
     : skin_(gl, shaders::skin_vert, shaders::skin_frag), failure_(skin_.log()) {}
 
-const Program& ShellShadowPass::layer_of(const Gl& gl, const std::string& variant) {
-  const auto [place, made] = layers_.try_emplace(variant, gl, shaders::fur_vert, shaders::shell_shadow_frag, variant);
+const Program& ShellShadowPass::program_of(const Gl& gl, const std::string& variant) {
+  const auto [place, made] = programs_.try_emplace(variant, gl, shaders::fur_vert, shaders::shell_shadow_frag, variant);
   if (made) failure_ += place->second.log();
   return place->second;
 }
@@ -47,15 +47,15 @@ void ShellShadowPass::draw(const Gl& gl, const std::string& variant, const Model
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ZERO, GL_SRC_COLOR);
-  const Program& layer = layer_of(gl, variant);
-  layer.use();
-  layer.set("push", 0.0f);
-  layer.set("shell_count", shadow_layers);
-  layer.set("shell_side", 1);
-  layer.set("step_count", steps);
-  for (int shell = shadow_layers - 1; shell >= 0; --shell) {
+  const Program& program = program_of(gl, variant);
+  program.use();
+  program.set("push", 0.0f);
+  program.set("shell_count", shadow_shells);
+  program.set("shell_side", 1);
+  program.set("step_count", steps);
+  for (int shell = shadow_shells - 1; shell >= 0; --shell) {
     keep(gl, target, maps, first_slice + shell + 1);
-    layer.set("shell", shell);
+    program.set("shell", shell);
     draw_list(gl, triangles);
   }
   keep(gl, target, maps, first_slice);

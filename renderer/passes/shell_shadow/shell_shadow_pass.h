@@ -1,4 +1,4 @@
-// Layer-wise shadow maps (GPU fur 3.1): for each boundary between layers, the share of light that got there.
+// Shadow maps of the shells (GPU fur 3.1): for each boundary between shells, the share of light that got there.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-inline constexpr int shadow_layers = 16;                     // as in the paper
-inline constexpr int shadow_boundaries = shadow_layers + 1;  // the skin first, the open air last
+inline constexpr int shadow_shells = 16;                     // as in the paper
+inline constexpr int shadow_boundaries = shadow_shells + 1;  // the skin first, the open air last
 
 class ShellShadowPass {
  public:
@@ -27,10 +27,10 @@ class ShellShadowPass {
             const RenderTarget& target, GLuint maps, int first_slice);
 
  private:
-  const Program& layer_of(const Gl& gl, const std::string& variant);
+  const Program& program_of(const Gl& gl, const std::string& variant);
 
   Program skin_;
-  std::map<std::string, Program> layers_;  // by variant, made when first used
+  std::map<std::string, Program> programs_;  // by variant, made when first used
   std::string failure_;
 };
 

@@ -1,5 +1,5 @@
 #version 450 core
-// Blends the sorted list of each pixel from the eye inwards. Fragments at one depth, as those of patches that overlap,
+// Blends the sorted list of each pixel from the camera inwards. Fragments at one depth, as those of patches that overlap,
 // are a mixture: their opacities combine and their colours weigh by opacity, whatever their order.
 #include "fragment_lists.glsl"
 
@@ -9,11 +9,11 @@ void main() {
   uint at = lists.firsts[pixel_of_list()] & ~in_order;
   vec3 light = vec3(0.0);
   float left = 1.0;  // transmittance so far
-  for (uint step = 0u; at != 0u && step < most_steps;) {
+  for (uint step = 0u; at != 0u && step < max_steps;) {
     uint depth = links[at - 1u].x;
     vec4 sum = vec4(0.0);
     float opacity = 0.0;
-    for (; at != 0u && step < most_steps; ++step) {
+    for (; at != 0u && step < max_steps; ++step) {
       uvec2 link = links[at - 1u];
       if (link.x != depth) break;
       vec4 colour = fragment_colours[at - 1u];

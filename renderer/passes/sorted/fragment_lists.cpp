@@ -18,12 +18,12 @@ std::vector<Area> halves(const Area& area) {
   return {first, second};
 }
 
-std::vector<Area> cut(const Area& area, double most) {
+std::vector<Area> cut(const Area& area, double max) {
   std::vector<Area> done, open{area};
   while (!open.empty()) {
     const Area next = open.back();
     open.pop_back();
-    if (next.pixels() <= most || next.pixels() < 2) {
+    if (next.pixels() <= max || next.pixels() < 2) {
       done.push_back(next);
       continue;
     }
@@ -53,9 +53,9 @@ bool FragmentLists::possible(const Gl& gl) {
 
 FragmentLists::FragmentLists(const Gl& gl, std::size_t bytes) : firsts_(gl), links_(gl), colours_(gl) {
   const auto block = static_cast<std::size_t>(std::max(limit(gl, GL_MAX_SHADER_STORAGE_BLOCK_SIZE), 1));
-  constexpr std::size_t most = 1u << 30;  // places must leave the bit that marks a sorted list
+  constexpr std::size_t max = 1u << 30;  // places must leave the bit that marks a sorted list
   capacity_ = static_cast<std::uint32_t>(
-      std::clamp<std::size_t>(std::min(bytes / fragment_bytes, block / colour_bytes), 1, most));
+      std::clamp<std::size_t>(std::min(bytes / fragment_bytes, block / colour_bytes), 1, max));
   const auto reserve = [&](const Buffer& buffer, std::size_t size) {
     gl.NamedBufferData(buffer.id(), static_cast<GLsizeiptr>(size), nullptr, GL_STREAM_COPY);
   };
@@ -65,7 +65,7 @@ FragmentLists::FragmentLists(const Gl& gl, std::size_t bytes) : firsts_(gl), lin
 }
 
 void FragmentLists::begin(const Gl& gl, const Area& area) const {
-  assert(area.pixels() <= most_pixels);
+  assert(area.pixels() <= max_pixels);
   const auto pixels = static_cast<std::size_t>(area.pixels());
   gl.NamedBufferData(firsts_.id(), static_cast<GLsizeiptr>(sizeof(Header) + pixels * sizeof(std::uint32_t)), nullptr,
                      GL_STREAM_COPY);

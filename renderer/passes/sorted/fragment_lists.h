@@ -21,7 +21,7 @@ struct Area {
 std::vector<Area> halves(const Area& area);
 
 /// Cuts an area in halves until each has at most `most` pixels, or only one. Together they are the area.
-std::vector<Area> cut(const Area& area, double most);
+std::vector<Area> cut(const Area& area, double max);
 
 // The buffers behind renderer/shaders/fragment_lists.glsl.
 
@@ -34,7 +34,7 @@ class FragmentLists {
     std::uint32_t unsorted = 0, too_long = 0, padding = 0;
   };
   static constexpr std::size_t fragment_bytes = 24;    // colour, depth and link
-  static constexpr double most_pixels = 1024 * 1024;  // of an area: 4 MiB beside the fragments
+  static constexpr double max_pixels = 1024 * 1024;  // of an area: 4 MiB beside the fragments
 
   /// Whether fragment shaders of this context can write as many buffers as the lists take.
   static bool possible(const Gl& gl);

@@ -16,7 +16,7 @@ void main() {
   uvec2 at_scan = at_a;
   bool merging = false;
   uint rounds = 0u, step = 0u;
-  for (; step < most_steps; ++step) {
+  for (; step < max_steps; ++step) {
     if (!merging) {
       uvec2 after = at_scan.y != 0u ? links[at_scan.y - 1u] : uvec2(0u);
       if (at_scan.y != 0u && at_scan.x >= after.x) {
@@ -55,7 +55,7 @@ void main() {
     at_a = at_scan = links[a - 1u];
     merging = false;
   }
-  if (step == most_steps) {
+  if (step == max_steps) {
     atomicOr(lists.too_long, 1u);
     return;
   }

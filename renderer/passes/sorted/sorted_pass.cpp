@@ -15,12 +15,12 @@ extern const char* const compose_frag;
 
 namespace {
 
-constexpr int most_rounds = 32;         // each halves the number of runs
+constexpr int max_rounds = 32;         // each halves the number of runs
 constexpr double guessed_cover = 0.25;  // share of a picture's pixels that fur covers
 constexpr double cautious = 0.8;        // of the room is used by areas as full as their neighbours
 
 Status impossible() {
-  return failure(Code::invalid, "this server's GL cannot keep lists of fragments", "/quality/order", "layers");
+  return failure(Code::invalid, "this server's GL cannot keep lists of fragments", "/quality/order", "shells");
 }
 
 Status too_large(const char* why) { return failure(Code::too_large, why, "/quality/order"); }
@@ -49,7 +49,7 @@ Status SortedPass::draw(const Gl& gl, const RenderTarget& target, const Area& wi
   const FragmentLists& lists = *lists_;
   const double fitting = lists.capacity() / (guessed_cover * std::max(expected, 1));
   std::vector<Area> areas =
-      cut(within, std::min(fitting, FragmentLists::most_pixels));
+      cut(within, std::min(fitting, FragmentLists::max_pixels));
   Status status;
   gl.Enable(GL_SCISSOR_TEST);
   while (!areas.empty() && status.ok()) {
@@ -98,7 +98,7 @@ Result<std::uint32_t> SortedPass::draw_area(const Gl& gl, const FragmentLists& l
 }
 
 Status SortedPass::sort(const Gl& gl, const FragmentLists& lists) const {
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     lists.clear_unsorted(gl);
     draw_whole(gl, *merge_);
     if (const Status answer = wait_for(gl); !answer.ok()) return answer;

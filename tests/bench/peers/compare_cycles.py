@@ -1,6 +1,6 @@
 """A furry torus by us and by Blender Cycles: how alike the pictures are, and CPU seconds at equal noise.
 
-usage: PELAGE_BIN=build/tests/bin python3 tests/bench/peers/compare_cycles.py FOLDER [SIZE [MOST_SAMPLES [TRUTH_SAMPLES]]]
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/peers/compare_cycles.py FOLDER [SIZE [MAX_SAMPLES [TRUTH_SAMPLES]]]
 
 Keeps scene, pictures (ours_*.exr, cycles_*.exr, both truths as JPEG) and times in FOLDER. Exits with 77 where there is no
 blender.
@@ -18,17 +18,17 @@ def main(arguments):
         print("skipped: there is no blender here")
         return 77
     folder = pathlib.Path(arguments[0])
-    size, most, truth = (arguments[1:] + ["160", "16", "256"][len(arguments) - 1:])[:3]
+    size, maximum, truth = (arguments[1:] + ["160", "16", "256"][len(arguments) - 1:])[:3]
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "cycles.txt").unlink(missing_ok=True)
     bench = [str(pathlib.Path(os.environ.get("PELAGE_BIN", "build/tests/bin")) / "bench_peer_scene")]
     script = str(pathlib.Path(__file__).with_name("cycles.py"))
     cycles = [blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", str(folder)]
-    counts = [str(4 ** i) for i in range(16) if 4 ** i <= int(most)]
+    counts = [str(4 ** i) for i in range(16) if 4 ** i <= int(maximum)]
     # The Python inside blender looks for its library by the first python3 of PATH: let it be blender's neighbour.
     path = os.pathsep.join([str(pathlib.Path(blender).parent), os.environ["PATH"]])
     quiet = {"check": True, "stdout": subprocess.DEVNULL, "env": {**os.environ, "PATH": path}}
-    subprocess.run(bench + ["write", str(folder), "--size", size, "--passes", most, "--truth", truth], check=True)
+    subprocess.run(bench + ["write", str(folder), "--size", size, "--passes", maximum, "--truth", truth], check=True)
     subprocess.run(cycles + [",".join(counts)], **quiet)
     subprocess.run(cycles + [truth, "7", "truth"], **quiet)
     subprocess.run(bench + ["compare", str(folder), "cycles"], check=True)

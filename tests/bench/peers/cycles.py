@@ -114,7 +114,7 @@ def add_camera(scene):
     camera.angle = 2 * math.atan(scene["camera"]["tan_half_fov"])
     thing = bpy.data.objects.new("camera", camera)
     axes = scene["camera"]
-    place(thing, axes["right"], axes["up"], [-x for x in axes["forward"]], axes["eye"])
+    place(thing, axes["right"], axes["up"], [-x for x in axes["forward"]], axes["position"])
     bpy.context.scene.collection.objects.link(thing)
     bpy.context.scene.camera = thing
 

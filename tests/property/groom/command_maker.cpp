@@ -50,7 +50,7 @@ double CommandMaker::in_units(double sizes, Units units) const {
 View CommandMaker::view() {
   View view;
   view.camera.automatic = AutoView::none;
-  view.camera.eye = surface_.mesh().to_model(2.0 * cube() + glm::dvec3(0, 0, 0.01));
+  view.camera.position = surface_.mesh().to_model(2.0 * cube() + glm::dvec3(0, 0, 0.01));
   view.camera.target = surface_.mesh().to_model(0.1 * cube());
   view.camera.fov_degrees = extreme({1, 150}, 20, 60);
   view.width = 300, view.height = 200;
@@ -85,12 +85,12 @@ Stroke CommandMaker::stroke() {
     StrokeSample sample;
     if (on_surface) {
       const glm::dvec3 shares = (cube() + 1.001) / 2.0;
-      sample.place = SurfacePlace{static_cast<std::uint32_t>(below(surface_.mesh().triangles.size())),
+      sample.place = SurfaceSample{static_cast<std::uint32_t>(below(surface_.mesh().triangles.size())),
                                   shares / (shares.x + shares.y + shares.z)};
     } else if (!stroke.samples.empty() && numbers_ == Numbers::extreme && chance(0.2)) {
       sample.place = stroke.samples.back().place;
     } else {
-      sample.place = PositionPlace{point()};
+      sample.place = PositionSample{point()};
     }
     sample.pressure = extreme({0, 1}, 0, 1);
     stroke.samples.push_back(sample);
@@ -235,7 +235,7 @@ void CommandMaker::make(Part& part) { part.lean = extreme({0, 1}, 0, 1); }
 
 void CommandMaker::make(Length& length) {
   length.mode = one_of({LengthMode::set, LengthMode::add, LengthMode::scale, LengthMode::average, LengthMode::jitter,
-                        LengthMode::least, LengthMode::most});
+                        LengthMode::min, LengthMode::max});
   length.units = units();
   length.seed = static_cast<std::uint32_t>(below(1000));
   if (length.mode == LengthMode::scale)
@@ -321,7 +321,7 @@ FieldSet CommandMaker::fields() {
       const FieldShape& shape = shape_of(field_at(f));
       glm::vec4 value(0);
       for (int c = 0; c < shape.channels; ++c)
-        value[c] = stored_value(field_at(f), extreme({shape.least, shape.most, shape.rest}, 0, 1));
+        value[c] = stored_value(field_at(f), extreme({shape.min, shape.max, shape.default_value}, 0, 1));
       if (field_at(f) == Field::direction)
         value = glm::vec4(stored_direction(extreme({0, 1}, 0, 1) * glm::dvec2(cube())), 0, 0);
       if (field_at(f) == Field::length) value *= 0.2f;

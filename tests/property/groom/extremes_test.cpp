@@ -32,7 +32,7 @@ void expect_in_range(const FieldSet& fields) {
       const FieldShape& shape = shape_of(field_at(f));
       for (int c = 0; c < shape.channels; ++c) {
         const float value = fields.value(field_at(f), v)[c];
-        ASSERT_TRUE(value >= shape.least && value <= shape.most) << shape.name << " of vertex " << v << ": " << value;
+        ASSERT_TRUE(value >= shape.min && value <= shape.max) << shape.name << " of vertex " << v << ": " << value;
       }
     }
     const glm::dvec2 direction(fields.at(v).direction);
@@ -93,13 +93,13 @@ TEST(Extremes, OppositeNeighboursSmoothToATuftOrKeepTheirInclination) {
   expect_in_range(tuft);
   smooth.keep_inclination = true;
   const FieldSet kept = after(smooth, plane, before);
-  float least = 1, least_kept = 1;
+  float min = 1, min_kept = 1;
   for (std::uint32_t v = 0; v < before.size(); ++v) {
-    least = std::min(least, glm::length(tuft.at(v).direction));
-    least_kept = std::min(least_kept, glm::length(kept.at(v).direction));
+    min = std::min(min, glm::length(tuft.at(v).direction));
+    min_kept = std::min(min_kept, glm::length(kept.at(v).direction));
   }
-  EXPECT_LT(least, 0.6f);
-  EXPECT_GT(least_kept, 1 - 1e-5f);
+  EXPECT_LT(min, 0.6f);
+  EXPECT_GT(min_kept, 1 - 1e-5f);
 }
 
 TEST(Extremes, FurOnAFoldIsSmoothedAndSpreadFinitely) {
@@ -187,10 +187,10 @@ TEST(Extremes, TenThousandPassesEvenOutWithoutLeavingTheRangeOfWhatWas) {
     smooth.t = t;
     const FieldSet fields = after(smooth, sphere, before);
     expect_in_range(fields);
-    const auto [least, most] = std::minmax_element(fields.length().begin(), fields.length().end());
-    EXPECT_GE(*least, 0.1f - 1e-6f);
-    EXPECT_LE(*most, 0.2f + 1e-6f);
-    EXPECT_LT(*most - *least, 1e-5f);
+    const auto [min, max] = std::minmax_element(fields.length().begin(), fields.length().end());
+    EXPECT_GE(*min, 0.1f - 1e-6f);
+    EXPECT_LE(*max, 0.2f + 1e-6f);
+    EXPECT_LT(*max - *min, 1e-5f);
   }
 }
 

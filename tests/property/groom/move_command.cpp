@@ -38,12 +38,12 @@ class Mover {
   }
   void move(Stroke& stroke) const {
     for (StrokeSample& sample : stroke.samples) {
-      if (auto* position = std::get_if<PositionPlace>(&sample.place)) place(position->position);
-      if (auto* surface = std::get_if<SurfacePlace>(&sample.place)) move(*surface);
+      if (auto* position = std::get_if<PositionSample>(&sample.place)) place(position->position);
+      if (auto* surface = std::get_if<SurfaceSample>(&sample.place)) move(*surface);
     }
   }
   /// The same triangle, whose corners may come in another order.
-  void move(SurfacePlace& place) const {
+  void move(SurfaceSample& place) const {
     const glm::dvec3 before = place.barycentric;
     const glm::uvec3 old_corners = from_.triangles[place.triangle], corners = to_.triangles[place.triangle];
     for (int k = 0; k < 3; ++k) {

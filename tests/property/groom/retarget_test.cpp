@@ -24,7 +24,7 @@ void check_in_range(const FieldSet& fields) {
       const FieldShape& shape = shape_of(field_at(f));
       for (int c = 0; c < shape.channels; ++c) {
         const float value = fields.value(field_at(f), v)[c];
-        RC_ASSERT(value >= shape.least && value <= shape.most);
+        RC_ASSERT(value >= shape.min && value <= shape.max);
       }
     }
     const glm::dvec2 direction(fields.at(v).direction);
@@ -100,7 +100,7 @@ RC_GTEST_PROP(SubdivideProperties, AnyModelAndChoice, (std::uint64_t seed)) {
     RC_ASSERT(std::abs(glm::length(normal) - 1) < 1e-5f && std::abs(glm::length(tangent) - 1) < 1e-5f);
     RC_ASSERT(std::abs(glm::dot(normal, tangent)) < 1e-5f);
   }
-  check_in_range(refined(fields, mesh, finer->mesh, finer->parents));
+  check_in_range(subdivided(fields, mesh, finer->mesh, finer->parents));
 }
 
 RC_GTEST_PROP(RetargetProperties, CarriedCommandsRunOnTheOtherModel, (std::uint64_t seed)) {

@@ -28,7 +28,7 @@ std::vector<glm::dvec3> places_of(const Command& command) {
         if constexpr (requires { tool.stroke->samples; }) {
           if (tool.stroke) {
             for (const StrokeSample& sample : tool.stroke->samples)
-              places.push_back(std::get<PositionPlace>(sample.place).position);
+              places.push_back(std::get<PositionSample>(sample.place).position);
           }
         }
         if constexpr (requires { tool.source; }) places.push_back(tool.source), places.push_back(tool.direction);
@@ -66,7 +66,7 @@ bool on_positions(const Command& command) {
   const Stroke* stroke = stroke_of(command);
   return stroke == nullptr ||
          std::all_of(stroke->samples.begin(), stroke->samples.end(),
-                     [](const StrokeSample& sample) { return std::holds_alternative<PositionPlace>(sample.place); });
+                     [](const StrokeSample& sample) { return std::holds_alternative<PositionSample>(sample.place); });
 }
 
 Symmetry random_symmetry(Random& random) {

@@ -29,7 +29,7 @@ const Surface& sphere() {
 
 /// Commands that resolve refuses (too many dabs, too far) are no subject of evaluate; thousands of dabs only take time.
 bool usable(const Command& command, const Surface& surface) {
-  constexpr double most_dabs = 1000;
+  constexpr double max_dabs = 1000;
   const Result<Command> resolved = resolve(command, surface);
   if (!resolved.ok()) return false;
   return std::visit(
@@ -38,7 +38,7 @@ bool usable(const Command& command, const Surface& surface) {
                         tool.stroke;
                         tool.brush;
                       })
-          return !tool.stroke || BrushStroke(*tool.stroke, tool.brush, surface).dab_count() < most_dabs;
+          return !tool.stroke || BrushStroke(*tool.stroke, tool.brush, surface).dab_count() < max_dabs;
         return true;
       },
       *resolved);
@@ -54,7 +54,7 @@ void expect_sound(const Evaluation& done, const FieldSet& before) {
     for (const std::uint32_t v : part.vertices) {
       const glm::vec4 value = after.value(part.field, v);
       RC_ASSERT(!(value == before.value(part.field, v)));
-      for (int c = 0; c < shape.channels; ++c) RC_ASSERT(value[c] >= shape.least && value[c] <= shape.most);
+      for (int c = 0; c < shape.channels; ++c) RC_ASSERT(value[c] >= shape.min && value[c] <= shape.max);
       const glm::dvec2 direction(value);
       if (part.field == Field::direction) RC_ASSERT(glm::dot(direction, direction) <= 1.0);
     }

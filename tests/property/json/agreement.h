@@ -37,7 +37,7 @@ inline void fit(Erase& erase) {
 }
 inline void fit(Paint& paint) {
   paint.field = field_at(static_cast<std::size_t>(*rc::gen::inRange(3, static_cast<int>(field_count))));
-  paint.value = number(0, shape_of(paint.field).most);
+  paint.value = number(0, shape_of(paint.field).max);
   if (shape_of(paint.field).channels == 1) paint.colour = glm::vec3(1);
 }
 inline void fit(ChangeMask& mask) {
@@ -53,9 +53,9 @@ void rename(std::vector<T>& named) {
 inline void fit(SetBlowers& command) { rename(command.blowers); }
 inline void fit(SetAttractors& command) { rename(command.attractors); }
 
-inline void fit(ChangeLayer& layer) {
-  if (layer.action == LayerAction::set && !layer.weight && !layer.muted && layer.rename.empty()) layer.muted = true;
-  if (layer.action == LayerAction::move && !layer.above) layer.above = "";
+inline void fit(ChangeEditLayer& layer) {
+  if (layer.action == EditLayerAction::set && !layer.weight && !layer.muted && layer.rename.empty()) layer.muted = true;
+  if (layer.action == EditLayerAction::move && !layer.above) layer.above = "";
   if (layer.above == layer.name) layer.above = "";
 }
 
@@ -100,11 +100,11 @@ inline void fit(FrameRequest& frame) {
   if (frame.knobs.order == FragmentOrder::sorted) frame.height = std::min(frame.height, 512);
   if (frame.format == FrameFormat::exr) {
     frame.overlay = Overlay::none;
-    if (frame.layers.size() > 1) frame.layers.resize(1);
+    if (frame.aovs.size() > 1) frame.aovs.resize(1);
   }
   if (frame.format == FrameFormat::jpeg) frame.background = Background::studio;
-  const bool of_shells = frame.overlay >= Overlay::layer_count && frame.overlay <= Overlay::shadow_width;
-  if (of_shells || frame.knobs.method == Method::strands) frame.refine.reset();
+  const bool of_shells = frame.overlay >= Overlay::shell_count && frame.overlay <= Overlay::shadow_width;
+  if (of_shells || frame.knobs.method == Method::strands) frame.progressive.reset();
   if (of_shells && frame.knobs.method == Method::strands) frame.overlay = Overlay::none;
   if (frame.overlay != Overlay::difference) frame.overlay_from.reset();
   if (frame.overlay == Overlay::difference && !frame.overlay_from) frame.overlay_from = 3;
@@ -125,7 +125,7 @@ void agree_with_brush(Tool& tool) {
 
 // The mask lies outside of all layers.
 template <class Tool>
-void agree_with_layer(Tool& tool) {
+void agree_with_edit_layer(Tool& tool) {
   bool mask = false;
   const auto has = [](const std::vector<Field>& fields) {
     return std::count(fields.begin(), fields.end(), Field::mask) > 0;
@@ -133,7 +133,7 @@ void agree_with_layer(Tool& tool) {
   if constexpr (requires { tool.field; }) mask = tool.field == Field::mask;
   if constexpr (requires { tool.fields; }) mask = has(tool.fields);
   if constexpr (requires { tool.mean; }) mask = has(tool.mean);
-  if (mask) tool.layer.clear();
+  if (mask) tool.edit_layer.clear();
 }
 
 /// What a struct needs of its own, and as a tool under a brush.
@@ -145,7 +145,7 @@ void agree(T& value) {
   }
   fit(value);
   if constexpr (requires { value.brush; }) agree_with_brush(value);
-  if constexpr (requires { value.layer; }) agree_with_layer(value);
+  if constexpr (requires { value.edit_layer; }) agree_with_edit_layer(value);
 }
 
 }  // namespace pelage::testing

@@ -39,7 +39,7 @@ Camera camera() {
   Camera result;
   result.automatic = one_of(AutoView::three_quarter);
   if (result.automatic != AutoView::none) return result;
-  result.eye = {number(-10, 10), number(-10, 10), number(1, 10)};
+  result.position = {number(-10, 10), number(-10, 10), number(1, 10)};
   result.target = {number(-10, 10), number(-1, 1), number(-10, 0)};
   result.up = {0, number(0.1, 9), 0};
   result.fov_degrees = number(1, 150);
@@ -52,8 +52,8 @@ using namespace json_parts;
 
 bool coin() { return *rc::gen::arbitrary<bool>(); }
 
-std::string word(int least) {
-  return *rc::gen::container<std::string>(static_cast<std::size_t>(*rc::gen::inRange(least, 20)),
+std::string word(int min) {
+  return *rc::gen::container<std::string>(static_cast<std::size_t>(*rc::gen::inRange(min, 20)),
                                           rc::gen::inRange<char>(' ', '~'));
 }
 
@@ -79,7 +79,7 @@ class MemberMaker {
     number(name, out, range);
   }
   void numbers(MemberName, std::vector<double>& out, Range range, Count count, const char* = "") {
-    out.assign(coin() ? count.least : 0, testing::number(range.low, range.high));
+    out.assign(coin() ? count.min : 0, testing::number(range.low, range.high));
   }
   void integer(MemberName, int& out, Range range, const char* = "") {
     out = *rc::gen::inRange(static_cast<int>(range.low), static_cast<int>(range.high) + 1);
@@ -124,13 +124,13 @@ class MemberMaker {
     out = names[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(N)))].value;
   }
   template <class E, std::size_t N>
-  void names(MemberName, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t least,
+  void names(MemberName, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t min,
              const char*, const char* = "") {
     out.clear();
     for (const auto& name : names) {
       if (coin()) out.push_back(name.value);
     }
-    if (out.size() < least) out.push_back(names[1].value);
+    if (out.size() < min) out.push_back(names[1].value);
   }
   template <class T>
   void object(MemberName, T& out, const char* = "") {
@@ -172,13 +172,13 @@ class MemberMaker {
   void special(MemberName, Backdrop<false> out, const char* = "") {
     out.kind = one_of(Background::studio), out.colour = testing::colour();
   }
-  void place(std::variant<PositionPlace, ScreenPlace, SurfacePlace>& out) {
+  void place(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
     switch (*rc::gen::inRange(0, 3)) {
-      case 0: out = PositionPlace{random_place()}; break;
-      case 1: out = ScreenPlace{{testing::number(-1e6, 1e6), testing::number(-1e6, 1e6)}}; break;
+      case 0: out = PositionSample{random_place()}; break;
+      case 1: out = ScreenSample{{testing::number(-1e6, 1e6), testing::number(-1e6, 1e6)}}; break;
       default: {
         const double a = testing::number(0, 1), b = testing::number(0, 1 - a);
-        out = SurfacePlace{*rc::gen::arbitrary<std::uint32_t>(), {a, b, std::max(0.0, 1 - a - b)}};
+        out = SurfaceSample{*rc::gen::arbitrary<std::uint32_t>(), {a, b, std::max(0.0, 1 - a - b)}};
       }
     }
   }
@@ -194,8 +194,8 @@ class MemberMaker {
 
  private:
   static int length(Count count) {
-    const auto least = static_cast<int>(count.least), most = static_cast<int>(std::min<std::size_t>(count.most, 4));
-    return *rc::gen::inRange(least, std::max(least, most) + 1);
+    const auto min = static_cast<int>(count.min), max = static_cast<int>(std::min<std::size_t>(count.max, 4));
+    return *rc::gen::inRange(min, std::max(min, max) + 1);
   }
   static glm::dvec3 any_triple(Range range) {
     const auto one = [&] { return testing::number(range.low, range.high); };
@@ -218,7 +218,7 @@ BranchRequest branch_request() { return MemberMaker::made<BranchRequest>(); }
 AmendRequest amend_request() { return MemberMaker::made<AmendRequest>(); }
 Command set_coat() { return MemberMaker::made<SetCoat>(); }
 Command set_environment() { return MemberMaker::made<SetEnvironment>(); }
-Command set_base_picture() { return MemberMaker::made<SetBasePicture>(); }
+Command set_skin_texture() { return MemberMaker::made<SetSkinTexture>(); }
 Command command() { return random_command(static_cast<Command*>(nullptr)); }
 
 }  // namespace pelage::testing

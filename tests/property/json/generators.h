@@ -28,7 +28,7 @@ BranchRequest branch_request();
 AmendRequest amend_request();
 Command set_coat();
 Command set_environment();
-Command set_base_picture();
+Command set_skin_texture();
 /// One of all commands.
 Command command();
 

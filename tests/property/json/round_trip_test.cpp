@@ -69,10 +69,10 @@ RC_GTEST_PROP(Json, EnvironmentsKeepEveryBit, ()) {
 }
 
 RC_GTEST_PROP(Json, PicturesOfModelsComeBack, ()) {
-  const Command before = set_base_picture();
+  const Command before = set_skin_texture();
   const auto after = decode_commands(encode(before));
   RC_ASSERT(after.ok());
-  RC_ASSERT(std::get<SetBasePicture>(after->front()).picture == std::get<SetBasePicture>(before).picture);
+  RC_ASSERT(std::get<SetSkinTexture>(after->front()).picture == std::get<SetSkinTexture>(before).picture);
 }
 
 RC_GTEST_PROP(Json, NewScenesComeBack, ()) {
@@ -91,7 +91,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   RC_ASSERT(after->knobs == before.knobs);
   RC_ASSERT(encode(*after) == encode(before));
   RC_ASSERT(after->format == before.format && after->overlay == before.overlay);
-  RC_ASSERT(after->overlay_from == before.overlay_from && after->refine == before.refine);
+  RC_ASSERT(after->overlay_from == before.overlay_from && after->progressive == before.progressive);
   RC_ASSERT(after->background == before.background && after->exr_type == before.exr_type);
 }
 

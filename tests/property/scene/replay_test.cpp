@@ -12,7 +12,7 @@ namespace {
 /// Drives a scene with a random mix of everything that changes it, as an artist's client would.
 class Script {
  public:
-  /// Without layers any step can be left out: no later one names what it made.
+  /// Without edit layers any step can be left out: no later one names what it made.
   enum class Layers { some, none };
 
   Script(Scene& scene, std::uint64_t seed, Layers layers = Layers::some)
@@ -28,7 +28,7 @@ class Script {
   void act() {
     const double kind = random_.uniform();
     if (layers_ == Layers::some && chance(0.06))
-      send({layer_change()});
+      send({edit_layer_change()});
     else if (kind < 0.40)
       send({tool()});
     else if (kind < 0.50)
@@ -101,11 +101,11 @@ class Script {
     for (int i = 0, n = 2 + below(12); i < n; ++i) {
       StrokeSample sample;
       if (stroke.view) {
-        sample.place = ScreenPlace{pixel + glm::dvec2(4.0 * i, 3.0 * i)};
+        sample.place = ScreenSample{pixel + glm::dvec2(4.0 * i, 3.0 * i)};
       } else if (chance(0.2)) {
-        sample.place = SurfacePlace{static_cast<std::uint32_t>(below(static_cast<int>(triangles_))), {0.2, 0.3, 0.5}};
+        sample.place = SurfaceSample{static_cast<std::uint32_t>(below(static_cast<int>(triangles_))), {0.2, 0.3, 0.5}};
       } else {
-        sample.place = PositionPlace{start + 0.02 * i * glm::dvec3(1, 0.4, -0.3)};
+        sample.place = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.4, -0.3)};
       }
       sample.pressure = random_.uniform(0.3, 1);
       stroke.samples.push_back(sample);
@@ -119,30 +119,30 @@ class Script {
             .front_faces_only = chance(0.5),
             .invert = chance(0.2)};
   }
-  /// The name of a layer that tools may change, or of none.
+  /// The name of an edit layer that tools may change, or of none.
   std::string layer() {
-    const std::vector<EditLayer> layers = scene_.summary().layers;
+    const std::vector<EditLayer> layers = scene_.summary().edit_layers;
     if (layers.empty() || chance(0.4)) return "";
     const EditLayer& layer = layers[static_cast<std::size_t>(below(static_cast<int>(layers.size())))];
-    return layer.muted || std::abs(layer.weight) < limits::least_groomed_weight ? "" : layer.name;
+    return layer.muted || std::abs(layer.weight) < limits::min_groomed_weight ? "" : layer.name;
   }
-  Command layer_change() {
-    const std::vector<EditLayer> layers = scene_.summary().layers;
-    ChangeLayer change;
+  Command edit_layer_change() {
+    const std::vector<EditLayer> layers = scene_.summary().edit_layers;
+    ChangeEditLayer change;
     change.name = std::to_string(scene_.revision()), change.weight = random_.uniform(-2, 3);
     if (layers.size() < 2 || (layers.size() < limits::edit_layers && chance(0.3))) return change;
     const auto at = static_cast<std::size_t>(below(static_cast<int>(layers.size())));
     change.name = layers[at].name;
     const int kind = below(4);
-    if (kind == 0) change.action = LayerAction::move, change.above = at == 0 ? layers.back().name : "";
-    else if (kind == 1 && !layers[at].muted && (at == 0 || !layers[at - 1].muted)) change.action = LayerAction::merge_down;
-    else if (kind == 2) change.action = LayerAction::remove;
-    else change.action = LayerAction::set, change.muted = chance(0.3);
+    if (kind == 0) change.action = EditLayerAction::move, change.above = at == 0 ? layers.back().name : "";
+    else if (kind == 1 && !layers[at].muted && (at == 0 || !layers[at - 1].muted)) change.action = EditLayerAction::merge_down;
+    else if (kind == 2) change.action = EditLayerAction::remove;
+    else change.action = EditLayerAction::set, change.muted = chance(0.3);
     return change;
   }
   Command tool() {
     Command tool = tool_of_the_groom();
-    std::visit([&](auto& t) { if constexpr (requires { t.layer; }) t.layer = layer(); }, tool);
+    std::visit([&](auto& t) { if constexpr (requires { t.edit_layer; }) t.edit_layer = layer(); }, tool);
     return tool;
   }
   Command tool_of_the_groom() {
@@ -405,12 +405,12 @@ using PartsTest = StoreTest;
 
 /// Sends one stroke whole to one scene and in random parts to another.
 void send_whole_and_in_parts(Random random, Scene& sent_whole, Scene& live, Comb whole) {
-  const glm::dvec3 start = std::get<PositionPlace>(whole.stroke->samples[0].place).position;
+  const glm::dvec3 start = std::get<PositionSample>(whole.stroke->samples[0].place).position;
   whole.stroke->samples.clear();
   for (int i = 0; i < 20; ++i) {
     StrokeSample sample;
     const double away = random.uniform() < 0.2 ? 5 : 0;  // now and then the pointer leaves the model
-    sample.place = PositionPlace{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
+    sample.place = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
     whole.stroke->samples.push_back(sample);
   }
   RC_ASSERT(sent_whole.execute({whole}).ok());

@@ -47,7 +47,7 @@ Coat any_coat() {
 FurFrame any_frame() {
   FurFrame frame = frame_at(1, any_coat(), one_of<Transport>({Transport::transmittance, Transport::paths}), 1);
   frame.width = one_of<int>({1, 7, 12}), frame.height = one_of<int>({1, 5, 10});
-  frame.camera.eye = any_place();
+  frame.camera.position = any_place();
   frame.camera.tan_half_fov = one_of<float>({0.0087f, 0.2f, 3.73f});
   for (int i = one_of<int>({0, 1, 3}); i > 0; --i) frame.lights.push_back(any_light());
   frame.environment.intensity = one_of<double>({0, 1, 100});
@@ -81,10 +81,10 @@ FurPatch any_ball() {
 }
 
 FloatImage traced_by(Tracer& tracer, const FurPatch& ball, const FurFrame& frame) {
-  const Status begun = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  const Status begun = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{Aov::beauty}, always);
   RC_ASSERT(begun.ok());
   while (tracer.report().end == TraceEnd::none) RC_ASSERT(tracer.add_pass(always).ok());
-  return tracer.layer(FrameLayer::beauty);
+  return tracer.aov(Aov::beauty);
 }
 
 RC_GTEST_PROP(AnyScene, IsFiniteTheSameTwiceAndReported, ()) {
@@ -103,7 +103,7 @@ RC_GTEST_PROP(AnyScene, IsFiniteTheSameTwiceAndReported, ()) {
   RC_ASSERT(report.noise >= 0);
   RC_ASSERT(report.strands <= std::size_t(frame.knobs.trace.strands) * 2 + 20);
   FurFrame other = frame;
-  other.coat.count += 7, other.camera.eye.z += 0.5f, other.knobs.trace.passes = 1;
+  other.coat.count += 7, other.camera.position.z += 0.5f, other.knobs.trace.passes = 1;
   traced_by(tracer, ball, other);
   RC_ASSERT(traced_by(tracer, ball, frame).rgba == picture.rgba);
 }

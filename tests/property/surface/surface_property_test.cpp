@@ -216,12 +216,12 @@ RC_GTEST_PROP(Surface, NearestAgreesWithEveryTriangleTried, ()) {
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
   const glm::dvec3 from = std::pow(10.0, whole(-3, 5)) * place(false);
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const glm::uvec3& t : surface.mesh().triangles) {
-    least = std::min(least, nearest_on_triangle(corners_of(surface.mesh(), t), from).distance);
+    min = std::min(min, nearest_on_triangle(corners_of(surface.mesh(), t), from).distance);
   }
   const SurfacePoint point = surface.nearest(from);
-  RC_ASSERT(std::abs(glm::length(surface.position(point) - from) - least) <= 1e-9 * (1 + least));
+  RC_ASSERT(std::abs(glm::length(surface.position(point) - from) - min) <= 1e-9 * (1 + min));
   for (int k = 0; k < 3; ++k) RC_ASSERT(point.barycentric[k] >= 0 && point.barycentric[k] <= 1);
 }
 

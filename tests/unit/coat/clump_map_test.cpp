@@ -36,11 +36,11 @@ TEST(ClumpMap, LeadsToTheMiddlesOfTheCoatsClumps) {
 
 TEST(ClumpMap, InsideIsWholeInTheMiddleAndNothingOnTheBorder) {
   const ClumpMap map = bake_clump_map({});
-  double most = 0, least = 1;
+  double max = 0, min = 1;
   for (int y = 0; y < ClumpMap::side; ++y) {
     for (int x = 0; x < ClumpMap::side; ++x) {
       const Texel here = texel_at(map, x, y), next = texel_at(map, (x + 1) % ClumpMap::side, y);
-      most = std::max(most, here.inside), least = std::min(least, here.inside);
+      max = std::max(max, here.inside), min = std::min(min, here.inside);
       const double step = 1.0 / ClumpMap::side;
       const bool other_clump = std::abs(next.way.x + step - here.way.x) > 2 * step;
       if (other_clump) {
@@ -48,8 +48,8 @@ TEST(ClumpMap, InsideIsWholeInTheMiddleAndNothingOnTheBorder) {
       }
     }
   }
-  EXPECT_GT(most, 0.9);
-  EXPECT_LT(least, 0.05);
+  EXPECT_GT(max, 0.9);
+  EXPECT_LT(min, 0.05);
 }
 
 TEST(ClumpMap, ExtremesAreMade) {

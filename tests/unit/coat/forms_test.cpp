@@ -159,9 +159,9 @@ TEST(Forms, UndercoatAndOvercoatAreTwoLengths) {
   EXPECT_NEAR(under / double(coat.count), 0.6, 0.03);
 }
 
-TEST(Forms, OddHairsHaveTheirShareAndColour) {
+TEST(Forms, TickingHasItsShareAndColour) {
   Coat coat = plain();
-  coat.odd_hairs = {.share = 0.1, .colour = {0.9f, 0.8f, 0.7f}};
+  coat.ticking = {.share = 0.1, .colour = {0.9f, 0.8f, 0.7f}};
   const double odd = mean_of(coat, [&](const Strand& strand) {
     return strand_colour(coat, strand, 0) == glm::vec3(0.9f, 0.8f, 0.7f) && strand_colour(coat, strand, 1).r == 0.9f;
   });
@@ -186,7 +186,7 @@ TEST(Forms, WaterGathersDarkensAndShines) {
 
 TEST(Forms, OneFormLeavesTheOthersAsTheyWere) {
   Coat changed;
-  changed.wave = 0.1, changed.undercoat.share = 0.5, changed.odd_hairs.share = 0.2;
+  changed.wave = 0.1, changed.undercoat.share = 0.5, changed.ticking.share = 0.2;
   const std::vector<Strand> before = make_strands(Coat()), after = make_strands(changed);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].root, after[i].root);
@@ -218,17 +218,17 @@ TEST(Forms, PatternsNeedNoNewStrands) {
 TEST(Slices, BakeEveryForm) {
   Coat coat;
   coat.count = 3000, coat.wave = 0.1, coat.mess = 0.5, coat.lodge = 0.5, coat.fine_clump = 0.5, coat.wetness = 0.5;
-  coat.undercoat.share = 0.5, coat.odd_hairs = {.share = 0.1, .colour = {1, 0, 0}};
+  coat.undercoat.share = 0.5, coat.ticking = {.share = 0.1, .colour = {1, 0, 0}};
   const Slices slices = bake_slices(coat), plain_slices = bake_slices(Coat{.count = 3000});
   EXPECT_NE(slices.levels[0].shape, plain_slices.levels[0].shape);
-  const auto most_red = [](const Slices& s) {  // how far red is over green in any texel
-    int most = 0;
+  const auto max_red = [](const Slices& s) {  // how far red is over green in any texel
+    int max = 0;
     const auto& texels = s.levels[0].colour;
-    for (std::size_t i = 0; i < texels.size(); i += 4) most = std::max(most, texels[i] - texels[i + 1]);
-    return most;
+    for (std::size_t i = 0; i < texels.size(); i += 4) max = std::max(max, texels[i] - texels[i + 1]);
+    return max;
   };
-  EXPECT_GT(most_red(slices), 200);
-  EXPECT_LT(most_red(plain_slices), 100);
+  EXPECT_GT(max_red(slices), 200);
+  EXPECT_LT(max_red(plain_slices), 100);
 }
 
 }  // namespace

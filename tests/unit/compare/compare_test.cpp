@@ -45,8 +45,8 @@ TEST(Compare, EqualPicturesHaveNoErrorAtAll) {
   ASSERT_TRUE(error.figures);
   EXPECT_EQ(error.figures->flip.mean, 0);
   EXPECT_EQ(error.figures->flip.percentile_95, 0);
-  ASSERT_TRUE(error.figures->outline);
-  EXPECT_EQ(error.figures->outline->mean, 0);
+  ASSERT_TRUE(error.figures->silhouette);
+  EXPECT_EQ(error.figures->silhouette->mean, 0);
   EXPECT_EQ(error.figures->rel_mse, 0);
   EXPECT_EQ(error.figures->rmse, 0);
   EXPECT_EQ(error.figures->bias, 0);
@@ -165,7 +165,7 @@ TEST(Compare, RefusesWhatCannotBeCompared) {
   for (double bad : {0.0, -1.0, 1e9, std::nan("")}) {
     EXPECT_FALSE(compare(a, a, everywhere(8, 8), {.pixels_per_degree = bad}).ok()) << bad;
     EXPECT_EQ(compare(a, a, everywhere(8, 8), {.background = bad}).ok(), bad == 0) << bad;
-    EXPECT_EQ(compare(a, a, everywhere(8, 8), {.outline = bad}).ok(), bad == 0) << bad;
+    EXPECT_EQ(compare(a, a, everywhere(8, 8), {.silhouette = bad}).ok(), bad == 0) << bad;
   }
 }
 
@@ -184,7 +184,7 @@ TEST(Compare, OnlyTheMaskCounts) {
   EXPECT_GT(figures(reference, test).flip.mean, 0.1);
 }
 
-TEST(Compare, TheOutlineSeesTheOutlineAndNotTheInside) {
+TEST(Compare, TheSilhouetteSeesTheSilhouetteAndNotTheInside) {
   const Image fur = cut_to_disc(strands(160, 160, 0), 60);
   const auto spoilt = [&](double from, double to) {
     Image image = fur;
@@ -200,11 +200,11 @@ TEST(Compare, TheOutlineSeesTheOutlineAndNotTheInside) {
   const FloatImage reference = linear_image(fur);
   const PictureFigures inside = figures(reference, linear_image(spoilt(0, 20)), alpha_mask(reference));
   const PictureFigures rim = figures(reference, linear_image(spoilt(57, 61)), alpha_mask(reference));
-  ASSERT_TRUE(inside.outline && rim.outline);
+  ASSERT_TRUE(inside.silhouette && rim.silhouette);
   EXPECT_GT(inside.flip.mean, 0.05);
-  EXPECT_EQ(inside.outline->mean, 0);
-  EXPECT_GT(rim.outline->mean, 2 * rim.flip.mean) << "the whole hides what the outline shows";
-  EXPECT_FALSE(figures(fur, fur).outline) << "a mask without an edge has no outline";
+  EXPECT_EQ(inside.silhouette->mean, 0);
+  EXPECT_GT(rim.silhouette->mean, 2 * rim.flip.mean) << "the whole hides what the silhouette shows";
+  EXPECT_FALSE(figures(fur, fur).silhouette) << "a mask without an edge has no silhouette";
 }
 
 TEST(Compare, TransparentPixelsHaveNoColourOfTheirOwn) {
@@ -239,7 +239,7 @@ TEST(Mask, BandIsRoundAndEvenOnBothSides) {
   Mask mask = everywhere(41, 41);
   std::fill(mask.inside.begin(), mask.inside.end(), 0);
   mask.inside[20 * 41 + 20] = 1;
-  const Mask band = outline_band(mask, 8);
+  const Mask band = silhouette_band(mask, 8);
   for (int y = 0; y < 41; ++y) {
     for (int x = 0; x < 41; ++x) {
       const bool near = std::hypot(x - 20, y - 20) <= 8;
@@ -248,10 +248,10 @@ TEST(Mask, BandIsRoundAndEvenOnBothSides) {
   }
   Mask half = everywhere(40, 10);
   for (std::size_t i = 0; i < half.inside.size(); ++i) half.inside[i] = i % 40 < 20;
-  EXPECT_EQ(outline_band(half, 8).count(), 16u * 10) << "8 pixels to each side";
-  EXPECT_EQ(outline_band(half, 0).count(), 0u);
-  EXPECT_EQ(outline_band(half, 1000).count(), 400u);
-  EXPECT_EQ(outline_band(everywhere(9, 9), 8).count(), 0u) << "the border is no edge";
+  EXPECT_EQ(silhouette_band(half, 8).count(), 16u * 10) << "8 pixels to each side";
+  EXPECT_EQ(silhouette_band(half, 0).count(), 0u);
+  EXPECT_EQ(silhouette_band(half, 1000).count(), 400u);
+  EXPECT_EQ(silhouette_band(everywhere(9, 9), 8).count(), 0u) << "the border is no edge";
 }
 
 TEST(Mask, FromAlphaLuminanceAndUnion) {

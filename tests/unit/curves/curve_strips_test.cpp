@@ -106,11 +106,11 @@ TEST(CurveStrips, ExtremesAreFinite) {
   expect_finite(strips_of(group));
 }
 
-TEST(CurveStrips, FarOnesComeFirstAndAvertedOnesBeforeThem) {
+TEST(CurveStrips, FarOnesComeFirstAndBackFacingOnesBeforeThem) {
   FurCurves group = comb_of(4, 0);
   group.guides[0].normal = group.guides[2].normal = {-1, 0, 0};
   const CurveOrder order = order_strips(strips_of(group), {10, 0, 5});
-  EXPECT_EQ(order.averted, 2u);
+  EXPECT_EQ(order.back_facing, 2u);
   EXPECT_EQ(order.curves, (std::vector<std::uint32_t>{0, 2, 1, 3}));
   EXPECT_TRUE(order_strips({}, glm::vec3(0)).curves.empty());
 }

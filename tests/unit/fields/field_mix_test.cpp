@@ -72,7 +72,7 @@ TEST(FieldMix, FinerFieldsAreWhatWasThereAndTheMeansBetween) {
   const Mesh mesh = built_in(Builtin::sphere, 2000);
   const FieldSet fields = random_fields(mesh.positions.size());
   const auto finer = subdivide(mesh, lay_patches(mesh), {{0, static_cast<std::uint32_t>(mesh.triangles.size())}});
-  const FieldSet result = refined(fields, mesh, finer->mesh, finer->parents);
+  const FieldSet result = subdivided(fields, mesh, finer->mesh, finer->parents);
   ASSERT_EQ(result.size(), finer->mesh.positions.size());
   const auto old = static_cast<std::uint32_t>(fields.size());
   for (std::uint32_t v = 0; v < old; ++v) {
@@ -90,8 +90,8 @@ TEST(FieldMix, FinerFieldsAreWhatWasThereAndTheMeansBetween) {
 TEST(FieldMix, FieldsAtRestStayAtRest) {
   const Mesh mesh = built_in(Builtin::plane, 8);
   const auto finer = subdivide(mesh, lay_patches(mesh), {{0, 2}});
-  const FieldSet result = refined(FieldSet(mesh.positions.size()), mesh, finer->mesh, finer->parents);
-  EXPECT_TRUE(result.at_rest(Field::mask));
+  const FieldSet result = subdivided(FieldSet(mesh.positions.size()), mesh, finer->mesh, finer->parents);
+  EXPECT_TRUE(result.at_default(Field::mask));
   EXPECT_EQ(result.hash(), FieldSet(finer->mesh.positions.size()).hash());
 }
 

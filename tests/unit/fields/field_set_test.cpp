@@ -78,7 +78,7 @@ TEST(FieldSet, FieldsTakeNoMemoryBeforeTheyAreTouched) {
   EXPECT_EQ(fields.number(Field::mask, 3), 1);
   EXPECT_EQ(fields.value(Field::tip_colour, 3), glm::vec4(0));
   EXPECT_EQ(fields.bytes(), before);
-  EXPECT_TRUE(fields.at_rest(Field::tip_colour));
+  EXPECT_TRUE(fields.at_default(Field::tip_colour));
   const FieldsHash rest = fields.hash();
   fields.set(Field::tip_colour, 3, {0.1f, 0.2f, 0.3f, 1});
   EXPECT_EQ(fields.bytes(), before + 1600);
@@ -95,14 +95,14 @@ TEST(FieldSet, WhatIsTakenBackTakesNoMemoryAgain) {
   const std::size_t bytes = fields.bytes();
   const FieldDelta delta = difference(fields, painted);
   fields.apply(delta);
-  EXPECT_FALSE(fields.at_rest(Field::density));
+  EXPECT_FALSE(fields.at_default(Field::density));
   EXPECT_GT(fields.bytes(), bytes);
   FieldDelta half = delta;
   half.parts.resize(1);  // an array that is there from the beginning stays
   fields.apply(half);
   EXPECT_GT(fields.bytes(), bytes);
   fields.apply(half), fields.apply(delta);
-  EXPECT_TRUE(fields.at_rest(Field::density) && fields.at_rest(Field::root_colour));
+  EXPECT_TRUE(fields.at_default(Field::density) && fields.at_default(Field::root_colour));
   EXPECT_EQ(fields.bytes(), bytes);
   EXPECT_EQ(fields.length().size(), 100u);
   EXPECT_EQ(fields.hash(), FieldSet(100).hash());

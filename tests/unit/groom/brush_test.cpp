@@ -114,7 +114,7 @@ TEST_F(BrushTest, PathBetweenSurfaceSamplesFollowsTheSurface) {
   for (const glm::dvec3 from : {glm::dvec3(0, 0, 2), glm::dvec3(2, 0, 0)}) {
     const SurfacePoint point = sphere_.nearest(from);
     StrokeSample sample;
-    sample.place = SurfacePlace{point.triangle, point.barycentric};
+    sample.place = SurfaceSample{point.triangle, point.barycentric};
     stroke.samples.push_back(sample);
   }
   const double radius = glm::length(glm::dvec3(sphere_.mesh().positions[0]));
@@ -142,7 +142,7 @@ TEST_F(BrushTest, CoverageIsTheLargestWeightOfAnyDab) {
 View front_view(const Surface& surface) {
   View view;
   view.camera.automatic = AutoView::none;
-  view.camera.eye = surface.mesh().to_model({0, 0, 2});
+  view.camera.position = surface.mesh().to_model({0, 0, 2});
   view.camera.target = surface.mesh().to_model({0, 0, 0});
   view.camera.fov_degrees = 30;
   view.width = 400, view.height = 200;

@@ -13,7 +13,7 @@ class ResolveTest : public ::testing::Test {
  protected:
   static StrokeSample pixel(double x, double y) {
     StrokeSample sample;
-    sample.place = ScreenPlace{{x, y}};
+    sample.place = ScreenSample{{x, y}};
     return sample;
   }
   Status refusal(const Command& command) const {
@@ -33,7 +33,7 @@ TEST_F(ResolveTest, PixelsBecomePlacesAndMissesAreDropped) {
   const Stroke& stroke = *stroke_of(*resolved);
   ASSERT_EQ(stroke.samples.size(), 2u);
   ASSERT_TRUE(stroke.view.has_value());
-  const auto& place = std::get<SurfacePlace>(stroke.samples[0].place);
+  const auto& place = std::get<SurfaceSample>(stroke.samples[0].place);
   const glm::dvec3 hit = sphere_.position({place.triangle, place.barycentric});
   EXPECT_NEAR(hit.x, 0, 1e-3);
   EXPECT_NEAR(hit.y, 0, 1e-3);
@@ -50,8 +50,8 @@ TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
   const Result<Command> twice = resolve(*once, sphere_);
   ASSERT_TRUE(twice.ok());
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto& a = std::get<SurfacePlace>(stroke_of(*once)->samples[i].place);
-    const auto& b = std::get<SurfacePlace>(stroke_of(*twice)->samples[i].place);
+    const auto& a = std::get<SurfaceSample>(stroke_of(*once)->samples[i].place);
+    const auto& b = std::get<SurfaceSample>(stroke_of(*twice)->samples[i].place);
     EXPECT_EQ(a.triangle, b.triangle);
     EXPECT_EQ(a.barycentric, b.barycentric);
   }
@@ -60,7 +60,7 @@ TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
 TEST_F(ResolveTest, RefusesWhatTheSurfaceDoesNotHave) {
   Comb comb;
   comb.stroke = stroke_through(sphere_, {{0, 0, 0.3}, {0, 0.1, 0.3}});
-  comb.stroke->samples[1].place = SurfacePlace{1u << 30, {1, 0, 0}};
+  comb.stroke->samples[1].place = SurfaceSample{1u << 30, {1, 0, 0}};
   EXPECT_EQ(refusal(comb).code, Code::invalid);
   EXPECT_EQ(refusal(comb).pointer, "/stroke/samples/1/triangle");
   EXPECT_EQ(refusal(comb).limit, "below " + std::to_string(sphere_.mesh().triangles.size()));
@@ -111,7 +111,7 @@ TEST_F(ResolveTest, AutomaticCamerasFrameTheBoxAndNearlyFillThePicture) {
       for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 low = mesh.to_internal(mesh.report.min), high = mesh.to_internal(mesh.report.max);
         const glm::dvec3 c(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
-        const glm::dvec3 seen = c - camera.eye;
+        const glm::dvec3 seen = c - camera.position;
         const double depth = glm::dot(seen, camera.forward) * camera.tan_half_fov;
         ASSERT_GT(depth, 0);
         reach = std::max({reach, std::abs(glm::dot(seen, camera.right)) / (depth * aspect),
@@ -129,7 +129,7 @@ TEST_F(ResolveTest, CamerasAreRightHandedAndPixelsRunDown) {
   EXPECT_LT(pixel_ray(front, {256, 400}, 512, 512).y, 0);
   EXPECT_GT(pixel_ray(front, {400, 256}, 512, 512).x, 0);
   EXPECT_NEAR(glm::distance(pixel_ray(front, {256, 256}, 512, 512), front.forward), 0, 1e-12);
-  const Camera along_up{.automatic = AutoView::none, .eye = {0, 5, 0}, .target = {0, 0, 0}, .up = {0, 1, 0}};
+  const Camera along_up{.automatic = AutoView::none, .position = {0, 5, 0}, .target = {0, 0, 0}, .up = {0, 1, 0}};
   const PlacedCamera top = place_camera(along_up, 1, sphere_.mesh());
   EXPECT_NEAR(glm::length(top.right), 1, 1e-12);
   EXPECT_NEAR(glm::dot(top.right, top.forward), 0, 1e-12);

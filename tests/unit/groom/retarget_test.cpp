@@ -64,7 +64,7 @@ TEST(Retarget, FinerTrianglesTakeWhatSubdividingGives) {
   const FieldSet source = smooth_fields(surface);
   const Mesh& mesh = surface.mesh();
   auto finer = subdivide(mesh, lay_patches(mesh), {{0, static_cast<std::uint32_t>(mesh.triangles.size())}});
-  const FieldSet expected = refined(source, mesh, finer->mesh, finer->parents);
+  const FieldSet expected = subdivided(source, mesh, finer->mesh, finer->parents);
   const Surface fine(std::move(finer->mesh));
   const FieldSet result = retargeted({}, fine, FieldSet(expected.size()), surface, source);
   double worst = 0;
@@ -221,7 +221,7 @@ std::vector<Command> log_on(const Surface& surface) {
   std::vector<Command> log;
   Comb comb;
   comb.stroke = stroke_through(surface, {{0.2, 0.2, 0.1}, {0.25, 0.1, 0.0}, {0.2, 0, -0.1}});
-  comb.stroke->samples.push_back({SurfacePlace{7, {0.2, 0.3, 0.5}}});
+  comb.stroke->samples.push_back({SurfaceSample{7, {0.2, 0.3, 0.5}}});
   comb.brush.radius = 0.11 * unit, comb.brush.units = RadiusUnits::world;
   log.emplace_back(comb);
   Blow blow;
@@ -283,10 +283,10 @@ TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
   Comb comb;
   comb.stroke = stroke_through(from, {});
   for (std::uint32_t t = 0; t < 60; t += 7) {
-    comb.stroke->samples.push_back({SurfacePlace{t, {0.2, 0.3, 0.5}}});
+    comb.stroke->samples.push_back({SurfaceSample{t, {0.2, 0.3, 0.5}}});
     const glm::dvec3 skin = from.position({t, {0.2, 0.3, 0.5}});
     comb.stroke->samples.push_back(
-        {PositionPlace{from.mesh().to_model(skin + 0.05 * from.normal({t, {0.2, 0.3, 0.5}}))}});
+        {PositionSample{from.mesh().to_model(skin + 0.05 * from.normal({t, {0.2, 0.3, 0.5}}))}});
   }
   comb.stroke->view = View{};
   comb.brush.units = RadiusUnits::pixels, comb.brush.radius = 30, comb.brush.falloff_shape = FalloffShape::screen;
@@ -298,7 +298,7 @@ TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
   EXPECT_EQ(result.brush.falloff_shape, FalloffShape::volume);
   EXPECT_TRUE(resolve(*carried, to).ok());
   for (const StrokeSample& sample : result.stroke->samples) {
-    if (const auto* place = std::get_if<PositionPlace>(&sample.place)) {
+    if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
       const glm::dvec3 p = to.mesh().to_internal(place->position);
       EXPECT_LT(glm::distance(p, to.position(to.nearest(p))), 0.1) << "as near the skin as it was";
     }

@@ -103,9 +103,9 @@ TEST(Smoothing, IsMonotoneUpToAHalf) {
   for (std::uint32_t v = 0; v < before.size(); ++v)
     before.set(Field::density, v, glm::vec4(v % 3 == 0 ? 1 : 0, 0, 0, 0));
   const auto spread = [](const FieldSet& fields) {
-    const auto [least, most] =
+    const auto [min, max] =
         std::minmax_element(fields.values(Field::density).begin(), fields.values(Field::density).end());
-    return *most - *least;
+    return *max - *min;
   };
   for (const double t : {0.1, 0.25, 0.5}) {
     Smooth smooth;

@@ -216,38 +216,25 @@ TEST_F(JournalTest, AnOlderJournalIsRefusedAndLeftAsItIs) {
   EXPECT_NE(refusal().message.find("older version"), std::string::npos);
 }
 
-TEST_F(JournalTest, PicturesOfVersionFourAreTakenOver) {
-  const std::string name(32, 'a');
-  ASSERT_TRUE(open()->add_picture(name, "a picture").ok());
-  execute("ALTER TABLE pictures RENAME COLUMN bytes TO octets;"
-          "PRAGMA user_version = 4;");
-  const auto journal = open();
-  ASSERT_TRUE(journal);
-  EXPECT_TRUE(journal->add_picture(name, "a picture").ok());
-  const auto found = journal->picture(name);
-  ASSERT_TRUE(found.ok()) << found.status().message;
-  EXPECT_EQ(*found, "a picture");
+TEST_F(JournalTest, LoggedNamesOfVersionFiveAreTakenOver) {
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    Entry logged = entry(4);
+    logged.commands = R"([{"op":"length","layer":"a \"layer\": b","mode":"least"},{"op":"layer","name":"layer"}])";
+    ASSERT_TRUE(journal->append("a", logged).ok());
+  }
+  execute("PRAGMA user_version = 5");
+  const auto entries = open()->entries("a", 0);
+  ASSERT_TRUE(entries.ok()) << entries.status().message;
+  EXPECT_EQ(entries->at(0).commands,
+            R"([{"op":"length","edit_layer":"a \"layer\": b","mode":"min"},{"op":"edit_layer","name":"layer"}])");
 }
 
-TEST_F(JournalTest, AJournalFromBeforeRefinementsIsTakenOver) {
-  ASSERT_TRUE(open()->add_scene(scene("a")).ok());
-  execute(
-      "ALTER TABLE scenes DROP COLUMN refinements; ALTER TABLE scenes DROP COLUMN settings;"
-      "ALTER TABLE pictures RENAME COLUMN bytes TO octets; PRAGMA user_version = 3;");
-  const auto journal = open();
-  ASSERT_TRUE(journal);
-  const auto found = journal->scene("a");
-  ASSERT_TRUE(found.ok()) << found.status().message;
-  EXPECT_EQ(found->first_groom, scene("a").first_groom);
-  EXPECT_TRUE(found->model.refinements.empty());
-  EXPECT_FALSE(found->first_settings);
-  EXPECT_TRUE(journal->add_scene(scene("b")).ok());
-}
-
-TEST_F(JournalTest, RefinementsAndFirstSettingsStayOverARestart) {
+TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
   StoredScene finer;
   finer.id = "a", finer.first_revision = 5, finer.first_groom = {{{Field::length, {9}, {1}}}};
-  finer.model.refinements = {{{0, 4}, {6, 7}}, {}, {{2, 3}}};
+  finer.model.subdivisions = {{{0, 4}, {6, 7}}, {}, {{2, 3}}};
   SceneSettings settings;
   settings.coat.count = 77;
   finer.first_settings = std::make_shared<const SceneSettings>(settings);
@@ -255,13 +242,13 @@ TEST_F(JournalTest, RefinementsAndFirstSettingsStayOverARestart) {
     const auto journal = open();
     ASSERT_TRUE(journal->add_scene(scene("a")).ok());
     ASSERT_TRUE(journal->append("a", entry(4)).ok());
-    ASSERT_TRUE(journal->refine_model(finer).ok());
+    ASSERT_TRUE(journal->subdivide_model(finer).ok());
   }
   {
     const auto journal = open();
     const auto found = journal->scene("a");
     ASSERT_TRUE(found.ok()) << found.status().message;
-    EXPECT_EQ(found->model.refinements, finer.model.refinements);
+    EXPECT_EQ(found->model.subdivisions, finer.model.subdivisions);
     EXPECT_EQ(found->model.raw, scene("a").model.raw);
     EXPECT_EQ(found->first_groom, finer.first_groom);
     EXPECT_EQ(found->first_revision, 5u);
@@ -269,20 +256,20 @@ TEST_F(JournalTest, RefinementsAndFirstSettingsStayOverARestart) {
     EXPECT_EQ(found->first_settings->coat.count, 77);
     EXPECT_TRUE(journal->entries("a", 0)->empty());
     ASSERT_TRUE(journal->replace_model(scene("a")).ok());
-    EXPECT_TRUE(journal->scene("a")->model.refinements.empty()) << "a new model is not refined";
+    EXPECT_TRUE(journal->scene("a")->model.subdivisions.empty()) << "a new model is not subdivided";
     EXPECT_FALSE(journal->scene("a")->first_settings);
-    ASSERT_TRUE(journal->refine_model(finer).ok());
+    ASSERT_TRUE(journal->subdivide_model(finer).ok());
   }
   for (const char* damage : {"x'010000'", "x'01000000'", "x'010000000500000005000000'",
                              "x'0200000000000000020000000200000003000000'"}) {
-    execute((std::string("UPDATE scenes SET refinements = ") + damage).c_str());
+    execute((std::string("UPDATE scenes SET subdivisions = ") + damage).c_str());
     EXPECT_EQ(open()->scene("a").status().code, Code::internal) << damage;
   }
 }
 
 Entry with_picture(Revision revision, const std::string& name) {
   SceneSettings settings;
-  settings.base_picture = name;
+  settings.skin_texture = name;
   Entry entry;
   entry.revision = revision, entry.commands = "{}";
   entry.settings = std::make_shared<const SceneSettings>(settings);
@@ -305,7 +292,7 @@ TEST_F(JournalTest, PicturesStayWhileALogNamesThem) {
   const auto journal = open();
   EXPECT_FALSE(journal->has_picture(unused)) << "it was never used, and a start drops it";
   EXPECT_EQ(*journal->picture(used), std::string("x\0y", 3));
-  EXPECT_EQ((*journal->entries("a", 0))[0].settings->base_picture, used);
+  EXPECT_EQ((*journal->entries("a", 0))[0].settings->skin_texture, used);
   ASSERT_TRUE(journal->remove_scene("a").ok());
   EXPECT_TRUE(journal->has_picture(used));
   ASSERT_TRUE(journal->replace_model(scene("b")).ok());

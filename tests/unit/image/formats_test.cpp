@@ -112,7 +112,7 @@ TEST(Exr, HalfRoundsKeepsInfinityAndHoldsWhatIsTooLarge) {
   EXPECT_NEAR(grey(11), 0.1f, 5e-5f);
 }
 
-TEST(Exr, LayersAndMixedTypesInOneFile) {
+TEST(Exr, AovsAndMixedTypesInOneFile) {
   const std::vector<float> beauty = {1, 2, 3, 0.5f, 5, 6, 7, 1}, depth = {1e-7f, 123456.789f}, normal = {0.25f, -1};
   std::vector<ExrPlane> planes = rgba_planes(beauty, ExrSample::half, "beauty");
   planes.push_back({"Z", depth, 0, 1, ExrSample::single});
@@ -126,9 +126,9 @@ TEST(Exr, LayersAndMixedTypesInOneFile) {
   EXPECT_EQ(back.rgba, beauty) << "the first layer with colour, multiplied by alpha as it was";
 }
 
-TEST(Exr, PlainColourGoesBeforeALayer) {
-  const std::vector<float> plain = {1, 2, 3, 1}, layer = {4, 5, 6, 1};
-  std::vector<ExrPlane> planes = rgba_planes(layer, ExrSample::single, "albedo");
+TEST(Exr, PlainColourGoesBeforeAnAov) {
+  const std::vector<float> plain = {1, 2, 3, 1}, aov = {4, 5, 6, 1};
+  std::vector<ExrPlane> planes = rgba_planes(aov, ExrSample::single, "albedo");
   for (const ExrPlane& plane : rgba_planes(plain, ExrSample::single)) planes.push_back(plane);
   EXPECT_EQ(decoded(encode_exr(1, 1, planes)).rgba, plain);
 }

@@ -48,9 +48,9 @@ MapPicture file_of(const DrawnMap& map, int bits) {
     for (int k = 0; k < 4; ++k) {
       const int from = map.layout.channels == 1 ? 0 : k;
       const bool there = from < map.layout.channels;
-      const double most = bits == 8 ? 255 : bits == 16 ? 65535 : 1;
+      const double max = bits == 8 ? 255 : bits == 16 ? 65535 : 1;
       const double number = there ? file_number(map.layout.kinds[static_cast<std::size_t>(from)], map.image.at(i)[from], bits) : 0;
-      picture.rgba.push_back(static_cast<float>(number / most));
+      picture.rgba.push_back(static_cast<float>(number / max));
     }
   }
   return picture;

@@ -140,11 +140,11 @@ TEST(Pattern, TabbyHasALineAlongTheSpine) {
   const Pattern pattern{.kind = PatternKind::tabby, .coverage = 0.4};
   const PatternBlock block = make_pattern_block(with(pattern));
   for (float z = -0.4f; z < 0.4f; z += 0.01f) EXPECT_GT(pattern_marks(block, {0, 0.2f, z}, {0, 1, 0}).x, 0.95f) << z;
-  float least = 1;
+  float min = 1;
   for (float z = -0.4f; z < 0.4f; z += 0.01f) {
-    least = std::min(least, pattern_marks(block, {0.1f, 0.1f, z}, {1, 0, 0}).x);
+    min = std::min(min, pattern_marks(block, {0.1f, 0.1f, z}, {1, 0, 0}).x);
   }
-  EXPECT_LT(least, 0.05f) << "and none along the flank";
+  EXPECT_LT(min, 0.05f) << "and none along the flank";
 }
 
 TEST(Pattern, TheUndersideTurnsPaleAndLosesItsMarkings) {
@@ -179,18 +179,18 @@ TEST(Variation, StaysInItsRangeAndChangesSlowly) {
   coat.variation = {.lightness = 1, .hue = 1, .length = 1, .lean = 1, .size = 0.2};
   EXPECT_TRUE(has_pattern(coat));
   const PatternBlock block = make_pattern_block(coat);
-  float least = 2, most = 0, steepest = 0;
+  float min = 2, max = 0, steepest = 0;
   for_each_place(20000, [&](glm::vec3 place, glm::vec3) {
     const float length = pattern_length(block, place), lean = pattern_lean(block, place);
-    least = std::min(least, length), most = std::max(most, length);
+    min = std::min(min, length), max = std::max(max, length);
     EXPECT_TRUE(lean >= -1 && lean <= 1);
     steepest = std::max(steepest, std::abs(pattern_length(block, place + glm::vec3(0.002f, 0, 0)) - length));
     const glm::vec3 colour = pattern_colour(block, place, {0, 1, 0}, glm::vec3(0.5f));
     EXPECT_TRUE(colour.g >= 0.25f && colour.g <= 1.0f);
     EXPECT_TRUE(colour.r / colour.g > 0.66f && colour.r / colour.g < 1.34f);
   });
-  EXPECT_LT(least, 0.2f);
-  EXPECT_GT(most, 1.8f);
+  EXPECT_LT(min, 0.2f);
+  EXPECT_GT(max, 1.8f);
   EXPECT_LT(steepest, 0.1f) << "over a hundredth of a swell";
 }
 

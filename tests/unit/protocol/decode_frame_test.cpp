@@ -15,12 +15,12 @@ TEST(DecodeFrame, DefaultsAndCameras) {
   EXPECT_EQ(plain->width, 512);
   EXPECT_EQ(plain->camera.automatic, AutoView::three_quarter);
   const auto free =
-      decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 0]}, "background": "transparent"})");
+      decode_frame_request(R"({"camera": {"position": [0, 0, 2], "target": [0, 0, 0]}, "background": "transparent"})");
   ASSERT_TRUE(free.ok());
   EXPECT_EQ(free->camera.automatic, AutoView::none);
   EXPECT_EQ(free->background, Background::transparent);
-  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer, "/camera");
-  EXPECT_EQ(decode_frame_request(R"({"camera": {"eye": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer,
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"position": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer, "/camera");
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"position": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer,
             "/camera/up");
 }
 
@@ -42,15 +42,15 @@ TEST(DecodeFrame, Sizes) {
 }
 
 TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
-  const auto exr = decode_frame_request(R"({"format": "exr", "exr_type": "float", "layers": ["depth", "beauty"]})");
+  const auto exr = decode_frame_request(R"({"format": "exr", "exr_type": "float", "aovs": ["depth", "beauty"]})");
   ASSERT_TRUE(exr.ok()) << exr.status().message;
   EXPECT_EQ(exr->exr_type, ExrType::single);
-  EXPECT_EQ(exr->layers, (std::vector{FrameLayer::depth, FrameLayer::beauty}));
+  EXPECT_EQ(exr->aovs, (std::vector{Aov::depth, Aov::beauty}));
   EXPECT_EQ(decode_frame_request(R"({"background": "studio"})")->background, Background::studio);
   const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
-  EXPECT_EQ(pointer_of(R"({"layers": ["beauty"]})"), "/layers");
-  EXPECT_EQ(pointer_of(R"({"format": "exr", "layers": []})"), "/layers");
-  EXPECT_EQ(pointer_of(R"({"format": "exr", "layers": ["depth", "depth"]})"), "/layers/1");
+  EXPECT_EQ(pointer_of(R"({"aovs": ["beauty"]})"), "/aovs");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "aovs": []})"), "/aovs");
+  EXPECT_EQ(pointer_of(R"({"format": "exr", "aovs": ["depth", "depth"]})"), "/aovs/1");
   EXPECT_EQ(pointer_of(R"({"format": "exr", "overlay": "strokes"})"), "/overlay");
   EXPECT_EQ(pointer_of(R"({"format": "jpeg", "background": "transparent"})"), "/background");
   EXPECT_EQ(pointer_of(R"({"jpeg_quality": 101})"), "/jpeg_quality");
@@ -70,12 +70,12 @@ TEST(DecodeFrame, ADifferenceIsFromARevision) {
   EXPECT_EQ(decode_frame_query({{"overlay", "difference"}, {"overlay_from", "7"}})->overlay_from, std::uint64_t{7});
 }
 
-TEST(DecodeFrame, LayersTogetherHaveALimit) {
+TEST(DecodeFrame, AovsTogetherHaveALimit) {
   const auto with = [](const char* more) {
     return decode_frame_request(std::string(R"({"format": "exr", "width": 8192, "height": 4096, "quality": {"scale": 1}, )") + more + "}");
   };
-  EXPECT_TRUE(with(R"("layers": ["beauty", "depth"])").ok());
-  EXPECT_EQ(with(R"("layers": ["beauty", "depth", "normal"])").status().pointer, "/layers");
+  EXPECT_TRUE(with(R"("aovs": ["beauty", "depth"])").ok());
+  EXPECT_EQ(with(R"("aovs": ["beauty", "depth", "normal"])").status().pointer, "/aovs");
 }
 
 TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
@@ -83,7 +83,7 @@ TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
   const auto sorted = decode_frame_request(R"({"width": 1024, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})");
   ASSERT_TRUE(sorted.ok());
   EXPECT_EQ(sorted->knobs.order, FragmentOrder::sorted);
-  EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::layers);
+  EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::shells);
   EXPECT_EQ(pointer_of(R"({"quality": {"order": "depth"}})"), "/quality/order");
   EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"), "/quality");
   EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "shells": 1024, "scale": 2.0}, "width": 1024})"), "/quality");
@@ -117,7 +117,7 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
                                            {"self_shadow", "false"},
                                            {"fins", "true"},
                                            {"guard_hairs", "300"},
-                                           {"least_radius", "90"},
+                                           {"min_radius", "90"},
                                            {"background", "#ff0000"},
                                            {"exposure", "-1.5"}});
   ASSERT_TRUE(request.ok()) << request.status().message;
@@ -127,12 +127,12 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   EXPECT_FALSE(request->knobs.self_shadow);
   EXPECT_TRUE(request->knobs.fins);
   EXPECT_EQ(request->knobs.guard_hairs, 300);
-  EXPECT_EQ(request->knobs.least_radius, 90);
+  EXPECT_EQ(request->knobs.min_radius, 90);
   EXPECT_FLOAT_EQ(request->background_colour.r, 1);
   EXPECT_DOUBLE_EQ(request->exposure, -1.5);
-  const auto free = decode_frame_query({{"eye", "0,0.5,2"}, {"target", "0, 0, 0"}, {"fov_degrees", "50"}});
+  const auto free = decode_frame_query({{"position", "0,0.5,2"}, {"target", "0, 0, 0"}, {"fov_degrees", "50"}});
   ASSERT_TRUE(free.ok()) << free.status().message;
-  EXPECT_EQ(free->camera.eye, glm::dvec3(0, 0.5, 2));
+  EXPECT_EQ(free->camera.position, glm::dvec3(0, 0.5, 2));
 }
 
 TEST(DecodeFrameQuery, Refusals) {
@@ -141,8 +141,8 @@ TEST(DecodeFrameQuery, Refusals) {
   EXPECT_EQ(pointer_of({{"width", "64,\"x\":1"}}), "/width");
   EXPECT_EQ(pointer_of({{"width", "1e400"}}), "/width");
   EXPECT_EQ(pointer_of({{"width", "nan"}}), "/width");
-  EXPECT_EQ(pointer_of({{"eye", std::string(8000, '[')}, {"target", "0,0,0"}}), "/camera/eye");
-  EXPECT_EQ(pointer_of({{"eye", "0,0"}, {"target", "0,0,0"}}), "/camera/eye");
+  EXPECT_EQ(pointer_of({{"position", std::string(8000, '[')}, {"target", "0,0,0"}}), "/camera/position");
+  EXPECT_EQ(pointer_of({{"position", "0,0"}, {"target", "0,0,0"}}), "/camera/position");
   EXPECT_EQ(pointer_of({{"quality", "draft"}, {"shells", "9"}}), "/quality");
   EXPECT_EQ(pointer_of({{"shells", "9"}, {"quality", "draft"}}), "/quality");
   EXPECT_EQ(pointer_of({{"width", "9"}, {"width", "9"}}), "/width");

@@ -21,7 +21,7 @@ TEST(Decode, CombWithDefaults) {
   EXPECT_DOUBLE_EQ(comb.brush.radius, 0.05);
   EXPECT_DOUBLE_EQ(comb.lean, 0.7);
   ASSERT_EQ(comb.stroke->samples.size(), 1u);
-  EXPECT_EQ(std::get<PositionPlace>(comb.stroke->samples[0].place).position, glm::dvec3(0, 0.2, 0.5));
+  EXPECT_EQ(std::get<PositionSample>(comb.stroke->samples[0].place).position, glm::dvec3(0, 0.2, 0.5));
   EXPECT_DOUBLE_EQ(comb.stroke->samples[0].pressure, 1);
 }
 
@@ -47,8 +47,8 @@ TEST(Decode, EveryKindOfSample) {
   EXPECT_EQ(stroke.part, 3u);
   EXPECT_FALSE(stroke.last);
   EXPECT_EQ(stroke.view->width, 640);
-  EXPECT_EQ(std::get<ScreenPlace>(stroke.samples[0].place).screen, glm::dvec2(10.5, 20.5));
-  EXPECT_EQ(std::get<SurfacePlace>(stroke.samples[1].place).triangle, 7u);
+  EXPECT_EQ(std::get<ScreenSample>(stroke.samples[0].place).screen, glm::dvec2(10.5, 20.5));
+  EXPECT_EQ(std::get<SurfaceSample>(stroke.samples[1].place).triangle, 7u);
 }
 
 TEST(Decode, RefusesWhatIsNotJson) {
@@ -72,9 +72,9 @@ TEST(Decode, RefusesNumbersThatOverflow) {
 }
 
 TEST(Decode, RefusesDeepNesting) {
-  const std::size_t most = static_cast<std::size_t>(limits::json_depth);
-  EXPECT_EQ(refusal(std::string(most, '[') + std::string(most, ']')).code, Code::invalid);
-  EXPECT_EQ(refusal(std::string(most + 1, '[') + std::string(most + 1, ']')).code, Code::malformed);
+  const std::size_t max = static_cast<std::size_t>(limits::json_depth);
+  EXPECT_EQ(refusal(std::string(max, '[') + std::string(max, ']')).code, Code::invalid);
+  EXPECT_EQ(refusal(std::string(max + 1, '[') + std::string(max + 1, ']')).code, Code::malformed);
   EXPECT_EQ(refusal(std::string(500000, '[')).code, Code::malformed);
 }
 
@@ -254,13 +254,13 @@ TEST(Decode, RampsRise) {
 
 TEST(Decode, PartsOfACoat) {
   const auto commands = decode_commands(
-      R"({"op": "set_coat", "coat": {"wetness": 1, "undercoat": {"share": 0.6}, "odd_hairs": {"share": 0.1, "colour": "#ffffff"},
+      R"({"op": "set_coat", "coat": {"wetness": 1, "undercoat": {"share": 0.6}, "ticking": {"share": 0.1, "colour": "#ffffff"},
           "pattern": {"kind": "rosettes", "axis": [1, 0, 0], "seed": 9}, "variation": {"hue": 0.2}}})");
   ASSERT_TRUE(commands.ok()) << commands.status().message;
   const Coat& coat = std::get<SetCoat>(commands->front()).coat;
   EXPECT_EQ(coat.wetness, 1);
   EXPECT_EQ(coat.undercoat, (Undercoat{.share = 0.6}));
-  EXPECT_EQ(coat.odd_hairs, (OddHairs{.share = 0.1, .colour = glm::vec3(1)}));
+  EXPECT_EQ(coat.ticking, (Ticking{.share = 0.1, .colour = glm::vec3(1)}));
   EXPECT_EQ(coat.pattern, (Pattern{.kind = PatternKind::rosettes, .axis = {1, 0, 0}, .seed = 9}));
   EXPECT_EQ(coat.variation, (Variation{.hue = 0.2}));
 }
@@ -271,7 +271,7 @@ TEST(Decode, PartsOfACoatHaveLimits) {
   expect_refusal(coat(R"("wave": -0.1)"), Code::invalid, "/coat/wave");
   expect_refusal(coat(R"("fine_clump_size": 0)"), Code::invalid, "/coat/fine_clump_size");
   expect_refusal(coat(R"("undercoat": {"length": 0})"), Code::invalid, "/coat/undercoat/length");
-  expect_refusal(coat(R"("odd_hairs": {"colour": "white"})"), Code::invalid, "/coat/odd_hairs/colour");
+  expect_refusal(coat(R"("ticking": {"colour": "white"})"), Code::invalid, "/coat/ticking/colour");
   expect_refusal(coat(R"("pattern": {"scale": 0})"), Code::invalid, "/coat/pattern/scale");
   expect_refusal(coat(R"("pattern": {"axis": [0, 0, 0]})"), Code::invalid, "/coat/pattern/axis");
   expect_refusal(coat(R"("pattern": {"kind": "stripe"})"), Code::invalid, "/coat/pattern/kind");

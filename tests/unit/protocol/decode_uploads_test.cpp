@@ -31,7 +31,7 @@ TEST(Decode, EnvironmentQueries) {
 
 TEST(Decode, PicturesAreNamedByHexDigits) {
   const auto named = [](const std::string& name) {
-    return R"({"op": "set_base_picture", "picture": ")" + name + "\"}";
+    return R"({"op": "set_skin_texture", "picture": ")" + name + "\"}";
   };
   EXPECT_TRUE(refusal(named("own")).ok());
   EXPECT_TRUE(refusal(named("0123456789abcdef0123456789abcdef")).ok());
@@ -39,7 +39,7 @@ TEST(Decode, PicturesAreNamedByHexDigits) {
                                 "0123456789abcdef0123456789abcdef0"}) {
     expect_refusal(named(bad), Code::invalid, "/picture");
   }
-  expect_refusal(R"({"op": "set_base_picture"})", Code::invalid, "/picture");
+  expect_refusal(R"({"op": "set_skin_texture"})", Code::invalid, "/picture");
 }
 
 TEST(Decode, MapsAreOfOneFieldInAnEncodingThatHoldsIt) {

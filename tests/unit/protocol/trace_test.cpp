@@ -1,4 +1,4 @@
-// Traced strands, refinement and lights with a size, as JSON.
+// Traced strands, progressive picture and lights with a size, as JSON.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -30,11 +30,11 @@ void expect_frame_refusal(const std::string& text, const std::string& pointer) {
   EXPECT_NE(status.limit, "") << text << "\nsays no limit";
 }
 
-/// A frame whose strands are traced so, or which is refined so.
+/// A frame whose strands are traced so, or which is progressive so.
 std::string traced(const std::string& trace) {
   return R"({"quality": {"method": "strands", "trace": {)" + trace + "}}}";
 }
-std::string refined(const std::string& trace) { return R"({"refine": {)" + trace + "}}"; }
+std::string progressive(const std::string& trace) { return R"({"progressive": {)" + trace + "}}"; }
 
 Status lights_refusal(const std::string& members) {
   return refusal(R"({"op": "set_lights", "lights": [{)" + members + "}]}");
@@ -42,7 +42,7 @@ Status lights_refusal(const std::string& members) {
 
 TEST(Trace, DefaultsAreThoseOfTheStruct) {
   EXPECT_EQ(decoded("{}").knobs.method, Method::shells);
-  EXPECT_FALSE(decoded("{}").refine);
+  EXPECT_FALSE(decoded("{}").progressive);
   const FrameRequest strands = decoded(R"({"quality": {"method": "strands"}})");
   EXPECT_EQ(strands.knobs.method, Method::strands);
   EXPECT_EQ(strands.knobs.trace, Tracing{});
@@ -73,7 +73,7 @@ TEST(Trace, ReadsEachMember) {
                          .filter = false,
                          .seed = 4294967295u};
   EXPECT_EQ(decoded(traced(members)).knobs.trace, expected);
-  EXPECT_EQ(decoded(refined(members)).refine, expected);
+  EXPECT_EQ(decoded(progressive(members)).progressive, expected);
   EXPECT_EQ(decoded(traced(R"("scattering": "energy_conserving")")).knobs.trace.scattering,
             StrandScattering::energy_conserving);
 }
@@ -105,12 +105,12 @@ TEST(Trace, TakesTheEndsOfRangesAndRefusesWhatLiesBeyond) {
     for (const std::string& value : member.taken) {
       const std::string text = "\"" + member.name + "\": " + value;
       EXPECT_TRUE(frame_refusal(traced(text)).ok()) << text;
-      EXPECT_TRUE(frame_refusal(refined(text)).ok()) << text;
+      EXPECT_TRUE(frame_refusal(progressive(text)).ok()) << text;
     }
     for (const std::string& value : member.refused) {
       const std::string text = "\"" + member.name + "\": " + value;
       EXPECT_EQ(frame_refusal(traced(text)).pointer, "/quality/trace/" + member.name) << text;
-      EXPECT_EQ(frame_refusal(refined(text)).pointer, "/refine/" + member.name) << text;
+      EXPECT_EQ(frame_refusal(progressive(text)).pointer, "/progressive/" + member.name) << text;
     }
   }
 }
@@ -121,16 +121,16 @@ TEST(Trace, OnlyPathsBounceAndTheyMakeNoLight) {
   for (const std::string bounces : {"0", "4097", "1.5"})
     expect_frame_refusal(traced(R"("transport": "paths", "bounces": )" + bounces), "/quality/trace/bounces");
   expect_frame_refusal(traced(R"("bounces": 32)"), "/quality/trace/bounces");
-  expect_frame_refusal(refined(R"("transport": "transmittance", "bounces": 32)"), "/refine/bounces");
+  expect_frame_refusal(progressive(R"("transport": "transmittance", "bounces": 32)"), "/progressive/bounces");
   expect_frame_refusal(traced(R"("transport": "paths", "scattering": "look")"), "/quality/trace/scattering");
-  expect_frame_refusal(refined(R"("transport": "paths", "scattering": "look")"), "/refine/scattering");
+  expect_frame_refusal(progressive(R"("transport": "paths", "scattering": "look")"), "/progressive/scattering");
 }
 
 TEST(Trace, StrandsTakeNoKnobOfShells) {
   for (const std::string knob :
        {R"("shells": 8)", R"("shell_policy": "uniform")", R"("steps": 2)", R"("scale": 1)",
-        R"("least_radius": 9)", R"("self_shadow": true)", R"("shadow_maps": false)", R"("shadow_resolution": 512)",
-        R"("order": "layers")", R"("fins": false)"}) {
+        R"("min_radius": 9)", R"("self_shadow": true)", R"("shadow_maps": false)", R"("shadow_resolution": 512)",
+        R"("order": "shells")", R"("fins": false)"}) {
     const std::string name = knob.substr(1, knob.find('"', 1) - 1);
     expect_frame_refusal(R"({"quality": {"method": "strands", )" + knob + "}}", "/quality/" + name);
     EXPECT_TRUE(frame_refusal(R"({"quality": {"method": "shells", )" + knob + "}}").ok()) << knob;
@@ -141,22 +141,22 @@ TEST(Trace, StrandsTakeNoKnobOfShells) {
   EXPECT_EQ(frame_refusal(R"({"quality": {"method": "hairs"}})").pointer, "/quality/method");
 }
 
-TEST(Trace, RefineIsASwitchOrHowToTrace) {
-  EXPECT_EQ(decoded(R"({"refine": true})").refine, Tracing{});
-  EXPECT_FALSE(decoded(R"({"refine": false})").refine);
-  EXPECT_EQ(decoded(refined("")).refine, Tracing{});
-  EXPECT_EQ(frame_refusal(R"({"refine": 1})").pointer, "/refine");
-  EXPECT_EQ(frame_refusal(R"({"refine": "yes"})").pointer, "/refine");
-  expect_frame_refusal(R"({"quality": "reference", "refine": true})", "/refine");
-  expect_frame_refusal(R"({"quality": {"method": "strands"}, "refine": {}})", "/refine");
-  EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "refine": false})").ok());
+TEST(Trace, ProgressiveIsASwitchOrHowToTrace) {
+  EXPECT_EQ(decoded(R"({"progressive": true})").progressive, Tracing{});
+  EXPECT_FALSE(decoded(R"({"progressive": false})").progressive);
+  EXPECT_EQ(decoded(progressive("")).progressive, Tracing{});
+  EXPECT_EQ(frame_refusal(R"({"progressive": 1})").pointer, "/progressive");
+  EXPECT_EQ(frame_refusal(R"({"progressive": "yes"})").pointer, "/progressive");
+  expect_frame_refusal(R"({"quality": "reference", "progressive": true})", "/progressive");
+  expect_frame_refusal(R"({"quality": {"method": "strands"}, "progressive": {}})", "/progressive");
+  EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "progressive": false})").ok());
 }
 
 TEST(Trace, MapsOfShellsAreNotOfStrands) {
-  for (const std::string map : {"layer_count", "light_depth", "light_occlusion", "shadow_width"}) {
+  for (const std::string map : {"shell_count", "light_depth", "light_occlusion", "shadow_width"}) {
     const std::string overlay = R"("overlay": ")" + map + "\"";
     expect_frame_refusal(R"({"quality": "reference", )" + overlay + "}", "/overlay");
-    expect_frame_refusal(R"({"refine": true, )" + overlay + "}", "/overlay");
+    expect_frame_refusal(R"({"progressive": true, )" + overlay + "}", "/overlay");
     EXPECT_TRUE(frame_refusal("{" + overlay + "}").ok()) << map;
   }
   for (const std::string field : {"direction", "strokes", "length", "density", "wetness", "mask"})
@@ -170,11 +170,11 @@ TEST(Trace, ComesBackThroughEncode) {
   strands.knobs.trace = {.passes = 3, .scattering = StrandScattering::energy_conserving, .strands = 77, .noise = 0.01,
                          .seed = 9};
   EXPECT_EQ(decoded(encode(strands)).knobs, strands.knobs);
-  FrameRequest refine;
-  refine.refine = Tracing{.passes = 5, .transport = Transport::paths,
+  FrameRequest progressive;
+  progressive.progressive = Tracing{.passes = 5, .transport = Transport::paths,
                           .scattering = StrandScattering::energy_conserving, .bounces = 100, .seconds = 2, .filter = false};
-  EXPECT_EQ(decoded(encode(refine)).refine, refine.refine);
-  EXPECT_EQ(decoded(encode(refine)).knobs, refine.knobs);
+  EXPECT_EQ(decoded(encode(progressive)).progressive, progressive.progressive);
+  EXPECT_EQ(decoded(encode(progressive)).knobs, progressive.knobs);
 }
 
 TEST(Trace, ReportsNameTheirNumbers) {

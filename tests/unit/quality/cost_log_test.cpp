@@ -23,7 +23,7 @@ TEST(CostLog, NothingIsCorrectedBeforeThreeFrames) {
   add_often(log, 1, {}, 3, 2);
   EXPECT_EQ(log.correction(1), CostCorrection{});
   add_often(log, 1, {}, 3, 1);
-  EXPECT_NEAR(log.correction(1).layers, 3, 3 * 0.05);
+  EXPECT_NEAR(log.correction(1).shells, 3, 3 * 0.05);
   EXPECT_EQ(log.correction(1).sorted, 1);
   EXPECT_EQ(log.correction(2), CostCorrection{});
 }
@@ -33,9 +33,9 @@ TEST(CostLog, SmallChangesChangeNothing) {
   add_often(log, 1, {}, 1.07, 20), add_often(log, 1, sorted(), 0.94, 20);
   EXPECT_EQ(log.correction(1), (CostCorrection{1, 1, true, true}));
   add_often(log, 1, {}, 2, 20);
-  const double once = log.correction(1).layers;
+  const double once = log.correction(1).shells;
   add_often(log, 1, {}, 2.1, 20), add_often(log, 1, {}, 1.9, 20);
-  EXPECT_EQ(log.correction(1).layers, once);
+  EXPECT_EQ(log.correction(1).shells, once);
 }
 
 TEST(CostLog, OneSlowFrameIsNothing) {
@@ -47,8 +47,8 @@ TEST(CostLog, OneSlowFrameIsNothing) {
 TEST(CostLog, CorrectionsAreBoundedAndFinite) {
   CostLog log;
   add_often(log, 1, {}, 1e12, 5), add_often(log, 2, {}, 1e-12, 5);
-  EXPECT_LE(log.correction(1).layers, CostLog::most * CostLog::step);
-  EXPECT_GE(log.correction(2).layers, 1 / (CostLog::most * CostLog::step));
+  EXPECT_LE(log.correction(1).shells, CostLog::max * CostLog::step);
+  EXPECT_GE(log.correction(2).shells, 1 / (CostLog::max * CostLog::step));
   log.add(3, {}, 0, 1), log.add(3, {}, 1, 0), log.add(3, {}, 1, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(log.correction(3), CostCorrection{});
 }
@@ -56,7 +56,7 @@ TEST(CostLog, CorrectionsAreBoundedAndFinite) {
 TEST(CostLog, OldScenesAreForgotten) {
   CostLog log;
   add_often(log, 1, {}, 3, 3);
-  for (std::uint64_t scene = 2; scene < 2 + CostLog::kept_scenes; ++scene) log.add(scene, {}, 1, 1);
+  for (std::uint64_t scene = 2; scene < 2 + CostLog::max_scenes; ++scene) log.add(scene, {}, 1, 1);
   EXPECT_EQ(log.correction(1), CostCorrection{});
 }
 

@@ -68,7 +68,7 @@ TEST(Fit, CostsAndErrorsComeBack) {
   EXPECT_LT(calibration.ladder.front().error_safety, 1.6);
 }
 
-TEST(Fit, SafetyGrowsWithWhatIsNotToldByFeatures) {
+TEST(Fit, SafetyGrowsWithWhatFeaturesDoNotPredict) {
   std::vector<MeasuredView> views = measured();
   const Calibration calm = fit_calibration(ladder(), views);
   for (std::size_t i = 0; i < views.size(); i += 2) {

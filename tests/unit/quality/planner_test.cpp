@@ -92,22 +92,22 @@ RC_GTEST_PROP(Planner, WhatWasMeasuredKeepsTheErrorAndNothingCheaperIsExpectedTo
   Calibration calibration = any_calibration();
   calibration.probe_safety = number(100, 200, 0.01);
   for (std::size_t i = 0; i < calibration.ladder.size(); ++i) calibration.ladder[i].knobs.steps = static_cast<int>(i) + 1;
-  const double most = number(1, 1000, 1e-3), factor = number(10, 500, 0.01);
+  const double max = number(1, 1000, 1e-3), factor = number(10, 500, 0.01);
   std::vector<std::size_t> asked;
   MeasuredErrors errors;
   const MeasureError measure = off_by(calibration, factor, 3, asked);
-  const PlannedFrame planned = plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure);
+  const PlannedFrame planned = plan_measured(calibration, square(), frame_of(512, 512), {}, max, errors, measure);
   const FrameEstimate& e = planned.estimate;
   RC_ASSERT(e.measured && e.error_safety == calibration.probe_safety);
   const double told = std::min(1.0, *off_by(calibration, factor, 3, asked)(planned.knobs));
   asked.pop_back();
   RC_ASSERT(std::abs(e.error - told) <= 1e-9 * told);  // what was measured of it, not of others
   RC_ASSERT(std::set(asked.begin(), asked.end()).size() == asked.size());  // nothing is measured twice
-  if (e.end == PlanEnd::error) RC_ASSERT(e.error * e.error_safety <= most);
+  if (e.end == PlanEnd::error) RC_ASSERT(e.error * e.error_safety <= max);
   asked.clear();
-  RC_ASSERT(plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure).knobs == planned.knobs);
+  RC_ASSERT(plan_measured(calibration, square(), frame_of(512, 512), {}, max, errors, measure).knobs == planned.knobs);
   RC_ASSERT(asked.empty());  // the same request asks for nothing more
-  const PlannedFrame again = plan(calibration, square(), frame_of(512, 512), {}, {{}, most}, errors);
+  const PlannedFrame again = plan(calibration, square(), frame_of(512, 512), {}, {{}, max}, errors);
   RC_ASSERT(again.knobs == planned.knobs);
 }
 
@@ -116,17 +116,17 @@ TEST(Planner, ARowThatMayBeNearEnoughIsMeasured) {
   const Calibration calibration = plain_calibration();
   const auto predicted = [&](const Knobs& knobs) { return estimate_of(calibration, square(), knobs, {})->error; };
   const Knobs lucky = with_error(calibration, 0.3).knobs;
-  const auto chosen = [&](double most) {
+  const auto chosen = [&](double max) {
     MeasuredErrors errors;
     const MeasureError measure = [&](const Knobs& knobs) { return predicted(knobs) * (knobs == lucky ? 0.92 : 1); };
-    return plan_measured(calibration, square(), frame_of(512, 512), {}, most, errors, measure);
+    return plan_measured(calibration, square(), frame_of(512, 512), {}, max, errors, measure);
   };
   EXPECT_EQ(chosen(predicted(lucky) * 0.93).knobs, lucky);
   EXPECT_EQ(chosen(predicted(lucky) * 0.93).estimate.error_safety, calibration.probe_safety);
   EXPECT_FALSE(chosen(predicted(lucky) * 0.91).knobs == lucky);
 }
 
-TEST(Planner, WithoutAMeasurementErrorsAreToldFromTheView) {
+TEST(Planner, WithoutAMeasurementErrorsAreEstimatedFromTheView) {
   const Calibration calibration = plain_calibration();
   MeasuredErrors errors;
   const MeasureError nothing = [](const Knobs&) { return std::optional<double>(); };
@@ -159,9 +159,9 @@ TEST(Planner, TheEndSaysWhy) {
   EXPECT_EQ(with_error(calibration, 1).estimate.end, PlanEnd::error);
   EXPECT_EQ(with_error(calibration, 1).knobs.shells, 4);
   EXPECT_EQ(with_error(calibration, 1e-6).estimate.end, PlanEnd::best);
-  const double least = with_error(calibration, 1).estimate.cost_ms;
-  EXPECT_EQ(with_budget(calibration, least * 0.9).estimate.end, PlanEnd::least);
-  EXPECT_EQ(with_budget(calibration, least * 2).estimate.end, PlanEnd::budget);
+  const double min = with_error(calibration, 1).estimate.cost_ms;
+  EXPECT_EQ(with_budget(calibration, min * 0.9).estimate.end, PlanEnd::cheapest);
+  EXPECT_EQ(with_budget(calibration, min * 2).estimate.end, PlanEnd::budget);
   EXPECT_EQ(with_budget(calibration, 100).estimate.calibration, "by hand");
 }
 
@@ -177,7 +177,7 @@ TEST(Planner, SafetyIsKept) {
   Calibration calibration = plain_calibration();
   for (double budget = 5; budget < 500; budget *= 1.1) {
     const FrameEstimate e = with_budget(calibration, budget).estimate;
-    if (e.end != PlanEnd::least) {
+    if (e.end != PlanEnd::cheapest) {
       EXPECT_LE(e.cost_ms * e.cost_safety, budget * budget_margin);
     }
   }

@@ -43,7 +43,7 @@ TEST(Windows, ShowAPlaceOfThePictureWithItsPixels) {
   EXPECT_FLOAT_EQ(middle.camera.tan_half_fov / frame.camera.tan_half_fov, 60.0f / 300);
   const FurFrame corner = window_of(frame, {360, 30}, 60);
   const auto pixel_of = [&](const FurFrame& seen, const glm::vec3& at) {
-    const glm::vec3 off = at - seen.camera.eye;
+    const glm::vec3 off = at - seen.camera.position;
     const float focal = static_cast<float>(seen.height) / (2 * seen.camera.tan_half_fov) / glm::dot(off, seen.camera.forward);
     return glm::vec2(seen.width, seen.height) * 0.5f +
            focal * glm::vec2(glm::dot(off, seen.camera.right), -glm::dot(off, seen.camera.up));
@@ -52,7 +52,7 @@ TEST(Windows, ShowAPlaceOfThePictureWithItsPixels) {
   const float half = camera.tan_half_fov / 150;  // a pixel at distance 1
   for (const glm::vec2 off : {glm::vec2(0), glm::vec2(20, 0), glm::vec2(0, 20), glm::vec2(-15, 10)}) {
     const glm::vec2 pixel = glm::vec2(360, 30) + off - glm::vec2(200, 150);
-    const glm::vec3 at = camera.eye + camera.forward + half * (pixel.x * camera.right - pixel.y * camera.up);
+    const glm::vec3 at = camera.position + camera.forward + half * (pixel.x * camera.right - pixel.y * camera.up);
     EXPECT_LT(glm::distance(pixel_of(corner, at) - glm::vec2(30), off), 0.2f * glm::length(off) + 1e-3f);
   }
 }
@@ -64,7 +64,7 @@ TEST(ViewFeatures, LengthsAreInPixels) {
   const ViewFeatures near = view_features(frame, patch.skin());
   EXPECT_NEAR(near.fur_pixels, 8, 0.2);
   EXPECT_NEAR(near.strand_pixels, 0.4, 0.01);
-  frame.camera.eye.z = 2;
+  frame.camera.position.z = 2;
   const ViewFeatures far = view_features(frame, patch.skin());
   EXPECT_NEAR(far.fur_pixels / near.fur_pixels, 0.5, 0.01);
   EXPECT_NEAR(far.area / near.area, 0.25, 0.01);
@@ -73,10 +73,10 @@ TEST(ViewFeatures, LengthsAreInPixels) {
 TEST(ViewFeatures, WhatIsTurnedAwayOrOutsideIsNotSeen) {
   const Patch patch;
   FurFrame behind = frame_of(64, 64);
-  behind.camera.eye = {0, 0, -1}, behind.camera.forward = {0, 0, 1};
+  behind.camera.position = {0, 0, -1}, behind.camera.forward = {0, 0, 1};
   EXPECT_EQ(view_features(behind, patch.skin()).visible, 0);
   FurFrame past = frame_of(64, 64);
-  past.camera.eye = {5, 0, 1};
+  past.camera.position = {5, 0, 1};
   EXPECT_EQ(view_features(past, patch.skin()).area, 0);
 }
 

@@ -36,7 +36,7 @@ struct Patch {
 inline FurFrame frame_of(int width, int height, float distance = 1) {
   FurFrame frame;
   frame.width = width, frame.height = height;
-  frame.camera.eye = {0, 0, distance}, frame.camera.tan_half_fov = 0.5f;
+  frame.camera.position = {0, 0, distance}, frame.camera.tan_half_fov = 0.5f;
   frame.lights.resize(3);
   return frame;
 }
@@ -48,7 +48,7 @@ inline Calibration plain_calibration() {
   calibration.cost.fill(1);
   calibration.cost_safety = 1.2;
   calibration.high.fill(10);
-  for (const FragmentOrder order : {FragmentOrder::layers, FragmentOrder::sorted}) {
+  for (const FragmentOrder order : {FragmentOrder::shells, FragmentOrder::sorted}) {
     for (const int shells : {4, 8, 16, 32, 64}) {
       CalibratedKnobs row;
       row.knobs.shells = shells, row.knobs.order = order, row.knobs.shell_policy = ShellPolicy::uniform;

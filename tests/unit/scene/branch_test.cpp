@@ -191,8 +191,8 @@ TEST(ChangeShares, AreOfWhatCountsAsMuch) {
 TEST(ChangeShares, ExtremesStayInRange) {
   FieldSet from(2), to(2);
   for (std::size_t f = 0; f < field_count; ++f) {
-    from.set(field_at(f), 0, glm::vec4(f == 0 ? 0 : field_shapes[f].least));
-    to.set(field_at(f), 0, f == 0 ? glm::vec4(1, 0, 0, 0) : glm::vec4(field_shapes[f].most));
+    from.set(field_at(f), 0, glm::vec4(f == 0 ? 0 : field_shapes[f].min));
+    to.set(field_at(f), 0, f == 0 ? glm::vec4(1, 0, 0, 0) : glm::vec4(field_shapes[f].max));
   }
   EXPECT_EQ(change_shares(from, to), (std::vector<float>{1, 0}));
   EXPECT_EQ(change_shares(FieldSet(3), FieldSet(3)), (std::vector<float>{0, 0, 0})) << "no fur at all";

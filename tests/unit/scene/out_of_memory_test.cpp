@@ -67,16 +67,16 @@ class OutOfMemory : public StoreTest {
     EXPECT_EQ(seen(*scene_), after);
   }
 
-  /// Commands of many kinds: tools, a layer, settings and a picture of all directions.
+  /// Commands of many kinds: tools, an edit layer, settings and a picture of all directions.
   std::vector<Command> batch() const {
     Length shorter;
     shorter.stroke = stroke_at(*scene_, 9);
     shorter.brush.radius = 0.1;
     Comb comb = comb_at(*scene_, 5);
-    comb.layer = "summer";
+    comb.edit_layer = "summer";
     SetCoat coat;
     coat.coat.root_share = 0.25;
-    return {ChangeLayer{.name = "summer"}, comb, shorter, coat, Checkpoint{"cut", {}}};
+    return {ChangeEditLayer{.name = "summer"}, comb, shorter, coat, Checkpoint{"cut", {}}};
   }
 
   std::shared_ptr<Scene> scene_;

@@ -1,4 +1,4 @@
-// The knob `least_radius`: what is small on the picture is not drawn smaller still.
+// The knob `min_radius`: what is small on the picture is not drawn smaller still.
 #include <cmath>
 
 #include "server/frames/fur_view.h"
@@ -10,14 +10,14 @@ namespace {
 class RenderedScale : public StoreTest {
  protected:
   /// Of a picture of 512 x 512 pixels, so many sizes of the model away, by knobs of this scale.
-  double scale_at(double sizes, double scale, int least_radius, int height = 512) const {
+  double scale_at(double sizes, double scale, int min_radius, int height = 512) const {
     double result = 0;
     scene_->read([&](const SceneView& view) {
       const Mesh& mesh = view.model.surface.mesh();
       FrameRequest request;
       request.height = height, request.camera.automatic = AutoView::none;
-      request.camera.eye = mesh.to_model({0, 0, sizes}), request.camera.target = mesh.to_model({0, 0, -1});
-      request.knobs.scale = scale, request.knobs.least_radius = least_radius;
+      request.camera.position = mesh.to_model({0, 0, sizes}), request.camera.target = mesh.to_model({0, 0, -1});
+      request.knobs.scale = scale, request.knobs.min_radius = min_radius;
       result = make_frame(view, request).knobs.scale;
     });
     return result;

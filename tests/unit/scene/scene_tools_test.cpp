@@ -78,12 +78,12 @@ TEST_F(SceneToolsTest, AMirroredStrokeIsOneStepAndWhatBothStrokesGive) {
   comb.stroke.emplace();
   for (const double y : {0.2, 0.5}) {
     StrokeSample sample;
-    sample.place = PositionPlace{{0.7, y, 0.5}};
+    sample.place = PositionSample{{0.7, y, 0.5}};
     comb.stroke->samples.push_back(sample);
   }
   comb.brush.radius = 0.1;
   Comb twin = comb;
-  for (StrokeSample& sample : twin.stroke->samples) std::get<PositionPlace>(sample.place).position.x = -0.7;
+  for (StrokeSample& sample : twin.stroke->samples) std::get<PositionSample>(sample.place).position.x = -0.7;
   const CommandAnswer once = execute(*symmetric, {comb});
   EXPECT_EQ(once.fields_hash, execute(*both, {comb, twin}).fields_hash);
   EXPECT_EQ(once.results.size(), 1u);

@@ -58,7 +58,7 @@ class StoreTest : public ::testing::Test {
     for (std::size_t i = 0; i < samples; ++i) {
       StrokeSample sample;
       const double along = 0.1 * size * static_cast<double>(i) / static_cast<double>(samples);
-      sample.place = PositionPlace{place(scene, vertex) + glm::dvec3(along, 0.5 * along, -0.3 * along)};
+      sample.place = PositionSample{place(scene, vertex) + glm::dvec3(along, 0.5 * along, -0.3 * along)};
       stroke.samples.push_back(sample);
     }
     return stroke;
@@ -71,7 +71,7 @@ class StoreTest : public ::testing::Test {
   }
   static Comb comb_nothing(const Scene& scene) {
     Comb comb = comb_at(scene, 0);
-    for (StrokeSample& sample : comb.stroke->samples) std::get<PositionPlace>(sample.place).position += 1000.0;
+    for (StrokeSample& sample : comb.stroke->samples) std::get<PositionSample>(sample.place).position += 1000.0;
     return comb;
   }
 

@@ -33,7 +33,7 @@ class FakeTracer : public PictureTracer {
       stage_.views.push_back(request.view);
     }
     if (stage_.refuses) return failure(Code::too_large, "too many strands", "/quality/trace/strands");
-    most_ = request.knobs.trace.passes;
+    max_ = request.knobs.trace.passes;
     report_ = {};
     return scene->revision();
   }
@@ -43,7 +43,7 @@ class FakeTracer : public PictureTracer {
       std::this_thread::sleep_for(100us);
     }
     ++stage_.passes;
-    if (++report_.passes >= most_) report_.end = TraceEnd::passes;
+    if (++report_.passes >= max_) report_.end = TraceEnd::passes;
     return {};
   }
   TraceReport report() const override { return report_; }
@@ -52,7 +52,7 @@ class FakeTracer : public PictureTracer {
  private:
   Stage& stage_;
   TraceReport report_;
-  int most_ = 0;
+  int max_ = 0;
 };
 
 class TraceQueueTest : public StoreTest {
@@ -63,7 +63,7 @@ class TraceQueueTest : public StoreTest {
   }
   static TraceQueue::Limits quick() {
     TraceQueue::Limits limits;
-    limits.rest = 0ms, limits.between = 0ms;
+    limits.settle_time = 0ms, limits.between = 0ms;
     return limits;
   }
   void TearDown() override {
@@ -71,10 +71,10 @@ class TraceQueueTest : public StoreTest {
     StoreTest::TearDown();
   }
 
-  static FrameRequest refined(int passes, const std::string& view = "artist") {
+  static FrameRequest progressive(int passes, const std::string& view = "artist") {
     FrameRequest request;
     request.view = view;
-    request.refine = Tracing{.passes = passes};
+    request.progressive = Tracing{.passes = passes};
     return request;
   }
   static FrameRequest traced(int passes, const std::string& view = "") {
@@ -110,10 +110,10 @@ TEST_F(TraceQueueTest, TracesToTheEnd) {
   EXPECT_EQ(queue_->counts().passes, 5u);
 }
 
-TEST_F(TraceQueueTest, PassesOfARefinementRise) {
+TEST_F(TraceQueueTest, PassesOfAProgressivePictureRise) {
   const auto scene = make();
-  const FrameRequest request = refined(40);
-  ASSERT_TRUE(queue().refine(scene, request, 0).ok());
+  const FrameRequest request = progressive(40);
+  ASSERT_TRUE(queue().improve(scene, request, 0).ok());
   SeenPicture seen;
   while (seen.passes < 40) {
     const auto better = wait_better(*scene, request, seen);
@@ -128,56 +128,56 @@ TEST_F(TraceQueueTest, PassesOfARefinementRise) {
 
 TEST_F(TraceQueueTest, AnswersOnlyForTheSameRequestAndRevision) {
   const auto scene = make(), other = make();
-  const FrameRequest request = refined(2);
-  ASSERT_TRUE(queue().refine(scene, request, 0).ok());
+  const FrameRequest request = progressive(2);
+  ASSERT_TRUE(queue().improve(scene, request, 0).ok());
   ASSERT_TRUE(wait_better(*scene, request, {0, 1}));
   FrameRequest wider = request;
   wider.width *= 2;
   EXPECT_FALSE(queue_->better(*scene, wider, {}));
   EXPECT_FALSE(queue_->better(*scene, request, {1, 0}));
   EXPECT_FALSE(queue_->better(*other, request, {}));
-  ASSERT_TRUE(queue_->refine(scene, request, 0).ok());
+  ASSERT_TRUE(queue_->improve(scene, request, 0).ok());
   EXPECT_TRUE(queue_->better(*scene, request, {})) << "asking again begins nothing anew";
   EXPECT_EQ(stage_.begun, 1);
 }
 
-TEST_F(TraceQueueTest, ANewRevisionEndsARefinement) {
+TEST_F(TraceQueueTest, ANewRevisionEndsAProgressivePicture) {
   const auto scene = make();
-  const FrameRequest request = refined(1'000'000);
-  ASSERT_TRUE(queue().refine(scene, request, 0).ok());
+  const FrameRequest request = progressive(1'000'000);
+  ASSERT_TRUE(queue().improve(scene, request, 0).ok());
   ASSERT_TRUE(wait_better(*scene, request, {}));
   execute(*scene, {comb_at(*scene, 5)});
   ASSERT_TRUE(soon([&] { return !queue_->better(*scene, request, {}); }));
   const int passes = stage_.passes;
-  ASSERT_TRUE(queue_->refine(scene, request, 0).ok());  // late: nothing comes of it
+  ASSERT_TRUE(queue_->improve(scene, request, 0).ok());  // late: nothing comes of it
   std::this_thread::sleep_for(50ms);
   EXPECT_LE(stage_.passes, passes + 1);
   EXPECT_EQ(stage_.begun, 1);
-  ASSERT_TRUE(queue_->refine(scene, request, 1).ok());
+  ASSERT_TRUE(queue_->improve(scene, request, 1).ok());
   EXPECT_TRUE(wait_better(*scene, request, {1, 0}));
   move(*scene, Undo{});
   EXPECT_TRUE(soon([&] { return !queue_->better(*scene, request, {1, 0}); }));
 }
 
-TEST_F(TraceQueueTest, AnEndedRefinementIsForgottenWithItsRevision) {
+TEST_F(TraceQueueTest, AnEndedProgressivePictureIsForgottenWithItsRevision) {
   const auto scene = make();
-  const FrameRequest request = refined(2), other = refined(2, "other");
-  ASSERT_TRUE(queue().refine(scene, request, 0).ok());
+  const FrameRequest request = progressive(2), other = progressive(2, "other");
+  ASSERT_TRUE(queue().improve(scene, request, 0).ok());
   ASSERT_TRUE(wait_better(*scene, request, {0, 1}));
   execute(*scene, {comb_at(*scene, 5)});
-  ASSERT_TRUE(queue_->refine(scene, other, 1).ok());
+  ASSERT_TRUE(queue_->improve(scene, other, 1).ok());
   EXPECT_FALSE(queue_->better(*scene, request, {}));
 }
 
 TEST_F(TraceQueueTest, AViewThatAsksForSomethingElseDropsWhatItAskedFor) {
   const auto scene = make();
-  const FrameRequest request = refined(1'000'000), bystander = refined(2, "other");
-  ASSERT_TRUE(queue().refine(scene, request, 0).ok());
-  ASSERT_TRUE(queue_->refine(scene, bystander, 0).ok());
+  const FrameRequest request = progressive(1'000'000), bystander = progressive(2, "other");
+  ASSERT_TRUE(queue().improve(scene, request, 0).ok());
+  ASSERT_TRUE(queue_->improve(scene, bystander, 0).ok());
   ASSERT_TRUE(wait_better(*scene, request, {}));
   FrameRequest turned = request;
   turned.camera.automatic = AutoView::back;
-  ASSERT_TRUE(queue_->refine(scene, turned, 0).ok());
+  ASSERT_TRUE(queue_->improve(scene, turned, 0).ok());
   EXPECT_FALSE(queue_->better(*scene, request, {}));
   EXPECT_TRUE(wait_better(*scene, turned, {}));
   queue_->turn_from(*scene, turned);
@@ -216,7 +216,7 @@ TEST_F(TraceQueueTest, ATraceOutlivesARevision) {
 
 TEST_F(TraceQueueTest, ARemovedSceneEndsItsJobs) {
   const auto scene = make();
-  const FrameRequest request = refined(1'000'000);
+  const FrameRequest request = progressive(1'000'000);
   queue();
   std::future<Picture> picture = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
@@ -225,16 +225,16 @@ TEST_F(TraceQueueTest, ARemovedSceneEndsItsJobs) {
   EXPECT_TRUE(queue_->trace(make(), traced(2)).ok()) << "the tracer is free again";
 }
 
-TEST_F(TraceQueueTest, ARefinementThatNobodyAsksForIsDropped) {
+TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForIsDropped) {
   const auto scene = make();
-  const FrameRequest request = refined(1'000'000);
+  const FrameRequest request = progressive(1'000'000);
   TraceQueue::Limits limits = quick();
-  limits.patience = 200ms;
-  ASSERT_TRUE(queue(limits).refine(scene, request, 0).ok());
+  limits.idle_timeout = 200ms;
+  ASSERT_TRUE(queue(limits).improve(scene, request, 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
-  for (int i = 0; i < 10; ++i) {  // asked for longer than patience lasts
+  for (int i = 0; i < 10; ++i) {  // asked for longer than idle_timeout lasts
     std::this_thread::sleep_for(50ms);
-    ASSERT_TRUE(queue_->refine(scene, request, 0).ok());
+    ASSERT_TRUE(queue_->improve(scene, request, 0).ok());
   }
   EXPECT_EQ(stage_.begun, 1);
   std::this_thread::sleep_for(600ms);
@@ -244,16 +244,16 @@ TEST_F(TraceQueueTest, ARefinementThatNobodyAsksForIsDropped) {
   EXPECT_FALSE(queue_->better(*scene, request, {}));
 }
 
-TEST_F(TraceQueueTest, ARefinementThatNobodyAsksForGivesWay) {
+TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
   const auto scene = make();
   TraceQueue::Limits limits = quick();
-  limits.manners = 200ms;
-  const FrameRequest left = refined(1'000'000, "left"), next = refined(2, "next");
-  ASSERT_TRUE(queue(limits).refine(scene, left, 0).ok());
+  limits.busy_idle_timeout = 200ms;
+  const FrameRequest left = progressive(1'000'000, "left"), next = progressive(2, "next");
+  ASSERT_TRUE(queue(limits).improve(scene, left, 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
   std::this_thread::sleep_for(400ms);
   EXPECT_TRUE(queue_->better(*scene, left, {})) << "nobody else waits";
-  ASSERT_TRUE(queue_->refine(scene, next, 0).ok());
+  ASSERT_TRUE(queue_->improve(scene, next, 0).ok());
   for (int i = 0; i < 20; ++i) {
     std::this_thread::sleep_for(20ms);
     ASSERT_TRUE(queue_->better(*scene, left, {})) << "somebody still looks";
@@ -266,26 +266,26 @@ TEST_F(TraceQueueTest, ARefinementThatNobodyAsksForGivesWay) {
 TEST_F(TraceQueueTest, WaitsUntilTheHandRests) {
   const auto scene = make();
   TraceQueue::Limits limits = quick();
-  limits.rest = 300ms;
+  limits.settle_time = 300ms;
   queue(limits);
   for (Revision revision = 0; revision < 5; ++revision) {
-    ASSERT_TRUE(queue_->refine(scene, refined(2), revision).ok());
+    ASSERT_TRUE(queue_->improve(scene, progressive(2), revision).ok());
     std::this_thread::sleep_for(10ms);
     execute(*scene, {comb_at(*scene, 5 + 7 * revision)});
   }
   const Revision last = scene->revision();
-  ASSERT_TRUE(queue_->refine(scene, refined(2), last).ok());
-  EXPECT_TRUE(wait_better(*scene, refined(2), {last, 1}));
+  ASSERT_TRUE(queue_->improve(scene, progressive(2), last).ok());
+  EXPECT_TRUE(wait_better(*scene, progressive(2), {last, 1}));
   EXPECT_EQ(stage_.begun, 1);
 }
 
 TEST_F(TraceQueueTest, TakesWhatWasAskedForLast) {
   const auto scene = make();
   stage_.allowed = 0;
-  ASSERT_TRUE(queue().refine(scene, refined(2, "first"), 0).ok());
+  ASSERT_TRUE(queue().improve(scene, progressive(2, "first"), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.begun == 1; }));
-  for (const char* view : {"second", "third", "fourth"}) ASSERT_TRUE(queue_->refine(scene, refined(2, view), 0).ok());
-  ASSERT_TRUE(queue_->refine(scene, refined(2, "second"), 0).ok());  // asked for again
+  for (const char* view : {"second", "third", "fourth"}) ASSERT_TRUE(queue_->improve(scene, progressive(2, view), 0).ok());
+  ASSERT_TRUE(queue_->improve(scene, progressive(2, "second"), 0).ok());  // asked for again
   stage_.allowed = 1000;
   ASSERT_TRUE(soon([&] { return stage_.begun == 4; }));
   const std::lock_guard lock(stage_.mutex);
@@ -294,7 +294,7 @@ TEST_F(TraceQueueTest, TakesWhatWasAskedForLast) {
 
 TEST_F(TraceQueueTest, YieldsWhileAnyoneGoesFirst) {
   const auto scene = make();
-  ASSERT_TRUE(queue().refine(scene, refined(1'000'000), 0).ok());
+  ASSERT_TRUE(queue().improve(scene, progressive(1'000'000), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 2; }));
   {
     const YieldGate::Turn turn = gate_.go_first();
@@ -309,7 +309,7 @@ TEST_F(TraceQueueTest, YieldsWhileAnyoneGoesFirst) {
 
 TEST_F(TraceQueueTest, ARevisionEndsWhatIsHeldAtTheGate) {
   const auto scene = make();
-  ASSERT_TRUE(queue().refine(scene, refined(1'000'000), 0).ok());
+  ASSERT_TRUE(queue().improve(scene, progressive(1'000'000), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 2; }));
   const int passes = [&] {
     const YieldGate::Turn turn = gate_.go_first();
@@ -326,8 +326,8 @@ TEST_F(TraceQueueTest, PassesAFailureOn) {
   const Picture refused = queue().trace(scene, traced(4));
   EXPECT_EQ(refused.status().code, Code::too_large);
   EXPECT_EQ(refused.status().pointer, "/quality/trace/strands");
-  ASSERT_TRUE(queue_->refine(scene, refined(4), 0).ok());
-  const auto better = wait_better(*scene, refined(4), {});
+  ASSERT_TRUE(queue_->improve(scene, progressive(4), 0).ok());
+  const auto better = wait_better(*scene, progressive(4), {});
   ASSERT_TRUE(better);
   EXPECT_EQ(better->status().code, Code::too_large);
 }
@@ -337,29 +337,29 @@ TEST_F(TraceQueueTest, RefusesWhenTooManyWait) {
   TraceQueue::Limits limits = quick();
   limits.waiting = 2;
   stage_.allowed = 0;
-  ASSERT_TRUE(queue(limits).refine(scene, refined(2, "a"), 0).ok());
+  ASSERT_TRUE(queue(limits).improve(scene, progressive(2, "a"), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.begun == 1; }));
-  EXPECT_TRUE(queue_->refine(scene, refined(2, "b"), 0).ok());
-  EXPECT_TRUE(queue_->refine(scene, refined(2, "c"), 0).ok());
-  EXPECT_EQ(queue_->refine(scene, refined(2, "d"), 0).code, Code::unavailable);
+  EXPECT_TRUE(queue_->improve(scene, progressive(2, "b"), 0).ok());
+  EXPECT_TRUE(queue_->improve(scene, progressive(2, "c"), 0).ok());
+  EXPECT_EQ(queue_->improve(scene, progressive(2, "d"), 0).code, Code::unavailable);
   EXPECT_EQ(queue_->trace(scene, traced(2)).status().code, Code::unavailable);
-  EXPECT_TRUE(queue_->refine(scene, refined(3, "c"), 0).ok()) << "in the place of what its view asked for before";
+  EXPECT_TRUE(queue_->improve(scene, progressive(3, "c"), 0).ok()) << "in the place of what its view asked for before";
 }
 
-TEST_F(TraceQueueTest, KeepsSoManyRefinements) {
+TEST_F(TraceQueueTest, KeepsSoManyProgressivePictures) {
   const auto scene = make();
   TraceQueue::Limits limits = quick();
-  limits.kept = 3;
+  limits.max_progressive = 3;
   queue(limits);
   for (const char* view : {"a", "b", "c", "d"}) {
-    ASSERT_TRUE(queue_->refine(scene, refined(1, view), 0).ok());
-    ASSERT_TRUE(wait_better(*scene, refined(1, view), {}));
+    ASSERT_TRUE(queue_->improve(scene, progressive(1, view), 0).ok());
+    ASSERT_TRUE(wait_better(*scene, progressive(1, view), {}));
     ASSERT_TRUE(soon([&] { return queue_->counts().passes == stage_.passes.load() + 0u; }));
     std::this_thread::sleep_for(20ms);  // until it has ended
   }
-  EXPECT_FALSE(queue_->better(*scene, refined(1, "a"), {}));
-  EXPECT_TRUE(queue_->better(*scene, refined(1, "b"), {}));
-  EXPECT_TRUE(queue_->better(*scene, refined(1, "d"), {}));
+  EXPECT_FALSE(queue_->better(*scene, progressive(1, "a"), {}));
+  EXPECT_TRUE(queue_->better(*scene, progressive(1, "b"), {}));
+  EXPECT_TRUE(queue_->better(*scene, progressive(1, "d"), {}));
 }
 
 TEST_F(TraceQueueTest, StopsAtOnce) {
@@ -372,16 +372,16 @@ TEST_F(TraceQueueTest, StopsAtOnce) {
   queue_->stop();
   EXPECT_EQ(running.get().status().code, Code::unavailable);
   EXPECT_EQ(waiting.get().status().code, Code::unavailable);
-  EXPECT_EQ(queue_->refine(scene, refined(2), 0).code, Code::unavailable);
+  EXPECT_EQ(queue_->improve(scene, progressive(2), 0).code, Code::unavailable);
   queue_.reset();
 }
 
 TEST(TracedRequest, IsThatOfTheReferenceTier) {
   FrameRequest request;
   request.knobs.scale = 2, request.knobs.eye_steps = 5;
-  request.refine = Tracing{.passes = 7};
+  request.progressive = Tracing{.passes = 7};
   const FrameRequest traced = traced_request(request);
-  EXPECT_FALSE(traced.refine);
+  EXPECT_FALSE(traced.progressive);
   EXPECT_EQ(traced.knobs.method, Method::strands);
   EXPECT_EQ(traced.knobs.trace.passes, 7);
   EXPECT_EQ(traced.knobs.eye_steps, 5);

@@ -147,8 +147,8 @@ TEST(Fibre, DarkerWithMoreAbsorption) {
 }
 
 /// All light that a white fibre sends anywhere: the integral over the sphere of directions. Nothing in it is chance.
-double furnace(const FibreLobes& lobes, const AzimuthalAverage& average, double theta_eye) {
-  const Inclination eye = inclination(theta_eye);
+double furnace(const FibreLobes& lobes, const AzimuthalAverage& average, double theta_view) {
+  const Inclination eye = inclination(theta_view);
   LobeValues around{};
   for (const QuadratureNode& node : gauss_legendre(160, 0, pi)) {
     const LobeValues n = average.at(eye.cosine, node.x, 0);

@@ -5,8 +5,8 @@
 //      g, ka C, sum over lights                GL Lighting.SumsUpAmbientLightAndLights
 //      B                                       LightBehind.*; GL Scattering.LightFromBehindAgreesWithTheCpu
 //      S, sd and sw                            GL ShadowFormulas.SoftShadowIsTheWidthOverTheDepth, .HardShadow...
-//      t through layer-wise maps               GL ShadowFormulas.LayersLetThrough..., .MapsStandUpright;
-//                                              GL Shadows.LayerMapsHoldTheOpticalDepthOfTheFur, .HardShadowsFall...
+//      t through shell-wise maps               GL ShadowFormulas.ShellsTransmit..., .MapsStandUpright;
+//                                              GL Shadows.ShellMapsHoldTheOpticalDepthOfTheFur, .HardShadowsFall...
 //      t without maps (n.l over .3: fur.md)    GL Lighting.SumsUpAmbientLightAndLights, .KeepsTheLightOfLightsApart
 //      t_c = t^(1 - f_c), back-scatter         GL Lighting.PaleFurLetsLight..., .FibreModelsScatterAgain...
 //      Kajiya-Kay, 1 and .28                   KajiyaKay.IsOneInTheMirrorDirection
@@ -182,9 +182,9 @@ double error_of_table(double width, double centre, int side) {
   };
   const auto node = [&](int i) { return -1 + 2.0 * i / (side - 1); };
   double largest = 0;
-  for (double eye_angle = 60.1; eye_angle < 90; eye_angle += 0.05) {
+  for (double view_angle = 60.1; view_angle < 90; view_angle += 0.05) {
     for (double light_angle = -89.9; light_angle < -50; light_angle += 0.05) {
-      const double eye = std::sin(eye_angle * pi / 180), light = std::sin(light_angle * pi / 180);
+      const double eye = std::sin(view_angle * pi / 180), light = std::sin(light_angle * pi / 180);
       const double x = (light + 1) / 2 * (side - 1), y = (eye + 1) / 2 * (side - 1);
       const int i = std::min(static_cast<int>(x), side - 2), j = std::min(static_cast<int>(y), side - 2);
       const double below = glm::mix(value(node(i), node(j)), value(node(i + 1), node(j)), x - i);

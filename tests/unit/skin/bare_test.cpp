@@ -81,10 +81,10 @@ TEST(BareSkin, RegionsTakeFurFromEachOtherInAnyOrder) {
   const glm::dvec3 place = near.centre + 0.13 * up;
   const double kept_near = 1 - bare_share(near, place, up), kept_far = 1 - bare_share(far, place, up);
   const std::vector<FurSkinRegion> one{near, far}, other{far, near};
-  EXPECT_NEAR(fur_kept(one, place, up), kept_near * kept_far, 1e-15);
-  EXPECT_EQ(fur_kept(one, place, up), fur_kept(other, place, up));
-  EXPECT_EQ(fur_kept({}, place, up), 1);
-  EXPECT_EQ(fur_kept(one, near.centre, up), 0);
+  EXPECT_NEAR(fur_share(one, place, up), kept_near * kept_far, 1e-15);
+  EXPECT_EQ(fur_share(one, place, up), fur_share(other, place, up));
+  EXPECT_EQ(fur_share({}, place, up), 1);
+  EXPECT_EQ(fur_share(one, near.centre, up), 0);
 }
 
 TEST(BareSkin, WhatMayBeBareIsNeverLeftOut) {

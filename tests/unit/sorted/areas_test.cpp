@@ -22,10 +22,10 @@ TEST(Areas, HalvesAcrossTheLongerSide) {
 }
 
 TEST(Areas, CutHoldsEachPixelOnce) {
-  for (const double most : {0.5, 1.0, 7.0, 100.0, 1e9}) {
-    const std::vector<Area> areas = cut({0, 0, 37, 23}, most);
-    EXPECT_EQ(counts(areas, 37, 23), std::vector<int>(37 * 23, 1)) << most;
-    for (const Area& area : areas) EXPECT_TRUE(area.pixels() <= most || area.pixels() == 1) << most;
+  for (const double max : {0.5, 1.0, 7.0, 100.0, 1e9}) {
+    const std::vector<Area> areas = cut({0, 0, 37, 23}, max);
+    EXPECT_EQ(counts(areas, 37, 23), std::vector<int>(37 * 23, 1)) << max;
+    for (const Area& area : areas) EXPECT_TRUE(area.pixels() <= max || area.pixels() == 1) << max;
   }
   EXPECT_EQ(cut({0, 0, 37, 23}, 851).size(), 1u);
 }

@@ -10,21 +10,21 @@
 namespace pelage {
 namespace {
 
-constexpr std::array all_layers{FrameLayer::beauty, FrameLayer::alpha,      FrameLayer::depth,  FrameLayer::position,
-                                FrameLayer::normal, FrameLayer::tangent,    FrameLayer::albedo, FrameLayer::direct,
-                                FrameLayer::shadow, FrameLayer::layer_count};
+constexpr std::array all_aovs{Aov::beauty, Aov::alpha,      Aov::depth,  Aov::position,
+                                Aov::normal, Aov::tangent,    Aov::albedo, Aov::direct,
+                                Aov::shadow, Aov::shell_count};
 constexpr std::array both{Transport::transmittance, Transport::paths};
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 void expect_sane(const Tracer& tracer) {
-  for (const FrameLayer layer : all_layers) {
-    const FloatImage image = tracer.layer(layer);
+  for (const Aov aov : all_aovs) {
+    const FloatImage image = tracer.aov(aov);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
       const float value = image.rgba[i];
-      const bool light = layer == FrameLayer::beauty || layer == FrameLayer::direct || layer == FrameLayer::albedo;
-      ASSERT_TRUE(std::isfinite(value)) << "layer " << int(layer);
-      ASSERT_TRUE(value >= 0 || !(light || i % 4 == 3)) << "layer " << int(layer) << ": " << value;
-      ASSERT_TRUE(value <= 1 || i % 4 != 3) << "layer " << int(layer) << ": " << value;
+      const bool light = aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo;
+      ASSERT_TRUE(std::isfinite(value)) << "layer " << int(aov);
+      ASSERT_TRUE(value >= 0 || !(light || i % 4 == 3)) << "layer " << int(aov) << ": " << value;
+      ASSERT_TRUE(value <= 1 || i % 4 != 3) << "layer " << int(aov) << ": " << value;
     }
   }
 }
@@ -39,7 +39,7 @@ class Extremes : public ::testing::Test {
     return frame;
   }
   TraceReport trace(const FurPatch& fur, const FurFrame& frame) {
-    const Status begun = tracer_.begin(fur.model(), fur.fields(), frame, nothing(), all_layers, always);
+    const Status begun = tracer_.begin(fur.model(), fur.fields(), frame, nothing(), all_aovs, always);
     EXPECT_TRUE(begun.ok()) << begun.message;
     while (begun.ok() && tracer_.report().end == TraceEnd::none) EXPECT_TRUE(tracer_.add_pass(always).ok());
     if (begun.ok()) expect_sane(tracer_);
@@ -187,7 +187,7 @@ TEST_F(Extremes, CamerasAnywhere) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat});
   const glm::vec3 along = glm::normalize(tip(strands, 5).place - knot(strands, 5, 0).place);
   const auto looking = [](FurFrame frame, glm::vec3 eye, glm::vec3 forward) {
-    frame.camera.eye = eye, frame.camera.forward = glm::normalize(forward);
+    frame.camera.position = eye, frame.camera.forward = glm::normalize(forward);
     const glm::vec3 up = std::abs(frame.camera.forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     frame.camera.right = glm::normalize(glm::cross(frame.camera.forward, up));
     frame.camera.up = glm::cross(frame.camera.right, frame.camera.forward);
@@ -266,14 +266,14 @@ TEST_F(Extremes, EyesWhiskersAndBareSkinInsideEachOther) {
   }
 }
 
-TEST_F(Extremes, ABasePictureOfAnything) {
+TEST_F(Extremes, ABackplateOfAnything) {
   for (const float value : {-1.0f, 0.0f, 1.0f, 1e30f, infinity, std::numeric_limits<float>::quiet_NaN()}) {
     const FloatImage any{.width = 1, .height = 1, .rgba = {value, value, value, 1}};
     for (const Transport transport : both) {
       const FurPatch bald = fur_ball(0);
       const FurFrame frame = usual(transport);
       ASSERT_TRUE(
-          tracer_.begin(bald.model(), bald.fields(), frame, {any, any, any, any, any}, all_layers, always).ok());
+          tracer_.begin(bald.model(), bald.fields(), frame, {any, any, any, any, any}, all_aovs, always).ok());
       ASSERT_TRUE(tracer_.add_pass(always).ok());
       expect_sane(tracer_);
     }

@@ -11,9 +11,9 @@
 namespace pelage {
 namespace {
 
-const std::vector<FrameLayer> all_layers{
-    FrameLayer::beauty,  FrameLayer::alpha,  FrameLayer::depth,  FrameLayer::position, FrameLayer::normal,
-    FrameLayer::tangent, FrameLayer::albedo, FrameLayer::direct, FrameLayer::shadow,   FrameLayer::layer_count};
+const std::vector<Aov> all_aovs{
+    Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
+    Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
 
 FilmSample hit(float brightness) {
   FilmSample s;
@@ -29,14 +29,14 @@ FilmSample hit(float brightness) {
   return s;
 }
 
-glm::vec4 pixel_of(const Film& film, FrameLayer layer, int x = 0, int y = 0) {
-  const FloatImage image = film.layer(layer, false);
+glm::vec4 pixel_of(const Film& film, Aov aov, int x = 0, int y = 0) {
+  const FloatImage image = film.aov(aov, false);
   const std::size_t i = 4 * std::size_t(y * image.width + x);
   return {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]};
 }
 
-TEST(Film, LayersOfAPixelThatIsHalfCovered) {
-  Film film(1, 1, all_layers, false);
+TEST(Film, AovsOfAPixelThatIsHalfCovered) {
+  Film film(1, 1, all_aovs, false);
   film.add(0, 0, hit(2));
   FilmSample ground;
   ground.alpha = 0.5f;
@@ -45,50 +45,50 @@ TEST(Film, LayersOfAPixelThatIsHalfCovered) {
   film.add(0, 0, {});
   EXPECT_EQ(film.samples(0, 0), 4);
   EXPECT_EQ(film.mean_samples(), 4);
-  EXPECT_EQ(pixel_of(film, FrameLayer::beauty), glm::vec4(1.5f, 1.5f, 1.5f, 0.625f));
-  EXPECT_EQ(pixel_of(film, FrameLayer::alpha).a, 0.625f);
-  EXPECT_FLOAT_EQ(pixel_of(film, FrameLayer::depth).r, 0.5f);
+  EXPECT_EQ(pixel_of(film, Aov::beauty), glm::vec4(1.5f, 1.5f, 1.5f, 0.625f));
+  EXPECT_EQ(pixel_of(film, Aov::alpha).a, 0.625f);
+  EXPECT_FLOAT_EQ(pixel_of(film, Aov::depth).r, 0.5f);
   const struct {
-    FrameLayer layer;
+    Aov aov;
     glm::vec3 value;
-  } rows[] = {{FrameLayer::position, {1, 2, 3}},      {FrameLayer::normal, {0, 1, 0}},
-              {FrameLayer::tangent, {1, 0, 0}},       {FrameLayer::albedo, {0.4f, 0.2f, 0.1f}},
-              {FrameLayer::direct, glm::vec3(0.75f)}, {FrameLayer::shadow, glm::vec3(0.25f)},
-              {FrameLayer::layer_count, glm::vec3(4)}};
+  } rows[] = {{Aov::position, {1, 2, 3}},      {Aov::normal, {0, 1, 0}},
+              {Aov::tangent, {1, 0, 0}},       {Aov::albedo, {0.4f, 0.2f, 0.1f}},
+              {Aov::direct, glm::vec3(0.75f)}, {Aov::shadow, glm::vec3(0.25f)},
+              {Aov::shell_count, glm::vec3(4)}};
   for (const auto& row : rows) {
-    const glm::vec4 found = pixel_of(film, row.layer);
-    EXPECT_LT(glm::length(glm::vec3(found) - row.value), 1e-6f) << int(row.layer);
-    EXPECT_EQ(found.a, 0.5f) << int(row.layer);
+    const glm::vec4 found = pixel_of(film, row.aov);
+    EXPECT_LT(glm::length(glm::vec3(found) - row.value), 1e-6f) << int(row.aov);
+    EXPECT_EQ(found.a, 0.5f) << int(row.aov);
   }
 }
 
 TEST(Film, PixelsThatSawNothing) {
-  Film film(2, 1, all_layers, true);
+  Film film(2, 1, all_aovs, true);
   film.add(0, 0, {});
-  for (const FrameLayer layer : all_layers) {
+  for (const Aov aov : all_aovs) {
     for (const int x : {0, 1}) {
-      const glm::vec4 found = pixel_of(film, layer, x);
-      float expected = layer == FrameLayer::shadow ? 1.0f : 0.0f;
-      if (layer == FrameLayer::layer_count) expected = float(1 - x);
-      EXPECT_EQ(found, glm::vec4(glm::vec3(expected), 0)) << int(layer);
+      const glm::vec4 found = pixel_of(film, aov, x);
+      float expected = aov == Aov::shadow ? 1.0f : 0.0f;
+      if (aov == Aov::shell_count) expected = float(1 - x);
+      EXPECT_EQ(found, glm::vec4(glm::vec3(expected), 0)) << int(aov);
     }
   }
   for (int i = 0; i < 3; ++i) film.add(0, 0, i == 0 ? hit(1) : FilmSample{});
-  EXPECT_EQ(pixel_of(film, FrameLayer::depth).r, 0);  // covers less than half
+  EXPECT_EQ(pixel_of(film, Aov::depth).r, 0);  // covers less than half
 }
 
 TEST(Film, TakesTheMemoryItSays) {
-  const std::vector<FrameLayer> beauty{FrameLayer::beauty}, alpha{FrameLayer::alpha}, depth{FrameLayer::depth};
+  const std::vector<Aov> beauty{Aov::beauty}, alpha{Aov::alpha}, depth{Aov::depth};
   EXPECT_EQ(Film::bytes(10, 7, beauty, false), 70u * 4 * (1 + 4 + 1));
   EXPECT_EQ(Film::bytes(10, 7, beauty, true), 70u * 4 * (1 + 4 + 1 + 1 + 2 + 9));
   EXPECT_EQ(Film::bytes(10, 7, alpha, false), 70u * 4 * (1 + 4));
   EXPECT_EQ(Film::bytes(10, 7, depth, true), 70u * 4 * (1 + 1 + 2));
-  EXPECT_EQ(Film::bytes(10, 7, all_layers, true), 70u * 4 * (1 + 4 + 1 + 1 + 2 + 15 + 2));
-  EXPECT_EQ(Film::bytes(8192, 8192, all_layers, true), std::size_t{8192} * 8192 * 104);
+  EXPECT_EQ(Film::bytes(10, 7, all_aovs, true), 70u * 4 * (1 + 4 + 1 + 1 + 2 + 15 + 2));
+  EXPECT_EQ(Film::bytes(8192, 8192, all_aovs, true), std::size_t{8192} * 8192 * 104);
 }
 
 TEST(Film, MeansOfManySamplesDoNotDrift) {
-  Film film(1, 1, all_layers, false);
+  Film film(1, 1, all_aovs, false);
   glm::dvec2 sum(0);
   constexpr std::uint32_t count = 65536;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -96,10 +96,10 @@ TEST(Film, MeansOfManySamplesDoNotDrift) {
     film.add(0, 0, hit(bright));
     sum += glm::dvec2(double(bright), double(bright / 2));
   }
-  EXPECT_NEAR(double(pixel_of(film, FrameLayer::beauty).g) / (sum.x / count), 1, 2e-5);
-  EXPECT_NEAR(double(pixel_of(film, FrameLayer::direct).g) / (sum.y / count), 1, 2e-5);
-  EXPECT_NEAR(pixel_of(film, FrameLayer::albedo).r, 0.8f, 1e-6f);
-  EXPECT_NEAR(pixel_of(film, FrameLayer::position).z, 3, 1e-5f);
+  EXPECT_NEAR(double(pixel_of(film, Aov::beauty).g) / (sum.x / count), 1, 2e-5);
+  EXPECT_NEAR(double(pixel_of(film, Aov::direct).g) / (sum.y / count), 1, 2e-5);
+  EXPECT_NEAR(pixel_of(film, Aov::albedo).r, 0.8f, 1e-6f);
+  EXPECT_NEAR(pixel_of(film, Aov::position).z, 3, 1e-5f);
 }
 
 double shown(double linear) {
@@ -115,7 +115,7 @@ float sample_about(float mean, std::uint32_t pixel, std::uint32_t i) {
 }
 
 TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
-  const std::vector<FrameLayer> beauty{FrameLayer::beauty};
+  const std::vector<Aov> beauty{Aov::beauty};
   for (const double exposure : {0.0, -2.0, 1.5}) {
     for (const std::uint32_t samples : {16u, 64u}) {
       Film film(32, 16, beauty, false);
@@ -124,7 +124,7 @@ TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
         const int x = pixel % 32, y = pixel / 32;
         const float mean = x < 16 ? 0.05f : 0.4f + 0.01f * float(y);
         for (std::uint32_t i = 0; i < samples; ++i) film.add(x, y, hit(sample_about(mean, std::uint32_t(pixel), i)));
-        const double factor = std::exp2(exposure), found = double(pixel_of(film, FrameLayer::beauty, x, y).g);
+        const double factor = std::exp2(exposure), found = double(pixel_of(film, Aov::beauty, x, y).g);
         error[x / 16] += std::abs(shown(factor * found) - shown(factor * double(mean))) / 256;
       }
       for (const int tile : {0, 1}) EXPECT_NEAR(film.noise(tile, exposure) / error[tile], 1, 0.15) << samples;
@@ -134,7 +134,7 @@ TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
 }
 
 TEST(Film, NoiseOfWhatIsNotKnown) {
-  Film film(20, 20, all_layers, false);
+  Film film(20, 20, all_aovs, false);
   ASSERT_EQ(film.tile_count(), 4);
   EXPECT_TRUE(std::isinf(film.noise(0, 0)));
   for (int i = 0; i < 4; ++i) {
@@ -145,7 +145,7 @@ TEST(Film, NoiseOfWhatIsNotKnown) {
   EXPECT_GT(film.noise(0, 0), 0);
   EXPECT_EQ(film.noise(3, 0), 0);              // nothing seen there
   EXPECT_EQ(film.noise(0), film.noise(0, 0));  // and it does not count
-  const std::vector<FrameLayer> alpha{FrameLayer::alpha};
+  const std::vector<Aov> alpha{Aov::alpha};
   EXPECT_TRUE(std::isinf(Film(4, 4, alpha, false).noise(0)));
 }
 

@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr int side = 96;
-const std::vector<FrameLayer> beauty{FrameLayer::beauty};
+const std::vector<Aov> beauty{Aov::beauty};
 
 using Look = std::function<FilmSample(int x, int y, Sampler& sampler)>;
 
@@ -93,8 +93,8 @@ Errors errors_of(const FloatImage& image) {
 TEST(Filter, HalvesTheErrorOfFewSamplesAndKeepsEdges) {
   for (const int samples : {1, 2, 4}) {
     const Film film = film_of(striped, samples);
-    const Errors before = errors_of(film.layer(FrameLayer::beauty, false));
-    const Errors after = errors_of(film.layer(FrameLayer::beauty, true));
+    const Errors before = errors_of(film.aov(Aov::beauty, false));
+    const Errors after = errors_of(film.aov(Aov::beauty, true));
     EXPECT_LT(after.rmse, before.rmse / 2) << samples;
     EXPECT_LT(after.at_edges, 0.2) << samples;
     EXPECT_NEAR(after.mean, before.mean, 0.01) << samples;
@@ -124,8 +124,8 @@ double mean_of(const FloatImage& image) {
 TEST(Filter, FavoursNoLightForBeingCommon) {
   for (const int samples : {1, 2}) {
     const Film film = film_of(deep, samples);
-    const double before = mean_of(film.layer(FrameLayer::beauty, false));
-    EXPECT_NEAR(mean_of(film.layer(FrameLayer::beauty, true)) / before, 1, 0.015) << samples;
+    const double before = mean_of(film.aov(Aov::beauty, false));
+    EXPECT_NEAR(mean_of(film.aov(Aov::beauty, true)) / before, 1, 0.015) << samples;
   }
 }
 
@@ -140,7 +140,7 @@ FilmSample even(int, int, Sampler&) {
 }
 
 TEST(Filter, LeavesAConstantPicture) {
-  const FloatImage image = film_of(even, 1).layer(FrameLayer::beauty, true);
+  const FloatImage image = film_of(even, 1).aov(Aov::beauty, true);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       ASSERT_LT(glm::length(rgb(image, x, y) - glm::vec3(0.3f, 0.2f, 0.1f)), 1e-6f) << x << ' ' << y;
@@ -151,10 +151,10 @@ TEST(Filter, LeavesAConstantPicture) {
 
 TEST(Filter, NothingIsLeftOfItAtSixtyFourSamples) {
   const Film film = film_of(striped, 64);
-  EXPECT_EQ(film.layer(FrameLayer::beauty, true).rgba, film.layer(FrameLayer::beauty, false).rgba);
+  EXPECT_EQ(film.aov(Aov::beauty, true).rgba, film.aov(Aov::beauty, false).rgba);
 }
 
-/// A ball over a ground with a soft shadow, in front of nothing; the outline is what covers a pixel by chance.
+/// A ball over a ground with a soft shadow, in front of nothing; the silhouette is what covers a pixel by chance.
 FilmSample ball(int x, int y, Sampler& sampler) {
   const float away = std::hypot(float(x) - 47.5f, float(y) - 47.5f) - 30;
   const glm::vec2 u = sampler.next2();
@@ -170,7 +170,7 @@ FilmSample ball(int x, int y, Sampler& sampler) {
 
 TEST(Filter, MixesNothingIntoWhatIsEmpty) {
   const Film film = film_of(ball, 1);
-  const FloatImage before = film.layer(FrameLayer::beauty, false), after = film.layer(FrameLayer::beauty, true);
+  const FloatImage before = film.aov(Aov::beauty, false), after = film.aov(Aov::beauty, true);
   glm::dvec4 sum_before(0), sum_after(0);
   double spread = 0;
   for (int y = 0; y < side; ++y) {
@@ -228,7 +228,7 @@ TEST(Filter, ExtremesStayFinite) {
     return s;
   };
   for (const int width : {1, 2, 33}) {
-    for (const float value : film_of(extreme, 1, width).layer(FrameLayer::beauty, true).rgba) {
+    for (const float value : film_of(extreme, 1, width).aov(Aov::beauty, true).rgba) {
       ASSERT_TRUE(std::isfinite(value) && value >= 0);
     }
   }

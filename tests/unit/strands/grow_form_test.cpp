@@ -170,8 +170,8 @@ TEST(GrowForm, PaintedCurl) {
       ASSERT_LT(glm::distance(more, glm::dvec3(expected, 0)), 5e-7) << k;
     }
   }
-  const std::vector<float> most(4, 0.9f);  // a coat curls by .5 at most
-  patch.paint.curl = most;
+  const std::vector<float> max(4, 0.9f);  // a coat curls by .5 at most
+  patch.paint.curl = max;
   const StrandSet curliest = patch.grow({coat});
   EXPECT_NEAR(glm::distance(tip(curliest, 0).place, tip(own, 0).place), 0.4 * 0.03, 1e-6);
 }

@@ -298,7 +298,7 @@ TEST(GrowExtremes, AHugeTriangleStopsAtItsLimit) {
   std::vector<TileCopy> found;
   const TileCells cells(make_strands(coat), coat.tile);
   cells.find({{{-90, -90}, {90, -90}, {0, 90}}}, found);
-  EXPECT_EQ(found.size(), TileCells::most_copies);
+  EXPECT_EQ(found.size(), TileCells::max_copies);
   cells.find({{{-90, -90}, {90, 90}, {90, 90 + 1e-9}}}, found);  // a sliver
   EXPECT_LT(found.size(), 20000u);
   for (const double far : {1e30, static_cast<double>(INFINITY), static_cast<double>(NAN)}) {

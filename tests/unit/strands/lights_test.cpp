@@ -114,13 +114,13 @@ TEST(StrandLights, DirectionalIsADiscOfDirections) {
   for (const double angle : {1e-4, 0.05, 0.5, pi / 2}) {
     light.angle = float(angle);
     const StrandLights lights = lights_of(light);
-    double least = 1;
+    double min = 1;
     for (int i = 0; i < 1000; ++i) {
       const LightSample s = lights.sample(0, {}, {float(i) / 1000, float(i % 7) / 7});
       EXPECT_TRUE(std::isinf(s.distance));
-      least = std::min(least, double(glm::dot(s.to_light, -light.direction)));
+      min = std::min(min, double(glm::dot(s.to_light, -light.direction)));
     }
-    EXPECT_NEAR(least, std::cos(angle), 2e-3 * angle + 1e-6);
+    EXPECT_NEAR(min, std::cos(angle), 2e-3 * angle + 1e-6);
     // Even over the cone: the mean cosine is halfway to that of its edge.
     EXPECT_NEAR(mean_on(lights, {}, -light.direction), 3 * (1 + std::cos(angle)) / 2, 1e-4);
   }

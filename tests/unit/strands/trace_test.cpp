@@ -44,9 +44,9 @@ std::vector<FloatImage> pictures(const FurPatch& fur, FurFrame frame, int passes
   Tracer tracer(2, plenty, false);
   frame.knobs.trace.passes = passes;
   for (frame.knobs.trace.seed = 11; frame.knobs.trace.seed < 11 + count; ++frame.knobs.trace.seed) {
-    EXPECT_TRUE(tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always).ok());
+    EXPECT_TRUE(tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{Aov::beauty}, always).ok());
     while (tracer.report().end == TraceEnd::none) EXPECT_TRUE(tracer.add_pass(always).ok());
-    result.push_back(tracer.layer(FrameLayer::beauty));
+    result.push_back(tracer.aov(Aov::beauty));
   }
   return result;
 }
@@ -104,7 +104,7 @@ TEST(Trace, PaleFurLetsLightThroughAndDarkFurDoesNot) {
 TEST(Trace, GroundDarkensWhereTheBodyStands) {
   FurFrame frame = frame_at(48, coat_of(glm::vec3(0.5f)), Transport::transmittance, 16);
   frame.ground = FurGround{.height = -0.28f, .shadow = 0.7f, .contact = 0.7f};
-  frame.camera.eye = {0, 0.4f, 2}, frame.camera.forward = glm::normalize(glm::vec3(0, -0.2f, -1));
+  frame.camera.position = {0, 0.4f, 2}, frame.camera.forward = glm::normalize(glm::vec3(0, -0.2f, -1));
   frame.camera.up = glm::normalize(glm::vec3(0, 1, -0.2f));
   frame.lights = {light_from({0.5f, -1, 0}, 1)};
   const FloatImage picture = traced(fur_ball(0.03f), frame).beauty;
@@ -174,7 +174,7 @@ TEST(TraceExtremes, FiniteForAnyScene) {
       light.radius = 0.01f;
       frame.lights = {light};
       looks_finite(ball, frame);
-      frame.camera.eye = {0, 0, distance};
+      frame.camera.position = {0, 0, distance};
       looks_finite(ball, frame);
     }
     for (const double roughness : {0.0, 1.0}) {
@@ -196,7 +196,7 @@ TEST(TraceExtremes, APictureBeyondTheMemoryIsRefused) {
   Tracer tracer(1, std::size_t{256} << 20, false);
   const FurPatch ball = fur_ball(0.03f);
   const Status status =
-      tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+      tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{Aov::beauty}, always);
   EXPECT_EQ(status.code, Code::too_large);
   EXPECT_EQ(status.pointer, "/width");
 }
@@ -209,13 +209,13 @@ TEST(TraceExtremes, CancelledAtAnyMomentItBeginsAgain) {
   for (const int calls : {0, 1, 3, 6, 9, 12}) {
     std::atomic<int> left{calls};
     const auto some = [&left] { return left-- > 0; };
-    Status status = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, some);
+    Status status = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{Aov::beauty}, some);
     while (status.ok() && tracer.report().end == TraceEnd::none) status = tracer.add_pass(some);
     EXPECT_EQ(status.code, Code::unavailable) << calls;
   }
-  ASSERT_TRUE(tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always).ok());
+  ASSERT_TRUE(tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{Aov::beauty}, always).ok());
   while (tracer.report().end == TraceEnd::none) ASSERT_TRUE(tracer.add_pass(always).ok());
-  EXPECT_EQ(tracer.layer(FrameLayer::beauty).rgba, whole.beauty.rgba);
+  EXPECT_EQ(tracer.aov(Aov::beauty).rgba, whole.beauty.rgba);
 }
 
 }  // namespace

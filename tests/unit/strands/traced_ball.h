@@ -16,7 +16,7 @@ inline constexpr std::size_t plenty = std::size_t{1} << 30;
 
 inline bool always() { return true; }
 
-/// A ball of radius .25 with its fur, for a base picture that shows nothing: skin is then matt and as its roots.
+/// A ball of radius .25 with its fur, for a backplate that shows nothing: skin is then matt and as its roots.
 inline FurPatch fur_ball(float fur) {
   constexpr int rows = 24, columns = 48;
   constexpr float pi = std::numbers::pi_v<float>;
@@ -62,7 +62,7 @@ inline Coat coat_of(glm::vec3 colour, int count = 1500) {
 inline FurFrame frame_at(int size, Coat coat, Transport transport, int passes) {
   FurFrame frame;
   frame.coat = std::move(coat);
-  frame.camera = {.eye = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .tan_half_fov = 0.2f};
+  frame.camera = {.position = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .tan_half_fov = 0.2f};
   frame.width = frame.height = size;
   frame.knobs = knobs_of(Tier::reference);
   frame.knobs.trace.transport = transport;
@@ -72,7 +72,7 @@ inline FurFrame frame_at(int size, Coat coat, Transport transport, int passes) {
   return frame;
 }
 
-inline BasePicture nothing() {
+inline Backplate nothing() {
   FloatImage none{.width = 1, .height = 1, .rgba = std::vector<float>(4, 0.0f)};
   return {none, none, none, none, none};
 }
@@ -85,10 +85,10 @@ struct Traced {
 inline Traced traced(const FurPatch& fur, const FurFrame& frame, int threads = 2) {
   Tracer tracer(threads, plenty, false);
   const Status begun =
-      tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+      tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{Aov::beauty}, always);
   EXPECT_TRUE(begun.ok()) << begun.message;
   while (begun.ok() && tracer.report().end == TraceEnd::none) EXPECT_TRUE(tracer.add_pass(always).ok());
-  return {tracer.layer(FrameLayer::beauty), tracer.report()};
+  return {tracer.aov(Aov::beauty), tracer.report()};
 }
 
 struct Mean {

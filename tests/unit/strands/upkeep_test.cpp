@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 Status traced_in(Tracer& tracer, const FurPatch& fur, const FurFrame& frame) {
-  Status status = tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{FrameLayer::beauty}, always);
+  Status status = tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{Aov::beauty}, always);
   while (status.ok() && tracer.report().end == TraceEnd::none) status = tracer.add_pass(always);
   return status;
 }
@@ -29,7 +29,7 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
     Tracer tracer(2, memory, false);
     const Status status = traced_in(tracer, ball, frame);
     if (status.ok()) {
-      EXPECT_EQ(tracer.layer(FrameLayer::beauty).rgba, whole) << memory;
+      EXPECT_EQ(tracer.aov(Aov::beauty).rgba, whole) << memory;
       ++done;
     } else {
       EXPECT_EQ(status.code, Code::too_large) << status.message;
@@ -39,10 +39,10 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
     const Status again = traced_in(tracer, ball, frame);
     EXPECT_EQ(again.code, status.code) << memory;
     if (traced_in(tracer, bald, frame).ok()) {  // then with the skin, which may have been what did not fit
-      EXPECT_GT(mean_of(tracer.layer(FrameLayer::beauty)).alpha, 10) << memory;
+      EXPECT_GT(mean_of(tracer.aov(Aov::beauty)).alpha, 10) << memory;
     }
     const Status fits =
-        tracer.begin(small.model(), small.fields(), less, nothing(), std::array{FrameLayer::beauty}, always);
+        tracer.begin(small.model(), small.fields(), less, nothing(), std::array{Aov::beauty}, always);
     EXPECT_TRUE(fits.ok()) << memory << " " << fits.message;
     EXPECT_TRUE(tracer.add_pass(always).ok());
     EXPECT_EQ(traced_in(tracer, ball, frame).code, status.code) << memory;
@@ -54,13 +54,13 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
 TEST(Upkeep, FewerStrandsOfTheSameModelFitAfterTooMany) {
   const FurPatch ball = fur_ball(0.04f);
   FurFrame frame = frame_at(16, coat_of(glm::vec3(0.5f), 1000), Transport::transmittance, 1);
-  std::size_t most = 0;
+  std::size_t max = 0;
   {
     World world(plenty);
     ASSERT_TRUE(world.update(ball.model(), ball.fields(), frame, {frame.coat}, {1, false}, always));
-    most = world.bytes();
+    max = world.bytes();
   }
-  World world(most + most / 8);
+  World world(max + max / 8);
   for (const int count : {1000, 3000, 1000, 500, 1000}) {  // what was before makes way
     frame.coat.count = count;
     const auto change = world.update(ball.model(), ball.fields(), frame, {frame.coat}, {2, false}, always);
@@ -152,7 +152,7 @@ FurFrame view_from(double distance) {
   const int size = static_cast<int>(std::ceil(0.7 / pixel));
   FurFrame frame = frame_at(size, coat_of(glm::vec3(0.5f), 4000), Transport::transmittance, std::max(1, 20'000 / (size * size)));
   frame.coat.width_root = 0.0004, frame.coat.width_tip = 0.00015;
-  frame.camera.eye = {0, 0, distance};
+  frame.camera.position = {0, 0, distance};
   frame.camera.tan_half_fov = static_cast<float>(size * pixel / 2 / distance);
   return frame;
 }
@@ -164,7 +164,7 @@ double covered(const World& world, const FurFrame& frame) {
   for (int i = 0; i < side * side; ++i) {
     const glm::vec2 off = (glm::vec2(i % side, i / side) + 0.5f) * (2.0f / side) - 1.0f;
     const glm::vec3 towards(off * frame.camera.tan_half_fov, -1);
-    hits += world.intersect({.origin = frame.camera.eye, .direction = glm::normalize(towards)}).kind != HitKind::none;
+    hits += world.intersect({.origin = frame.camera.position, .direction = glm::normalize(towards)}).kind != HitKind::none;
   }
   return double(hits) / (side * side);
 }
@@ -178,16 +178,16 @@ TEST(Upkeep, CoverageStaysFromAnyDistance) {
       for (glm::vec3& place : ball.positions) place *= 0.3f;
     }
     ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {view_from(2).coat}, {2, false}, always));
-    std::size_t most = 0, least = 1u << 30;
+    std::size_t max = 0, min = 1u << 30;
     for (const double distance : {0.8, 2.0, 8.0, 32.0, 128.0}) {
       const FurFrame frame = view_from(distance);
       const Traced picture = traced(ball, frame);
       const double pixels = double(frame.width) * frame.height;
       const double seen = mean_of(picture.beauty).alpha / pixels, whole = covered(world, frame);
       EXPECT_NEAR(seen, whole, 0.03 * whole) << distance;
-      most = std::max(most, picture.report.strands), least = std::min(least, picture.report.strands);
+      max = std::max(max, picture.report.strands), min = std::min(min, picture.report.strands);
     }
-    EXPECT_LT(least, most * 3 / 4);
+    EXPECT_LT(min, max * 3 / 4);
   }
 }
 

@@ -88,9 +88,9 @@ TEST(World, LightPassesStrandsByColourAndCount) {
       }
       const glm::vec3 transmittance = world.transmittance(ray, 0.4f);
       const float depth = 0.4f * static_cast<float>(crossed);
-      EXPECT_NEAR(transmittance.r, std::exp(-depth * (1 - kept_by_pale * std::sqrt(red))), 2e-3f) << crossed;
+      EXPECT_NEAR(transmittance.r, std::exp(-depth * (1 - pale_transmittance * std::sqrt(red))), 2e-3f) << crossed;
       EXPECT_NEAR(transmittance.g, std::exp(-depth), 1e-5f);
-      EXPECT_NEAR(transmittance.b, std::exp(-depth * (1 - kept_by_pale)), 2e-3f);
+      EXPECT_NEAR(transmittance.b, std::exp(-depth * (1 - pale_transmittance)), 2e-3f);
     }
   }
 }

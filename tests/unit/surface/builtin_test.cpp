@@ -100,7 +100,7 @@ std::pair<dvec3, dvec3> box(const RawModel& model) {
 struct Closed {
   Builtin shape;
   int euler;
-  double least_volume;
+  double min_volume;
   const char* name;
 };
 
@@ -112,7 +112,7 @@ TEST_P(ClosedBuiltin, IsAClosedManifoldWoundOutwardsWithAboutTheWishedCount) {
     const RawModel model = make_builtin({GetParam().shape, wished});
     expect_sound_triangles(model);
     expect_closed_manifold(model, GetParam().euler);
-    EXPECT_GT(signed_volume(model), GetParam().least_volume);
+    EXPECT_GT(signed_volume(model), GetParam().min_volume);
     EXPECT_NEAR(static_cast<double>(triangle_count(model)), wished, 0.2 * wished);
   }
 }
@@ -151,12 +151,12 @@ TEST(Builtin, PlaneOfTwoTrianglesIsPossible) { EXPECT_EQ(triangle_count(make_bui
 TEST(Builtin, SphereIsRoundAndEven) {
   const RawModel model = make_builtin({Builtin::sphere, 5000});
   for (const dvec3& p : model.positions) ASSERT_NEAR(glm::length(p), 1, 1e-12);
-  double least = 1e9, most = 0;
+  double min = 1e9, max = 0;
   for (std::size_t t = 0; t < triangle_count(model); ++t) {
     const double area = glm::length(triangle(model, t).area_vector());
-    least = std::min(least, area), most = std::max(most, area);
+    min = std::min(min, area), max = std::max(max, area);
   }
-  EXPECT_LT(most / least, 1.5);
+  EXPECT_LT(max / min, 1.5);
 }
 
 TEST(Builtin, OnlyTheCreatureHasALookOfItsOwn) {
@@ -210,13 +210,13 @@ TEST(Creature, HasFourPawsTwoEarsANoseInFrontAndATailBehind) {
 
 TEST(Creature, EdgesAreEvenAndVerticesLieOnTheSurface) {
   const RawModel model = make_builtin({Builtin::creature, 20000});
-  double sum = 0, most = 0;
+  double sum = 0, max = 0;
   const auto edges = directed_edges(model);
   for (const auto& [edge, count] : edges) {
     const double length = glm::distance(model.positions[edge.first], model.positions[edge.second]);
-    sum += length, most = std::max(most, length);
+    sum += length, max = std::max(max, length);
   }
-  EXPECT_LT(most, 2 * sum / static_cast<double>(edges.size()));
+  EXPECT_LT(max, 2 * sum / static_cast<double>(edges.size()));
   const ImplicitSurface surface(creature_volumes());
   for (const dvec3& p : model.positions) ASSERT_LT(std::abs(surface.sample(p).distance), 1e-4);
 }

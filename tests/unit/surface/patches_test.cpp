@@ -29,7 +29,7 @@ struct Quality {
   double area_factor = 0;    // area of pieces over area of the surface
   double flipped = 0;        // share of the pieces' area
   double stretched = 0;      // share of the pieces' area with a singular value outside [1/1.4, 1.4]
-  double least_sum = 1e9, largest_sum = 0;  // of the shares at a corner
+  double min_sum = 1e9, largest_sum = 0;  // of the shares at a corner
 };
 
 Quality quality_of(const Mesh& mesh, const PatchMap& map) {
@@ -47,7 +47,7 @@ Quality quality_of(const Mesh& mesh, const PatchMap& map) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     surface += area_of(mesh, t);
     for (int k = 0; k < 3; ++k) {
-      quality.least_sum = std::min(quality.least_sum, sums[t][k]);
+      quality.min_sum = std::min(quality.min_sum, sums[t][k]);
       quality.largest_sum = std::max(quality.largest_sum, sums[t][k]);
     }
   }
@@ -58,7 +58,7 @@ Quality quality_of(const Mesh& mesh, const PatchMap& map) {
 
 void expect_good(const Mesh& mesh, const PatchMap& map, double largest_factor) {
   const Quality quality = quality_of(mesh, map);
-  EXPECT_NEAR(quality.least_sum, 1, 1e-5);
+  EXPECT_NEAR(quality.min_sum, 1, 1e-5);
   EXPECT_NEAR(quality.largest_sum, 1, 1e-5);
   EXPECT_LE(quality.area_factor, largest_factor);
   EXPECT_LE(quality.flipped, 0.001);
@@ -150,7 +150,7 @@ TEST(Patches, SurviveWhatPreparationLetsThrough) {
     if (!mesh.ok()) continue;
     const PatchMap map = lay_patches(*mesh);
     const Quality quality = quality_of(*mesh, map);
-    EXPECT_NEAR(quality.least_sum, 1, 1e-5);
+    EXPECT_NEAR(quality.min_sum, 1, 1e-5);
     EXPECT_NEAR(quality.largest_sum, 1, 1e-5);
     for (const PatchPoint& point : map.points) EXPECT_TRUE(std::isfinite(point.uv.x) && std::isfinite(point.uv.y));
   }
@@ -254,7 +254,7 @@ TEST(SharedPatches, ModelsOfTheSharedFolder) {
   EXPECT_EQ(own.value().pieces.size(), spot->triangles.size());
   const Quality quality = quality_of(*spot, own.value());
   EXPECT_LT(quality.flipped, 0.001);
-  EXPECT_EQ(quality.least_sum, 1);
+  EXPECT_EQ(quality.min_sum, 1);
   EXPECT_LT(own.value().patches, 40u);
   std::cout << "spot.obj: its own map has " << own.value().patches << " islands, " << 100 * quality.stretched
             << "% stretched by over 1.4\n";

@@ -32,7 +32,7 @@ TEST(MonotoneQueueTest, GivesWhatABinaryHeapGives) {
     push();
     for (int i = 0; !heap.empty(); ++i) {
       ASSERT_FALSE(queue.empty());
-      ASSERT_EQ(queue.least(), heap.top().first);
+      ASSERT_EQ(queue.min(), heap.top().first);
       ASSERT_EQ(queue.pop(), heap.top());
       last = heap.top().first;
       heap.pop();

@@ -126,9 +126,9 @@ TEST(Subdivide, RandomChoicesOpenNoCrack) {
     ASSERT_NEAR(boundary_of(finer->mesh), boundary_of(mesh), 1e-6);
     const Edges edges = edges_of(finer->mesh);
     ASSERT_EQ(std::accumulate(edges.by_triangles.begin() + 3, edges.by_triangles.end(), std::size_t{0}), 0u);
-    std::size_t least = mesh.triangles.size();
-    for (const TriangleRun run : chosen) least += 3 * (run.end - run.begin);
-    ASSERT_GE(finer->mesh.triangles.size(), least);
+    std::size_t min = mesh.triangles.size();
+    for (const TriangleRun run : chosen) min += 3 * (run.end - run.begin);
+    ASSERT_GE(finer->mesh.triangles.size(), min);
     expect_shares(finer->mesh, finer->patches);
     const auto twice = subdivide(finer->mesh, finer->patches, some_of(finer->mesh, random, 0.3));
     ASSERT_EQ(euler(twice->mesh), euler(mesh));

@@ -38,7 +38,7 @@ Row row_of(const std::string& scene, const std::string& series, const std::strin
           .value = value,
           .reference = "R1",
           .knobs = "{\"of\":\"" + series + value + "\"}"};
-  row.shells = 8, row.steps = 3, row.flip = flip, row.flip_95 = 2 * flip, row.outline = 1.5 * flip, row.draw_ms = ms;
+  row.shells = 8, row.steps = 3, row.flip = flip, row.flip_95 = 2 * flip, row.silhouette = 1.5 * flip, row.draw_ms = ms;
   return row;
 }
 

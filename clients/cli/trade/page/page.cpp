@@ -48,11 +48,11 @@ std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const st
     return costs[a] != costs[b] ? costs[a] < costs[b] : errors[a] < errors[b];
   });
   std::vector<std::size_t> front;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const std::size_t i : order) {
-    if (!(errors[i] < least)) continue;
+    if (!(errors[i] < min)) continue;
     front.push_back(i);
-    least = errors[i];
+    min = errors[i];
   }
   return front;
 }
@@ -68,11 +68,11 @@ std::vector<Mean> means_over(const std::vector<Row>& rows, const std::vector<std
     if (added) means.push_back({.name = name_of(row), .knobs = row.knobs});
     Mean& mean = means[found->second];
     mean.cost += std::log(std::max(cost_of(row), 1e-3));
-    mean.flip += row.flip, mean.outline += row.outline, ++mean.scenes;
+    mean.flip += row.flip, mean.silhouette += row.silhouette, ++mean.scenes;
   }
   for (Mean& mean : means) {
     mean.cost = std::exp(mean.cost / mean.scenes);
-    mean.flip /= mean.scenes, mean.outline /= mean.scenes;
+    mean.flip /= mean.scenes, mean.silhouette /= mean.scenes;
   }
   std::erase_if(means, [&](const Mean& mean) { return mean.scenes != static_cast<int>(wanted.size()); });
   return means;
@@ -108,14 +108,14 @@ std::string key(double y) {
     text += dot(x, y - 4, 6, tier_colour(tier), "") + label(x + 11, y, tier, "start", tier_colour(tier));
     x += 110;
   }
-  return text + dot(x, y - 4, 5, "#555", "", true) + label(x + 11, y, "hollow: in the outline");
+  return text + dot(x, y - 4, 5, "#555", "", true) + label(x + 11, y, "hollow: in the silhouette");
 }
 
 std::string marks_of(const Axes& axes, const Row& row, double y) {
   const std::string hint =
-      fmt::format("{}, {}: FLIP {:.4f}, outline {:.4f}", row.scene, row.value, row.flip, row.outline);
+      fmt::format("{}, {}: FLIP {:.4f}, silhouette {:.4f}", row.scene, row.value, row.flip, row.silhouette);
   std::string text;
-  if (row.outline > 0) text += dot(axes.to_x(row.outline), y, 5, tier_colour(row.value), hint, true);
+  if (row.silhouette > 0) text += dot(axes.to_x(row.silhouette), y, 5, tier_colour(row.value), hint, true);
   return text + dot(axes.to_x(row.flip), y, 6, tier_colour(row.value), hint);
 }
 
@@ -125,7 +125,7 @@ std::string tier_plot(const std::vector<Row>& rows) {
   const std::vector<std::string> scenes = all_scenes(rows);
   std::vector<double> errors;
   for (const Row& row : rows) {
-    if (row.series == "tier" && against_shells(row)) errors.push_back(row.flip), errors.push_back(row.outline);
+    if (row.series == "tier" && against_shells(row)) errors.push_back(row.flip), errors.push_back(row.silhouette);
   }
   const Span no_ticks{2.1, 4.9};  // scenes have no scale
   const double height = row_height * static_cast<double>(scenes.size());
@@ -154,17 +154,17 @@ std::string error(double value) { return fmt::format("{:.4f}", value); }
 
 std::vector<std::string> cells_of(std::string wish, const std::optional<Mean>& choice) {
   if (!choice) return {std::move(wish), "nothing that was measured", "", "", ""};
-  return {std::move(wish), choice->name, ms(choice->cost), error(choice->flip), error(choice->outline)};
+  return {std::move(wish), choice->name, ms(choice->cost), error(choice->flip), error(choice->silhouette)};
 }
 
 std::string budget_table(const std::vector<Mean>& settings) {
-  Table table{{"so many ms", "choose", "ms", "error", "outline"}, {}};
-  const auto [least, most] = std::minmax_element(settings.begin(), settings.end(),
+  Table table{{"so many ms", "choose", "ms", "error", "silhouette"}, {}};
+  const auto [min, max] = std::minmax_element(settings.begin(), settings.end(),
                                                  [](const Mean& a, const Mean& b) { return a.cost < b.cost; });
   std::string last;
   for (const double budget : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}) {
     const std::optional<Mean> choice = best_within(settings, budget);
-    if (budget < least->cost || budget > 2 * most->cost || choice->name == last) continue;  // more time buys nothing
+    if (budget < min->cost || budget > 2 * max->cost || choice->name == last) continue;  // more time buys nothing
     table.rows.push_back(cells_of(ms(budget), choice));
     last = choice->name;
   }
@@ -172,7 +172,7 @@ std::string budget_table(const std::vector<Mean>& settings) {
 }
 
 std::string error_table(const std::vector<Mean>& settings) {
-  Table table{{"error of at most", "choose", "ms", "error", "outline"}, {}};
+  Table table{{"error of at most", "choose", "ms", "error", "silhouette"}, {}};
   for (const double wish : {0.08, 0.04, 0.03, 0.02, 0.015})
     table.rows.push_back(cells_of(fmt::format("{:.3f}", wish), cheapest_at(settings, wish)));
   return table_html(table);
@@ -181,8 +181,8 @@ std::string error_table(const std::vector<Mean>& settings) {
 /// Whether another setting is as cheap and better, in words.
 std::string judgement(const std::vector<Mean>& settings, const Mean& tier) {
   const std::optional<Mean> better = best_within(settings, tier.cost * no_worse);
-  const std::string start = fmt::format("<b>{}</b> takes {} ms with an error of {} (outline {}). ", escaped(tier.name),
-                                        ms(tier.cost), error(tier.flip), error(tier.outline));
+  const std::string start = fmt::format("<b>{}</b> takes {} ms with an error of {} (silhouette {}). ", escaped(tier.name),
+                                        ms(tier.cost), error(tier.flip), error(tier.silhouette));
   if (!better || better->flip > 0.95 * tier.flip) return start + "Nothing measured is better for its time.";
   return start + fmt::format("For the same time, {} has {}.", escaped(better->name), error(better->flip));
 }
@@ -212,7 +212,7 @@ std::string advice_html(const std::vector<Row>& rows) {
   std::string text = fmt::format(
       "<p>Means over {} on which every setting was tried. Choose by the time that you have, or by the error that you "
       "can live with: under .015 is hard to see even when pictures are swapped in place, .04 is seen when they are, "
-      ".08 is seen side by side. The error is of layers, not of light: fur drawn without self-shadow is measured "
+      ".08 is seen side by side. The error is of shells, not of light: fur drawn without self-shadow is measured "
       "against such fur, though it looks brighter; look at the pictures too.</p>",
       scenes.size() == 1 ? "one scene" : fmt::format("{} scenes", scenes.size()));
   text +=
@@ -237,24 +237,24 @@ std::string introduction(const Report& report) {
       "pixels. Another machine, above all another GPU, has other times: run <code>pelage trade</code> there.</p>"
       "<p><b>Error</b> is FLIP, the difference that an eye sees when two pictures are swapped in place, from 0 to 1, "
       "over "
-      "the fur only. <b>Outline</b> is the same in a band of 8 pixels to each side of its edge. <b>Time</b> is {} of "
+      "the fur only. <b>Silhouette</b> is the same in a band of 8 pixels to each side of its edge. <b>Time</b> is {} of "
       "drawing, shadows included, without sending and encoding: the least of {}.</p>"
-      "<p>The truth is <b>R1</b>, the same fur with the same shadows in {} layers with every fragment sorted. "
+      "<p>The truth is <b>R1</b>, the same fur with the same shadows in {} shells with every fragment sorted. "
       "<b>R2</b> traces every "
-      "strand; it shows what layers and light leave out.</p>",
+      "strand; it shows what shells and light leave out.</p>",
       escaped(report.renderer), report.size, report.size,
       cpu ? "milliseconds of CPU on all threads" : "wall milliseconds", report.repeats, report.truth);
 }
 
 std::string tier_table(const std::vector<Row>& rows) {
-  Table table{{"tier", "scene", "truth", "error", "95 of 100 pixels under", "outline", "light over truth",
+  Table table{{"tier", "scene", "truth", "error", "95 of 100 pixels under", "silhouette", "light over truth",
                "coverage over truth", "ms"},
               {}};
   for (const char* tier : {"draft", "interactive", "detailed"}) {
     for (const Row& row : rows) {
       if (row.series != "tier" || row.value != tier) continue;
       table.rows.push_back({tier, row.scene, row.reference, fmt::format("{:.4f}", row.flip),
-                            fmt::format("{:.3f}", row.flip_95), fmt::format("{:.4f}", row.outline),
+                            fmt::format("{:.3f}", row.flip_95), fmt::format("{:.4f}", row.silhouette),
                             fmt::format("{:.3f}", row.luminance), fmt::format("{:.3f}", row.coverage),
                             milliseconds(cost_of(row))});
     }
@@ -265,20 +265,20 @@ std::string tier_table(const std::vector<Row>& rows) {
 /// How sure the reference is, and whether a pixel was broken.
 std::string checks(const std::vector<Row>& rows) {
   std::size_t broken = 0;
-  double floor = 0, least = 1;
+  double floor = 0, min = 1;
   for (const Row& row : rows) {
     broken += row.non_finite;
     if (!against_shells(row)) continue;
     floor = std::max(floor, row.floor);
-    least = std::min(least, row.flip);
+    min = std::min(min, row.flip);
   }
-  const char* verdict = floor <= least / 10
+  const char* verdict = floor <= min / 10
                             ? "The truth is proved: that is less than a tenth of the smallest error here."
                             : "Errors under ten times that are not proved: the truth itself may be off by so much.";
   return fmt::format(
-      "<ul><li>Pixels that are not finite: <b>{}</b>, in {} frames.</li><li>R1 with half its layers differs "
+      "<ul><li>Pixels that are not finite: <b>{}</b>, in {} frames.</li><li>R1 with half its shells differs "
       "from R1 by at most {:.4f}. The smallest error is {:.4f}. {}</li></ul>",
-      broken, rows.size(), floor, least, verdict);
+      broken, rows.size(), floor, min, verdict);
 }
 
 std::string for_each_scene(const std::vector<Row>& rows,
@@ -312,10 +312,10 @@ std::string gallery(const std::vector<Picture>& pictures) {
 }
 
 std::string all_rows(const std::vector<Row>& rows) {
-  Table table{{"scene", "setting", "truth", "error", "95%", "outline", "ms", "CPU ms"}, {}};
+  Table table{{"scene", "setting", "truth", "error", "95%", "silhouette", "ms", "CPU ms"}, {}};
   for (const Row& row : rows) {
     table.rows.push_back({row.scene, name_of(row), row.reference, fmt::format("{:.4f}", row.flip),
-                          fmt::format("{:.3f}", row.flip_95), fmt::format("{:.4f}", row.outline),
+                          fmt::format("{:.3f}", row.flip_95), fmt::format("{:.4f}", row.silhouette),
                           milliseconds(row.draw_ms), row.cpu_ms > 0 ? milliseconds(row.cpu_ms) : ""});
   }
   return "<details><summary>Everything that was measured; results.csv has it with all knobs</summary><div "

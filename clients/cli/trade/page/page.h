@@ -14,7 +14,7 @@ struct Mean {
   std::string name;              // of the setting in words
   std::string knobs;             // JSON
   double cost = 0;               // milliseconds, geometric mean
-  double flip = 0, outline = 0;  // means
+  double flip = 0, silhouette = 0;  // means
   int scenes = 0;
 };
 

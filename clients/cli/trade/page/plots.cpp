@@ -14,18 +14,18 @@ namespace {
 
 /// Where a value lies in a span, 0 to 1 on a logarithmic scale.
 double share(const Span& span, double value) {
-  const double held = std::clamp(value, span.least, span.largest);
-  return std::log(held / span.least) / std::log(span.largest / span.least);
+  const double held = std::clamp(value, span.min, span.max);
+  return std::log(held / span.min) / std::log(span.max / span.min);
 }
 
 /// At 1, 2 and 5 of every decade, or at 1 alone where `pixels` leave no room for their numbers.
 std::vector<double> ticks_of(const Span& span, double pixels, double room) {
   std::vector<double> ticks;
-  const bool dense = pixels / std::log10(span.largest / span.least) > 3 * room;
-  for (double decade = std::pow(10, std::floor(std::log10(span.least))); decade <= span.largest; decade *= 10) {
+  const bool dense = pixels / std::log10(span.max / span.min) > 3 * room;
+  for (double decade = std::pow(10, std::floor(std::log10(span.min))); decade <= span.max; decade *= 10) {
     for (const double step : {1.0, 2.0, 5.0}) {
       const double tick = decade * step;
-      if ((dense || step == 1) && tick >= span.least * 0.999 && tick <= span.largest * 1.001) ticks.push_back(tick);
+      if ((dense || step == 1) && tick >= span.min * 0.999 && tick <= span.max * 1.001) ticks.push_back(tick);
     }
   }
   return ticks;
@@ -65,14 +65,14 @@ const char* tier_colour(std::string_view tier) {
 }
 
 Span span_of(const std::vector<double>& values) {
-  double least = INFINITY, largest = 0;
+  double min = INFINITY, largest = 0;
   for (const double value : values) {
     if (!(value > 0) || !std::isfinite(value)) continue;
-    least = std::min(least, value), largest = std::max(largest, value);
+    min = std::min(min, value), largest = std::max(largest, value);
   }
   if (largest == 0) return {};
-  const double middle = std::sqrt(least * largest);
-  return {std::min(least / 1.15, middle / 1.5), std::max(largest * 1.15, middle * 1.5)};
+  const double middle = std::sqrt(min * largest);
+  return {std::min(min / 1.15, middle / 1.5), std::max(largest * 1.15, middle * 1.5)};
 }
 
 double Axes::to_x(double value) const { return left + width * share(x, value); }
@@ -142,8 +142,8 @@ std::vector<Row> points_of(const std::vector<Row>& rows, const std::string& scen
 }
 
 std::string hint_of(const Row& row) {
-  return fmt::format("{}: {} ms, FLIP {:.4f}, outline {:.4f}", name_of(row), milliseconds(cost_of(row)), row.flip,
-                     row.outline);
+  return fmt::format("{}: {} ms, FLIP {:.4f}, silhouette {:.4f}", name_of(row), milliseconds(cost_of(row)), row.flip,
+                     row.silhouette);
 }
 
 std::string front_line(const Axes& axes, const std::vector<double>& costs, const std::vector<double>& errors) {

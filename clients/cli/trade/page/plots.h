@@ -21,7 +21,7 @@ const char* tier_colour(std::string_view tier);
 
 /// Least and largest of what an axis shows; both above 0.
 struct Span {
-  double least = 0.1, largest = 1;
+  double min = 0.1, max = 1;
 };
 
 /// The span of these values, a little wider, at least a factor of 2; values that are not above 0 are passed over.
@@ -64,7 +64,7 @@ std::string scatter_plot(const std::vector<Row>& rows, const std::string& scene)
 /// One small plot for each knob: the way that turning it takes through error and cost on one scene (multiples.cpp).
 std::string knob_plots(const std::vector<Row>& rows, const std::string& scene);
 
-/// Where the tiers' errors lie on every scene, over the fur and in its outline (tiers.cpp).
+/// Where the tiers' errors lie on every scene, over the fur and in its silhouette (tiers.cpp).
 std::string tier_plot(const std::vector<Row>& rows);
 
 /// Error against the number of shells on every scene, with fitted slopes (convergence.cpp).

@@ -75,7 +75,7 @@ using Line = std::vector<std::string>;
 
 const Line& names() {
   static const Line result{"scene",     "size",     "series", "base",       "value",   "reference", "truth",
-                           "shells",    "steps",    "scale",  "flip",       "flip_95", "outline",   "outline_95",
+                           "shells",    "steps",    "scale",  "flip",       "flip_95", "silhouette",   "silhouette_95",
                            "luminance", "coverage", "floor",  "non_finite", "draw_ms", "cpu_ms",    "knobs"};
   return result;
 }
@@ -111,8 +111,8 @@ Line line_of(const Row& r) {
           text_of(r.scale),
           text_of(r.flip),
           text_of(r.flip_95),
-          text_of(r.outline),
-          text_of(r.outline_95),
+          text_of(r.silhouette),
+          text_of(r.silhouette_95),
           text_of(r.luminance),
           text_of(r.coverage),
           text_of(r.floor),
@@ -173,7 +173,7 @@ std::optional<Row> row_of(const Line& line) {
   Reader reader(line);
   const auto read = [&](auto&... values) { (reader.read(values), ...); };
   read(row.scene, row.size, row.series, row.base, row.value, row.reference, row.truth, row.shells, row.steps, row.scale,
-       row.flip, row.flip_95, row.outline, row.outline_95, row.luminance, row.coverage, row.floor, row.non_finite,
+       row.flip, row.flip_95, row.silhouette, row.silhouette_95, row.luminance, row.coverage, row.floor, row.non_finite,
        row.draw_ms, row.cpu_ms, row.knobs);
   return reader.good() ? std::optional(row) : std::nullopt;
 }

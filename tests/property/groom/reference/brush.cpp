@@ -20,7 +20,7 @@ struct Eye {
 
 Eye eye_of(const View& view, const Body& body) {
   Eye eye;
-  eye.place = body.inside(view.camera.eye);
+  eye.place = body.inside(view.camera.position);
   eye.forward = unit(body.inside(view.camera.target) - eye.place);
   eye.right = unit(glm::cross(eye.forward, view.camera.up));
   eye.up = glm::cross(eye.right, eye.forward);
@@ -41,7 +41,7 @@ Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stro
               const Body& body) {
   Print print;
   print.centre = glm::mix(place_of(a, body), place_of(b, body), t);
-  if (std::holds_alternative<SurfacePlace>(a.place) && std::holds_alternative<SurfacePlace>(b.place))
+  if (std::holds_alternative<SurfaceSample>(a.place) && std::holds_alternative<SurfaceSample>(b.place))
     print.centre = body.surface.position(body.surface.nearest(print.centre));
   print.pressure = (1 - t) * a.pressure + t * b.pressure;
   const double kept = 1 - brush.pressure_to_radius + brush.pressure_to_radius * print.pressure;
@@ -78,10 +78,10 @@ std::vector<double> distances_of(const Print& print, const Stroke& stroke, const
 }  // namespace
 
 dvec3 place_of(const StrokeSample& sample, const Body& body) {
-  if (const auto* position = std::get_if<PositionPlace>(&sample.place)) return body.inside(position->position);
+  if (const auto* position = std::get_if<PositionSample>(&sample.place)) return body.inside(position->position);
   // To the bit what the tools compute: dabs between two places often lie on an edge, where the last bit decides which
   // of its triangles the march along the surface begins in.
-  const auto& place = std::get<SurfacePlace>(sample.place);
+  const auto& place = std::get<SurfaceSample>(sample.place);
   const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
   return body.surface.position({place.triangle, place.barycentric / sum});
 }

@@ -17,7 +17,7 @@ dvec4 held(Field field, dvec4 value) {
     return longer > 1 ? value / longer : value;
   }
   for (int c = 0; c < shape.channels; ++c)
-    value[c] = std::min(std::max(value[c], double{shape.least}), double{shape.most});
+    value[c] = std::min(std::max(value[c], double{shape.min}), double{shape.max});
   return value;
 }
 

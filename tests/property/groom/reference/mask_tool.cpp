@@ -47,13 +47,13 @@ double combined(MaskCombine combine, double now, double chosen, double value) {
 }
 
 /// The largest value, or with `least` the smallest, within a distance along edges.
-std::vector<double> spread(const Body& body, const std::vector<double>& mask, double distance, bool least) {
+std::vector<double> spread(const Body& body, const std::vector<double>& mask, double distance, bool min) {
   std::vector<double> after = mask;
   for (Vertex v = 0; v < body.size(); ++v) {
     const Reach reach = reach_along_edges(body, {{v, 0, dvec3(0)}});
     for (Vertex other = 0; other < body.size(); ++other) {
       if (reach.distance[other] > distance) continue;
-      after[v] = least ? std::min(after[v], mask[other]) : std::max(after[v], mask[other]);
+      after[v] = min ? std::min(after[v], mask[other]) : std::max(after[v], mask[other]);
     }
   }
   return after;

@@ -55,7 +55,7 @@ struct Move {
   void operator()(Tool& tool) const {
     if constexpr (requires { tool.stroke; }) {
       if (tool.stroke) {
-        for (StrokeSample& sample : tool.stroke->samples) place(std::get<PositionPlace>(sample.place).position);
+        for (StrokeSample& sample : tool.stroke->samples) place(std::get<PositionSample>(sample.place).position);
       }
     }
     if constexpr (requires { tool.source; }) place(tool.source), direction(tool.direction);

@@ -191,8 +191,8 @@ void apply(const Length& command, const Stage& stage, Fur& fur) {
     if (command.mode == LengthMode::scale && command.brush.invert && command.value > 0) goal = length / command.value;
     if (command.mode == LengthMode::average && whole > 0) goal = sum / whole;
     if (command.mode == LengthMode::jitter) goal = length * (1 + jitter(command, body, v));
-    if (command.mode == LengthMode::least) goal = std::max(length, value);
-    if (command.mode == LengthMode::most) goal = std::min(length, value);
+    if (command.mode == LengthMode::min) goal = std::max(length, value);
+    if (command.mode == LengthMode::max) goal = std::min(length, value);
     length = (1 - region[v]) * length + region[v] * goal;
   }
 }
@@ -234,7 +234,7 @@ void apply(const Erase& command, const Stage& stage, Fur& fur) {
 void apply(const Paint& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region =
       region_of(command.stroke, command.brush, stage.body, fur, command.field != Field::mask);
-  const double value = command.brush.invert ? double{shape_of(command.field).rest} : command.value;
+  const double value = command.brush.invert ? double{shape_of(command.field).default_value} : command.value;
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     dvec4& now = fur.of(command.field)[v];
     const double w = region[v] * strand_part(command.brush, command.field);

@@ -1,0 +1,73 @@
+// What a frame keeps beside colour.
+#include <algorithm>
+#include <optional>
+
+#include "renderer/frame/parts.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/gl/wait.h"
+#include "renderer/passes/draw/draw.h"
+
+namespace pelage {
+
+void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target) {
+  set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
+  gl_.DepthMask(GL_TRUE);
+  target.clear(gl_);
+  fur_.mark_sets(gl_, scene.drawing(frame), target.framebuffer());
+  draw_body(frame, scene, "#define AOVS\n");
+}
+
+Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
+                                                      DrawTimes* times, const Pause& pause) {
+  if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
+  DrawTimes taken;
+  const Result<Prepared> scene = draw_in_pieces(frame, {}, pause, taken);
+  if (!scene) return scene.status();
+  Result<std::vector<FloatImage>> images = gather_aovs(frame, *scene, aovs, taken);
+  if (!images) return images;
+  if (const Status built = programs(); !built.ok()) return built;
+  add_counts(taken.counters, take_counts());
+  if (times) *times = taken;
+  view_.shown.reset();
+  cache_.keep(std::move(view_));
+  return images;
+}
+
+Result<std::vector<FloatImage>> Renderer::gather_aovs(const FurFrame& frame, const Prepared& scene,
+                                                        std::span<const Aov> aovs, DrawTimes& times) {
+  const DrawClock clock(times);
+  std::optional<AovTarget> target;
+  if (std::any_of(aovs.begin(), aovs.end(), AovTarget::holds)) {
+    target.emplace(gl_, aovs, view_.drawn.width(), view_.drawn.height());
+    if (!target->complete()) return no_memory();
+    draw_beside_light(frame, scene, *target);
+  }
+  std::vector<FloatImage> images;
+  for (const Aov aov : aovs) {
+    Result<FloatImage> image = draw_aov(frame, scene, aov, target ? &*target : nullptr);
+    if (!image) return image.status();
+    images.push_back(std::move(image).value());
+  }
+  return images;
+}
+
+Result<FloatImage> Renderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov,
+                                        const AovTarget* target) {
+  RenderTarget distance;
+  GLuint source = view_.drawn.texture();
+  if (aov == Aov::depth) {
+    distance = RenderTarget(gl_, GL_R32F, view_.drawn.width(), view_.drawn.height(), true);
+    const RenderTarget covered(gl_, GL_RG32F, view_.drawn.width(), view_.drawn.height(), true);
+    if (!distance.complete() || !covered.complete()) return no_memory();
+    aovs_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
+    source = distance.texture();
+  } else if (AovTarget::holds(aov)) {
+    source = target->texture(aov);
+  }
+  const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
+  aovs_.gather(gl_, aov, source, scale, view_.picture);
+  if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
+  return read_back<FloatImage>(view_.picture, GL_FLOAT);
+}
+
+}  // namespace pelage

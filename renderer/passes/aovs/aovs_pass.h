@@ -1,0 +1,71 @@
+// What an EXR holds beside colour: drawn again, only when asked for.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/program.h"
+#include "renderer/gl/render_target.h"
+#include "renderer/passes/curves/curves_pass.h"
+#include "renderer/passes/eye/eye_pass.h"
+#include "renderer/passes/fins/fins_pass.h"
+#include "renderer/passes/fur/fur_pass.h"
+#include "renderer/passes/aovs/aov_target.h"
+
+namespace pelage {
+
+/// The passes that draw what a frame shows of a model.
+struct BodyPasses {
+  FurPass& fur;
+  FinsPass& fins;
+  CurvesPass& curves;
+  EyePass& eyes;
+};
+
+class AovsPass {
+ public:
+  explicit AovsPass(const Gl& gl) : nothing_(gl) {}
+
+  /// "" when the programs so far were built.
+  std::string failure() const { return failure_; }
+
+  /// One over the distance along the view of what first brings the opacity over half into the first channel of
+  /// `distance` (R32F with depth); 0 where there is none. `covered` (RG32F with depth, same size) is worked on. The
+  /// frame's blocks and maps are bound.
+  void draw_distance(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
+                     const RenderTarget& distance, const RenderTarget& covered);
+
+  /// The same of skin and eyes without fur.
+  void draw_open_distance(const Gl& gl, EyePass& eyes, const FurFrame& frame, const ModelBuffers& model,
+                          const ModelBuffers::DrawList& triangles, const RenderTarget& distance);
+
+  /// Brings an AOV to the picture's size (RGBA32F): colours, alpha and count as means; position, normal, tangent and
+  /// shadow as Aov says, with the coverage in the fourth channel; depth as it is in the middle of the pixel.
+  void gather(const Gl& gl, Aov aov, GLuint drawn, float scale, const RenderTarget& picture);
+
+ private:
+  struct DistancePrograms {
+    DistancePrograms(const Gl& gl, const std::string& variant);
+    Program skin, coverage, crossing;
+  };
+  const DistancePrograms& distance_programs(const Gl& gl, const std::string& variant);
+  /// Depth of skin, dense fur and eyes, and one over their distance where that is asked for.
+  void draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
+                  const RenderTarget& target, bool distance);
+  /// Draws something that may cover a pixel: its opacity, or one over its distance.
+  using Piece = std::function<void(bool crossing)>;
+  std::vector<Piece> pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
+                                    const FurDrawing& drawing);
+
+  // Made when first used.
+  std::optional<Program> gather_, open_distance_;
+  std::map<std::string, DistancePrograms> distance_;  // by variant
+  std::string failure_;
+  VertexArray nothing_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,154 @@
+#include "renderer/visibility/shell_lod.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+
+namespace pelage {
+
+namespace {
+
+constexpr float full_tangent = 5.6f;  // of the angle from which all shells are drawn: 80 degrees
+constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
+constexpr float max_bending = 1e3f;    // more is the same
+constexpr float shells_per_pixel = 1.0f;
+constexpr float past_skin = 2.0f;  // of the tangent below: with 1 a fifth more fragments bring .001 of FLIP
+constexpr int max_steps = 16;   // in a slab
+
+float cosine_to_camera(const ShellMesh& mesh, std::size_t triangle, glm::vec3 viewpoint) {
+  const glm::vec3 to_camera = viewpoint - mesh.centroids[triangle], normal = mesh.normals[triangle];
+  return glm::dot(to_camera, normal) / std::max(glm::length(to_camera) * glm::length(normal), 1e-20f);
+}
+
+/// Of the angle at the hull from which a ray passes the skin by, so that the edges of shells would be seen against what
+/// lies behind: over skin that bends by `bending` radians over the length of its fur, as over a ball.
+float tangent_past_skin(float bending) { return past_skin / std::sqrt(std::max(bending * (2 + bending), 1e-6f)); }
+
+}  // namespace
+
+int shells_of_set(int shells, int set) {
+  const int part = 1 << set;
+  return std::max(std::min(shells, min_shells), (shells + part - 1) / part);
+}
+
+int sets_of(int shells, ShellPolicy policy) {
+  int sets = 1;
+  while (policy == ShellPolicy::adaptive && sets < max_shell_lods &&
+         shells_of_set(shells, sets) < shells_of_set(shells, sets - 1))
+    ++sets;
+  return sets;
+}
+
+int steps_of_set(const Knobs& knobs, int set) {
+  const int own = shells_of_set(knobs.shells, set);
+  return std::min(max_steps, (knobs.steps * knobs.shells + own - 1) / own);
+}
+
+float shell_lod_level(const ShellView& view, const ShellVertex& vertex) {
+  const float highest = static_cast<float>(sets_of(view.shells, view.policy) - 1);
+  if (highest == 0) return 0;
+  const glm::vec3 to_camera = view.viewpoint - vertex.position;
+  const float distance = std::max(glm::length(to_camera), 1e-6f);
+  const float cosine = std::min(1.0f, std::abs(glm::dot(to_camera, vertex.normal)) / distance);
+  const float tangent = std::sqrt(1 - cosine * cosine) / std::max(cosine, 1e-3f);
+  const float bending = std::min(max_bending, vertex.length * vertex.curvature);
+  const float by_angle = tangent / std::min(full_tangent, tangent_past_skin(bending));
+  const float by_bending = bending / full_bending;
+  const float by_size = shells_per_pixel * vertex.length / (view.pixel * distance * static_cast<float>(view.shells));
+  const float share = std::min({std::max(by_angle, by_bending), by_size, 1.0f});
+  return std::clamp(-std::log2(std::max(share, 1e-6f)), 0.0f, highest);
+}
+
+std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                              std::span<const glm::uvec3> triangles) {
+  std::vector<float> sum(positions.size()), edges(positions.size());
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    const float bend =
+        glm::distance(normals[a], normals[b]) / std::max(glm::distance(positions[a], positions[b]), 1e-6f);
+    sum[a] += bend, sum[b] += bend;
+    edges[a] += 1, edges[b] += 1;
+  };
+  for (const glm::uvec3& t : triangles) add(t.x, t.y), add(t.y, t.z), add(t.z, t.x);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= std::max(edges[i], 1.0f);
+  return sum;
+}
+
+namespace {
+
+constexpr float near_silhouette = -0.25f;  // cosine: what turns away further has fur that is front-facing in front
+
+struct Asked {
+  int first, last;  // sets
+};
+
+/// The sets that pixels of a triangle may ask for.
+Asked asked_sets(const ShellMesh& mesh, const glm::uvec3& t, int sets) {
+  constexpr float reach = 0.5f + dithered_levels / 2;  // of a set, in levels
+  const auto [low, high] = std::minmax({mesh.levels[t.x], mesh.levels[t.y], mesh.levels[t.z]});
+  return {std::max(0, static_cast<int>(std::ceil(low - reach))),
+          std::min(sets - 1, static_cast<int>(std::floor(high + reach)))};
+}
+
+struct Seen {
+  glm::uvec3 triangle;
+  CellBox box;
+  bool faces;
+};
+
+}  // namespace
+
+ShellLists sort_triangles(const ShellMesh& mesh, const ShellView& view) {
+  const int sets = sets_of(view.shells, view.policy);
+  ShellLists lists;
+  SetCells cells;
+  std::vector<Seen> seen;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const float cosine = cosine_to_camera(mesh, i, view.viewpoint);
+    if (cosine <= view.furthest) continue;
+    const glm::uvec3 t = mesh.triangles[i];
+    const CellBox box = cells_of(mesh, t);
+    if (!touch(box, view.part)) continue;
+    if (sets == 1) {
+      (cosine >= 0 ? lists.facing : lists.back_facing)[0].push_back(t);
+      continue;
+    }
+    seen.push_back({t, box, cosine >= 0});
+    if (cosine < 0 && cosine > near_silhouette) cells.show(box, 0);
+    if (cosine < 0) continue;
+    const Asked asked = asked_sets(mesh, t, sets);
+    for (int set = asked.first; set <= asked.last; ++set) {
+      lists.marks[static_cast<std::size_t>(set)].push_back(t);
+      cells.show(box, set);
+    }
+  }
+  for (int set = 0; set < sets; ++set) {
+    for (const Seen& each : seen) {
+      if (cells.may_show(each.box, set))
+        (each.faces ? lists.facing : lists.back_facing)[static_cast<std::size_t>(set)].push_back(each.triangle);
+    }
+  }
+  return lists;
+}
+
+std::vector<glm::uvec3> shown_triangles(const ShellMesh& mesh, const ShellView& view) {
+  std::vector<glm::uvec3> shown;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    if (cosine_to_camera(mesh, i, view.viewpoint) > furthest_back_facing && touch(cells_of(mesh, t), view.part)) shown.push_back(t);
+  }
+  return shown;
+}
+
+std::vector<glm::uvec3> triangles_in(const CellBox& part, const ShellMesh& mesh, std::span<const glm::uvec3> triangles) {
+  std::vector<glm::uvec3> inside;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(inside),
+               [&](const glm::uvec3& t) { return touch(cells_of(mesh, t), part); });
+  return inside;
+}
+
+CellBox cells_of(const ShellMesh& mesh, const glm::uvec3& triangle) {
+  return union_of(mesh.cells[triangle.x], mesh.cells[triangle.y], mesh.cells[triangle.z]);
+}
+
+}  // namespace pelage
