@@ -11,12 +11,12 @@
 #include <thread>
 
 #include "server/calibration/program.h"
-#include "server/http/http_server.h"
 #include "server/frames/frame_service.h"
-#include "server/scene/scene_store.h"
 #include "server/frames/scene_tracer.h"
 #include "server/frames/stored_calibration.h"
+#include "server/http/http_server.h"
 #include "server/import/import.h"
+#include "server/scene/scene_store.h"
 
 namespace {
 
@@ -48,7 +48,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();
   app.add_option("--gl", options.gl, "auto, egl or osmesa")->transform(CLI::CheckedTransformer(gl_names));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
-     ->check(CLI::Range(0, 1024));
+      ->check(CLI::Range(0, 1024));
   app.add_option("--trace-memory", options.trace_memory, "GiB for traced strands and their picture")
       ->check(CLI::Range(0.0625, 1024.0))
       ->capture_default_str();

@@ -1,12 +1,13 @@
 #include "clients/cli/files.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <unistd.h>
 
 namespace pelage {
 

@@ -1,6 +1,7 @@
-#include <chrono>
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include <chrono>
 
 #include "clients/cli/actions.h"
 #include "clients/cli/print.h"

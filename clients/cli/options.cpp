@@ -95,17 +95,21 @@ void declare_history_actions(CLI::App& app, Options& options) {
 /// Options that are handed on under the name that the address of a map knows them by.
 void add_map_parameter(CLI::App* command, Options& options, const char* flag, const char* parameter, const char* help) {
   command->add_option_function<std::string>(
-      flag, [&options, parameter](const std::string& value) { options.map_parameters.emplace_back(parameter, value); }, help);
+      flag, [&options, parameter](const std::string& value) { options.map_parameters.emplace_back(parameter, value); },
+      help);
 }
 
 void add_map(CLI::App* command, Options& options, bool field_is_chosen = true) {
   add_scene(command, options);
   if (!field_is_chosen) return;
   command->add_option("field", options.field, "direction, length, density, mask or another field")->required();
-  add_map_parameter(command, options, "--encoding", "encoding", "Of direction uv_tangent, fast_fur or vector; else value");
-  add_map_parameter(command, options, "--scale", "scale",
-                    "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
-  add_map_parameter(command, options, "--units", "units", "Of a scale of lengths: relative (sizes) or world [relative]");
+  add_map_parameter(command, options, "--encoding", "encoding",
+                    "Of direction uv_tangent, fast_fur or vector; else value");
+  add_map_parameter(
+      command, options, "--scale", "scale",
+      "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
+  add_map_parameter(command, options, "--units", "units",
+                    "Of a scale of lengths: relative (sizes) or world [relative]");
 }
 
 void declare_map_actions(CLI::App& app, Options& options) {
@@ -122,7 +126,8 @@ void declare_map_actions(CLI::App& app, Options& options) {
 
   CLI::App* put = add_action(*map, options, Action::put_map, "put", "Read a field from a picture, as one undo step");
   add_map(put, options);
-  put->add_option("file", options.file, "PNG, JPEG, EXR or HDR, up to 4096 pixels wide; - for standard input")->required();
+  put->add_option("file", options.file, "PNG, JPEG, EXR or HDR, up to 4096 pixels wide; - for standard input")
+      ->required();
   add_map_parameter(put, options, "--strength", "strength", "How far the field goes to the picture's, 0 to 1 [1]");
 
   CLI::App* keep = add_action(*map, options, Action::put_picture, "upload",
@@ -256,7 +261,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_scene(frame, options);
   frame->add_option("-o,--output", options.output, "The picture; - for standard output")->capture_default_str();
   add_view(frame, options);
-  add_frame_parameter(frame, options, "--quality", "quality", "draft, interactive, detailed or reference [interactive]");
+  add_frame_parameter(frame, options, "--quality", "quality",
+                      "draft, interactive, detailed or reference [interactive]");
   add_knob(frame, options);
   add_tracing(frame, options);
   add_frame_parameter(frame, options, "--budget-ms", "budget_ms",
@@ -275,7 +281,9 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--aovs", "aovs",
                       "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
                       "shadow, shell_count [beauty]");
-  add_frame_parameter(frame, options, "--overlay", "overlay", "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, light_occlusion, shadow_width or difference [none]");
+  add_frame_parameter(frame, options, "--overlay", "overlay",
+                      "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, "
+                      "light_occlusion, shadow_width or difference [none]");
   add_frame_parameter(frame, options, "--from", "overlay_from",
                       "With --overlay difference: the revision to compare the present with");
 

@@ -68,8 +68,8 @@ struct Options {
   std::optional<std::uint64_t> if_match;
   // frame and pick
   std::string output = "frame.png";
-  Parameters frame;     // as in the address of frame.png
-  Parameters trace;     // members of Tracing
+  Parameters frame;          // as in the address of frame.png
+  Parameters trace;          // members of Tracing
   bool progressive = false;  // shells, and then strands over the same file
   std::optional<int> until_pass;
   std::optional<double> for_seconds;

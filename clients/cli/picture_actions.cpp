@@ -1,10 +1,11 @@
 #include "clients/cli/picture_actions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cstdio>
-#include <fmt/format.h>
 #include <limits>
 
 #include "clients/cli/actions.h"

@@ -1,14 +1,14 @@
-#include "clients/cli/recipe/split_steps.h"
 #include "clients/cli/steps.h"
 
 #include <fmt/format.h>
 
 #include "clients/cli/files.h"
+#include "clients/cli/recipe/recipe.h"
+#include "clients/cli/recipe/split_steps.h"
 #include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
-#include "clients/cli/recipe/recipe.h"
 
 namespace pelage {
 

@@ -26,7 +26,10 @@ void run_on_threads(int threads, const std::function<void()>& run) {
   };
   try {
     tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(0, threads, [&](int) { guarded(); }, tbb::simple_partitioner()); });
+    arena.execute([&] {
+      tbb::parallel_for(
+          0, threads, [&](int) { guarded(); }, tbb::simple_partitioner());
+    });
   } catch (const std::exception&) {  // not of `run`: oneTBB could not start a thread, so the caller's own does the work
     guarded();
   }

@@ -12,9 +12,9 @@ namespace pelage {
 int default_threads();
 
 /// Calls `run` once on each of at most `threads` threads (at least 1), the caller's among them, and waits for all.
-/// There may be fewer where the machine has none to give, so `run` takes its work from a common counter. Each call has an
-/// arena of its own, so the caller never carries out another caller's work while it waits. The first exception of a run
-/// is thrown again when all have ended.
+/// There may be fewer where the machine has none to give, so `run` takes its work from a common counter. Each call has
+/// an arena of its own, so the caller never carries out another caller's work while it waits. The first exception of a
+/// run is thrown again when all have ended.
 void run_on_threads(int threads, const std::function<void()>& run);
 
 /// Calls work(0) ... work(count - 1) on at most `threads` threads, in no order. Each call writes its own results only.
@@ -47,9 +47,8 @@ template <class Work>
 void for_each_run_in_parallel(std::uint32_t count, const Work& work) {
   constexpr std::uint32_t run_length = 1 << 14;
   const std::uint32_t runs = (count + run_length - 1) / run_length;
-  for_each_in_parallel(runs, [&](std::uint32_t run) {
-    work(run * run_length, std::min(count, (run + 1) * run_length));
-  });
+  for_each_in_parallel(runs,
+                       [&](std::uint32_t run) { work(run * run_length, std::min(count, (run + 1) * run_length)); });
 }
 
 }  // namespace pelage

@@ -16,7 +16,8 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
 /// A stream of uniform numbers in [0, 1).
 class Random {
  public:
-  explicit constexpr Random(std::uint64_t seed, std::uint64_t stream = 0) : state_(mix_bits(seed) ^ mix_bits(~stream)) {}
+  explicit constexpr Random(std::uint64_t seed, std::uint64_t stream = 0)
+      : state_(mix_bits(seed) ^ mix_bits(~stream)) {}
 
   constexpr double uniform() {
     state_ += 0x9e3779b97f4a7c15ULL;

@@ -11,16 +11,16 @@ namespace pelage {
 /// What went wrong; server/http maps each to one HTTP status.
 enum class Code {
   ok,
-  malformed,           // 400: not JSON, not HTTP, duplicate keys, too deep, numbers that are no double
-  not_found,           // 404
-  conflict,            // 409: other model, idempotency clash, superseded frame
-  precondition,        // 412: If-Match names another revision
-  too_large,           // 413
-  unsupported,         // 415
-  invalid,             // 422: breaks the contract; pointer and limit say where and how
-  busy,                // 429
-  internal,            // 500
-  unavailable,         // 503
+  malformed,     // 400: not JSON, not HTTP, duplicate keys, too deep, numbers that are no double
+  not_found,     // 404
+  conflict,      // 409: other model, idempotency clash, superseded frame
+  precondition,  // 412: If-Match names another revision
+  too_large,     // 413
+  unsupported,   // 415
+  invalid,       // 422: breaks the contract; pointer and limit say where and how
+  busy,          // 429
+  internal,      // 500
+  unavailable,   // 503
 };
 
 /// The outcome of a call that can be refused. `pointer` is a JSON pointer to the bad field ("" for the whole body),
@@ -44,7 +44,7 @@ inline Status failure(Code code, std::string message, std::string pointer = {}, 
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::move(value)) {}                                     // NOLINT: implicit on purpose
+  Result(T value) : state_(std::move(value)) {}                                        // NOLINT: implicit on purpose
   Result(Status status) : state_(std::move(status)) { assert(!this->status().ok()); }  // NOLINT
 
   bool ok() const { return std::holds_alternative<T>(state_); }

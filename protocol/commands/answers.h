@@ -3,11 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "protocol/commands/edit_layer.h"
 #include "protocol/commands/field.h"
@@ -25,14 +24,14 @@ std::string to_hex(FieldsHash hash);
 
 /// What a frame asked of the GL. `bytes` are those sent for it, changes of fields included.
 struct FrameCounters {
-  std::size_t passes = 0;    // programs put to use, one after another
-  std::size_t draws = 0;     // draw calls
-  std::size_t textures = 0;  // textures bound
-  std::size_t bytes = 0;     // sent from the CPU
+  std::size_t passes = 0;       // programs put to use, one after another
+  std::size_t draws = 0;        // draw calls
+  std::size_t textures = 0;     // textures bound
+  std::size_t bytes = 0;        // sent from the CPU
   std::uint64_t fragments = 0;  // runs of fragment shaders, but for the pass that writes the picture's pixels
-  std::size_t objects = 0;    // buffers, textures, targets and programs that were made
-  std::size_t allocated = 0;  // bytes of storage that was asked for, without mip levels
-  double redrawn = 1;         // share of the picture, [0, 1]; after a stroke only what it changed is drawn
+  std::size_t objects = 0;      // buffers, textures, targets and programs that were made
+  std::size_t allocated = 0;    // bytes of storage that was asked for, without mip levels
+  double redrawn = 1;           // share of the picture, [0, 1]; after a stroke only what it changed is drawn
   bool operator==(const FrameCounters&) const = default;
 };
 
@@ -70,7 +69,7 @@ struct Repair {
 struct ModelReport {
   std::size_t source_vertices = 0;
   std::size_t source_faces = 0;
-  std::size_t vertices = 0;   // welded on equal positions
+  std::size_t vertices = 0;  // welded on equal positions
   std::size_t triangles = 0;
   std::size_t parts = 0;      // connected
   double size = 0;            // diagonal of the box, in the model's unit

@@ -7,7 +7,8 @@ namespace pelage {
 /// Cameras that the server places itself. `front` looks from +Z; each frames the bare model, never the fur.
 enum class AutoView { none, front, back, left, right, top, three_quarter };
 
-/// A pinhole camera in the model's own coordinates (right-handed, Y up). Ignored but for `automatic` unless that is none.
+/// A pinhole camera in the model's own coordinates (right-handed, Y up). Ignored but for `automatic` unless that is
+/// none.
 struct Camera {
   AutoView automatic = AutoView::three_quarter;
   glm::dvec3 position{0, 0, 1};

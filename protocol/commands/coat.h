@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "protocol/base/lean_curve.h"
 #include "protocol/commands/pattern.h"
@@ -42,36 +41,36 @@ struct Ticking {
 /// Tufts: clumps larger than the tile, which gather strands about places on the body itself, so that the fur does not
 /// repeat and has form at a distance. Each finer scale is .45 of the one before.
 struct Tufts {
-  double gather = 0;       // how far tips go to the middle of their tuft, [0, 1]
-  double size = 0.05;      // mean distance of the largest tufts, sizes, [0.01, 1]
-  int scales = 2;          // [1, 3]
+  double gather = 0;   // how far tips go to the middle of their tuft, [0, 1]
+  double size = 0.05;  // mean distance of the largest tufts, sizes, [0.01, 1]
+  int scales = 2;      // [1, 3]
   std::uint32_t seed = 1;
 
   bool operator==(const Tufts&) const = default;
 };
 
 struct Coat {
-  int count = 9000;             // strands in the tile, [1, 100000]
-  double tile = 0.12;           // side of the tile, sizes, [0.01, 1]
-  double width_root = 0.0011;   // sizes, [0, 0.05]
-  double width_tip = 0.00028;   // sizes, [0, 0.05]
-  double bend = 0.25;           // how far a strand bows to a side, over a length of .03, [0, 2]
-  double curl = 0;              // radius of the helix, over a length of .03, [0, 0.5]
-  double curl_turns = 3;        // turns of the helix from root to tip, [0, 20]
-  double curl_together = 0;     // how far the strands of a clump curl as one lock, [0, 1]
-  double wave = 0;              // amplitude of a sine in one plane, over a length of .03, [0, 0.5]
-  double wave_turns = 3;        // waves from root to tip, [0, 20]
-  double mess = 0;              // how far each strand goes and bows its own way, [0, 1]
-  double clump = 0.4;           // how far tips gather to the middle of their clump, [0, 1]
-  double clump_size = 0.010;    // mean distance of clumps, sizes, [0.001, 0.5]
-  double fine_clump = 0;        // the same inside clumps, for locks of a few strands, [0, 1]
+  int count = 9000;                // strands in the tile, [1, 100000]
+  double tile = 0.12;              // side of the tile, sizes, [0.01, 1]
+  double width_root = 0.0011;      // sizes, [0, 0.05]
+  double width_tip = 0.00028;      // sizes, [0, 0.05]
+  double bend = 0.25;              // how far a strand bows to a side, over a length of .03, [0, 2]
+  double curl = 0;                 // radius of the helix, over a length of .03, [0, 0.5]
+  double curl_turns = 3;           // turns of the helix from root to tip, [0, 20]
+  double curl_together = 0;        // how far the strands of a clump curl as one lock, [0, 1]
+  double wave = 0;                 // amplitude of a sine in one plane, over a length of .03, [0, 0.5]
+  double wave_turns = 3;           // waves from root to tip, [0, 20]
+  double mess = 0;                 // how far each strand goes and bows its own way, [0, 1]
+  double clump = 0.4;              // how far tips gather to the middle of their clump, [0, 1]
+  double clump_size = 0.010;       // mean distance of clumps, sizes, [0.001, 0.5]
+  double fine_clump = 0;           // the same inside clumps, for locks of a few strands, [0, 1]
   double fine_clump_size = 0.004;  // mean distance of these locks, sizes, [0.001, 0.5]
-  double lodge = 0;             // how far patches of strands are pressed to one side, [0, 1]
-  double lodge_size = 0.04;     // mean distance of these patches, sizes, [0.001, 0.5]
-  double wetness = 0;           // [0, 1]: tighter clumps, darker and shinier (renderer/coat/strand_tile.h)
-  double length_spread = 0.3;   // share of the length that is random, [0, 1]
-  double colour_spread = 0.12;  // change of lightness from strand to strand, [0, 1]
-  double root_share = 0.3;      // angle at the root over angle at the tip: 0 plush, .6 sleek, [0, 1]
+  double lodge = 0;                // how far patches of strands are pressed to one side, [0, 1]
+  double lodge_size = 0.04;        // mean distance of these patches, sizes, [0.001, 0.5]
+  double wetness = 0;              // [0, 1]: tighter clumps, darker and shinier (renderer/coat/strand_tile.h)
+  double length_spread = 0.3;      // share of the length that is random, [0, 1]
+  double colour_spread = 0.12;     // change of lightness from strand to strand, [0, 1]
+  double root_share = 0.3;         // angle at the root over angle at the tip: 0 plush, .6 sleek, [0, 1]
   LeanCurve lean_curve = LeanCurve::arc;
   std::vector<RampStop> ramp{{0.0, {0.100f, 0.060f, 0.035f}},
                              {0.55, {0.360f, 0.210f, 0.110f}},

@@ -7,17 +7,46 @@ namespace pelage {
 namespace {
 
 template <class C>
-constexpr bool has_stroke = requires(C command) { command.stroke; };
+constexpr bool has_stroke = requires(C command) {
+  command.stroke;
+};
 
 }  // namespace
 
 const char* op_of(const Command& command) {
-  static constexpr const char* names[] = {
-      "comb", "blow", "attract", "interpolate", "flow", "smooth", "noise", "unify",
-      "part", "length", "trim", "lift", "erase", "clump", "curl", "paint", "mask", "map",
-      "set_blowers", "set_attractors", "set_symmetry", "checkpoint", "edit_layer", "retarget",
-      "set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves", "set_skin",
-      "set_skin_texture"};
+  static constexpr const char* names[] = {"comb",
+                                          "blow",
+                                          "attract",
+                                          "interpolate",
+                                          "flow",
+                                          "smooth",
+                                          "noise",
+                                          "unify",
+                                          "part",
+                                          "length",
+                                          "trim",
+                                          "lift",
+                                          "erase",
+                                          "clump",
+                                          "curl",
+                                          "paint",
+                                          "mask",
+                                          "map",
+                                          "set_blowers",
+                                          "set_attractors",
+                                          "set_symmetry",
+                                          "checkpoint",
+                                          "edit_layer",
+                                          "retarget",
+                                          "set_coat",
+                                          "set_look",
+                                          "set_lights",
+                                          "set_environment",
+                                          "set_ground",
+                                          "set_eyes",
+                                          "set_curves",
+                                          "set_skin",
+                                          "set_skin_texture"};
   static_assert(std::size(names) == std::variant_size_v<Command>);
   return names[command.index()];
 }
@@ -25,8 +54,10 @@ const char* op_of(const Command& command) {
 Stroke* stroke_of(Command& command) {
   return std::visit(
       [](auto& c) -> Stroke* {
-        if constexpr (has_stroke<std::remove_reference_t<decltype(c)>>) return c.stroke ? &*c.stroke : nullptr;
-        else return nullptr;
+        if constexpr (has_stroke<std::remove_reference_t<decltype(c)>>)
+          return c.stroke ? &*c.stroke : nullptr;
+        else
+          return nullptr;
       },
       command);
 }
@@ -36,8 +67,10 @@ const Stroke* stroke_of(const Command& command) { return stroke_of(const_cast<Co
 std::string edit_layer_of(const Command& command) {
   return std::visit(
       [](const auto& c) {
-        if constexpr (requires { c.edit_layer; }) return c.edit_layer;
-        else return std::string();
+        if constexpr (requires { c.edit_layer; })
+          return c.edit_layer;
+        else
+          return std::string();
       },
       command);
 }

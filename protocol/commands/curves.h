@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace pelage {
 
@@ -14,13 +13,13 @@ using GuideCurve = std::vector<glm::dvec3>;
 /// Curves of one kind. Guides are drawn as they are given; between each two that follow each other `fill` more are
 /// mixed.
 struct CurveGroup {
-  std::vector<GuideCurve> curves;             // 1 to 4096 guides
-  double width_root = 0.0008;                 // sizes, [0, 0.1]
-  double width_tip = 0.0001;                  // sizes, [0, 0.1]
-  glm::vec3 root_colour{0.55f, 0.50f, 0.44f}; // linear
-  glm::vec3 tip_colour{0.80f, 0.77f, 0.72f};  // linear
-  int fill = 0;                               // [0, 4095]
-  double spread = 0;                          // how far filled curves stray in length, direction and place, [0, 1]
+  std::vector<GuideCurve> curves;              // 1 to 4096 guides
+  double width_root = 0.0008;                  // sizes, [0, 0.1]
+  double width_tip = 0.0001;                   // sizes, [0, 0.1]
+  glm::vec3 root_colour{0.55f, 0.50f, 0.44f};  // linear
+  glm::vec3 tip_colour{0.80f, 0.77f, 0.72f};   // linear
+  int fill = 0;                                // [0, 4095]
+  double spread = 0;                           // how far filled curves stray in length, direction and place, [0, 1]
   std::uint32_t seed = 1;
 
   bool operator==(const CurveGroup&) const = default;

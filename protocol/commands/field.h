@@ -24,9 +24,9 @@ enum class Field : std::uint8_t {
 };
 
 struct FieldShape {
-  std::string_view name;  // on the wire
-  int channels = 1;       // [1, 4]
-  float default_value = 0;         // what every channel holds before anything has touched it
+  std::string_view name;    // on the wire
+  int channels = 1;         // [1, 4]
+  float default_value = 0;  // what every channel holds before anything has touched it
   float min = 0, max = 1;
 };
 

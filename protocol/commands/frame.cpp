@@ -6,8 +6,7 @@ namespace pelage {
 
 Knobs knobs_of(Tier tier) {
   switch (tier) {
-    case Tier::draft:
-      return {.shells = 8, .steps = 4, .scale = 0.6, .min_radius = 120, .eye_steps = 1};
+    case Tier::draft: return {.shells = 8, .steps = 4, .scale = 0.6, .min_radius = 120, .eye_steps = 1};
     case Tier::interactive: return {};
     case Tier::detailed:
       return {.shells = 32,

@@ -3,11 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "protocol/commands/camera.h"
 #include "protocol/commands/look.h"
@@ -15,7 +14,7 @@
 namespace pelage {
 
 enum class Tier { draft, interactive, detailed, reference };
-enum class Method { shells, strands };                  // strands: every strand of the coat, ray traced
+enum class Method { shells, strands };  // strands: every strand of the coat, ray traced
 /// How light gets through traced fur: by the colour and count of the strands that a ray to the light crosses, or along
 /// whole paths that scatter from strand to strand.
 enum class Transport { transmittance, paths };
@@ -31,7 +30,17 @@ enum class ExrType { half, single };
 /// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
 /// first light that casts a shadow, as the light sees the model (GPU fur 4).
 enum class Overlay {
-  none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, light_occlusion, shadow_width,
+  none,
+  direction,
+  strokes,
+  length,
+  density,
+  wetness,
+  mask,
+  shell_count,
+  light_depth,
+  light_occlusion,
+  shadow_width,
   difference  // how much the fields have changed since overlay_from
 };
 
@@ -52,14 +61,14 @@ enum class Aov {
 
 /// How strands are traced. A pass adds a sample to each pixel that still needs some.
 struct Tracing {
-  int passes = 64;                    // at most, [1, 65536]
+  int passes = 64;  // at most, [1, 65536]
   Transport transport = Transport::transmittance;
   StrandScattering scattering = StrandScattering::look;
-  int bounces = 32;                   // of a path, [1, 4096]; paths
-  int strands = 2'000'000;            // at most, [1, 8000000]; fewer are drawn wider
-  double noise = 0;                   // stops once the estimate is below, [0, 1]: mean error of a shown channel; 0 never
-  double seconds = 0;                 // stops after them, [0, 3600]; 0 never
-  bool filter = true;                 // features filter pictures of few passes
+  int bounces = 32;         // of a path, [1, 4096]; paths
+  int strands = 2'000'000;  // at most, [1, 8000000]; fewer are drawn wider
+  double noise = 0;         // stops once the estimate is below, [0, 1]: mean error of a shown channel; 0 never
+  double seconds = 0;       // stops after them, [0, 3600]; 0 never
+  bool filter = true;       // features filter pictures of few passes
   std::uint32_t seed = 1;
 
   bool operator==(const Tracing&) const = default;
@@ -67,21 +76,21 @@ struct Tracing {
 
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
-  int shells = 16;                                // [1, 1024], where the view needs most
+  int shells = 16;  // [1, 1024], where the view needs most
   ShellPolicy shell_policy = ShellPolicy::uniform;
-  int steps = 2;                                  // texture steps inside a slab of all shells, [1, 16]
-  double scale = 1;                               // rendered size over asked size, [0.25, 2]
+  int steps = 2;                                // texture steps inside a slab of all shells, [1, 16]
+  double scale = 1;                             // rendered size over asked size, [0.25, 2]
   int min_radius = 0;                           // rendered pixels of the ball about the model's box, [0, 8192]: where a
-                                                  // scale below 1 gives fewer, it is larger, up to 1
-  int eye_steps = 8;                              // into the iris: 0 flat, 1 parallax, more march, [0, 64]
-  bool self_shadow = true;                        // the one that needs no maps (science.md 4)
-  bool shadow_maps = false;                       // draw the shadows that lights ask for
-  int shadow_resolution = 512;                    // texels of a map's side, [1, 4096]
-  FragmentOrder order = FragmentOrder::shells;    // in which fur is blended
-  bool fins = false;                              // side views of the fur on edges at silhouettes
-  int guard_hairs = 0;                            // single hairs over the model, [0, 100000]; drawn near silhouettes
+                                                // scale below 1 gives fewer, it is larger, up to 1
+  int eye_steps = 8;                            // into the iris: 0 flat, 1 parallax, more march, [0, 64]
+  bool self_shadow = true;                      // the one that needs no maps (science.md 4)
+  bool shadow_maps = false;                     // draw the shadows that lights ask for
+  int shadow_resolution = 512;                  // texels of a map's side, [1, 4096]
+  FragmentOrder order = FragmentOrder::shells;  // in which fur is blended
+  bool fins = false;                            // side views of the fur on edges at silhouettes
+  int guard_hairs = 0;                          // single hairs over the model, [0, 100000]; drawn near silhouettes
   Method method = Method::shells;
-  Tracing trace = {};                             // of method strands
+  Tracing trace = {};  // of method strands
 
   bool operator==(const Knobs&) const = default;
 };
@@ -94,12 +103,12 @@ enum class TraceEnd { none, passes, noise, seconds };
 
 /// What a traced picture is made of.
 struct TraceReport {
-  int passes = 0;             // 0 for shells
-  double samples = 0;         // mean of a pixel
-  double noise = 0;           // estimated mean error of a shown channel
+  int passes = 0;      // 0 for shells
+  double samples = 0;  // mean of a pixel
+  double noise = 0;    // estimated mean error of a shown channel
   std::size_t strands = 0;
   TraceEnd end = TraceEnd::none;
-  double grow_ms = 0;         // growing and indexing strands
+  double grow_ms = 0;  // growing and indexing strands
   double trace_ms = 0;
 };
 
@@ -117,13 +126,14 @@ struct FrameRequest {
   ToneMap tone_map = ToneMap::filmic;
   std::optional<Look> look;  // in place of the scene's, for this frame
   FrameFormat format = FrameFormat::png;
-  int jpeg_quality = 90;                                                     // [1, 100]
-  ExrType exr_type = ExrType::half;                                          // depth and position are always single
-  std::vector<Aov> aovs{Aov::beauty};                        // of an EXR: at least one, each once
-  Overlay overlay = Overlay::none;                                           // not in an EXR
+  int jpeg_quality = 90;                           // [1, 100]
+  ExrType exr_type = ExrType::half;                // depth and position are always single
+  std::vector<Aov> aovs{Aov::beauty};              // of an EXR: at least one, each once
+  Overlay overlay = Overlay::none;                 // not in an EXR
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
-  std::optional<Tracing> progressive = {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
-  std::string view;          // name of the viewer; of several frames asked for one view only the newest is drawn
+  std::optional<Tracing> progressive =
+      {};            // shells now, and strands traced while somebody waits for them (`after_pass`)
+  std::string view;  // name of the viewer; of several frames asked for one view only the newest is drawn
 
   bool plans() const { return budget_ms || max_error; }
 };

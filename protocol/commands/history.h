@@ -12,7 +12,7 @@ namespace pelage {
 
 /// A scene of its own that begins with another one's model, log and settings at a revision.
 struct BranchRequest {
-  std::string name = "branch";                // 1 to 200 bytes
+  std::string name = "branch";                 // 1 to 200 bytes
   std::optional<std::uint64_t> revision = {};  // [first of the model, present]; the present one when absent
 };
 

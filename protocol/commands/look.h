@@ -45,14 +45,14 @@ struct Look {
   ShadingModel shading = ShadingModel::kajiya;
   FibreOptics fibre;
   ColourSource colour_source = ColourSource::automatic;
-  double ambient = 0.38;             // ka, [0, 4]
-  double diffuse = 0.8;              // kd, [0, 4]
-  double specular = 0.25;            // ks, [0, 4]
-  double diffuse_exponent = 1.2;     // pd, [0, 1e6]
-  double specular_exponent = 40;     // ps, [0, 1e6]
-  double back_attenuation = 0.5;     // r of B, (0, 1]
-  double ambient_floor = 0.3;        // e of g = (1-e) s + e, [0, 1]
-  double self_shadow = 1;            // scales the optical depth to the light, [0, 4]
+  double ambient = 0.38;                 // ka, [0, 4]
+  double diffuse = 0.8;                  // kd, [0, 4]
+  double specular = 0.25;                // ks, [0, 4]
+  double diffuse_exponent = 1.2;         // pd, [0, 1e6]
+  double specular_exponent = 40;         // ps, [0, 1e6]
+  double back_attenuation = 0.5;         // r of B, (0, 1]
+  double ambient_floor = 0.3;            // e of g = (1-e) s + e, [0, 1]
+  double self_shadow = 1;                // scales the optical depth to the light, [0, 4]
   glm::vec3 skin{0.10f, 0.065f, 0.05f};  // linear; colour under the fur where the model has none
 
   bool operator==(const Look&) const = default;
@@ -68,22 +68,23 @@ enum class CastShadow { none, hard, soft, penumbra };
 /// square of distance so that intensity 1 gives white at distance `size`. Spot: a point light inside a cone. Area: a
 /// rectangle about `position` that shines along `direction` by the cosine, as bright from afar as a point light. Traced
 /// strands see the lights' sizes; shells see points, and a rectangle from its middle.
-/// Shadows need maps, which a frame draws when its knobs allow them (`shadow_maps`) and keeps until fields or light change.
+/// Shadows need maps, which a frame draws when its knobs allow them (`shadow_maps`) and keeps until fields or light
+/// change.
 struct Light {
   LightKind kind = LightKind::directional;
   glm::dvec3 direction{0, -1, 0};
   glm::dvec3 position{0};
-  glm::vec3 colour{1};   // linear
-  double intensity = 1;  // [0, 1e8]
-  double cone_degrees = 30;      // half angle of a spot, (0, 90]
-  double cone_softness = 0.25;   // share of the cone over which the edge fades, [0, 1]
-  double angle_degrees = 3;      // half angle that a directional light spans, [0, 90]
-  double radius = 0.05;          // of the ball that a point or spot light is, sizes, [0, 10]
-  double width = 0.5;            // of an area light, sizes, [1e-3, 100]; level
-  double height = 0.5;           // sizes, [1e-3, 100]
-  bool self_shadow_maps = false; // shadow maps of the shells (GPU fur 3.1) in place of the estimate
+  glm::vec3 colour{1};            // linear
+  double intensity = 1;           // [0, 1e8]
+  double cone_degrees = 30;       // half angle of a spot, (0, 90]
+  double cone_softness = 0.25;    // share of the cone over which the edge fades, [0, 1]
+  double angle_degrees = 3;       // half angle that a directional light spans, [0, 90]
+  double radius = 0.05;           // of the ball that a point or spot light is, sizes, [0, 10]
+  double width = 0.5;             // of an area light, sizes, [1e-3, 100]; level
+  double height = 0.5;            // sizes, [1e-3, 100]
+  bool self_shadow_maps = false;  // shadow maps of the shells (GPU fur 3.1) in place of the estimate
   CastShadow cast_shadow = CastShadow::none;
-  double shadow_scale = 10;      // of a soft one, Cscale of GPU fur 4: larger is a narrower edge, [0, 1000]
+  double shadow_scale = 10;  // of a soft one, Cscale of GPU fur 4: larger is a narrower edge, [0, 1000]
 };
 
 /// Radiance from all directions in the nine real spherical harmonics of bands 0 to 2, in the order of Ramamoorthi and
@@ -116,7 +117,8 @@ std::vector<Light> default_lights();
 
 /// Whether the fur takes the colours of a model that has some, or has none.
 inline bool takes_model_colours(const Look& look, bool model_has_colours) {
-  return look.colour_source == ColourSource::model || (look.colour_source == ColourSource::automatic && model_has_colours);
+  return look.colour_source == ColourSource::model ||
+         (look.colour_source == ColourSource::automatic && model_has_colours);
 }
 
 }  // namespace pelage

@@ -11,23 +11,24 @@
 
 namespace pelage {
 
-/// What a map's pixels hold; server/maps/encoding.h has the numbers. `value`: a number in grey, or of a colour field its
-/// red, green, blue and cover. `uv_tangent`: red and green are a direction's parts along +u and +v, .5 is 0. `fast_fur`
-/// (Warren): the same, with the field width in blue and density in alpha. `vector` (as MODO has it): direction and length
-/// as one vector with parts along +u, +v and the normal; floats only. `automatic`: uv_tangent of direction, else value.
+/// What a map's pixels hold; server/maps/encoding.h has the numbers. `value`: a number in grey, or of a colour field
+/// its red, green, blue and cover. `uv_tangent`: red and green are a direction's parts along +u and +v, .5 is 0.
+/// `fast_fur` (Warren): the same, with the field width in blue and density in alpha. `vector` (as MODO has it):
+/// direction and length as one vector with parts along +u, +v and the normal; floats only. `automatic`: uv_tangent of
+/// direction, else value.
 enum class MapEncoding { automatic, value, uv_tangent, fast_fur, vector };
 
 enum class MapFormat { png, png16, exr, exr_half };
 
 /// Puts the fields in place of what a picture holds for them. Needs a model with texture coordinates.
 struct ApplyMap {
-  std::string picture;           // 32 hex digits, the name that its upload answered with; required
-  Field field = Field::length;   // direction with uv_tangent, fast_fur and vector
+  std::string picture;          // 32 hex digits, the name that its upload answered with; required
+  Field field = Field::length;  // direction with uv_tangent, fast_fur and vector
   MapEncoding encoding = MapEncoding::automatic;
-  double scale = 1;              // what 1 in the picture is in the field's unit, [1e-27, 1e27]; a length of `units`
-  Units units = Units::relative; // of length and vector
-  double strength = 1;           // how far fields go to the picture's, [0, 1]
-  std::string edit_layer = {};        // edit layer that keeps the change; "" for the groom
+  double scale = 1;               // what 1 in the picture is in the field's unit, [1e-27, 1e27]; a length of `units`
+  Units units = Units::relative;  // of length and vector
+  double strength = 1;            // how far fields go to the picture's, [0, 1]
+  std::string edit_layer = {};    // edit layer that keeps the change; "" for the groom
 };
 
 /// Which map is asked for.
@@ -35,9 +36,9 @@ struct MapRequest {
   Field field = Field::length;
   MapFormat format = MapFormat::png16;
   MapEncoding encoding = MapEncoding::automatic;
-  int size = 1024;               // pixels of a side, [1, 8192]
-  int dilate = 8;                // pixels by which islands grow, [0, 64]
-  std::optional<double> scale = {};   // as in ApplyMap; absent: the field's largest value for PNG, 1 for EXR
+  int size = 1024;                   // pixels of a side, [1, 8192]
+  int dilate = 8;                    // pixels by which islands grow, [0, 64]
+  std::optional<double> scale = {};  // as in ApplyMap; absent: the field's largest value for PNG, 1 for EXR
   Units units = Units::relative;
 };
 
@@ -45,7 +46,7 @@ struct MapRequest {
 struct MapUpload {
   Field field = Field::length;
   MapEncoding encoding = MapEncoding::automatic;
-  std::optional<double> scale = {};   // absent: what the picture says about itself, else 1
+  std::optional<double> scale = {};  // absent: what the picture says about itself, else 1
   Units units = Units::relative;
   double strength = 1;
 };
@@ -55,18 +56,18 @@ struct MapAnswer {
   Revision revision = 0;
   Field field = Field::length;
   MapEncoding encoding = MapEncoding::value;
-  double scale = 1;              // that 1 in the picture stands for
+  double scale = 1;  // that 1 in the picture stands for
   Units units = Units::relative;
-  double covered = 0;            // share of the pixels that lie in triangles
-  std::size_t outside = 0;       // triangles with a part outside [0, 1], drawn where a picture that repeats shows them
+  double covered = 0;       // share of the pixels that lie in triangles
+  std::size_t outside = 0;  // triangles with a part outside [0, 1], drawn where a picture that repeats shows them
 };
 
 /// A picture that the server keeps for commands to name.
 struct PictureAnswer {
-  std::string picture;           // 32 hex digits
-  int width = 0, height = 0;     // pixels
-  int bits = 8;                  // of a channel: 8, 16, or 32 for any float
-  std::optional<double> scale = {};   // sizes, or the field's unit, where the picture says it of itself
+  std::string picture;               // 32 hex digits
+  int width = 0, height = 0;         // pixels
+  int bits = 8;                      // of a channel: 8, 16, or 32 for any float
+  std::optional<double> scale = {};  // sizes, or the field's unit, where the picture says it of itself
 };
 
 /// What `automatic` stands for.

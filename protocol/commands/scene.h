@@ -6,17 +6,17 @@
 namespace pelage {
 
 enum class Builtin { torus, knot, sphere, plane, cloth, creature };
-enum class ModelFormat { obj, ply, stl, off, gltf, glb, tds };  // tds is "3ds" on the wire
+enum class ModelFormat { obj, ply, stl, off, gltf, glb, tds };          // tds is "3ds" on the wire
 enum class Axis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  // "x", "-x", ...
 
 /// The first groom: fur that lies from nose to tail and a little down.
-/// even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in
-/// the model's box when it looks along +Z.
+/// even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, estimated from where they
+/// lie in the model's box when it looks along +Z.
 enum class GroomForm { even, animal };
 
 struct FirstGroom {
-  double length = 0.03;      // sizes, [0, 10]
-  double inclination = 0.45; // [0, 1]
+  double length = 0.03;       // sizes, [0, 10]
+  double inclination = 0.45;  // [0, 1]
   GroomForm form = GroomForm::even;
 };
 
@@ -49,7 +49,7 @@ struct ImportOptions {
 /// Splits the triangles of the field mesh in four at the middles of their edges; the shape stays. `masked` splits only
 /// triangles with a corner whose mask is above .5, and their neighbours so that no crack opens.
 struct Subdivide {
-  int levels = 1;       // [1, 8]
+  int levels = 1;  // [1, 8]
   bool masked = false;
 };
 

@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-enum class Units { relative, world };  // a fraction of the model's size, or its own unit
+enum class Units { relative, world };                // a fraction of the model's size, or its own unit
 enum class RadiusUnits { relative, world, pixels };  // pixels: of the stroke's view, at the depth of the sample
 
 /// How far a vertex is from a dab: through space, along the surface (it does not reach another part of the model that
@@ -22,8 +22,12 @@ enum class Falloff { constant, linear, smooth, sharp, sphere };
 
 /// Where a stroke passes: a point in the model's coordinates, a pixel of the stroke's view (origin top left, y down,
 /// centres at .5), or a place on a triangle.
-struct PositionSample { glm::dvec3 position{0}; };
-struct ScreenSample { glm::dvec2 screen{0}; };
+struct PositionSample {
+  glm::dvec3 position{0};
+};
+struct ScreenSample {
+  glm::dvec2 screen{0};
+};
 struct SurfaceSample {
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{1.0 / 3};  // each in [0, 1], sum 1 within 1e-3
@@ -37,11 +41,11 @@ struct StrokeSample {
 
 /// A stroke, whole or a live part. Parts with one `id` join one undo step and give what the whole would have given.
 struct Stroke {
-  std::string id;            // "" for a stroke sent whole; at most 200 bytes
-  std::uint32_t part = 0;    // 0, 1, 2 ... within an id
+  std::string id;          // "" for a stroke sent whole; at most 200 bytes
+  std::uint32_t part = 0;  // 0, 1, 2 ... within an id
   bool last = true;
   std::vector<StrokeSample> samples;  // 1 to 10,000
-  std::optional<View> view;  // required by pixel samples, radii in pixels and the screen shape
+  std::optional<View> view;           // required by pixel samples, radii in pixels and the screen shape
 };
 
 /// The brush block that all tools share.
@@ -50,15 +54,17 @@ struct Brush {
   RadiusUnits units = RadiusUnits::relative;
   FalloffShape falloff_shape = FalloffShape::volume;
   Falloff falloff = Falloff::smooth;
-  std::vector<double> falloff_points = {};  // empty, or 2 to 64 weights [0, 1] from the middle to the rim, in place of the name
-  double strength = 0.8;         // [0, 1]
-  double spacing = 0.25;         // of a dab, in radii, [0.01, 10]
+  std::vector<double> falloff_points =
+      {};                           // empty, or 2 to 64 weights [0, 1] from the middle to the rim, in place of the name
+  double strength = 0.8;            // [0, 1]
+  double spacing = 0.25;            // of a dab, in radii, [0.01, 10]
   double pressure_to_radius = 0;    // share of the radius that pressure scales, [0, 1]
   double pressure_to_strength = 1;  // share of the strength that pressure scales, [0, 1]
-  bool front_faces_only = true;  // against the view of pixel samples, else the surface normal at the sample
-  double cut_off_degrees = 90;   // angle to the front from which faces count as back-facing, [0, 180]
-  bool invert = false;           // the tool's opposite, where it has one
-  double strand_from = 0, strand_to = 1;  // from root to tip, [0, 1]: the part of the strand that changes; of colours only
+  bool front_faces_only = true;     // against the view of pixel samples, else the surface normal at the sample
+  double cut_off_degrees = 90;      // angle to the front from which faces count as back-facing, [0, 180]
+  bool invert = false;              // the tool's opposite, where it has one
+  double strand_from = 0,
+         strand_to = 1;  // from root to tip, [0, 1]: the part of the strand that changes; of colours only
 };
 
 }  // namespace pelage

@@ -1,5 +1,6 @@
-// Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask holds for all.
-// A tool works on what is seen. `edit layer` names the edit layer that keeps what it changes; "" for the groom below them all.
+// Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask holds for
+// all. A tool works on what is seen. `edit layer` names the edit layer that keeps what it changes; "" for the groom
+// below them all.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +21,9 @@ struct Comb {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
-  double lean = 0.7;                     // inclination that combing tends to, [0, 1]
-  bool keep_inclination = false;         // turns the heading alone
-  std::optional<glm::dvec3> direction = {};   // flood only: where the fur is combed to; not zero
+  double lean = 0.7;                         // inclination that combing tends to, [0, 1]
+  bool keep_inclination = false;             // turns the heading alone
+  std::optional<glm::dvec3> direction = {};  // flood only: where the fur is combed to; not zero
 };
 
 /// Wind from a source, inside a cone; a stroke restricts it to what its brush covers.
@@ -30,15 +31,15 @@ struct Blow {
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
-  std::string blower = {};           // the name of one that stays (set_blowers), whose settings then hold; "" for these
-  glm::dvec3 source{0};         // model coordinates
+  std::string blower = {};         // the name of one that stays (set_blowers), whose settings then hold; "" for these
+  glm::dvec3 source{0};            // model coordinates
   glm::dvec3 direction{0, -1, 0};  // axis of the cone; not zero
-  double cone_degrees = 40;     // half angle, [0, 180]
-  double softness = 0.25;       // share of the cone over which the edge fades, [0, 1]
-  double fall = 0;              // distance at which the wind has half its strength, in `units`; 0: it does not fall
+  double cone_degrees = 40;        // half angle, [0, 180]
+  double softness = 0.25;          // share of the cone over which the edge fades, [0, 1]
+  double fall = 0;                 // distance at which the wind has half its strength, in `units`; 0: it does not fall
   Units units = Units::relative;
-  double strength = 0.5;        // [0, 1]
-  double lean = 0.7;            // inclination that the wind tends to, [0, 1]
+  double strength = 0.5;  // [0, 1]
+  double lean = 0.7;      // inclination that the wind tends to, [0, 1]
 };
 
 /// A stick that pulls fur to it and stretches it (fur modelling 5.2); a stroke restricts it to what its brush covers.
@@ -46,9 +47,9 @@ struct Attract {
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
-  std::string attractor = {};   // the name of one that stays (set_attractors), whose settings then hold; "" for these
-  glm::dvec3 point{0};     // model coordinates
-  double radius = 0.2;     // in `units`, [0, 1e6 sizes]
+  std::string attractor = {};  // the name of one that stays (set_attractors), whose settings then hold; "" for these
+  glm::dvec3 point{0};         // model coordinates
+  double radius = 0.2;         // in `units`, [0, 1e6 sizes]
   Units units = Units::relative;
   double strength = 0.5;   // [0, 1]
   double duration = 1;     // seconds of pulling, [0, 1e4]
@@ -60,10 +61,10 @@ enum class DistanceKind { straight, dijkstra, heat };  // through space; along e
 
 /// What fur is like at one place.
 struct Key {
-  glm::dvec3 position{0};                 // model coordinates; the nearest place on the surface is meant
-  std::optional<glm::dvec3> direction = {};    // where it leans; not zero
-  std::optional<double> inclination = {};      // [0, 1]; with a direction, .5 unless given
-  std::optional<double> length = {};           // in the command's `units`, [0, 10 sizes]
+  glm::dvec3 position{0};                    // model coordinates; the nearest place on the surface is meant
+  std::optional<glm::dvec3> direction = {};  // where it leans; not zero
+  std::optional<double> inclination = {};    // [0, 1]; with a direction, .5 unless given
+  std::optional<double> length = {};         // in the command's `units`, [0, 10 sizes]
 };
 
 /// Spreads keys over the surface with Gaussian weights of the distance (fur modelling 5.1).
@@ -71,11 +72,11 @@ struct Interpolate {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
-  std::vector<Key> keys = {};         // 1 to 256
-  double sigma = 0.2;            // width of the Gaussians, in `units`, above 0
+  std::vector<Key> keys = {};  // 1 to 256
+  double sigma = 0.2;          // width of the Gaussians, in `units`, above 0
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;
-  double strength = 1;           // [0, 1]
+  double strength = 1;  // [0, 1]
 };
 
 /// Lays the fur of the whole body along curves that are drawn on it.
@@ -83,12 +84,13 @@ struct Flow {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
-  std::vector<std::vector<glm::dvec3>> curves = {};  // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
-  double sigma = 0.2;            // in `units`, above 0
+  std::vector<std::vector<glm::dvec3>> curves =
+      {};              // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
+  double sigma = 0.2;  // in `units`, above 0
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;
   std::optional<double> inclination = {};  // [0, 1]; the fur keeps its own unless given
-  double strength = 1;           // [0, 1]
+  double strength = 1;                     // [0, 1]
 };
 
 /// V' = (1 - t) V + t sum w_j V_j over neighbours, w_j the inverse distance, normalised (fur modelling 5.1).
@@ -97,8 +99,8 @@ struct Smooth {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
-  double t = 0.5;                // [0, 1]
-  int passes = 3;                // [1, 10,000]
+  double t = 0.5;  // [0, 1]
+  int passes = 3;  // [1, 10,000]
   bool keep_inclination = false;
   std::vector<Field> fields{Field::direction};
 };
@@ -110,8 +112,8 @@ struct Noise {
   Brush brush = {};
   std::string edit_layer = {};
   std::uint32_t seed = 1;
-  double amount = 0.2;           // directions: inclinations; length and width: share of the value; others: added. [0, 10]
-  double feature_size = 0;       // of the noise, in `units`; 0: every vertex for itself
+  double amount = 0.2;      // directions: inclinations; length and width: share of the value; others: added. [0, 10]
+  double feature_size = 0;  // of the noise, in `units`; 0: every vertex for itself
   Units units = Units::relative;
   std::vector<Field> fields{Field::direction};
 };
@@ -126,8 +128,8 @@ struct Unify {
   std::optional<double> inclination = {};    // [0, 1]
   std::optional<double> length = {};         // in `units`
   Units units = Units::relative;
-  std::vector<Field> mean = {};              // these go to their weighted mean
-  double weight = 0.5;                  // [0, 1], beside the brush's own strength
+  std::vector<Field> mean = {};  // these go to their weighted mean
+  double weight = 0.5;           // [0, 1], beside the brush's own strength
 };
 
 /// A line that fur leans away from on both sides.
@@ -135,7 +137,7 @@ struct Part {
   std::optional<Stroke> stroke = {};  // the line; required
   Brush brush = {};
   std::string edit_layer = {};
-  double lean = 0.7;             // [0, 1]
+  double lean = 0.7;  // [0, 1]
 };
 
 enum class LengthMode { set, add, scale, average, jitter, min, max };
@@ -145,13 +147,19 @@ struct Length {
   Brush brush = {};
   std::string edit_layer = {};
   LengthMode mode = LengthMode::set;
-  double value = 0.03;           // a length in `units` (may be below 0 for add), a factor, or the share of a jitter
+  double value = 0.03;  // a length in `units` (may be below 0 for add), a factor, or the share of a jitter
   Units units = Units::relative;
-  std::uint32_t seed = 1;        // of a jitter
+  std::uint32_t seed = 1;  // of a jitter
 };
 
-struct TrimPlane { glm::dvec3 point{0}, normal{0, 1, 0}; };  // fur ends before the side that the normal points to
-struct TrimSphere { glm::dvec3 centre{0}; double radius = 0; bool keep_inside = true; };  // radius in `units`
+struct TrimPlane {
+  glm::dvec3 point{0}, normal{0, 1, 0};
+};  // fur ends before the side that the normal points to
+struct TrimSphere {
+  glm::dvec3 centre{0};
+  double radius = 0;
+  bool keep_inside = true;
+};  // radius in `units`
 /// Cuts fur by a plane, by a sphere, or to a height over the skin.
 struct Trim {
   std::optional<Stroke> stroke = {};
@@ -170,8 +178,8 @@ struct Lift {
   std::string edit_layer = {};
 };
 
-/// Goes back to the first groom, or to a checkpoint or revision of this scene; with an edit layer and neither of them, takes
-/// away what the edit layer adds.
+/// Goes back to the first groom, or to a checkpoint or revision of this scene; with an edit layer and neither of them,
+/// takes away what the edit layer adds.
 struct Erase {
   std::optional<Stroke> stroke = {};
   bool flood = false;
@@ -187,8 +195,8 @@ struct Clump {
   std::optional<Stroke> stroke = {};  // required
   Brush brush = {};
   std::string edit_layer = {};
-  double gather = 0.3;           // how far fur turns to the middle of each dab, [0, 1]
-  double amount = 0.6;           // what the field tends to, [0, 1]
+  double gather = 0.3;  // how far fur turns to the middle of each dab, [0, 1]
+  double amount = 0.6;  // what the field tends to, [0, 1]
 };
 
 /// Curls fur, and turns its heading.
@@ -197,8 +205,8 @@ struct Curl {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
-  double amount = 0.6;           // what the field tends to, [0, 1]
-  double turn_degrees = 0;       // counter-clockwise seen from outside, [-180, 180]
+  double amount = 0.6;      // what the field tends to, [0, 1]
+  double turn_degrees = 0;  // counter-clockwise seen from outside, [-180, 180]
 };
 
 /// Paints a field: value or colour.
@@ -220,30 +228,49 @@ struct Retarget {
   std::string scene = {};                      // id of the source, on the same server
   std::optional<std::uint64_t> revision = {};  // of the source's model; set when it is resolved
   Alignment align = Alignment::box;
-  std::vector<Field> fields = {};              // all but the mask when empty
-  double strength = 1;                         // [0, 1]
+  std::vector<Field> fields = {};  // all but the mask when empty
+  double strength = 1;             // [0, 1]
   std::string edit_layer = {};
 };
 
 enum class MaskAction { select, grow, shrink, smooth, invert };
 enum class MaskCombine { replace, add, subtract, intersect };
 struct MaskAll {};
-struct MaskVertices { std::vector<std::uint32_t> vertices = {}; };  // 1 to 100,000
-struct MaskBox { glm::dvec3 min{0}, max{0}; };                  // model coordinates
-struct MaskSphere { glm::dvec3 centre{0}; double radius = 0.1; double softness = 0; };  // radius in `units`; share that fades
-struct MaskPart { glm::dvec3 position{0}; };                    // the connected part nearest to it
-enum class PictureChannel { luminance, red, green, blue, alpha };  // luminance: by Rec. 709's weights of the file's numbers
+struct MaskVertices {
+  std::vector<std::uint32_t> vertices = {};
+};  // 1 to 100,000
+struct MaskBox {
+  glm::dvec3 min{0}, max{0};
+};  // model coordinates
+struct MaskSphere {
+  glm::dvec3 centre{0};
+  double radius = 0.1;
+  double softness = 0;
+};  // radius in `units`; share that fades
+struct MaskPart {
+  glm::dvec3 position{0};
+};  // the connected part nearest to it
+enum class PictureChannel {
+  luminance,
+  red,
+  green,
+  blue,
+  alpha
+};  // luminance: by Rec. 709's weights of the file's numbers
 /// What an uploaded picture holds at the vertices' texture coordinates.
-struct MaskPicture { std::string name = {}; PictureChannel channel = PictureChannel::luminance; };  // 32 hex digits
+struct MaskPicture {
+  std::string name = {};
+  PictureChannel channel = PictureChannel::luminance;
+};  // 32 hex digits
 /// Chooses where tools work. Brushes paint it with `paint`.
 struct ChangeMask {
   MaskAction action = MaskAction::select;
   std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskPicture> shape = {};  // of select
-  MaskCombine combine = MaskCombine::replace;                                // of select
+  MaskCombine combine = MaskCombine::replace;                                                  // of select
   double value = 1;        // of select: what the chosen get, [0, 1]; with replace the others get 1 - value
   double distance = 0.02;  // of grow and shrink: along the surface, in `units`
   Units units = Units::relative;
-  int passes = 3;          // of smooth, [1, 10,000]
+  int passes = 3;  // of smooth, [1, 10,000]
 };
 
 }  // namespace pelage

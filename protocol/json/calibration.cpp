@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "protocol/json/read.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/parse.h"
+#include "protocol/json/read.h"
 
 namespace pelage {
 

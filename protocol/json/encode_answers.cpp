@@ -149,7 +149,8 @@ std::string encode(const FoldCount& folds) {
 std::string encode(const std::vector<LogEntry>& log) {
   Json entries = Json::array();
   for (const LogEntry& entry : log) {
-    Json json = {{"revision", entry.revision}, {"kind", entry.kind}, {"touched", entry.touched}, {"in_effect", entry.in_effect}};
+    Json json = {
+        {"revision", entry.revision}, {"kind", entry.kind}, {"touched", entry.touched}, {"in_effect", entry.in_effect}};
     if (!entry.commands.empty()) json["commands"] = Json::parse(entry.commands, nullptr, false);
     entries.push_back(std::move(json));
   }

@@ -61,12 +61,11 @@ void members(V& v, Visited<V, Knobs>& c) {
     v.boolean("fins", c.fins, "Side views of the fur on edges near silhouettes.");
     v.name("shell_policy", c.shell_policy, json_names::shell_policies,
            "adaptive: fewer shells where fur is seen from above or is small on the picture.");
-    v.name(
-        "order", c.order, json_names::fragment_orders,
-        "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
-        "pictures "
-        "to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's layers it makes "
-        "beauty and alpha; the others stay in the order of layers.");
+    v.name("order", c.order, json_names::fragment_orders,
+           "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
+           "pictures "
+           "to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's layers it makes "
+           "beauty and alpha; the others stay in the order of layers.");
   }
   v.integer(
       "eye_steps", c.eye_steps, {0, 64},

@@ -35,8 +35,9 @@ void fur_members(V& v, Visited<V, FirstGroom>& c) {
   v.number("length", c.length, {0, 10}, "Sizes.");
   v.number("inclination", c.inclination, share,
            "0 upright, 1 lying. At nose and rump, where no way leads to the tail, fur stands up.");
-  v.name("form", c.form, json_names::groom_forms,
-         "animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in the model's box.");
+  v.name(
+      "form", c.form, json_names::groom_forms,
+      "animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in the model's box.");
 }
 
 template <class V>

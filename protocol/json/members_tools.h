@@ -9,7 +9,8 @@ namespace pelage::json_parts {
 /// The edit layer that keeps what a tool changes.
 template <class V, class Tool>
 void layer_member(V& v, Tool& c) {
-  v.text(sparse("edit_layer"), c.edit_layer, "Edit layer that keeps what changes; the groom below all layers unless named.");
+  v.text(sparse("edit_layer"), c.edit_layer,
+         "Edit layer that keeps what changes; the groom below all layers unless named.");
 }
 
 /// Where a tool works.

@@ -34,10 +34,10 @@ inline constexpr std::array<Name<LengthMode>, 7> length_modes{{{"set", LengthMod
                                                                {"min", LengthMode::min},
                                                                {"max", LengthMode::max}}};
 inline constexpr std::array<Name<EditLayerAction>, 5> edit_layer_actions{{{"add", EditLayerAction::add},
-                                                                 {"set", EditLayerAction::set},
-                                                                 {"move", EditLayerAction::move},
-                                                                 {"merge_down", EditLayerAction::merge_down},
-                                                                 {"remove", EditLayerAction::remove}}};
+                                                                          {"set", EditLayerAction::set},
+                                                                          {"move", EditLayerAction::move},
+                                                                          {"merge_down", EditLayerAction::merge_down},
+                                                                          {"remove", EditLayerAction::remove}}};
 inline constexpr std::array<Name<MaskAction>, 5> mask_actions{{{"select", MaskAction::select},
                                                                {"grow", MaskAction::grow},
                                                                {"shrink", MaskAction::shrink},
@@ -57,10 +57,8 @@ inline constexpr std::array<Name<MapEncoding>, 5> map_encodings{{{"automatic", M
                                                                  {"uv_tangent", MapEncoding::uv_tangent},
                                                                  {"fast_fur", MapEncoding::fast_fur},
                                                                  {"vector", MapEncoding::vector}}};
-inline constexpr std::array<Name<MapFormat>, 4> map_formats{{{"png", MapFormat::png},
-                                                             {"png16", MapFormat::png16},
-                                                             {"exr", MapFormat::exr},
-                                                             {"exr_half", MapFormat::exr_half}}};
+inline constexpr std::array<Name<MapFormat>, 4> map_formats{
+    {{"png", MapFormat::png}, {"png16", MapFormat::png16}, {"exr", MapFormat::exr}, {"exr_half", MapFormat::exr_half}}};
 /// The fields by their names, from the table of their shapes.
 constexpr std::array<Name<Field>, field_count> make_field_names() {
   std::array<Name<Field>, field_count> names{};
@@ -89,12 +87,13 @@ inline constexpr std::array<Name<PatternKind>, 7> pattern_kinds{{{"none", Patter
                                                                  {"countershading", PatternKind::countershading}}};
 inline constexpr std::array<Name<ColourSource>, 3> colour_sources{
     {{"automatic", ColourSource::automatic}, {"model", ColourSource::model}, {"coat", ColourSource::coat}}};
-inline constexpr std::array<Name<ShadingModel>, 6> shading_models{{{"lengyel", ShadingModel::lengyel},
-                                                                  {"kajiya", ShadingModel::kajiya},
-                                                                  {"energy_conserving", ShadingModel::energy_conserving},
-                                                                  {"scheuermann", ShadingModel::scheuermann},
-                                                                  {"kajiya_kay", ShadingModel::kajiya_kay},
-                                                                  {"marschner", ShadingModel::marschner}}};
+inline constexpr std::array<Name<ShadingModel>, 6> shading_models{
+    {{"lengyel", ShadingModel::lengyel},
+     {"kajiya", ShadingModel::kajiya},
+     {"energy_conserving", ShadingModel::energy_conserving},
+     {"scheuermann", ShadingModel::scheuermann},
+     {"kajiya_kay", ShadingModel::kajiya_kay},
+     {"marschner", ShadingModel::marschner}}};
 inline constexpr std::array<Name<Absorption>, 2> absorptions{
     {{"colour", Absorption::colour}, {"melanin", Absorption::melanin}}};
 inline constexpr std::array<Name<LightKind>, 4> light_kinds{{{"directional", LightKind::directional},
@@ -130,21 +129,19 @@ inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
     {{"shells", FragmentOrder::shells}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
-inline constexpr std::array<Name<FrameFormat>, 4> frame_formats{{{"png", FrameFormat::png},
-                                                                {"png16", FrameFormat::png16},
-                                                                {"jpeg", FrameFormat::jpeg},
-                                                                {"exr", FrameFormat::exr}}};
+inline constexpr std::array<Name<FrameFormat>, 4> frame_formats{
+    {{"png", FrameFormat::png}, {"png16", FrameFormat::png16}, {"jpeg", FrameFormat::jpeg}, {"exr", FrameFormat::exr}}};
 inline constexpr std::array<Name<ExrType>, 2> exr_types{{{"half", ExrType::half}, {"float", ExrType::single}}};
 inline constexpr std::array<Name<Aov>, 10> aovs{{{"beauty", Aov::beauty},
-                                                                {"alpha", Aov::alpha},
-                                                                {"depth", Aov::depth},
-                                                                {"position", Aov::position},
-                                                                {"normal", Aov::normal},
-                                                                {"tangent", Aov::tangent},
-                                                                {"albedo", Aov::albedo},
-                                                                {"direct", Aov::direct},
-                                                                {"shadow", Aov::shadow},
-                                                                {"shell_count", Aov::shell_count}}};
+                                                 {"alpha", Aov::alpha},
+                                                 {"depth", Aov::depth},
+                                                 {"position", Aov::position},
+                                                 {"normal", Aov::normal},
+                                                 {"tangent", Aov::tangent},
+                                                 {"albedo", Aov::albedo},
+                                                 {"direct", Aov::direct},
+                                                 {"shadow", Aov::shadow},
+                                                 {"shell_count", Aov::shell_count}}};
 inline constexpr std::array<Name<Overlay>, 12> overlays{{{"none", Overlay::none},
                                                          {"direction", Overlay::direction},
                                                          {"strokes", Overlay::strokes},
@@ -172,8 +169,7 @@ inline constexpr std::array<Name<ModelFormat>, 7> model_formats{{{"obj", ModelFo
                                                                  {"3ds", ModelFormat::tds}}};
 inline constexpr std::array<Name<FurPatches>, 3> fur_patches{
     {{"overlapping", FurPatches::overlapping}, {"hard", FurPatches::hard}, {"own_uvs", FurPatches::own_uvs}}};
-inline constexpr std::array<Name<GroomForm>, 2> groom_forms{
-    {{"even", GroomForm::even}, {"animal", GroomForm::animal}}};
+inline constexpr std::array<Name<GroomForm>, 2> groom_forms{{{"even", GroomForm::even}, {"animal", GroomForm::animal}}};
 inline constexpr std::array<Name<Axis>, 6> axes{{{"x", Axis::plus_x},
                                                  {"-x", Axis::minus_x},
                                                  {"y", Axis::plus_y},

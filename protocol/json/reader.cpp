@@ -122,7 +122,7 @@ glm::vec3 Value::colour() const {
 
 std::vector<Value> Value::list(std::size_t min, std::size_t max) const {
   const std::string limit = min == max ? "a list of " + std::to_string(min)
-                                          : "a list of " + std::to_string(min) + " to " + std::to_string(max);
+                                       : "a list of " + std::to_string(min) + " to " + std::to_string(max);
   if (!json_->is_array()) {
     refuse("A list is expected.", limit);
     return {};

@@ -1,5 +1,5 @@
-// The colour of the fur that light crosses on its way to a strand: self-shadow takes its colour from there, not from the
-// strand that it falls on, or dark roots under pale tips turn black.
+// The colour of the fur that light crosses on its way to a strand: self-shadow takes its colour from there, not from
+// the strand that it falls on, or dark roots under pale tips turn black.
 #pragma once
 
 #include <array>

@@ -28,9 +28,11 @@ std::size_t at(int x, int y, int texels) {
 /// At 60 degrees to the stack.
 float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
 
-/// How much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of clumps that are drawn
-/// together, as water does it, one sees the outside.
-float seen_from_outside(const Coat& coat) { return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, 0.85 * coat.wetness)); }
+/// How much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of clumps
+/// that are drawn together, as water does it, one sees the outside.
+float seen_from_outside(const Coat& coat) {
+  return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, 0.85 * coat.wetness));
+}
 
 Stack halve(const Stack& stack, int texels, float outside) {
   const int half = texels / 2;
@@ -46,7 +48,8 @@ Stack halve(const Stack& stack, int texels, float outside) {
           const float share = 1e-6f + opacity(part.depth);
           light += part.light / 4, on_strands += part.light * share, strands += share;
         }
-        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = glm::mix(on_strands / strands, light, outside);
+        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f,
+            sum.light = glm::mix(on_strands / strands, light, outside);
         result[i][at(x, y, half)] = sum;
       }
     }
@@ -55,9 +58,9 @@ Stack halve(const Stack& stack, int texels, float outside) {
 }
 
 constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
-constexpr int rays_of_tile = 64;              // on a side, at most
-constexpr double min_let_through = 0.002;  // of rays: less says nothing about a slice
-constexpr float opaque_depth = 12;           // of a slice; more is not told apart
+constexpr int rays_of_tile = 64;                                    // on a side, at most
+constexpr double min_let_through = 0.002;                           // of rays: less says nothing about a slice
+constexpr float opaque_depth = 12;                                  // of a slice; more is not told apart
 
 /// The factor for which a falling function has that value; bisection in its logarithm (base 2), from `low` to `high`.
 template <typename Falling>
@@ -72,8 +75,8 @@ double bisect(double low, double high, int steps, double wanted, const Falling& 
 /// Factors on the depths of each slice: a stack is matched without being copied.
 using Factors = std::vector<float>;
 
-/// Where a ray passes between four texels: pixels lie anywhere on them, so the k-th of the rays is k steps further, by fractions
-/// that fill the square evenly (Roberts 2018, R2 sequence).
+/// Where a ray passes between four texels: pixels lie anywhere on them, so the k-th of the rays is k steps further, by
+/// fractions that fill the square evenly (Roberts 2018, R2 sequence).
 glm::dvec2 between_texels(std::size_t k) {
   const auto part = [&](double step) {
     const double far = 0.5 + step * static_cast<double>(k);
@@ -102,7 +105,8 @@ void for_rays(int texels, const Use& use) {
 
 /// What all of the stack's slices hold along it.
 std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors, int texels) {
-  std::vector<double> depths(static_cast<std::size_t>(std::min(texels, rays_of_tile) * std::min(texels, rays_of_tile)), 0.0);
+  std::vector<double> depths(static_cast<std::size_t>(std::min(texels, rays_of_tile) * std::min(texels, rays_of_tile)),
+                             0.0);
   for (std::size_t i = 0; i < stack.size(); ++i) {
     for_rays(texels, [&](std::size_t k, glm::dvec2 place) {
       depths[k] += filtered_depth(stack[i], texels, place) * static_cast<double>(factors[i]);
@@ -111,7 +115,8 @@ std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors
   return depths;
 }
 
-/// The scale for which the whole stack lets through what is wanted on average; bisection in the logarithm, as it is monotone.
+/// The scale for which the whole stack lets through what is wanted on average; bisection in the logarithm, as it is
+/// monotone.
 double matching_scale(const Stack& stack, const Factors& factors, int texels, double wanted) {
   const std::vector<double> depths = depths_of_columns(stack, factors, texels);
   return bisect(-12, 6, 24, wanted, [&](double scale) {
@@ -264,8 +269,8 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   return level;
 }
 
-/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies half under what
-/// is straight above it and half under the mean.
+/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies half
+/// under what is straight above it and half under the mean.
 void light_from_above(const CrossingGrid& crossings, Stack& stack) {
   constexpr int texels_of_cell = slice_texels / crossing_cells;
   std::vector<double> above(crossing_cells * crossing_cells, 0.0);
@@ -299,14 +304,16 @@ std::array<float, slice_count> depth_above(const CrossingGrid& crossings) {
 using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
 
 SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const LetThrough& open) {
-  const double across = nominal_length / slice_count / coat.tile * texels;  // for each slice of a ray at 45 degrees, in texels
+  const double across =
+      nominal_length / slice_count / coat.tile * texels;  // for each slice of a ray at 45 degrees, in texels
   Factors factors = match_slices(stack, texels, slants[1] * across, open[1]);
   const double scale = fit_to_bytes(stack, factors);
   SliceLevel level = pack(stack, factors, texels);
   const auto at_slant = [&](std::size_t k) {
     return reaching_scale(stack, factors, texels, slants[k] * across, mean_of(open[k])) / std::hypot(1.0, slants[k]);
   };
-  level.depth_scale = {std::min(matching_scale(stack, factors, texels, open[0][0]), 2 * scale), scale, at_slant(2), at_slant(3)};
+  level.depth_scale = {std::min(matching_scale(stack, factors, texels, open[0][0]), 2 * scale), scale, at_slant(2),
+                       at_slant(3)};
   return level;
 }
 

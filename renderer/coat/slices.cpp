@@ -65,15 +65,16 @@ Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
           glm::vec2(slope), strand_colour(coat, strand, q), static_cast<float>(strand.number)};
 }
 
-/// Strands whose discs lie over each other many times are not all drawn: any number of first ones covers the tile evenly
-/// (strand_tile.cpp), and without an end the widest strands would take days.
+/// Strands whose discs lie over each other many times are not all drawn: any number of first ones covers the tile
+/// evenly (strand_tile.cpp), and without an end the widest strands would take days.
 std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& strands, int index) {
   std::vector<SliceTexel> slice(slice_texels * slice_texels);
   const double s = (index + 0.5) / slice_count;
   double cover = 0;
   for (const Strand& strand : strands) {
     if (cover > opaque_cover) break;
-    const double inside = (strand.length_share - s) * slice_count + 0.5;  // the part of the slab that the strand stands in
+    const double inside =
+        (strand.length_share - s) * slice_count + 0.5;  // the part of the slab that the strand stands in
     if (inside <= 0) continue;
     Sprite sprite = cross_section(coat, strand, s);
     sprite.radius *= std::min(1.0, inside);

@@ -25,9 +25,9 @@ struct SliceLevel {
   int texels = 0;
   std::vector<std::uint8_t> shape;
   std::vector<std::uint8_t> colour;
-  /// Factors on the stored optical depth, along the strands' stack and at 60, 30 and 75 degrees to it. At 60 the rays that
-  /// get past each slice are then those that opaque strands let past, along the stack those that get past all slices, and
-  /// at 30 and 75 rays reach as deep on average.
+  /// Factors on the stored optical depth, along the strands' stack and at 60, 30 and 75 degrees to it. At 60 the rays
+  /// that get past each slice are then those that opaque strands let past, along the stack those that get past all
+  /// slices, and at 30 and 75 rays reach as deep on average.
   std::array<double, 4> depth_scale{1, 1, 1, 1};
 };
 

@@ -9,8 +9,8 @@ namespace pelage {
 
 namespace {
 
-constexpr int ray_side = 512;           // rays on a side of the tile; a power of 2
-constexpr int parts_of_slice = 2;       // of one radius each
+constexpr int ray_side = 512;      // rays on a side of the tile; a power of 2
+constexpr int parts_of_slice = 2;  // of one radius each
 constexpr double crossed_slice = nominal_length / slice_count;
 
 double radius_at(const Coat& coat, const Strand& strand, double q) {
@@ -36,11 +36,13 @@ struct Rays {
   std::vector<std::uint8_t> open = std::vector<std::uint8_t>(ray_side * ray_side, 1);
   int left = ray_side * ray_side;
 
-  /// Those that a disc meets on its way from one place to another: rays at a slant pass between the discs of thin strands.
+  /// Those that a disc meets on its way from one place to another: rays at a slant pass between the discs of thin
+  /// strands.
   void stop(glm::dvec2 from, glm::dvec2 to, double radius) {
     const glm::dvec2 way = to - from;
     const double square = std::max(glm::dot(way, way), 1e-12);
-    const glm::ivec2 low(glm::ceil(glm::min(from, to) - radius - 0.5)), high(glm::floor(glm::max(from, to) + radius - 0.5));
+    const glm::ivec2 low(glm::ceil(glm::min(from, to) - radius - 0.5)),
+        high(glm::floor(glm::max(from, to) + radius - 0.5));
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         const glm::dvec2 at = glm::dvec2(x + 0.5, y + 0.5) - from;

@@ -65,7 +65,7 @@ struct CompareOptions {
   double pixels_per_degree = 67;       // [5, 1000]; .7 m before a screen of .7 m and 3840 pixels
   ToneMap tone_map = ToneMap::filmic;  // before FLIP, of pictures that are not display referred
   double background = 0.18;            // linear grey in [0, 1] behind both pictures
-  double silhouette = 8;                  // pixels to each side of the mask's edge, [0, 1000]
+  double silhouette = 8;               // pixels to each side of the mask's edge, [0, 1000]
   int threads = 0;                     // 0: as many as there are processors; no figure depends on it
 };
 
@@ -79,10 +79,10 @@ struct FlipFigures {
 struct PictureFigures {
   FlipFigures flip;
   std::optional<FlipFigures> silhouette;  // none where the mask has no edge in the picture
-  double rel_mse = 0;                  // mean of (test - reference)^2 / (reference^2 + .01) (Rousselle et al. 2011)
-  double rmse = 0;                     // root of the mean square over pixels and R, G, B
-  double bias = 0;                     // mean luminance of the test less that of the reference
-  double reference_luminance = 0;      // mean
+  double rel_mse = 0;                     // mean of (test - reference)^2 / (reference^2 + .01) (Rousselle et al. 2011)
+  double rmse = 0;                        // root of the mean square over pixels and R, G, B
+  double bias = 0;                        // mean luminance of the test less that of the reference
+  double reference_luminance = 0;         // mean
 };
 
 struct PictureError {
@@ -93,8 +93,8 @@ struct PictureError {
   std::vector<float> flip;                // the error map, one for each pixel, rows from the top; empty without figures
 };
 
-/// What FLIP looks at, in linear light: as the resolve pass does it, the colour itself is tone mapped, then laid over the
-/// background.
+/// What FLIP looks at, in linear light: as the resolve pass does it, the colour itself is tone mapped, then laid over
+/// the background.
 FloatImage as_displayed(const FloatImage& image, const CompareOptions& options);
 
 /// Refused (invalid) when sizes differ, the mask is empty, or an option is out of its range.

@@ -17,8 +17,8 @@ void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, c
   draw_body(frame, scene, "#define AOVS\n");
 }
 
-Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
-                                                      DrawTimes* times, const Pause& pause) {
+Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
+                                                    const Pause& pause) {
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   DrawTimes taken;
   const Result<Prepared> scene = draw_in_pieces(frame, {}, pause, taken);
@@ -34,7 +34,7 @@ Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::
 }
 
 Result<std::vector<FloatImage>> Renderer::gather_aovs(const FurFrame& frame, const Prepared& scene,
-                                                        std::span<const Aov> aovs, DrawTimes& times) {
+                                                      std::span<const Aov> aovs, DrawTimes& times) {
   const DrawClock clock(times);
   std::optional<AovTarget> target;
   if (std::any_of(aovs.begin(), aovs.end(), AovTarget::holds)) {
@@ -51,8 +51,7 @@ Result<std::vector<FloatImage>> Renderer::gather_aovs(const FurFrame& frame, con
   return images;
 }
 
-Result<FloatImage> Renderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov,
-                                        const AovTarget* target) {
+Result<FloatImage> Renderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target) {
   RenderTarget distance;
   GLuint source = view_.drawn.texture();
   if (aov == Aov::depth) {

@@ -44,8 +44,7 @@ Result<Backplate> Renderer::draw_backplate(const FurFrame& asked, DrawTimes* tim
   clear_target(gl_, view_.drawn, {});
   draw_open_body(frame, model, lists, "");
   fragments_.end();
-  const AovTarget aovs(gl_, std::array{Aov::direct, Aov::albedo, Aov::normal}, frame.width,
-                           frame.height);
+  const AovTarget aovs(gl_, std::array{Aov::direct, Aov::albedo, Aov::normal}, frame.width, frame.height);
   const RenderTarget distance(gl_, GL_R32F, frame.width, frame.height, true);
   if (!aovs.complete() || !distance.complete()) return no_memory();
   set_draw_state(gl_, aovs.framebuffer(), frame.width, frame.height);
@@ -76,12 +75,11 @@ Result<Backplate> Renderer::read_backplate(const AovTarget& aovs, const RenderTa
   };
   const auto texture = [&](Aov aov) { return aovs.texture(aov); };
   Backplate base;
-  for (const Part& part :
-       {Part{Aov::beauty, view_.drawn.texture(), &Backplate::beauty},
-        Part{Aov::direct, texture(Aov::direct), &Backplate::direct},
-        Part{Aov::albedo, texture(Aov::albedo), &Backplate::albedo},
-        Part{Aov::normal, texture(Aov::normal), &Backplate::normal},
-        Part{Aov::depth, distance.texture(), &Backplate::depth}}) {
+  for (const Part& part : {Part{Aov::beauty, view_.drawn.texture(), &Backplate::beauty},
+                           Part{Aov::direct, texture(Aov::direct), &Backplate::direct},
+                           Part{Aov::albedo, texture(Aov::albedo), &Backplate::albedo},
+                           Part{Aov::normal, texture(Aov::normal), &Backplate::normal},
+                           Part{Aov::depth, distance.texture(), &Backplate::depth}}) {
     aovs_.gather(gl_, part.aov, part.texture, 1.0f, view_.picture);
     if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
     Result<FloatImage> image = read_back<FloatImage>(view_.picture, GL_FLOAT);

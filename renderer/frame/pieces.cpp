@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-constexpr double min_pixels = 32 * 32;           // below it a piece costs its triangles, not its pixels
+constexpr double min_pixels = 32 * 32;            // below it a piece costs its triangles, not its pixels
 constexpr double max_growth = 2, max_shrink = 8;  // from one piece to the next: dense fur may follow empty pixels
 
 }  // namespace

@@ -28,7 +28,7 @@ class Pieces {
 
  private:
   std::vector<Area> open_;  // the next one last
-  double max_;             // pixels of a piece
+  double max_;              // pixels of a piece
   double last_ = 0;         // pixels of the last piece
 };
 

@@ -19,7 +19,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_cached_coats = 3;  // 90 MB each
-constexpr GLuint skin_binding = 5;     // as in bare_skin.glsl
+constexpr GLuint skin_binding = 5;           // as in bare_skin.glsl
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
@@ -151,8 +151,7 @@ Area Renderer::changed_area(const FurFrame& frame, const ShownFrame& shown) {
   return area_of(changed, view_.drawn.width(), view_.drawn.height());
 }
 
-Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part,
-                                           DrawTimes& times) {
+Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
   const auto found = models_.find(frame.model);
   assert(found != models_.end());
   ModelBuffers& model = found->second;
@@ -161,8 +160,13 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   const FrameBlock block = block_of(frame);
   const bool sorted = frame.knobs.order == FragmentOrder::sorted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
-  ShellView view{frame.camera.position, block.viewpoint.w, frame.knobs.shells, frame.knobs.shell_policy,
-                 sorted ? -2.0f : furthest_back_facing, block.world_to_clip, stretch};
+  ShellView view{frame.camera.position,
+                 block.viewpoint.w,
+                 frame.knobs.shells,
+                 frame.knobs.shell_policy,
+                 sorted ? -2.0f : furthest_back_facing,
+                 block.world_to_clip,
+                 stretch};
   view.depth_parts = sorted ? 1 : depth_part_count;
   if (part) view.part = cells_of(*part, view_.drawn.width(), view_.drawn.height());
   const auto lists = model.sort_for(gl_, frame.coat, view);
@@ -242,8 +246,7 @@ Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
 
 Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
   const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
-  if (!maps)
-    return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
+  if (!maps) return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
   if (!maps->complete()) return no_memory();
   const float middle = maps->view.axis.w;  // depth of the model's centre
   switch (frame.overlay) {
@@ -276,9 +279,8 @@ Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepare
 
 Result<RenderTarget> Renderer::draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
                                                  const ModelBuffers::DrawList& triangles) {
-  RenderTarget overlay = frame.overlay == Overlay::difference
-                             ? overlay_.draw_difference(gl_, frame, model, triangles)
-                             : overlay_.draw_field(gl_, frame, model, triangles);
+  RenderTarget overlay = frame.overlay == Overlay::difference ? overlay_.draw_difference(gl_, frame, model, triangles)
+                                                              : overlay_.draw_field(gl_, frame, model, triangles);
   if (!overlay.complete()) return no_memory();
   return overlay;
 }
@@ -292,8 +294,8 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, con
 }
 
 template <class Picture>
-Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
-                                       DrawTimes* times, const Pause& pause) {
+Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
+                                       const Pause& pause) {
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const std::optional<ShownFrame> shown = std::exchange(view_.shown, {});
   DrawTimes taken;

@@ -10,28 +10,28 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
-#include "renderer/frame/view_cache.h"
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/shadow_maps.h"
+#include "renderer/frame/view_cache.h"
 #include "renderer/gl/fragment_counter.h"
 #include "renderer/gl/render_target.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/passes/aovs/aovs_pass.h"
 #include "renderer/passes/curves/curves_pass.h"
 #include "renderer/passes/eye/eye_pass.h"
 #include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
-#include "renderer/passes/aovs/aovs_pass.h"
 #include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/strands/tracer.h"
-#include "renderer/upload/textures.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/pattern_textures.h"
 #include "renderer/upload/scattering_textures.h"
+#include "renderer/upload/textures.h"
 #include "renderer/upload/tuft_textures.h"
 
 namespace pelage {
@@ -48,8 +48,7 @@ class Renderer {
  public:
   /// Fails (unavailable) when a program cannot be built. `sorted_bytes` bounds the fragments that a sorted frame keeps
   /// at a time (SortedPass).
-  static Result<std::unique_ptr<Renderer>> create(const Gl& gl,
-                                                  std::size_t sorted_bytes = SortedPass::default_bytes);
+  static Result<std::unique_ptr<Renderer>> create(const Gl& gl, std::size_t sorted_bytes = SortedPass::default_bytes);
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
   /// Sends a model that the renderer does not have yet, with its fields.
@@ -57,11 +56,11 @@ class Renderer {
   /// Sends the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch, with
-  /// the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the pause is called in
-  /// between; its time does not count. Fails with conflict when the pause gives the drawing up, with unavailable when the
-  /// GL does not answer within a minute, with too_large when there is no memory for the size, and with invalid when the
-  /// GL cannot sort as asked.
+  /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch,
+  /// with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the pause is called in
+  /// between; its time does not count. Fails with conflict when the pause gives the drawing up, with unavailable when
+  /// the GL does not answer within a minute, with too_large when there is no memory for the size, and with invalid when
+  /// the GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// Makes the next frame be drawn whole, for who measures or doubts.
   void clear_view_cache() { cache_.clear_shown(); }
@@ -71,10 +70,10 @@ class Renderer {
   /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
   /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
-                                              DrawTimes* times = nullptr, const Pause& pause = {});
+                                            DrawTimes* times = nullptr, const Pause& pause = {});
 
-  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground and
-  /// curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
+  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground
+  /// and curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
   /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
   /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
@@ -132,10 +131,9 @@ class Renderer {
   /// Overlay and picture of the light that was drawn, in an area of the picture or all of it.
   Status finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished, int largest,
                       DrawTimes& times);
-  Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene,
-                                                std::span<const Aov> aovs, DrawTimes& times);
-  Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov,
-                                const AovTarget* target);
+  Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene, std::span<const Aov> aovs,
+                                              DrawTimes& times);
+  Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target);
   void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
                       const std::string& outputs);
   Result<Backplate> read_backplate(const AovTarget& aovs, const RenderTarget& distance);

@@ -18,7 +18,8 @@ bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShado
 bool casts_penumbra(const FurLight& light) { return light.cast_shadow == CastShadow::penumbra; }
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
-/// Half of a light's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63 degrees.
+/// Half of a light's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63
+/// degrees.
 float spread_of(const FurLight& light) {
   constexpr float widest = 2;
   switch (light.kind) {
@@ -134,11 +135,9 @@ void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView
 void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
                            const std::vector<LightView>& views, const FurDrawing& drawing, CurvesPass& curves) {
   const int resolution = frame.knobs.shadow_resolution, reduced = width_texels(resolution);
-  const RenderTarget kept(gl, GL_R16F, resolution, resolution, true),
-      depth(gl, GL_R32F, resolution, resolution, true), occlusion(gl, GL_RG32F, resolution, resolution, false),
-      width(gl, GL_RG32F, reduced, reduced, false);
-  const RenderTarget crossed =
-      curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, false) : RenderTarget();
+  const RenderTarget kept(gl, GL_R16F, resolution, resolution, true), depth(gl, GL_R32F, resolution, resolution, true),
+      occlusion(gl, GL_RG32F, resolution, resolution, false), width(gl, GL_RG32F, reduced, reduced, false);
+  const RenderTarget crossed = curves_ ? RenderTarget(gl, GL_RGBA32F, resolution, resolution, false) : RenderTarget();
   std::size_t next = 0;
   for (std::size_t i = 0; i < slots_.slots.size() && next < views.size(); ++i) {
     const glm::ivec2 slot(slots_.slots[i]);
@@ -153,7 +152,8 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
       keep(gl, width, width_, slot.y);
     }
     keep(gl, depth, depth_, slot.y);
-    if (slot.x >= 0) shells_.draw(gl, drawing.variant, drawing.lists.all, kept, shell_maps_.id(), slot.x * shadow_boundaries);
+    if (slot.x >= 0)
+      shells_.draw(gl, drawing.variant, drawing.lists.all, kept, shell_maps_.id(), slot.x * shadow_boundaries);
     if (!curves_) continue;
     curves.draw_shadow(gl, frame, view, crossed);
     keep(gl, crossed, curves_, slot.y);

@@ -13,10 +13,10 @@
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/scene_shadow/scene_shadow_pass.h"
 #include "renderer/passes/shell_shadow/shell_shadow_pass.h"
-#include "renderer/upload/textures.h"
 #include "renderer/upload/frame_block.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/shadow_block.h"
+#include "renderer/upload/textures.h"
 
 namespace pelage {
 

@@ -44,12 +44,13 @@ bool same_finish(const FurFrame& a, const FurFrame& b) {
 }
 
 /// Adds the places of one group's curves that are not as in the other's, with what lies next to them.
-void add_changes(const CurveStrips& strips, const CurveStrips& other, const BallBoxes& boxes, std::optional<ClipBox>& all) {
+void add_changes(const CurveStrips& strips, const CurveStrips& other, const BallBoxes& boxes,
+                 std::optional<ClipBox>& all) {
   constexpr std::size_t each = curve_segments + 1;
   for (std::size_t i = 0; i < strips.points.size(); ++i) {
     const std::size_t curve = i / each;
-    const bool same = i < other.points.size() && strips.points[i] == other.points[i] &&
-                      strips.styles[curve] == other.styles[curve];
+    const bool same =
+        i < other.points.size() && strips.points[i] == other.points[i] && strips.styles[curve] == other.styles[curve];
     if (same) continue;
     const glm::vec3 place = strips.points[i].place;
     float reach = 0;
@@ -62,7 +63,9 @@ void add_changes(const CurveStrips& strips, const CurveStrips& other, const Ball
 
 /// One pixel more on each side for what was rounded.
 glm::ivec2 pixels_of(float low, float high, int pixels) {
-  const auto pixel = [&](float clip) { return std::clamp((clip * 0.5f + 0.5f), 0.0f, 1.0f) * static_cast<float>(pixels); };
+  const auto pixel = [&](float clip) {
+    return std::clamp((clip * 0.5f + 0.5f), 0.0f, 1.0f) * static_cast<float>(pixels);
+  };
   return {std::max(0, static_cast<int>(pixel(low)) - 1), std::min(pixels, static_cast<int>(pixel(high)) + 2)};
 }
 

@@ -1,5 +1,6 @@
-// The last views and the targets that show them. A stroke changes a part of the body: when a view is drawn again, the same
-// but for the fields of some vertices and what stands on them, only the part of the picture that these may reach is drawn.
+// The last views and the targets that show them. A stroke changes a part of the body: when a view is drawn again, the
+// same but for the fields of some vertices and what stands on them, only the part of the picture that these may reach
+// is drawn.
 #pragma once
 
 #include <cstdint>

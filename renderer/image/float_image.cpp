@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <OpenImageIO/imageio.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>

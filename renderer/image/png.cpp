@@ -1,5 +1,7 @@
 #include "renderer/image/png.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -8,7 +10,6 @@
 #include <string_view>
 #include <utility>
 #include <vector>
-#include <zlib.h>
 
 namespace pelage {
 
@@ -100,8 +101,8 @@ PngBand compressed(const PngLayout& layout, std::span<const Sample> rgba) {
   assert(!rgba.empty() && rgba.size() % (4 * static_cast<std::size_t>(layout.width)) == 0);
   assert(layout.bits == 8 * static_cast<int>(sizeof(Sample)));
   const std::vector<Bytef> bytes = filtered(layout, rgba);
-  return {chunk_of("IDAT", deflated(bytes)),
-          static_cast<std::uint32_t>(adler32_z(1, bytes.data(), bytes.size())), bytes.size()};
+  return {chunk_of("IDAT", deflated(bytes)), static_cast<std::uint32_t>(adler32_z(1, bytes.data(), bytes.size())),
+          bytes.size()};
 }
 
 std::string header(const PngLayout& layout) {

@@ -35,9 +35,9 @@ std::span<const std::uint8_t> png_band_of(const Image& image, int band);
 std::span<const std::uint16_t> png_band_of(const Image16& image, int band);
 
 struct PngBand {
-  std::string chunk;           // IDAT, with its length and checksum
-  std::uint32_t adler = 1;     // of the filtered rows
-  std::size_t bytes = 0;      // of the filtered rows
+  std::string chunk;        // IDAT, with its length and checksum
+  std::uint32_t adler = 1;  // of the filtered rows
+  std::size_t bytes = 0;    // of the filtered rows
 };
 
 /// Compressed by sub filter and run lengths: matches of the noise of fur take a fifth longer and are larger.

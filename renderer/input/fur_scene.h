@@ -141,7 +141,7 @@ struct FurCurves {
 
 struct FurCamera {
   glm::vec3 position{0, 0, 1}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // unit and orthogonal
-  float tan_half_fov = 0.3f;                                               // vertical
+  float tan_half_fov = 0.3f;                                                    // vertical
 
   bool operator==(const FurCamera&) const = default;
 };

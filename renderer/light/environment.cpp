@@ -14,8 +14,9 @@ namespace pelage {
 
 namespace {
 
-/// The gradient from the ground over the horizon to the sky, +y up: mixed by w = sqrt |y|, whose moments on the half sphere are
-/// 2 / 3, 2 / 5 and 2 / 7 for the powers 0, 1 and 2 of |y|. The same all around +y, so x^2 and z^2 are (1 - y^2) / 2 on average.
+/// The gradient from the ground over the horizon to the sky, +y up: mixed by w = sqrt |y|, whose moments on the half
+/// sphere are 2 / 3, 2 / 5 and 2 / 7 for the powers 0, 1 and 2 of |y|. The same all around +y, so x^2 and z^2 are (1 -
+/// y^2) / 2 on average.
 SphericalHarmonics project_gradient(const Environment& environment) {
   const glm::dvec3 sky(environment.sky), horizon(environment.horizon), ground(environment.ground);
   const double around = 2 * std::numbers::pi;

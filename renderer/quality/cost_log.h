@@ -14,11 +14,11 @@ namespace pelage {
 class CostLog {
  public:
   static constexpr std::size_t max_scenes = 256;
-  static constexpr std::size_t window_frames = 7;   // of a scene and order
-  static constexpr std::size_t min_frames = 3;  // before a correction changes: the first ones build programs
-  static constexpr double slack = 1.08;           // times or over
-  static constexpr double step = 1.04;            // corrections are powers of it
-  static constexpr double max = 32;              // corrections lie in [1 / most, most]
+  static constexpr std::size_t window_frames = 7;  // of a scene and order
+  static constexpr std::size_t min_frames = 3;     // before a correction changes: the first ones build programs
+  static constexpr double slack = 1.08;            // times or over
+  static constexpr double step = 1.04;             // corrections are powers of it
+  static constexpr double max = 32;                // corrections lie in [1 / most, most]
 
   CostCorrection correction(std::uint64_t scene) const;
   /// `predicted` is without a correction; both in ms. Costs that are not above 0 and finite are not counted.

@@ -13,9 +13,9 @@ constexpr double min_cost = 1e-3;  // ms
 
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs) {
   const double scale = knobs.scale, shells = knobs.shells, steps = knobs.steps;
-  const double under = view.area * scale * scale / million;         // pixels under fur
-  const double fragments = under * shells;                          // runs of the fur's shader
-  const double sides = view.edges * scale * shells / million;       // blocks of pixels that triangles fill in part
+  const double under = view.area * scale * scale / million;    // pixels under fur
+  const double fragments = under * shells;                     // runs of the fur's shader
+  const double sides = view.edges * scale * shells / million;  // blocks of pixels that triangles fill in part
   const double triangles = view.visible * shells / hundred_thousand;
   const double sorted = knobs.order == FragmentOrder::sorted ? 1 : 0;
   return {1,

@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// Keeps the measured errors of the scenes that were asked for last, of one coat in one light seen from about as far: of
-/// other views nothing is known. Equal requests in a row get equal knobs.
+/// Keeps the measured errors of the scenes that were asked for last, of one coat in one light seen from about as far:
+/// of other views nothing is known. Equal requests in a row get equal knobs.
 class ErrorLog {
  public:
   static constexpr std::size_t max_scenes = 256;

@@ -13,11 +13,11 @@ namespace pelage {
 
 namespace {
 
-constexpr double ridge = 3;            // on slopes; for 13 views .3 gave a spread of .41, 1 of .36, 3 of .35
-constexpr double normal_95 = 1.645;    // standard deviations below which 95% of a normal distribution lies
-constexpr double pooled_views = 8;     // that the spread of all rows counts as in the spread of one
+constexpr double ridge = 3;          // on slopes; for 13 views .3 gave a spread of .41, 1 of .36, 3 of .35
+constexpr double normal_95 = 1.645;  // standard deviations below which 95% of a normal distribution lies
+constexpr double pooled_views = 8;   // that the spread of all rows counts as in the spread of one
 constexpr double min_error = 1e-5;
-constexpr int sweeps = 20'000;         // of coordinate descent
+constexpr int sweeps = 20'000;  // of coordinate descent
 constexpr double max_safety = 4;
 constexpr std::size_t enough_views = 12;  // fewer judge their own fit too kindly
 
@@ -135,7 +135,8 @@ void set_cost_safety(Calibration& calibration, std::span<const Knobs> ladder, st
     for (std::size_t row = 0; row < ladder.size(); ++row)
       ratios.push_back(left_out.cost_ms[row] / predicted_cost(fitted, left_out.features, ladder[row]));
     all.insert(all.end(), ratios.begin(), ratios.end());
-    for (const FragmentOrder order : {FragmentOrder::shells, FragmentOrder::sorted}) add_about_mean(ladder, ratios, order, about);
+    for (const FragmentOrder order : {FragmentOrder::shells, FragmentOrder::sorted})
+      add_about_mean(ladder, ratios, order, about);
   });
   calibration.cost_safety = safe(std::move(all));
   calibration.learnt_safety = std::min(safe(std::move(about)), calibration.cost_safety);
@@ -177,7 +178,8 @@ double safety_of_probes(std::span<const MeasuredView> views) {
 
 }  // namespace
 
-std::vector<double> least_squares_above_zero(std::span<const double> a, std::span<const double> b, std::size_t columns) {
+std::vector<double> least_squares_above_zero(std::span<const double> a, std::span<const double> b,
+                                             std::size_t columns) {
   const std::size_t rows = b.size();
   assert(a.size() == rows * columns);
   std::vector<double> normal(columns * columns), right(columns), x(columns);

@@ -13,8 +13,8 @@ namespace pelage {
 
 namespace {
 
-/// Of a row that was not measured in a view where others were: it is worth measuring where it may be so much nearer to the
-/// truth than they let expect.
+/// Of a row that was not measured in a view where others were: it is worth measuring where it may be so much nearer to
+/// the truth than they let expect.
 constexpr double hope = 0.9;
 
 /// A row of the ladder in this view.
@@ -34,7 +34,9 @@ FrameEstimate estimate(const Calibration& calibration, const CalibratedKnobs& ro
   const auto index = static_cast<std::size_t>(&row - calibration.ladder.data());
   const double error = predicted_error(row, in_range(calibration, error_traits_of(view)));
   return {.error = std::min(1.0, error * errors.ratio(index, calibration)),
-          .error_safety = errors.empty() ? row.error_safety : errors.has(index) ? calibration.probe_safety : hope,
+          .error_safety = errors.empty()      ? row.error_safety
+                          : errors.has(index) ? calibration.probe_safety
+                                              : hope,
           .measured = errors.has(index),
           .cost_ms = predicted_cost(calibration, view, row.knobs) * factor,
           .cost_safety = correction.learnt(row.knobs) ? calibration.learnt_safety : calibration.cost_safety,
@@ -72,7 +74,8 @@ PlannedFrame within_budget(const std::vector<Option>& options, double budget) {
   const auto error = [](const Option& o) { return o.safe_error(); };
   const auto cost = [](const Option& o) { return o.estimate.cost_ms; };
   const Option* best = cheapest_by(options, error, any);
-  const Option* affordable = cheapest_by(options, error, [&](const Option& o) { return o.safe_cost() <= budget * budget_margin; });
+  const Option* affordable =
+      cheapest_by(options, error, [&](const Option& o) { return o.safe_cost() <= budget * budget_margin; });
   if (!affordable) return chosen(*cheapest_by(options, cost, any), PlanEnd::cheapest);
   return chosen(*affordable, error(*affordable) > error(*best) ? PlanEnd::budget : PlanEnd::best);
 }
@@ -99,7 +102,8 @@ double MeasuredErrors::ratio(std::size_t row, const Calibration& calibration) co
   for (std::size_t i = 0; i < ratios_.size(); ++i) {
     if (!has(i)) continue;
     all += std::log(ratios_[i]), ++count;
-    if (calibration.ladder[i].knobs.order == calibration.ladder[row].knobs.order) same += std::log(ratios_[i]), ++same_count;
+    if (calibration.ladder[i].knobs.order == calibration.ladder[row].knobs.order)
+      same += std::log(ratios_[i]), ++same_count;
   }
   if (same_count) return std::exp(same / same_count);
   return count ? std::exp(all / count) : 1;
@@ -120,7 +124,9 @@ PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, cons
     if (fits(row.knobs, frame.width, frame.height))
       options.push_back({&row, estimate(calibration, row, view, correction, errors)});
   }
-  if (options.empty()) options.push_back({&calibration.ladder.front(), estimate(calibration, calibration.ladder.front(), view, correction)});
+  if (options.empty())
+    options.push_back(
+        {&calibration.ladder.front(), estimate(calibration, calibration.ladder.front(), view, correction)});
   return goal.budget_ms ? within_budget(options, *goal.budget_ms) : within_error(options, *goal.max_error);
 }
 

@@ -12,7 +12,7 @@ namespace pelage {
 
 /// Costs of a scene over what its features predict, learnt from its frames (CostLog).
 struct CostCorrection {
-  double shells = 1, sorted = 1;                           // by Knobs::order
+  double shells = 1, sorted = 1;                             // by Knobs::order
   bool shells_are_learnt = false, sorted_is_learnt = false;  // from enough frames
 
   double of(const Knobs& knobs) const { return knobs.order == FragmentOrder::sorted ? sorted : shells; }
@@ -34,7 +34,7 @@ class MeasuredErrors {
 
  private:
   static constexpr double furthest = 16;  // from a prediction that counts: parts may be the truth itself
-  std::vector<double> ratios_;  // of each row, 0 where it was not measured
+  std::vector<double> ratios_;            // of each row, 0 where it was not measured
 };
 
 /// What is asked for: exactly one of them.
@@ -53,10 +53,10 @@ inline constexpr double budget_margin = 1.25;
 /// The mean FLIP of knobs in the view, above 0; none where it cannot be told.
 using MeasureError = std::function<std::optional<double>(const Knobs&)>;
 
-/// A row of the ladder. budget_ms: the least safe error of those whose safe cost is within budget_margin of it, else the
-/// cheapest. max_error: the cheapest of those whose safe error is at most that, else the one with the least. Of equal
-/// ones the first. Rows that a request of this size could not name itself are left out. So more budget never gives a
-/// larger safe error, and a larger error never a larger estimated cost.
+/// A row of the ladder. budget_ms: the least safe error of those whose safe cost is within budget_margin of it, else
+/// the cheapest. max_error: the cheapest of those whose safe error is at most that, else the one with the least. Of
+/// equal ones the first. Rows that a request of this size could not name itself are left out. So more budget never
+/// gives a larger safe error, and a larger error never a larger estimated cost.
 PlannedFrame plan(const Calibration& calibration, const ViewFeatures& view, const FurFrame& frame,
                   const CostCorrection& correction, const PlanGoal& goal, const MeasuredErrors& errors = {});
 

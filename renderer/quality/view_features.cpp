@@ -11,13 +11,14 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_triangles = 16384;  // that are looked at
-constexpr double furthest_back_facing = -0.6;      // cosine from which on fur is drawn, as in renderer/visibility/shell_lod.h
-constexpr double nearest = 1e-3;               // distance along the view, sizes
-constexpr int cells = 32;                      // of the picture, along each side
-constexpr int max_places = 16;                // along a triangle's side
-constexpr double near_fur = 0.05;              // depth that still counts as the same part of a body, sizes
-constexpr double max_depth_complexity = 16;             // of skin over the picture
-constexpr std::size_t max_parts = 6;          // of ViewFeatures::places
+constexpr double furthest_back_facing =
+    -0.6;                                    // cosine from which on fur is drawn, as in renderer/visibility/shell_lod.h
+constexpr double nearest = 1e-3;             // distance along the view, sizes
+constexpr int cells = 32;                    // of the picture, along each side
+constexpr int max_places = 16;               // along a triangle's side
+constexpr double near_fur = 0.05;            // depth that still counts as the same part of a body, sizes
+constexpr double max_depth_complexity = 16;  // of skin over the picture
+constexpr std::size_t max_parts = 6;         // of ViewFeatures::places
 
 /// A place on a triangle inside the picture.
 struct Place {
@@ -52,7 +53,8 @@ class Looker {
 /// Column and row in pixels, and the depth; the middle of the fur's height.
 glm::dvec3 Looker::seen(std::uint32_t vertex, double length) const {
   const glm::dvec3 normal(skin_.normals[vertex]);
-  const glm::dvec3 offset = glm::dvec3(skin_.positions[vertex]) + 0.5 * length * normal - glm::dvec3(frame_.camera.position);
+  const glm::dvec3 offset =
+      glm::dvec3(skin_.positions[vertex]) + 0.5 * length * normal - glm::dvec3(frame_.camera.position);
   const double depth = std::max(nearest, glm::dot(offset, glm::dvec3(frame_.camera.forward)));
   return {frame_.width / 2.0 + focal_ * glm::dot(offset, glm::dvec3(frame_.camera.right)) / depth,
           frame_.height / 2.0 - focal_ * glm::dot(offset, glm::dvec3(frame_.camera.up)) / depth, depth};
@@ -60,7 +62,8 @@ glm::dvec3 Looker::seen(std::uint32_t vertex, double length) const {
 
 void Looker::look(const glm::uvec3& t) {
   const glm::dvec3 a(skin_.positions[t.x]), b(skin_.positions[t.y]), c(skin_.positions[t.z]);
-  const glm::dvec3 normal = glm::cross(b - a, c - a), to_camera = glm::dvec3(frame_.camera.position) - (a + b + c) / 3.0;
+  const glm::dvec3 normal = glm::cross(b - a, c - a),
+                   to_camera = glm::dvec3(frame_.camera.position) - (a + b + c) / 3.0;
   const double size = glm::length(normal) * glm::length(to_camera);
   if (!(size > 0) || glm::dot(normal, to_camera) <= furthest_back_facing * size) return;
   visible_ += 1;
@@ -86,7 +89,8 @@ void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, doubl
       const double u = (i + third) / n, v = (j / 2 + third) / n;
       const glm::dvec3 at = corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v;
       if (!(at.x >= 0 && at.x < frame_.width && at.y >= 0 && at.y < frame_.height)) continue;
-      const int column = static_cast<int>(at.x * cells / frame_.width), row = static_cast<int>(at.y * cells / frame_.height);
+      const int column = static_cast<int>(at.x * cells / frame_.width),
+                row = static_cast<int>(at.y * cells / frame_.height);
       const double weight = area * part, pixel = focal_ / at.z;
       places_.push_back({static_cast<std::size_t>(row * cells + column), at.z, weight, reach});
       area_ += weight, edges_ += side * part;
@@ -106,7 +110,8 @@ double Looker::share_behind() const {
   return area_ > 0 ? behind / area_ : 0;
 }
 
-/// Along a curve that fills the picture (Morton 1966), so that neighbours in a list of cells are neighbours in the picture.
+/// Along a curve that fills the picture (Morton 1966), so that neighbours in a list of cells are neighbours in the
+/// picture.
 std::size_t along_curve(std::size_t cell) {
   std::size_t place = 0;
   for (int bit = 0; (1 << bit) < cells; ++bit) {
@@ -125,8 +130,10 @@ std::vector<glm::vec2> Looker::spread_places(std::span<const bool> touched) cons
   std::vector<glm::vec2> places;
   const std::size_t count = std::min(max_parts, seen.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const double in_share = std::fmod(0.3 + 0.618034 * static_cast<double>(i), 1.0);  // middles would line up on the curve
-    const auto at = static_cast<std::size_t>((static_cast<double>(i) + in_share) * static_cast<double>(seen.size()) / static_cast<double>(count));
+    const double in_share =
+        std::fmod(0.3 + 0.618034 * static_cast<double>(i), 1.0);  // middles would line up on the curve
+    const auto at = static_cast<std::size_t>((static_cast<double>(i) + in_share) * static_cast<double>(seen.size()) /
+                                             static_cast<double>(count));
     const std::size_t cell = seen[std::min(at, seen.size() - 1)];
     const glm::vec2 middle(static_cast<float>(cell % cells) + 0.5f, static_cast<float>(cell / cells) + 0.5f);
     places.push_back(middle / float{cells} * glm::vec2(frame_.width, frame_.height));

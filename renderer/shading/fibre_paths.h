@@ -35,7 +35,7 @@ class FibrePaths {
     double azimuth = 0;           // about which the light leaves, [-pi, pi]
     double variance = 1;
     float over_variance = 1;
-    float normal = 1;             // factor of Mp
+    float normal = 1;  // factor of Mp
   };
 
   std::array<float, lobe_count> shapes(glm::vec3 light) const;  // Mp Np

@@ -24,7 +24,8 @@ glm::dvec3 across(const glm::dvec3& tangent, const glm::dvec3& direction) {
 
 /// From the eye to the light, radians. Along the strand there is none: the middle of the range then.
 double azimuth_of(const ScatterGeometry& geometry) {
-  const glm::dvec3 view = across(geometry.tangent, geometry.to_camera), light = across(geometry.tangent, geometry.to_light);
+  const glm::dvec3 view = across(geometry.tangent, geometry.to_camera),
+                   light = across(geometry.tangent, geometry.to_light);
   const double x = glm::dot(view, light), y = -glm::dot(geometry.tangent, glm::cross(view, light));
   return x * x + y * y > 1e-20 ? std::atan2(y, x) : pi / 2;
 }

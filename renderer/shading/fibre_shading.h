@@ -16,11 +16,11 @@ class FibreShading {
  public:
   explicit FibreShading(const Look& look);
 
-  /// Light scattered to the camera for light of radiance 1 (which a white matt surface would return as 1), three channels.
-  /// Shadow, B and ambient are the caller's. Directions of `geometry` are unit; `colour` in [0, 1]; `strand` in [0, 1]
-  /// is the strand's number. Finite and not negative for every look within its ranges. For fibre models this is pi
-  /// times the sum of Mp Ap Np, averaged over h: the light enters as irradiance across the strand, without a further
-  /// N.L.
+  /// Light scattered to the camera for light of radiance 1 (which a white matt surface would return as 1), three
+  /// channels. Shadow, B and ambient are the caller's. Directions of `geometry` are unit; `colour` in [0, 1]; `strand`
+  /// in [0, 1] is the strand's number. Finite and not negative for every look within its ranges. For fibre models this
+  /// is pi times the sum of Mp Ap Np, averaged over h: the light enters as irradiance across the strand, without a
+  /// further N.L.
   glm::dvec3 scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand) const;
 
   /// The same through a table made for this look, as the shader has it. The table may be empty for models without one.
@@ -49,8 +49,8 @@ class FibreShading {
   std::shared_ptr<const AzimuthalAverage> average_;  // null for models that are not fibres
 };
 
-/// h of a ray that goes from a hit on a round strand to the camera: the sine of the azimuth from the normal there to the
-/// eye, about the axis of fibre.h. All unit; 0 where the eye is along the strand.
+/// h of a ray that goes from a hit on a round strand to the camera: the sine of the azimuth from the normal there to
+/// the eye, about the axis of fibre.h. All unit; 0 where the eye is along the strand.
 double offset_across(const glm::dvec3& tangent, const glm::dvec3& hit_normal, const glm::dvec3& to_camera);
 
 }  // namespace pelage

@@ -108,8 +108,8 @@ LobeValues marschner_longitudinal(const MarschnerLobes& lobes, const Inclination
   const double difference = cos_difference(light, view);
   LobeValues values{};
   for (std::size_t p = 0; p + 1 < lobe_count; ++p) {
-    values[p] = gaussian(middle - lobes.centre[p], lobes.width[p]) / 2 /
-                std::max(difference * difference, min_cos2_difference);
+    values[p] =
+        gaussian(middle - lobes.centre[p], lobes.width[p]) / 2 / std::max(difference * difference, min_cos2_difference);
   }
   return values;
 }

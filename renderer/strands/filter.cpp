@@ -15,9 +15,9 @@ namespace {
 constexpr int farthest = 6;           // pixels that light comes from at 1 sample
 constexpr int margin = farthest + 3;  // and more for silhouettes, and for windows that touch a pixel
 constexpr int band_rows = 32;
-constexpr int block = 32;              // pixels of a row that are worked on together
+constexpr int block = 32;            // pixels of a row that are worked on together
 constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights
-constexpr float unknown = 1e9f;        // noise of a feature that too few pixels show
+constexpr float unknown = 1e9f;      // noise of a feature that too few pixels show
 
 /// Of features that have no noise: tangent, normal, root of albedo, logarithm of depth.
 constexpr int feature_groups = 4;

@@ -25,8 +25,8 @@ struct FilterSource {
 };
 
 /// Beauty and alpha, from up to 6 pixels away at 1 sample a pixel, less by its logarithm, and from none at 64. Pixels
-/// without body give and take no light, but for silhouettes, which are smoothed by their neighbours; the ground's shadow
-/// is smoothed by itself. The same bits for any count of threads; 0 for one each core.
+/// without body give and take no light, but for silhouettes, which are smoothed by their neighbours; the ground's
+/// shadow is smoothed by itself. The same bits for any count of threads; 0 for one each core.
 FloatImage filter_beauty(const FilterSource& source, int threads = 0);
 
 }  // namespace pelage

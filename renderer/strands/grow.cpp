@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "renderer/pattern/pattern.h"
-#include "renderer/strands/sampling.h"
 #include "renderer/strands/lean_table.h"
-#include "renderer/strands/strand_part.h"
 #include "renderer/strands/root_fields.h"
+#include "renderer/strands/sampling.h"
 #include "renderer/strands/strand_colours.h"
 #include "renderer/strands/strand_form.h"
+#include "renderer/strands/strand_part.h"
 #include "renderer/strands/tile_cells.h"
 #include "renderer/strands/tile_strands.h"
 
@@ -20,9 +20,9 @@ namespace pelage {
 
 namespace {
 
-constexpr float min_radius = 1e-7f;  // sizes
+constexpr float min_radius = 1e-7f;    // sizes
 constexpr double looked_through = 16;  // copies for each that is kept, at most
-constexpr double min_of_tile = 256;  // strands that repeat with the tile
+constexpr double min_of_tile = 256;    // strands that repeat with the tile
 
 bool any_above_default(std::span<const float> field) {
   return std::any_of(field.begin(), field.end(), [](float value) { return value > 0; });

@@ -6,17 +6,18 @@
 #include <optional>
 
 #include "renderer/shading/fibre_paths.h"
-#include "renderer/strands/sampling.h"
 #include "renderer/strands/fibre_frame.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float leave_skin = 1e-5f;   // sizes from which rays start
-constexpr int first_bounces = 1;      // after them Russian roulette ends dark paths
-constexpr float worth_a_ray = 0.01f;  // share of TraceScene::brightest below which Russian roulette decides on a shadow ray
+constexpr float leave_skin = 1e-5f;  // sizes from which rays start
+constexpr int first_bounces = 1;     // after them Russian roulette ends dark paths
+constexpr float worth_a_ray =
+    0.01f;  // share of TraceScene::brightest below which Russian roulette decides on a shadow ray
 
 /// The scattering at a hit: a fibre or matt skin. As a BSDF of pbrt, with the cosine in it.
 class Bsdf {
@@ -81,8 +82,9 @@ struct DirectLight {
 
 /// Next event estimation with one shadow ray: to a light or, where no light reaches the point, into the environment.
 /// The environment is also hit by paths that leave the scene: then both are weighted by their pdfs (balance heuristic,
-/// Veach 1997). Beside lights the paths alone sample it: harmonics of two bands are so even that a shadow ray to a light
-/// is worth more. After the first hit Russian roulette decides on shadow rays that could add little by `throughput`.
+/// Veach 1997). Beside lights the paths alone sample it: harmonics of two bands are so even that a shadow ray to a
+/// light is worth more. After the first hit Russian roulette decides on shadow rays that could add little by
+/// `throughput`.
 DirectLight sample_direct(const TraceScene& scene, const World& world, const Bsdf& bsdf, glm::vec3 throughput,
                           bool first, Sampler& sampler) {
   const StrandLights& lights = scene.lights();
@@ -108,8 +110,7 @@ DirectLight sample_direct(const TraceScene& scene, const World& world, const Bsd
   const LightSample light = lights.sample(chosen.index, bsdf.position(), u);
   glm::vec3 radiance = bsdf.mean_f(light.to_light) * light.radiance * (pi / chosen.probability);
   if (luminance(radiance) <= 0) return {};
-  const float survival_probability =
-      first ? 1 : luminance(throughput * radiance) / (worth_a_ray * scene.brightest());
+  const float survival_probability = first ? 1 : luminance(throughput * radiance) / (worth_a_ray * scene.brightest());
   if (survival_probability < 1) {
     if (!(pick.y < survival_probability)) return {};
     radiance /= survival_probability;
@@ -167,8 +168,7 @@ void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampl
     const Ray ray = bsdf.spawn_ray(sample.direction);
     hit = world.intersect(ray);
     if (hit.kind == HitKind::none) {
-      film_sample.radiance +=
-          bounded(throughput * escaped_radiance(scene, sample, bsdf.position()), scene.brightest());
+      film_sample.radiance += bounded(throughput * escaped_radiance(scene, sample, bsdf.position()), scene.brightest());
       return;
     }
     position = ray.origin + ray.direction * hit.distance, to_camera = -ray.direction;

@@ -81,7 +81,7 @@ struct DiscreteSample {
 /// Up to nine weights: those of the lights, then of the environment.
 class DiscreteDistribution {
  public:
-  void add(float weight);        // below 0 counts as 0
+  void add(float weight);                // below 0 counts as 0
   DiscreteSample sample(float u) const;  // u in [0, 1)
 
  private:

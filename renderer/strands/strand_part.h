@@ -9,9 +9,9 @@
 #include <glm/glm.hpp>
 
 #include "renderer/input/fur_scene.h"
-#include "renderer/strands/world.h"
 #include "renderer/strands/grow.h"
 #include "renderer/strands/tile_cells.h"
+#include "renderer/strands/world.h"
 
 namespace pelage {
 

@@ -22,7 +22,7 @@ class HalfOpenTriangle;
 
 class TileCells {
  public:
-  static constexpr double furthest = 100;               // sizes; triangles that reach further have no strands
+  static constexpr double furthest = 100;              // sizes; triangles that reach further have no strands
   static constexpr std::size_t max_copies = 1u << 22;  // of one triangle; what is beyond them is left out
 
   /// Of the strands a share, by a number of their own.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int min_segments = 6, max_segments = 48;
 constexpr double min_of_turn = 4, max_of_turn = 8;  // segments
-constexpr std::size_t looked_at = 2048;                // strands for a mean: the first ones of a tile lie evenly
+constexpr std::size_t looked_at = 2048;             // strands for a mean: the first ones of a tile lie evenly
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
 

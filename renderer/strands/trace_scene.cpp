@@ -40,7 +40,8 @@ Ray TraceScene::ray_at(glm::vec2 place) const {
   const FurCamera& camera = frame_.camera;
   const glm::vec2 size(frame_.width, frame_.height);
   const glm::vec2 off = (place * 2.0f - size) / size.y * camera.tan_half_fov;
-  return {.origin = camera.position, .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
+  return {.origin = camera.position,
+          .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
 }
 
 float TraceScene::pixel_at(float distance) const {

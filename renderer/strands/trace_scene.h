@@ -4,11 +4,11 @@
 #include <glm/glm.hpp>
 
 #include "renderer/input/fur_scene.h"
-#include "renderer/strands/tracer.h"
 #include "renderer/strands/film.h"
 #include "renderer/strands/lights.h"
 #include "renderer/strands/sampling.h"
 #include "renderer/strands/strand_shading.h"
+#include "renderer/strands/tracer.h"
 #include "renderer/strands/world.h"
 
 namespace pelage {

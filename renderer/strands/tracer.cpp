@@ -21,12 +21,12 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-constexpr double min_width = 0.2;  // of a strand in the picture, pixels; thinner ones are thinned out and widened
+constexpr double min_width = 0.2;    // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr double widest = 1.0 / 60;  // of the fur's length that strands are widened to because they are thin, or twice
-constexpr double widest_allowed = 0.05;   // sizes that they are widened to because they would be too many
+constexpr double widest_allowed = 0.05;      // sizes that they are widened to because they would be too many
 constexpr std::size_t backplate_images = 5;  // of a Backplate
-constexpr int judged_passes = 8;          // before them no part of the picture is left for its little noise
-constexpr std::size_t film_part = 2;      // a film takes at most one over this of the memory
+constexpr int judged_passes = 8;             // before them no part of the picture is left for its little noise
+constexpr std::size_t film_part = 2;         // a film takes at most one over this of the memory
 
 /// Of the fur where there is any, sizes.
 double mean_length(std::span<const float> lengths) {
@@ -39,8 +39,8 @@ double mean_length(std::span<const float> lengths) {
 }
 
 /// Thins strands out for a view and widens what is left. The share is a power of 1/2, so that a step of the camera
-/// seldom changes it. Wide strands stand out of short fur into the light: widened to a third of its height they make it a
-/// tenth too bright, and a small animal larger than it is. So from afar no more are left out.
+/// seldom changes it. Wide strands stand out of short fur into the light: widened to a third of its height they make it
+/// a tenth too bright, and a small animal larger than it is. So from afar no more are left out.
 void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRecipe& recipe) {
   const double nearest = std::max(glm::length(glm::dvec3(frame.camera.position)) - 0.5, 0.0);
   const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
@@ -93,8 +93,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
                      std::span<const Aov> aovs, const GoOn& go_on) {
   Impl& tracer = *impl_;
   tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  if (Status refused = admit(frame.width, frame.height, aovs, frame.knobs.trace.filter); !refused.ok())
-    return refused;
+  if (Status refused = admit(frame.width, frame.height, aovs, frame.knobs.trace.filter); !refused.ok()) return refused;
   tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, aovs) -
                           Film::bytes(frame.width, frame.height, aovs, frame.knobs.trace.filter));
   const Clock::time_point start = Clock::now();
@@ -172,8 +171,6 @@ Status Tracer::add_pass(const GoOn& go_on) {
 
 TraceReport Tracer::report() const { return impl_->report; }
 
-FloatImage Tracer::aov(Aov aov) const {
-  return impl_->film->aov(aov, impl_->scene->frame().knobs.trace.filter);
-}
+FloatImage Tracer::aov(Aov aov) const { return impl_->film->aov(aov, impl_->scene->frame().knobs.trace.filter); }
 
 }  // namespace pelage

@@ -38,9 +38,9 @@ class Tracer {
   /// Whether a picture may be begun in that memory with its backplate and its AOVs, before any of it is made.
   /// too_large where not.
   Status admit(int width, int height, std::span<const Aov> aovs, bool filter) const;
-  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths scatter by
-  /// energy_conserving, as the contract has it. Fails with too_large where memory does not do,
-  /// unavailable when it was not to go on.
+  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths scatter
+  /// by energy_conserving, as the contract has it. Fails with too_large where memory does not do, unavailable when it
+  /// was not to go on.
   Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
                std::span<const Aov> aovs, const GoOn& go_on);
   /// Adds a pass, and says in the report why it was the last one. Unavailable when it was not to go on: the picture is

@@ -7,8 +7,8 @@
 #include "renderer/shading/empirical.h"
 #include "renderer/shading/fibre_paths.h"
 #include "renderer/skin/bare.h"
-#include "renderer/strands/sampling.h"
 #include "renderer/strands/fibre_frame.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 
@@ -62,8 +62,8 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
     const glm::vec3 direction = cosine_direction(hit.normal, u);
     const glm::vec3 transmittance =
         world.transmittance({.origin = place, .direction = direction, .without = hit.strand}, scene.self_shadow());
-    sample.radiance +=
-        hit.colour * lights.environment(direction) * ambient_share(scene.frame().look, transmittance) / chosen.probability;
+    sample.radiance += hit.colour * lights.environment(direction) * ambient_share(scene.frame().look, transmittance) /
+                       chosen.probability;
     return;
   }
   const LightSample light = lights.sample(chosen.index, place, u);
@@ -71,10 +71,11 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
   const float behind = static_cast<float>(
       light_behind(model, glm::dot(hit.normal, light.to_light), scene.frame().look.back_attenuation));
   if (behind <= 0) return;
-  const glm::vec3 whole = light.radiance * behind / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
-  const glm::vec3 transmittance =
-      world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance, .without = hit.strand},
-                   scene.self_shadow());
+  const glm::vec3 whole =
+      light.radiance * behind / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
+  const glm::vec3 transmittance = world.transmittance(
+      {.origin = place, .direction = light.to_light, .t_max = light.distance, .without = hit.strand},
+      scene.self_shadow());
   sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
   sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
 }
@@ -125,7 +126,8 @@ FilmSample features_of(const TraceScene& scene, const Seen& seen) {
   return sample;
 }
 
-void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
+void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
+                     FilmSample& sample) {
   const StrandLights& lights = scene.lights();
   // On edges rays and backplate do not always agree.
   const BackplatePixel lone{.ambient = seen.hit.colour * lights.mean_environment(), .normal = seen.hit.normal};
@@ -153,7 +155,8 @@ void light_backplate(const TraceScene& scene, const World& world, const Seen& se
   glm::vec3 transmittance(1);  // light that no light source explains is never occluded
   if (chosen.index >= 0) {
     const LightSample light = lights.sample(chosen.index, place, u);
-    transmittance = world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance}, scene.self_shadow());
+    transmittance = world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance},
+                                        scene.self_shadow());
   }
   sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
   sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
@@ -171,7 +174,8 @@ void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, S
   DiscreteDistribution distribution;
   for (int i = 0; i < lights.count(); ++i) {
     const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
-    distribution.add(static_cast<float>(look.diffuse) * lights.importance(i, place) * std::max(middle.to_light.y, 0.0f));
+    distribution.add(static_cast<float>(look.diffuse) * lights.importance(i, place) *
+                     std::max(middle.to_light.y, 0.0f));
   }
   distribution.add(static_cast<float>(look.ambient));
   const DiscreteSample chosen = distribution.sample(sampler.next());

@@ -1,6 +1,6 @@
-// The fast way to light traced strands: each sample follows one ray to one light, and the fur that it crosses leaves a transmittance
-// by its colour and count (science.md 4, coloured transmittance). What a strand then scatters is as shells have it
-// (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
+// The fast way to light traced strands: each sample follows one ray to one light, and the fur that it crosses leaves a
+// transmittance by its colour and count (science.md 4, coloured transmittance). What a strand then scatters is as
+// shells have it (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
 #pragma once
 
 #include "renderer/strands/film.h"
@@ -15,7 +15,7 @@ FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::
 /// What a camera ray through a pixel position hits: shared with paths.
 struct Seen {
   Ray ray;
-  Hit hit;         // nothing, a strand, or skin
+  Hit hit;              // nothing, a strand, or skin
   BackplatePixel base;  // of skin and eyes
   bool eye = false;
   bool bare = false;  // skin without fur
@@ -26,7 +26,8 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place);
 FilmSample features_of(const TraceScene& scene, const Seen& seen);
 
 /// Skin and eyes in the light that fur and body transmit to them: the backplate's, one light at a time.
-void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample);
+void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
+                     FilmSample& sample);
 
 /// Darkness on the ground where the ray hits it: black with an alpha.
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample);

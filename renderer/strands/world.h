@@ -1,8 +1,9 @@
 // Embree's objects as move-only handles.
 #pragma once
 
-#include <cstddef>
 #include <embree3/rtcore.h>
+
+#include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>

@@ -68,7 +68,8 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   FrameBlock block;
   block.world_to_clip = projection(frame) * view(frame.camera);
   block.viewpoint = {frame.camera.position, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};
-  block.half_picture = 0.5f * glm::vec4(pixels * static_cast<float>(frame.width) / static_cast<float>(frame.height), -pixels, 0, 0);
+  block.half_picture =
+      0.5f * glm::vec4(pixels * static_cast<float>(frame.width) / static_cast<float>(frame.height), -pixels, 0, 0);
   block.weights = glm::vec4(look.ambient, look.diffuse, look.specular, look.ambient_floor);
   block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,
                               frame.knobs.self_shadow ? look.self_shadow : 0.0);

@@ -52,9 +52,12 @@ constexpr std::uint32_t sent_gap = 64;  // vertices between ranges that are sent
 std::vector<DirtyRange> sent_as_one(std::span<const DirtyRange> dirty) {
   std::vector<DirtyRange> joined;
   for (const DirtyRange& range : dirty) {
-    const bool near = !joined.empty() && range.begin >= joined.back().begin && range.begin < joined.back().end + sent_gap;
-    if (near) joined.back().end = std::max(joined.back().end, range.end);
-    else joined.push_back(range);
+    const bool near =
+        !joined.empty() && range.begin >= joined.back().begin && range.begin < joined.back().end + sent_gap;
+    if (near)
+      joined.back().end = std::max(joined.back().end, range.end);
+    else
+      joined.push_back(range);
   }
   return joined;
 }
@@ -255,7 +258,8 @@ ModelBuffers::DrawLists ModelBuffers::skin_lists(const Gl& gl) {
 namespace {
 
 ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vector<glm::uvec3>& elements) {
-  const ModelBuffers::DrawList list{static_cast<GLsizei>(3 * elements.size()), static_cast<GLsizei>(3 * triangles.size())};
+  const ModelBuffers::DrawList list{static_cast<GLsizei>(3 * elements.size()),
+                                    static_cast<GLsizei>(3 * triangles.size())};
   elements.insert(elements.end(), triangles.begin(), triangles.end());
   return list;
 }
@@ -290,7 +294,8 @@ std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists
       }
       const auto reached = in_parts(depths, strands, triangles, height_of(shell, shells));
       for (std::size_t part = 0; part < parts.size(); ++part) {
-        if (!reached[part].empty()) (parts[part].*side).push_back({set, shell, shells, append(reached[part], elements)});
+        if (!reached[part].empty())
+          (parts[part].*side).push_back({set, shell, shells, append(reached[part], elements)});
       }
     }
   };

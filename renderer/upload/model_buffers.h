@@ -9,10 +9,10 @@
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/upload/paint_buffers.h"
 #include "renderer/visibility/changed_fur.h"
 #include "renderer/visibility/depth_parts.h"
 #include "renderer/visibility/shell_lod.h"
-#include "renderer/upload/paint_buffers.h"
 
 namespace pelage {
 
@@ -85,19 +85,19 @@ class ModelBuffers {
     std::vector<ShellList> back_facing, facing;
   };
   struct DrawLists {
-    DrawList all;                // every triangle
-    DrawList bare, furred;       // those in the view's part that bare skin may touch, and the others
-    DrawList shown;              // those whose fur is drawn
+    DrawList all;                                // every triangle
+    DrawList bare, furred;                       // those in the view's part that bare skin may touch, and the others
+    DrawList shown;                              // those whose fur is drawn
     std::array<DrawList, max_shell_lods> marks;  // as ShellLists
-    std::vector<DepthPart> parts;                 // of the fur, far to near
+    std::vector<DepthPart> parts;                // of the fur, far to near
   };
   /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
   DrawLists skin_lists(const Gl& gl);
   /// Sends the triangles to draw for a view of a coat, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const Coat& coat, const ShellView& view);
 
-  /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many; none
-  /// where none has.
+  /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many;
+  /// none where none has.
   std::uint64_t changes() const { return changed_.count(); }
   std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip, std::uint64_t since) const {
     return changed_.box({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip, since);
@@ -108,7 +108,7 @@ class ModelBuffers {
   const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
   DrawLists lists_of_skin() const;
   bool touched_by_skin(const glm::uvec3& triangle) const;
-  bool set_skin(std::span<const FurSkinRegion> skin);  // whether it changed
+  bool set_skin(std::span<const FurSkinRegion> skin);                                  // whether it changed
   void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
   /// Adds the lists of fur to the elements.
@@ -129,13 +129,13 @@ class ModelBuffers {
   std::vector<glm::uvec3> triangles_;  // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
   std::vector<glm::vec3> positions_, normals_, tangents_;  // of render vertices
-  std::vector<float> lengths_;                  // of render vertices
-  std::vector<glm::vec3> groom_values_;         // as in groom_: direction, length
+  std::vector<float> lengths_;                             // of render vertices
+  std::vector<glm::vec3> groom_values_;                    // as in groom_: direction, length
   ChangedFur changed_;
-  std::vector<FurSkinRegion> skin_;             // bare regions
-  std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
+  std::vector<FurSkinRegion> skin_;     // bare regions
+  std::vector<glm::uvec3> skin_order_;  // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;
-  std::vector<float> fur_share_;        // factor on the length at render vertices; empty without bare skin
+  std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
   std::vector<float> levels_;      // of the last view
 };

@@ -6,7 +6,7 @@ namespace pelage {
 
 namespace {
 
-constexpr GLuint numbers_slot = 4, colours_slot = 5;        // of the vertex array
+constexpr GLuint numbers_slot = 4, colours_slot = 5;          // of the vertex array
 constexpr GLuint numbers_storage = 10, colours_storage = 11;  // as in paint_storage.glsl
 
 struct Pair {
@@ -75,7 +75,8 @@ bool PaintBuffers::prepare(const Gl& gl, const FurPaint& paint, GLuint vertex_ar
 void PaintBuffers::send(const Gl& gl, const FurPaint& paint, std::size_t begin, std::span<const std::uint32_t> welded,
                         UploadCount& count) const {
   if (touched_.numbers) {
-    send_pairs(gl, numbers_, begin, welded, [&](std::uint32_t v) { return numbers_of(paint, v); }, count);
+    send_pairs(
+        gl, numbers_, begin, welded, [&](std::uint32_t v) { return numbers_of(paint, v); }, count);
   }
   if (!touched_.colours) return;
   const auto colours_of = [&](std::uint32_t v) {

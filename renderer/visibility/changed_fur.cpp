@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cassert>
 
-#include "protocol/commands/coat.h"
 #include "protocol/base/lean_curve.h"
+#include "protocol/commands/coat.h"
 
 namespace pelage {
 
 namespace {
 
 constexpr std::size_t max_noted = 1 << 18;  // 4 MiB
-constexpr int parts = 4;                // of a strand; between their ends it bends by no more than
-constexpr float bend_of_a_part = 0.03f;  // of its length
+constexpr int parts = 4;                    // of a strand; between their ends it bends by no more than
+constexpr float bend_of_a_part = 0.03f;     // of its length
 
 class StrandBoxes {
  public:
@@ -61,7 +61,8 @@ std::optional<ClipBox> ChangedFur::box(const GroomedMesh& mesh, const Coat& coat
   if (changed.empty()) return {};
   const StrandBoxes strands(mesh, coat, to_clip);
   std::vector<std::optional<ClipBox>> reached(mesh.positions.size());
-  for (const Noted& each : changed) reached[each.vertex] = union_of(reached[each.vertex], strands.of(each.vertex, each.groom));
+  for (const Noted& each : changed)
+    reached[each.vertex] = union_of(reached[each.vertex], strands.of(each.vertex, each.groom));
   std::optional<ClipBox> all;
   for (const glm::uvec3& t : mesh.triangles) {
     if (!reached[t.x] && !reached[t.y] && !reached[t.z]) continue;

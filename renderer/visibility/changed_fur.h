@@ -29,7 +29,8 @@ class ChangedFur {
 
   /// What the fur of vertices that changed since `count` was so much, and of the triangles around them, reaches or
   /// reached; none where none has changed, everything where that is too long ago to be known.
-  std::optional<ClipBox> box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip, std::uint64_t since) const;
+  std::optional<ClipBox> box(const GroomedMesh& mesh, const Coat& coat, const glm::mat4& to_clip,
+                             std::uint64_t since) const;
 
  private:
   struct Noted {

@@ -13,7 +13,9 @@ namespace {
 constexpr float rounding = 1e-5f;  // between distances here and those of the GL, of 1 and the distance itself
 
 /// The last row: what the GL divides by is the distance along the view.
-glm::vec4 distance_row(const glm::mat4& to_clip) { return {to_clip[0][3], to_clip[1][3], to_clip[2][3], to_clip[3][3]}; }
+glm::vec4 distance_row(const glm::mat4& to_clip) {
+  return {to_clip[0][3], to_clip[1][3], to_clip[2][3], to_clip[3][3]};
+}
 
 }  // namespace
 
@@ -38,7 +40,9 @@ DepthRange DepthParts::range(int part) const {
 }
 
 int DepthParts::at(float distance) const {
-  int part = count_ == 1 ? 0 : static_cast<int>(std::clamp((furthest_ - distance) / size_, 0.0f, static_cast<float>(count_ - 1)));
+  int part = count_ == 1
+                 ? 0
+                 : static_cast<int>(std::clamp((furthest_ - distance) / size_, 0.0f, static_cast<float>(count_ - 1)));
   while (part > 0 && distance >= range(part).furthest) --part;  // the quotient may be rounded over a boundary
   while (part < count_ - 1 && distance < range(part).nearest) ++part;
   return part;

@@ -1,6 +1,6 @@
-// Fur in parts of the view's depth, drawn from far to near, so that fur of what is near is blended over fur of what lies
-// behind it. Within a part shells come in the order of their heights, which is that along a ray through one coat. A fragment
-// belongs to a part by its own distance: no coat is torn where two parts meet.
+// Fur in parts of the view's depth, drawn from far to near, so that fur of what is near is blended over fur of what
+// lies behind it. Within a part shells come in the order of their heights, which is that along a ray through one coat.
+// A fragment belongs to a part by its own distance: no coat is torn where two parts meet.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ class StrandDepths {
   glm::vec2 of(const glm::uvec3& triangle, float height);
 
  private:
-  static constexpr int pieces = 4;            // of a strand
+  static constexpr int pieces = 4;               // of a strand
   static constexpr float bend_of_piece = 0.03f;  // of its length at most, off the straight line
   struct Strand {
     bool known = false;

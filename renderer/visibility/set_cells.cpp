@@ -48,7 +48,8 @@ std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm:
   const BallBoxes balls(to_clip);
   std::vector<CellBox> boxes;
   boxes.reserve(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) boxes.push_back(cells_of(balls.of(positions[i], stretch * lengths[i])));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    boxes.push_back(cells_of(balls.of(positions[i], stretch * lengths[i])));
   return boxes;
 }
 

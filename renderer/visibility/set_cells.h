@@ -12,8 +12,8 @@ namespace pelage {
 
 inline constexpr int cells_a_side = 48;  // of the picture
 
-/// Cells of the picture from the left and from below, last ones included; -1 and cells_a_side are all that lies outside.
-/// Empty never: what lies behind the eye counts as everywhere. All of the picture at first.
+/// Cells of the picture from the left and from below, last ones included; -1 and cells_a_side are all that lies
+/// outside. Empty never: what lies behind the eye counts as everywhere. All of the picture at first.
 struct CellBox {
   int left = 0, low = 0, right = cells_a_side - 1, high = cells_a_side - 1;
 
@@ -50,8 +50,8 @@ ClipBox union_of(const ClipBox& a, const ClipBox& b);
 ClipBox union_of(const std::optional<ClipBox>& a, const ClipBox& b);
 CellBox cells_of(const ClipBox& box);
 
-/// For each vertex the cells that its fur may reach: a ball about the root. Lengths in the unit of the positions; fur is
-/// up to `stretch` times as long.
+/// For each vertex the cells that its fur may reach: a ball about the root. Lengths in the unit of the positions; fur
+/// is up to `stretch` times as long.
 std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
                                   std::span<const float> lengths, float stretch = 1);
 

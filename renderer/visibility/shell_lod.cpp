@@ -4,17 +4,16 @@
 #include <cmath>
 #include <iterator>
 
-
 namespace pelage {
 
 namespace {
 
 constexpr float full_tangent = 5.6f;  // of the angle from which all shells are drawn: 80 degrees
 constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
-constexpr float max_bending = 1e3f;    // more is the same
+constexpr float max_bending = 1e3f;   // more is the same
 constexpr float shells_per_pixel = 1.0f;
 constexpr float past_skin = 2.0f;  // of the tangent below: with 1 a fifth more fragments bring .001 of FLIP
-constexpr int max_steps = 16;   // in a slab
+constexpr int max_steps = 16;      // in a slab
 
 float cosine_to_camera(const ShellMesh& mesh, std::size_t triangle, glm::vec3 viewpoint) {
   const glm::vec3 to_camera = viewpoint - mesh.centroids[triangle], normal = mesh.normals[triangle];
@@ -135,12 +134,14 @@ std::vector<glm::uvec3> shown_triangles(const ShellMesh& mesh, const ShellView& 
   std::vector<glm::uvec3> shown;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3& t = mesh.triangles[i];
-    if (cosine_to_camera(mesh, i, view.viewpoint) > furthest_back_facing && touch(cells_of(mesh, t), view.part)) shown.push_back(t);
+    if (cosine_to_camera(mesh, i, view.viewpoint) > furthest_back_facing && touch(cells_of(mesh, t), view.part))
+      shown.push_back(t);
   }
   return shown;
 }
 
-std::vector<glm::uvec3> triangles_in(const CellBox& part, const ShellMesh& mesh, std::span<const glm::uvec3> triangles) {
+std::vector<glm::uvec3> triangles_in(const CellBox& part, const ShellMesh& mesh,
+                                     std::span<const glm::uvec3> triangles) {
   std::vector<glm::uvec3> inside;
   std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(inside),
                [&](const glm::uvec3& t) { return touch(cells_of(mesh, t), part); });

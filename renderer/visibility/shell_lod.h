@@ -1,10 +1,10 @@
 // How many shells each pixel of a view gets: non-uniform shells (fur modelling 2; science.md 1).
 //
 // There are up to three sets of shells: all of the shells, half and a quarter of them. A vertex's level says how often
-// their number may be halved. Before anything else the outer hull of the fur is drawn, which leaves in each pixel the set
-// that the level there asks for; each set is then drawn in its own pixels alone. So a ray meets one set, whatever places
-// of the skin it passes: the opacity stays true and no crack opens. Where one set passes into the next, pixels are
-// dithered, and nothing pops when the camera moves.
+// their number may be halved. Before anything else the outer hull of the fur is drawn, which leaves in each pixel the
+// set that the level there asks for; each set is then drawn in its own pixels alone. So a ray meets one set, whatever
+// places of the skin it passes: the opacity stays true and no crack opens. Where one set passes into the next, pixels
+// are dithered, and nothing pops when the camera moves.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ int sets_of(int shells, ShellPolicy policy);
 /// Texture steps in a slab of a set: as many over the height of the fur as with all shells, at most 16 a slab.
 int steps_of_set(const Knobs& knobs, int set);
 
-/// Cosine between view and normal: fur on triangles turned further away lies behind the skin that is front-facing, but for
-/// long fur on thin parts.
+/// Cosine between view and normal: fur on triangles turned further away lies behind the skin that is front-facing, but
+/// for long fur on thin parts.
 inline constexpr float furthest_back_facing = -0.6f;
 
 struct ShellView {
@@ -41,8 +41,8 @@ struct ShellView {
   ShellPolicy policy = ShellPolicy::adaptive;
   float furthest = furthest_back_facing;  // cosine from which on triangles are drawn; -2 draws all
   glm::mat4 to_clip{1};
-  float stretch = 1;  // fur is up to so many times as long as its field says
-  CellBox part{};     // of the picture that is drawn
+  float stretch = 1;    // fur is up to so many times as long as its field says
+  CellBox part{};       // of the picture that is drawn
   int depth_parts = 1;  // at most, in which fur is drawn from far to near
 };
 
@@ -52,9 +52,9 @@ struct ShellVertex {
   float length = 0, curvature = 0;
 };
 
-/// How often the number of shells may be halved at a vertex, in [0, sets_of - 1]: shells follow the tangent of the angle
-/// between view and fur and the bending of the skin over the fur's length, as a thick shell goes straight on; they need
-/// not lie closer than a pixel. Continuous in all of its arguments but the number of shells.
+/// How often the number of shells may be halved at a vertex, in [0, sets_of - 1]: shells follow the tangent of the
+/// angle between view and fur and the bending of the skin over the fur's length, as a thick shell goes straight on;
+/// they need not lie closer than a pixel. Continuous in all of its arguments but the number of shells.
 float shell_lod_level(const ShellView& view, const ShellVertex& vertex);
 
 /// Mean over the edges at each vertex of the change of the normal over the edge's length, 1 / sizes.
@@ -68,7 +68,7 @@ inline constexpr float dithered_levels = 0.25f;
 struct ShellLists {
   using OfSets = std::array<std::vector<glm::uvec3>, max_shell_lods>;
   OfSets facing, back_facing;  // back-facing only near silhouettes: further away they lie behind the skin
-  OfSets marks;            // those of the facing ones that may ask for a set; none when a frame has one set only
+  OfSets marks;                // those of the facing ones that may ask for a set; none when a frame has one set only
 };
 
 struct ShellMesh {

@@ -266,7 +266,7 @@ RawModel make_sphere(int triangles) {
 namespace {
 
 TriangleMesh creature_mesh(int triangles) {
-  constexpr double kCell = 0.0125;              // the ears are about three cells thin
+  constexpr double kCell = 0.0125;            // the ears are about three cells thin
   constexpr int kEvenest = 2000, kMin = 400;  // fewer even triangles than this lose the ears; the least that has legs
   const ImplicitSurface surface(creature_volumes());
   const TriangleMesh fine = largest_part(polygonise(surface, kCell));

@@ -35,8 +35,8 @@ Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Ca
     sync_scene(renderer, scene.view(), {});
     for (const CalibrationScene::View& view : scenes[i].views) {
       if (out_of_time()) break;
-      Result<MeasuredView> measured = measure_view(renderer, unit, scene.view(), measured_frame(scene.view(), view), ladder,
-                                                   {.truth_shells = 0, .repetitions = 2});
+      Result<MeasuredView> measured = measure_view(renderer, unit, scene.view(), measured_frame(scene.view(), view),
+                                                   ladder, {.truth_shells = 0, .repetitions = 2});
       if (!measured) return measured.status();
       views.push_back(std::move(measured).value());
       const double by_time = seconds_since(start) / options.seconds;

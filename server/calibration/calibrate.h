@@ -9,7 +9,7 @@
 namespace pelage {
 
 struct CalibrateOptions {
-  double seconds = 60;         // no view is begun after them,
+  double seconds = 60;        // no view is begun after them,
   std::size_t min_views = 4;  // but for so many
 };
 

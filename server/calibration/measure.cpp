@@ -26,7 +26,8 @@ FurFrame with(FurFrame frame, const Knobs& knobs) {
 }
 
 /// The first picture, and the least cost.
-Result<Image> draw_often(Renderer& renderer, const CostUnit& unit, const FurFrame& frame, int repetitions, double& cost) {
+Result<Image> draw_often(Renderer& renderer, const CostUnit& unit, const FurFrame& frame, int repetitions,
+                         double& cost) {
   Result<Image> first = failure(Code::internal, "no repetition");
   cost = 1e30;
   for (int i = 0; i < repetitions; ++i) {

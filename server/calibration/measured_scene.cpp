@@ -55,7 +55,11 @@ std::vector<CalibrationScene> calibration_scenes() {
       {{Builtin::knot, 8000}, {.length = 0.05}, white, kajiya, {{back, 1.5f, 192}}},
       {{Builtin::sphere, 6000}, {.length = 0.015}, dark, kajiya, {{three_quarter, 0.6f, 192}}},
       {{Builtin::creature, 3000}, {.length = 0.05}, striped(brown), kajiya, {{three_quarter, 1, 192}}},
-      {{Builtin::torus, 5000}, {.length = 0.02}, dark, ShadingModel::energy_conserving, {{three_quarter, 1, 192}, {left, 0.7f, 192}}},
+      {{Builtin::torus, 5000},
+       {.length = 0.02},
+       dark,
+       ShadingModel::energy_conserving,
+       {{three_quarter, 1, 192}, {left, 0.7f, 192}}},
       {{Builtin::plane, 2000}, {.length = 0.02}, striped(white), kajiya, {{three_quarter, 0.7f, 192}}},
   };
 }

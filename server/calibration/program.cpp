@@ -23,7 +23,8 @@ class ProgressBar {
   void show(double share) {
     if (isatty(STDERR_FILENO)) {
       const auto full = static_cast<std::size_t>(share * bar_width);
-      fmt::print(stderr, "\rMeasuring [{:<{}}] {:3.0f}%{}", std::string(full, '#'), bar_width, share * 100, share < 1 ? "" : "\n");
+      fmt::print(stderr, "\rMeasuring [{:<{}}] {:3.0f}%{}", std::string(full, '#'), bar_width, share * 100,
+                 share < 1 ? "" : "\n");
     } else if (const int tenth = static_cast<int>(share * 10); tenth > tenth_) {
       tenth_ = tenth;
       fmt::print(stderr, "Measuring: {}%\n", tenth * 10);
@@ -52,15 +53,18 @@ Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
   fmt::print(stderr, "Calibrating {}\n", (*context)->description());
   ProgressBar bar;
   const CostUnit unit = cost_unit((*context)->is_software(), threads);
-  Result<Calibration> measured = calibrate(**renderer, unit, default_calibration(), [&](double share) { bar.show(share); });
+  Result<Calibration> measured =
+      calibrate(**renderer, unit, default_calibration(), [&](double share) { bar.show(share); });
   if (!measured) return measured.status();
   measured->name = today(), measured->machine = (*context)->description(), measured->threads = unit.threads;
   std::error_code error;
   if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
     std::filesystem::create_directories(folder, error);
   if (Status written = write_calibration(file, *measured); !written.ok()) return written;
-  fmt::print(stderr, "Stored in {}; a server reads it when it starts. 95% of measured frames cost at most {:.2f} times their estimate.\n", file,
-             measured->cost_safety);
+  fmt::print(stderr,
+             "Stored in {}; a server reads it when it starts. 95% of measured frames cost at most {:.2f} times their "
+             "estimate.\n",
+             file, measured->cost_safety);
   return {};
 }
 

@@ -105,7 +105,9 @@ int index_of(const std::string& name, const std::vector<EditLayer>& layers) {
   return found == layers.end() ? nothing : static_cast<int>(found - layers.begin());
 }
 
-Status unknown(const char* pointer) { return failure(Code::invalid, "the scene has no edit layer of this name", pointer); }
+Status unknown(const char* pointer) {
+  return failure(Code::invalid, "the scene has no edit layer of this name", pointer);
+}
 
 /// New edit layers, and for each the number of the old one whose contents it takes.
 struct Arrangement {
@@ -208,7 +210,8 @@ std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const C
   return arranged(layers, command).layers;
 }
 
-FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers, const FieldSet& fields) {
+FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
+                              const FieldSet& fields) {
   const Arrangement next = arranged(layers, command);
   const auto at = static_cast<std::size_t>(std::max(index_of(command.name, layers), 0));
   FieldDelta delta;
@@ -248,8 +251,7 @@ static void keep_part(const FieldDelta::Part& part, int layer, const std::vector
       writer.put_seen(v, after);
       continue;
     }
-    const glm::dvec4 change =
-        to_summable(part.field, glm::dvec4(after)) - to_summable(part.field, glm::dvec4(before));
+    const glm::dvec4 change = to_summable(part.field, glm::dvec4(after)) - to_summable(part.field, glm::dvec4(before));
     if (layer == nothing) {
       stack.base = held(part.field, stack.base + change);
     } else {
@@ -261,7 +263,7 @@ static void keep_part(const FieldDelta::Part& part, int layer, const std::vector
 }
 
 FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
-                         const FieldSet& fields) {
+                                const FieldSet& fields) {
   const int at = index_of(layer, layers);
   FieldDelta kept;
   for (const FieldDelta::Part& part : seen.parts) {

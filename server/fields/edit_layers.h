@@ -13,7 +13,8 @@
 
 namespace pelage {
 
-/// All numbers add up (to_summable). seen = base + weight times added, edit layer by edit layer, each time held in the range.
+/// All numbers add up (to_summable). seen = base + weight times added, edit layer by edit layer, each time held in the
+/// range.
 struct EditLayerStack {
   bool covered = false;  // whether any edit layer adds something, or did
   glm::dvec4 base{0};
@@ -58,21 +59,22 @@ void finish_parts(FieldDelta& delta);
 /// Refused (invalid): names that are unknown or taken, more than limits::edit_layers, merging what is muted.
 Status check(const ChangeEditLayer& command, const std::vector<EditLayer>& layers);
 
-/// Refused (invalid, "/edit layer"): an edit layer that is not there, is muted, or hardly shows, so that it could not take what a
-/// tool does to what is seen.
+/// Refused (invalid, "/edit layer"): an edit layer that is not there, is muted, or hardly shows, so that it could not
+/// take what a tool does to what is seen.
 Status check_groomed(const std::string& layer, const std::vector<EditLayer>& layers);
 
 /// The edit layers, from the lowest, once a command that was checked is carried out.
 std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeEditLayer& command);
 
 /// What the command does to the sheets: the contents move, and what is seen is made anew.
-FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers, const FieldSet& fields);
+FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
+                              const FieldSet& fields);
 
-/// A change of what is seen as one that the named edit layer keeps ("" for the groom below them all): it comes to hold what
-/// makes the rest add up to what the tool wanted to be seen, as far as the field's range and the edit layers above let it.
-/// Without edit layers it is the change itself.
+/// A change of what is seen as one that the named edit layer keeps ("" for the groom below them all): it comes to hold
+/// what makes the rest add up to what the tool wanted to be seen, as far as the field's range and the edit layers above
+/// let it. Without edit layers it is the change itself.
 FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
-                         const FieldSet& fields);
+                                const FieldSet& fields);
 
 /// The number of the edit layer of this name, which is there.
 std::size_t number_of(const std::string& layer, const std::vector<EditLayer>& layers);

@@ -3,8 +3,8 @@
 #include <cassert>
 #include <functional>
 
-#include "server/fields/field_set.h"
 #include "server/fields/edit_layers.h"
+#include "server/fields/field_set.h"
 #include "server/surface/geodesics.h"
 
 namespace pelage {
@@ -97,7 +97,7 @@ glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> 
 }
 
 FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
-                 const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers) {
+                    const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers) {
   const auto old = static_cast<std::uint32_t>(fields.size());
   assert(before.positions.size() == old && after.positions.size() == old + parents.size());
   FieldSet result(after.positions.size());

@@ -27,6 +27,6 @@ glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> 
 /// All fields and edit layers on a subdivided mesh: what was there, and at each new vertex the mean of its parents
 /// (SubdividedSurface::parents).
 FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
-                 const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
+                    const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
 
 }  // namespace pelage

@@ -51,7 +51,8 @@ bool never_cleared(Sheet sheet, Field field) {
 }
 
 bool all_at_default(const std::vector<float>& values, float default_value) {
-  return std::all_of(values.begin(), values.end(), [&](float value) { return bits_of(value) == bits_of(default_value); });
+  return std::all_of(values.begin(), values.end(),
+                     [&](float value) { return bits_of(value) == bits_of(default_value); });
 }
 
 }  // namespace
@@ -94,7 +95,8 @@ glm::vec4 FieldSet::on_sheet(Sheet sheet, Field field, std::uint32_t vertex) con
   const int channels = shape_of(field).channels;
   if (untouched(sheet, field)) {
     const float default_value = default_of(sheet, field);
-    return {default_value, channels > 1 ? default_value : 0, channels > 2 ? default_value : 0, channels > 3 ? default_value : 0};
+    return {default_value, channels > 1 ? default_value : 0, channels > 2 ? default_value : 0,
+            channels > 3 ? default_value : 0};
   }
   const float* stored = &sheets_[sheet][static_cast<std::size_t>(field)][vertex * static_cast<std::size_t>(channels)];
   return {stored[0], channels > 1 ? stored[1] : 0, channels > 2 ? stored[2] : 0, channels > 3 ? stored[3] : 0};
@@ -174,7 +176,8 @@ void FieldSet::apply(const FieldDelta& delta) {
       flip(stored, flips, static_cast<int>(channels));
       add_hash(hash_, part, v, stored, false);
       flips += channels;
-      for (std::size_t c = 0; c < channels; ++c) to_default = to_default && bits_of(stored[c]) == bits_of(default_value);
+      for (std::size_t c = 0; c < channels; ++c)
+        to_default = to_default && bits_of(stored[c]) == bits_of(default_value);
     }
     // What has been taken back everywhere costs no frame and no memory any more.
     if (to_default && !never_cleared(part.sheet, part.field) && all_at_default(values, default_value)) values = {};

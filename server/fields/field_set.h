@@ -39,7 +39,8 @@ struct Groom {
 
 /// The nearest direction that can be stored: not longer than 1 after rounding, and 0 in place of -0.
 glm::vec2 stored_direction(glm::dvec2 direction);
-/// The nearest value of any other field's channel: in the field's range, and 0 in place of -0. NaN is a broken contract.
+/// The nearest value of any other field's channel: in the field's range, and 0 in place of -0. NaN is a broken
+/// contract.
 float stored_value(Field field, double value);
 Groom stored_groom(glm::dvec2 direction, double length, double stretch);
 
@@ -55,7 +56,8 @@ class FieldSet {
   float number(Field field, std::uint32_t vertex) const;
   Groom at(std::uint32_t vertex) const;
 
-  /// What a sheet holds at one vertex. at its default under_sheet holds NaN: what is seen lies there too; edit layers hold 0.
+  /// What a sheet holds at one vertex. at its default under_sheet holds NaN: what is seen lies there too; edit layers
+  /// hold 0.
   glm::vec4 on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const;
   /// Whether no vertex of the field has anything on the sheet.
   bool untouched(Sheet sheet, Field field) const;

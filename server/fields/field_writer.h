@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "server/fields/field_set.h"
 #include "protocol/base/parallel.h"
+#include "server/fields/field_set.h"
 
 namespace pelage {
 

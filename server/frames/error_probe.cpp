@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 constexpr double min_error = 1e-5;  // of pictures that are the same
-constexpr double max_ratio = 4;      // of the whole's error to that of its windows: fur that they missed
+constexpr double max_ratio = 4;     // of the whole's error to that of its windows: fur that they missed
 
 /// Over the fur of all pictures; none where none shows any.
 std::optional<double> mean_error(std::span<const Image> truths, std::span<const Image> tests) {
@@ -49,10 +49,7 @@ Knobs nearer_knobs(const Knobs& knobs) {
 
 ErrorProbe::ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells,
                        Pause pause)
-    : renderer_(renderer),
-      truth_(reference_knobs(truth_shells)),
-      pause_(std::move(pause)),
-      views_{fur_alone(frame)} {
+    : renderer_(renderer), truth_(reference_knobs(truth_shells)), pause_(std::move(pause)), views_{fur_alone(frame)} {
   const int side = window_side(frame.width, frame.height);
   for (const glm::vec2& place : places) views_.push_back(window_of(frame, place, side));
 }

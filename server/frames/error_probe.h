@@ -25,8 +25,8 @@ std::optional<FurError> fur_error(const Image& truth, const Image& test);
 /// Shells of the truth that an error is judged by: their own error is a small part of it.
 int truth_shells(double max_error);
 
-/// Sorted shells that are nearer to the truth than the knobs, cheap enough for the whole view. Never as many as the knobs
-/// have: the same shells are off in the same places.
+/// Sorted shells that are nearer to the truth than the knobs, cheap enough for the whole view. Never as many as the
+/// knobs have: the same shells are off in the same places.
 Knobs nearer_knobs(const Knobs& knobs);
 
 /// Draws windows of a view (renderer/quality/windows) as the truth, once, and with knobs; and the whole of it with the
@@ -53,8 +53,8 @@ class ErrorProbe {
   Renderer& renderer_;
   Knobs truth_;
   Pause pause_;
-  std::vector<FurFrame> views_;  // the whole, and its windows
-  Pictures truths_;              // of the windows, drawn when first asked for
+  std::vector<FurFrame> views_;                     // the whole, and its windows
+  Pictures truths_;                                 // of the windows, drawn when first asked for
   std::vector<std::pair<Knobs, Pictures>> nearer_;  // of all views
 };
 

@@ -30,7 +30,8 @@ void place_in_model(FloatImage& position, const ModelPlacement& placement) {
 void measure_in_model(FloatImage& depth, const ModelPlacement& placement) {
   for (std::size_t i = 0; i < depth.rgba.size(); i += 4) {
     const float over = depth.rgba[i];
-    depth.rgba[i] = over > 0 ? static_cast<float>(placement.size / double{over}) : std::numeric_limits<float>::infinity();
+    depth.rgba[i] =
+        over > 0 ? static_cast<float>(placement.size / double{over}) : std::numeric_limits<float>::infinity();
   }
 }
 
@@ -71,7 +72,9 @@ void add_planes(const FloatImage& image, Aov aov, ExrType type, std::vector<ExrP
 
 std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement) {
   assert(images.size() == request.aovs.size() && !images.empty());
-  const auto asked = [&](Aov l) { return std::find(request.aovs.begin(), request.aovs.end(), l) != request.aovs.end(); };
+  const auto asked = [&](Aov l) {
+    return std::find(request.aovs.begin(), request.aovs.end(), l) != request.aovs.end();
+  };
   std::vector<ExrPlane> planes;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Aov aov = request.aovs[i];
@@ -110,7 +113,8 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
                          PngEncoder& png) {
   const bool keep_alpha = request.background == Background::transparent;
-  if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture)) return encode_aovs(std::move(*aovs), request, placement);
+  if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture))
+    return encode_aovs(std::move(*aovs), request, placement);
   if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha);
   Image& image = std::get<Image>(picture);
   if (request.format == FrameFormat::jpeg) return encode_jpeg(image, request.jpeg_quality);

@@ -24,8 +24,8 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty);
 
-/// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and A
-/// of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
+/// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and
+/// A of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
 /// or AOV.Y (shadow, shell_count) of the others. `png` remembers pictures of 8 bits.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
                          PngEncoder& png);

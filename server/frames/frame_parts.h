@@ -5,8 +5,8 @@
 
 namespace pelage {
 
-/// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands. `probe` is
-/// what a max_error took to measure parts of the view before the frame; it is not in `draw`.
+/// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands. `probe`
+/// is what a max_error took to measure parts of the view before the frame; it is not in `draw`.
 struct FrameTimings {
   double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
   double probe = 0;

@@ -23,15 +23,14 @@ bool FramePlanner::looks_at(const FrameRequest& request) {
          std::any_of(ladder.begin(), ladder.end(), [&](const auto& row) { return row.knobs == request.knobs; });
 }
 
-std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view,
-                                                FurFrame& frame, const MeasureError& measure) {
+std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame,
+                                                const MeasureError& measure) {
   const CostCorrection correction = costs_.correction(frame.model);
   if (!request.plans()) return estimate_of(calibration_, view, frame.knobs, correction);
   const PlannedFrame planned =
-      request.max_error
-          ? plan_measured(calibration_, view, frame, correction, *request.max_error,
-                          errors_.of(frame, in_range(calibration_, error_traits_of(view))), measure)
-          : pelage::plan(calibration_, view, frame, correction, {request.budget_ms, {}});
+      request.max_error ? plan_measured(calibration_, view, frame, correction, *request.max_error,
+                                        errors_.of(frame, in_range(calibration_, error_traits_of(view))), measure)
+                        : pelage::plan(calibration_, view, frame, correction, {request.budget_ms, {}});
   frame.knobs = planned.knobs;
   return planned.estimate;
 }

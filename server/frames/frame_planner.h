@@ -21,8 +21,8 @@ class FramePlanner {
 
   /// Whether the request's frame is planned or can be estimated, and its view has to be looked at.
   bool looks_at(const FrameRequest& request);
-  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame. Where an error
-  /// is asked for, `measure` is called for what is not known of the scene as it is seen.
+  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame. Where an
+  /// error is asked for, `measure` is called for what is not known of the scene as it is seen.
   std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame,
                                     const MeasureError& measure);
   /// What the frame has cost. Frames that draw more than shells in light are not counted.

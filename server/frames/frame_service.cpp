@@ -210,7 +210,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.timings.cost = unit.of(times);
-  if (frame.estimate && times.counters.redrawn == 1) planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
+  if (frame.estimate && times.counters.redrawn == 1)
+    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   return frame;
@@ -260,8 +261,7 @@ void FrameService::Impl::add(std::unique_ptr<Job> job) {
 
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads,
-                                                          YieldGate& gate) {
+Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate) {
   auto impl = std::make_unique<Impl>(gate);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();

@@ -10,10 +10,10 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
-#include "server/scene/scene.h"
-#include "server/scene/scene_copy.h"
 #include "server/frames/traced_picture.h"
 #include "server/frames/yield_gate.h"
+#include "server/scene/scene.h"
+#include "server/scene/scene_copy.h"
 
 namespace pelage {
 
@@ -24,7 +24,7 @@ struct FrameAnswer {
   Knobs knobs;  // as used
   FrameTimings timings;
   FrameCounters counters;
-  std::optional<TraceReport> trace = {};  // of a traced picture, and of a request with progressive
+  std::optional<TraceReport> trace = {};       // of a traced picture, and of a request with progressive
   std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are on the ladder
 };
 
@@ -52,10 +52,11 @@ class FrameService {
   /// Threads that costs are divided by.
   int threads() const;
 
-  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Short frames go before long
-  /// ones, and between the pieces of one that is drawn; a frame whose scene changed meanwhile begins anew. Superseded by
-  /// a newer request of the same scene and named view: conflict. `abandoned` is asked on the render thread before
-  /// drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused (invalid,
+  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Short frames go before
+  /// long ones, and between the pieces of one that is drawn; a frame whose scene changed meanwhile begins anew.
+  /// Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked on the render
+  /// thread before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused
+  /// (invalid,
   /// "/overlay_from") when the scene's model has no such revision.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "protocol/base/random.h"
-#include "server/groom/evaluate.h"
 #include "server/frames/curve_view.h"
-#include "server/scene/eye_view.h"
 #include "server/frames/skin_view.h"
+#include "server/groom/evaluate.h"
+#include "server/scene/eye_view.h"
 
 namespace pelage {
 
@@ -52,9 +52,10 @@ std::uint64_t copy_id(const SceneView& scene) {
 
 FurPaint make_paint(const FieldSet& fields) {
   const auto numbers = [&](Field field) { return std::span(fields.values(field)); };
-  return {numbers(Field::density), numbers(Field::width),   numbers(Field::curl),
-          numbers(Field::clump),   numbers(Field::wetness), numbers(Field::bare),
-          numbers(Field::mask),    fields.colours(Field::root_colour), fields.colours(Field::tip_colour)};
+  return {
+      numbers(Field::density),          numbers(Field::width), numbers(Field::curl), numbers(Field::clump),
+      numbers(Field::wetness),          numbers(Field::bare),  numbers(Field::mask), fields.colours(Field::root_colour),
+      fields.colours(Field::tip_colour)};
 }
 
 /// The knob `scale` after `min_radius`.
@@ -100,8 +101,14 @@ ModelArrays make_arrays(const SceneView& scene) {
 
 FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
   const Mesh& mesh = scene.model.surface.mesh();
-  return {copy_id(scene),         mesh.positions,        mesh.normals,  mesh.tangents,
-          arrays.pieces.triangles, arrays.pieces.corners, arrays.images, scene.skin_texture || !mesh.corners.empty(),
+  return {copy_id(scene),
+          mesh.positions,
+          mesh.normals,
+          mesh.tangents,
+          arrays.pieces.triangles,
+          arrays.pieces.corners,
+          arrays.images,
+          scene.skin_texture || !mesh.corners.empty(),
           scene.copy_id};
 }
 

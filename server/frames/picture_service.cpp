@@ -26,7 +26,7 @@ bool PictureService::has_better_picture(const Scene& scene, const FrameRequest& 
 }
 
 std::optional<Result<FrameAnswer>> PictureService::picture_if_better(const Scene& scene, const FrameRequest& request,
-                                                           SeenPicture seen) {
+                                                                     SeenPicture seen) {
   if (!scene.is_at(seen.revision)) return {};
   const auto better = traces_.better(scene, request, seen);
   if (!better) return {};

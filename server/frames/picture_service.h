@@ -11,7 +11,8 @@ class PictureService {
  public:
   PictureService(FrameService& frames, TraceQueue& traces) : frames_(frames), traces_(traces) {}
 
-  /// As FrameService::frame and TraceQueue::trace. A request with `progressive` is answered with shells, and tracing begins.
+  /// As FrameService::frame and TraceQueue::trace. A request with `progressive` is answered with shells, and tracing
+  /// begins.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
 
@@ -21,7 +22,8 @@ class PictureService {
   bool has_better_picture(const Scene& scene, const FrameRequest& request, SeenPicture seen);
   /// A better picture of the revision that was seen, or why there is none; nothing while it is traced, and once the
   /// scene is newer.
-  std::optional<Result<FrameAnswer>> picture_if_better(const Scene& scene, const FrameRequest& request, SeenPicture seen);
+  std::optional<Result<FrameAnswer>> picture_if_better(const Scene& scene, const FrameRequest& request,
+                                                       SeenPicture seen);
 
  private:
   FrameService& frames_;

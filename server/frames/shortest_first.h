@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// A job is due `idle_timeout` times its expected cost after it came, and what is due first goes first: the short pass the
-/// long, but none that came so much later. Of those that are due together the one that came first. The clock is the
+/// A job is due `idle_timeout` times its expected cost after it came, and what is due first goes first: the short pass
+/// the long, but none that came so much later. Of those that are due together the one that came first. The clock is the
 /// caller's: milliseconds from any moment.
 template <class Job>
 class ShortestFirst {
@@ -39,9 +39,10 @@ class ShortestFirst {
 
   /// Marks those that wait now.
   std::uint64_t moment() const { return came_; }
-  /// The first of those that came before the moment, cost little beside a running job and are let in by `may`. So a running
-  /// job that lets in those that wait when it pauses goes on however many come.
-  std::optional<Taken> take_beside(double running_cost, std::uint64_t moment, const std::function<bool(const Job&)>& may) {
+  /// The first of those that came before the moment, cost little beside a running job and are let in by `may`. So a
+  /// running job that lets in those that wait when it pauses goes on however many come.
+  std::optional<Taken> take_beside(double running_cost, std::uint64_t moment,
+                                   const std::function<bool(const Job&)>& may) {
     return take_of([&](const Waiting& one) {
       return one.came < moment && one.cost <= let_in_share * running_cost && may(one.job);
     });

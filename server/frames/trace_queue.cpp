@@ -31,8 +31,8 @@ Status nobody_waits(const Scene& scene) {
 
 struct TraceQueue::Job {
   const std::shared_ptr<Scene> scene;
-  const FrameRequest request;  // traced_request
-  const std::string key;       // of the request as it was asked
+  const FrameRequest request;              // traced_request
+  const std::string key;                   // of the request as it was asked
   const std::optional<Revision> revision;  // of a progressive picture
   const Clock::time_point start = Clock::now();
   Clock::time_point asked = start, offered = start;
@@ -178,7 +178,8 @@ void TraceQueue::forget_old(Clock::time_point now) {
   const std::vector<JobPtr> jobs = jobs_;
   const bool others_wait = count_waiting() > 0;
   for (const JobPtr& job : jobs) {
-    const auto idle_timeout = others_wait && job->stage == Stage::running ? limits_.busy_idle_timeout : limits_.idle_timeout;
+    const auto idle_timeout =
+        others_wait && job->stage == Stage::running ? limits_.busy_idle_timeout : limits_.idle_timeout;
     const bool old = job->revision && now - job->asked > idle_timeout;
     if (old || !still_wanted(*job)) drop(job, nobody_waits(*job->scene));
   }
@@ -198,7 +199,8 @@ TraceQueue::JobPtr TraceQueue::take_ready(Clock::time_point now) {
 TraceQueue::Clock::time_point TraceQueue::next_event() const {
   Clock::time_point first = Clock::now() + limits_.idle_timeout;
   for (const JobPtr& job : jobs_) {
-    first = std::min(first, job->stage == Stage::waiting ? job->start + limits_.settle_time : job->asked + limits_.idle_timeout);
+    first = std::min(
+        first, job->stage == Stage::waiting ? job->start + limits_.settle_time : job->asked + limits_.idle_timeout);
   }
   return first;
 }
@@ -269,7 +271,8 @@ bool TraceQueue::offer(const JobPtr& job) {
   return last;
 }
 
-/// What was dropped is out of the list already. A progressive picture stays, for those who ask for its picture or its failure.
+/// What was dropped is out of the list already. A progressive picture stays, for those who ask for its picture or its
+/// failure.
 void TraceQueue::end(const JobPtr& job, Status status, double seconds) {
   {
     const std::lock_guard lock(mutex_);

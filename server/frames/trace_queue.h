@@ -14,9 +14,9 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
-#include "server/scene/scene.h"
 #include "server/frames/traced_picture.h"
 #include "server/frames/yield_gate.h"
+#include "server/scene/scene.h"
 
 namespace pelage {
 
@@ -35,18 +35,19 @@ struct TraceCounts {
 };
 
 /// Thread-safe. Of what waits, that which somebody asked for last is traced next. A job is either a picture that its
-/// caller waits for, or a progressive picture: a picture of one revision that gets better while somebody asks for it, and is
-/// dropped as soon as the scene leaves that revision. Jobs of a named view give way to the view's next request.
+/// caller waits for, or a progressive picture: a picture of one revision that gets better while somebody asks for it,
+/// and is dropped as soon as the scene leaves that revision. Jobs of a named view give way to the view's next request.
 class TraceQueue {
  public:
   using Clock = std::chrono::steady_clock;
   struct Limits {
-    std::size_t waiting = 16;                  // jobs before the tracer
-    std::size_t max_progressive = 32;                     // progressive pictures, ended ones too
-    std::chrono::milliseconds settle_time{100};       // from a progressive picture's start to its tracing: the hand may go on
-    std::chrono::milliseconds idle_timeout{30'000};  // that a progressive picture lives without being asked for,
-    std::chrono::milliseconds busy_idle_timeout{2'000};    // and that it is traced so while other jobs wait
-    std::chrono::milliseconds between{500};    // pictures for somebody who waits
+    std::size_t waiting = 16;          // jobs before the tracer
+    std::size_t max_progressive = 32;  // progressive pictures, ended ones too
+    std::chrono::milliseconds settle_time{
+        100};  // from a progressive picture's start to its tracing: the hand may go on
+    std::chrono::milliseconds idle_timeout{30'000};      // that a progressive picture lives without being asked for,
+    std::chrono::milliseconds busy_idle_timeout{2'000};  // and that it is traced so while other jobs wait
+    std::chrono::milliseconds between{500};              // pictures for somebody who waits
   };
 
   TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate, Limits limits);
@@ -59,12 +60,12 @@ class TraceQueue {
   Result<std::shared_ptr<const TracedPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                                      const std::function<bool()>& abandoned = {});
 
-  /// Somebody looks at a revision of the scene by this request (its `progressive`): starts the progressive picture where there is
-  /// none. Unavailable when too many wait.
+  /// Somebody looks at a revision of the scene by this request (its `progressive`): starts the progressive picture
+  /// where there is none. Unavailable when too many wait.
   Status improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
 
-  /// The progressive picture's newest picture, when it is of the revision and has more passes than was seen; its failure when
-  /// there is none; nothing else. Does not wait: when that changes, the scene is woken (Scene::wake).
+  /// The progressive picture's newest picture, when it is of the revision and has more passes than was seen; its
+  /// failure when there is none; nothing else. Does not wait: when that changes, the scene is woken (Scene::wake).
   std::optional<Result<std::shared_ptr<const TracedPicture>>> better(const Scene& scene, const FrameRequest& request,
                                                                      SeenPicture seen);
 

@@ -14,7 +14,8 @@ namespace pelage {
 namespace {
 
 glm::dvec3 internal_position(const StrokeSample& sample, const Surface& surface) {
-  if (const auto* place = std::get_if<PositionSample>(&sample.place)) return surface.mesh().to_internal(place->position);
+  if (const auto* place = std::get_if<PositionSample>(&sample.place))
+    return surface.mesh().to_internal(place->position);
   const auto* place = std::get_if<SurfaceSample>(&sample.place);
   assert(place != nullptr);  // resolve replaces pixels
   const glm::dvec3 b = place->barycentric;
@@ -44,8 +45,10 @@ double falloff_weight(Falloff curve, double distance) {
 const Brush* brush_of(const Command& command) {
   return std::visit(
       [](const auto& tool) -> const Brush* {
-        if constexpr (requires { tool.brush; }) return &tool.brush;
-        else return nullptr;
+        if constexpr (requires { tool.brush; })
+          return &tool.brush;
+        else
+          return nullptr;
       },
       command);
 }

@@ -29,7 +29,7 @@ struct Dab {
   glm::dvec3 motion{0};  // from the dab before; unit, or 0 where the brush stood still
   double step = 0;       // arc length that it stands for, in radii
   double pressure = 1;
-  double radius = 0;     // sizes
+  double radius = 0;  // sizes
 };
 
 /// What one dab does to one vertex: strength x falloff x pressure, in [0, 1]. The mask is not in it.

@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr double frame_margin = 0.08;  // of the picture, around an automatic view
-constexpr double min_gap = 0.05;     // sizes between an automatic camera and the box
+constexpr double min_gap = 0.05;       // sizes between an automatic camera and the box
 
 /// From the model to the camera.
 glm::dvec3 automatic_direction(AutoView view) {

@@ -13,8 +13,7 @@ namespace {
 glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards,
                   double weight) {
   const double own = glm::length(direction);
-  const glm::dvec2 after =
-      turned(direction, frame, towards, command.keep_inclination ? own : command.lean, weight);
+  const glm::dvec2 after = turned(direction, frame, towards, command.keep_inclination ? own : command.lean, weight);
   const double length = glm::length(after);
   return command.keep_inclination && length > no_heading ? after * (own / length) : after;
 }
@@ -43,8 +42,8 @@ void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fi
     for (const auto [vertex, weight] : weights) {
       glm::dvec4& direction = directions.at(vertex);
       const double share = 1 - std::pow(1 - weight * fields.number(Field::mask, vertex), dab.step);
-      direction = glm::dvec4(
-          combed(command, glm::dvec2(direction), frame_at(surface.mesh(), vertex), towards, share), 0, 0);
+      direction =
+          glm::dvec4(combed(command, glm::dvec2(direction), frame_at(surface.mesh(), vertex), towards, share), 0, 0);
     }
   }
   directions.finish(delta);

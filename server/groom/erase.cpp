@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "server/fields/field_set.h"
 #include "server/fields/edit_layers.h"
+#include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
@@ -20,7 +20,7 @@ bool erases(const Erase& command, Field field) {
 }  // namespace
 
 Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const FieldSet& fields,
-                       const std::vector<EditLayer>& layers) {
+                            const std::vector<EditLayer>& layers) {
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   const std::size_t layer = number_of(command.edit_layer, layers);
   Evaluation done;

@@ -43,7 +43,9 @@ struct Tools {
     return retarget(command, surface, fields, *extras.source, *extras.baseline);
   }
   template <class Setting>
-  Evaluation operator()(const Setting&) const { return {}; }
+  Evaluation operator()(const Setting&) const {
+    return {};
+  }
 };
 
 }  // namespace

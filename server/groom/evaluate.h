@@ -23,9 +23,9 @@ Result<Command> resolve(const Command& command, const Surface& surface);
 
 /// What some tools read beside the surface and its fields.
 struct ToolExtras {
-  Coat coat;                      // trim: how strands lean
-  const FieldSet* baseline = nullptr;  // erase: what it goes back to, retarget: what it takes; required
-  const Surface* source = nullptr;  // retarget: where `rest` lies; required
+  Coat coat;                            // trim: how strands lean
+  const FieldSet* baseline = nullptr;   // erase: what it goes back to, retarget: what it takes; required
+  const Surface* source = nullptr;      // retarget: where `rest` lies; required
   const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
 };
 
@@ -33,9 +33,10 @@ struct ToolExtras {
 Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields,
                     const ToolExtras& extras = {});
 
-/// Takes away what the command's edit layer adds, by the brush's weight at each vertex; exactly all of it where that is 1.
+/// Takes away what the command's edit layer adds, by the brush's weight at each vertex; exactly all of it where that
+/// is 1.
 Evaluation erase_edit_layer(const Erase& resolved, const Surface& surface, const FieldSet& fields,
-                       const std::vector<EditLayer>& layers);
+                            const std::vector<EditLayer>& layers);
 
 /// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
@@ -50,7 +51,7 @@ Result<Command> carried_command(const Command& resolved, const Surface& from, co
 /// The view's camera as rays and a facing test. `automatic` cameras are placed around the mesh's box.
 struct PlacedCamera {
   glm::dvec3 position, right, up, forward;  // internal coordinates; forward is where it looks, unit
-  double tan_half_fov;                 // vertical
+  double tan_half_fov;                      // vertical
 };
 PlacedCamera place_camera(const Camera& camera, double aspect, const Mesh& mesh);
 /// Direction of the ray through a pixel of a width x height frame.

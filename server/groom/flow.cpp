@@ -1,19 +1,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/parallel.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/keys.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 #include "server/surface/geodesics.h"
-#include "protocol/base/parallel.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr double step = 0.01;          // sizes between places along a curve
+constexpr double step = 0.01;            // sizes between places along a curve
 constexpr std::size_t max_steps = 4096;  // on one curve
 
 /// Corners around the places that a curve passes, with the way that it goes there.

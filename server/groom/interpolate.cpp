@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "protocol/base/parallel.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/keys.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 #include "server/surface/geodesics.h"
-#include "protocol/base/parallel.h"
 
 namespace pelage {
 
@@ -29,7 +29,8 @@ std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
       const glm::dvec2 part = frame.tangent_part(safe_unit(*key.direction));
       const double along = glm::length(part);
       if (along > no_heading)
-        lean = key.inclination.value_or(default_inclination) / along * (part.x * frame.tangent + part.y * frame.bitangent);
+        lean =
+            key.inclination.value_or(default_inclination) / along * (part.x * frame.tangent + part.y * frame.bitangent);
     }
     sources.push_back({v, glm::distance(on_surface, glm::dvec3(mesh.positions[v])), lean});
   }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "protocol/commands/tools.h"
-#include "server/surface/heat_distance.h"
 #include "server/surface/geodesics.h"
+#include "server/surface/heat_distance.h"
 
 namespace pelage {
 

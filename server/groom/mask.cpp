@@ -88,7 +88,9 @@ Values grown(const Surface& surface, const Values& mask, double distance) {
     double value, left;
     std::uint32_t vertex;
     bool operator<(const Way& other) const {
-      return value != other.value ? value < other.value : left != other.left ? left < other.left : vertex > other.vertex;
+      return value != other.value ? value < other.value
+             : left != other.left ? left < other.left
+                                  : vertex > other.vertex;
     }
   };
   const Mesh& mesh = surface.mesh();
@@ -152,8 +154,7 @@ Values changed(const ChangeMask& command, const Surface& surface, const MapPictu
 
 }  // namespace
 
-Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields,
-                const MapPicture* picture) {
+Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields, const MapPicture* picture) {
   Values now(fields.size());
   for (std::uint32_t v = 0; v < now.size(); ++v) now[v] = fields.number(Field::mask, v);
   const Values after = changed(command, surface, picture, std::move(now));

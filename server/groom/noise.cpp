@@ -71,7 +71,8 @@ Evaluation noise(const Noise& command, const Surface& surface, const FieldSet& f
     const auto count = static_cast<std::uint32_t>(region.size());
     done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
       const auto [v, weight] = region[i];
-      const double amount = strand_share(command.brush, field) * command.amount * weight * (command.brush.invert ? -1 : 1);
+      const double amount =
+          strand_share(command.brush, field) * command.amount * weight * (command.brush.invert ? -1 : 1);
       glm::dvec4 value(fields.value(field, v));
       if (field == Field::direction)
         return writer.put(v, disturbed_direction(glm::dvec2(value), random, mesh, v, amount));

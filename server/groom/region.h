@@ -15,8 +15,8 @@ enum class Masked { yes, no };
 std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
                                     const FieldSet& fields, Masked masked = Masked::yes);
 
-/// How much of a field lies in the part of the strand that the brush changes: of the root's colour, which stands for the
-/// lower half, or the tip's, which stands for the upper. Others have one value for the whole strand: 1.
+/// How much of a field lies in the part of the strand that the brush changes: of the root's colour, which stands for
+/// the lower half, or the tip's, which stands for the upper. Others have one value for the whole strand: 1.
 double strand_share(const Brush& brush, Field field);
 
 }  // namespace pelage

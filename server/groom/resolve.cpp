@@ -33,7 +33,8 @@ Status check_place(const StrokeSample& sample, std::size_t number, const Surface
   if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
     if (!reachable(mesh.to_internal(place->position))) return out_of_reach(sample_pointer(number, "position"));
   }
-  if (const auto* place = std::get_if<SurfaceSample>(&sample.place); place && place->triangle >= mesh.triangles.size()) {
+  if (const auto* place = std::get_if<SurfaceSample>(&sample.place);
+      place && place->triangle >= mesh.triangles.size()) {
     return failure(Code::invalid, "the model has no such triangle", sample_pointer(number, "triangle"),
                    "below " + std::to_string(mesh.triangles.size()));
   }
@@ -91,7 +92,8 @@ struct CheckTool {
     return reachable(mesh.to_internal(position)) ? Status{} : out_of_reach(std::move(pointer));
   }
   Status length(double value, Units units, std::string pointer) const {
-    return reachable_length(std::abs(internal_length(value, units, mesh))) ? Status{} : out_of_reach(std::move(pointer));
+    return reachable_length(std::abs(internal_length(value, units, mesh))) ? Status{}
+                                                                           : out_of_reach(std::move(pointer));
   }
   /// The width of Gaussians.
   Status sigma(double value, Units units) const {
@@ -172,7 +174,8 @@ struct CheckTool {
   }
   Status operator()(const SetAttractors& command) const {
     for (std::size_t k = 0; k < command.attractors.size(); ++k) {
-      if (Status far = (*this)(command.attractors[k].attract); !far.ok()) return below("/attractors/", k, std::move(far));
+      if (Status far = (*this)(command.attractors[k].attract); !far.ok())
+        return below("/attractors/", k, std::move(far));
     }
     return {};
   }

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <string>
 
-#include "server/fields/field_set.h"
 #include "server/fields/field_mix.h"
+#include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/alignment.h"
 #include "server/groom/tools.h"
@@ -69,7 +69,8 @@ Evaluation retarget(const Retarget& command, const Surface& surface, const Field
     const auto put = [&](std::uint32_t v, FieldWriter& writer) {
       const double weight = command.strength * double{fields.number(Field::mask, v)};
       if (weight == 0) return false;
-      const glm::dvec4 there = to_summable(field, factor * mixed(source_fields, field, found.corners[v], other, mesh, v));
+      const glm::dvec4 there =
+          to_summable(field, factor * mixed(source_fields, field, found.corners[v], other, mesh, v));
       const glm::dvec4 here = to_summable(field, glm::dvec4(fields.value(field, v)));
       return writer.put(v, from_summable(field, (1 - weight) * here + weight * there));
     };

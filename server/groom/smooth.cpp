@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "protocol/base/parallel.h"
 #include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
-#include "protocol/base/parallel.h"
 #include "server/surface/geodesics.h"
 
 namespace pelage {

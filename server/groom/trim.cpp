@@ -20,7 +20,7 @@ constexpr int places = 8;  // along a strand that are looked at
 struct UnitStrand {
   glm::dvec3 root{0};
   glm::dvec3 offsets[places] = {};  // of a strand of length 1
-  double heights[places] = {}; // over the skin
+  double heights[places] = {};      // over the skin
 };
 
 UnitStrand strand_at(std::uint32_t v, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
@@ -59,7 +59,8 @@ class LongestStrand {
   double operator()(const UnitStrand& strand) const {
     double longest = uncut;
     for (int k = 0; k < places; ++k)
-      longest = std::min(longest, std::visit([&](const auto& shape) { return limit(shape, strand, k); }, command_.shape));
+      longest =
+          std::min(longest, std::visit([&](const auto& shape) { return limit(shape, strand, k); }, command_.shape));
     return longest;
   }
 
@@ -73,7 +74,8 @@ class LongestStrand {
   }
   double limit(const TrimSphere& sphere, const UnitStrand& strand, int k) const {
     const double radius = internal_length(sphere.radius, command_.units, mesh_);
-    return reach_in_sphere(strand.root - mesh_.to_internal(sphere.centre), strand.offsets[k], radius, sphere.keep_inside);
+    return reach_in_sphere(strand.root - mesh_.to_internal(sphere.centre), strand.offsets[k], radius,
+                           sphere.keep_inside);
   }
   double limit(double height, const UnitStrand& strand, int k) const {
     const double room = internal_length(height, command_.units, mesh_);

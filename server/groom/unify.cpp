@@ -57,9 +57,7 @@ Evaluation unify(const Unify& command, const Surface& surface, const FieldSet& f
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   Evaluation done;
   if (region.empty() || command.weight == 0) return done;
-  const auto to_mean = [&](Field field) {
-    return std::count(command.mean.begin(), command.mean.end(), field) > 0;
-  };
+  const auto to_mean = [&](Field field) { return std::count(command.mean.begin(), command.mean.end(), field) > 0; };
   Target target{command.direction ? std::optional(safe_unit(*command.direction)) : std::nullopt, command.inclination};
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
@@ -68,8 +66,9 @@ Evaluation unify(const Unify& command, const Surface& surface, const FieldSet& f
     if (!value && !to_mean(field)) continue;
     const Mean mean = value ? Mean{} : mean_of(field, region, mesh, fields);
     if (field == Field::direction && !value) target = {mean.heading, mean.inclination};
-    const glm::dvec4 goal =
-        value && command.length ? glm::dvec4(internal_length(*command.length, command.units, mesh), 0, 0, 0) : mean.value;
+    const glm::dvec4 goal = value && command.length
+                                ? glm::dvec4(internal_length(*command.length, command.units, mesh), 0, 0, 0)
+                                : mean.value;
     const auto count = static_cast<std::uint32_t>(region.size());
     done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
       const auto [v, restriction] = region[i];

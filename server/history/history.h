@@ -124,7 +124,7 @@ class History {
     std::shared_ptr<const SceneSettings> settings;
   };
   struct Step {
-    std::string bytes;                 // encode_delta of what it changes; "" where only the journal has it
+    std::string bytes;                  // encode_delta of what it changes; "" where only the journal has it
     std::size_t before = 0, after = 0;  // records that describe the states
   };
 

@@ -74,9 +74,7 @@ Status check_schema(Database& database) {
   });
 }
 
-std::string settings_text(const SceneSettings& settings) {
-  return encode(commands_of(settings));
-}
+std::string settings_text(const SceneSettings& settings) { return encode(commands_of(settings)); }
 
 Result<std::shared_ptr<const SceneSettings>> settings_from(const std::string& text) {
   const Result<std::vector<Command>> commands = decode_commands(text);
@@ -104,7 +102,6 @@ Status run_with_model(Statement statement, const StoredScene& scene, const std::
       .blob(subdivisions);
   return bind_settings(statement, scene.first_settings).text(scene.id).run();
 }
-
 
 /// The scene's log no longer names pictures; those that only it named go.
 Status leave_pictures(Database& database, const std::string& scene) {
@@ -319,8 +316,8 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
                     std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
                     static_cast<FurPatches>(row.number_at(8)),
                     std::move(*subdivisions)};
-  return StoredScene{id,          row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom),
-                     std::move(settings)};
+  return StoredScene{
+      id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom), std::move(settings)};
 }
 
 Status Journal::for_each_entry(const std::string& scene, Revision after,

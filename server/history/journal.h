@@ -30,8 +30,8 @@ struct StoredModel {
 struct StoredScene {
   std::string id, name;
   StoredModel model;
-  Revision first_revision = 0;  // at which the model came
-  FieldDelta first_groom;       // from fur upright and of length 0
+  Revision first_revision = 0;                                    // at which the model came
+  FieldDelta first_groom;                                         // from fur upright and of length 0
   std::shared_ptr<const SceneSettings> first_settings = nullptr;  // null: those that a scene of this model begins with
 };
 

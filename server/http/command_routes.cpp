@@ -122,9 +122,8 @@ void add_command_routes(httplib::Server& server, Service& service) {
   post(server, service, "commands", [&](Scene& scene, const Request& request, Response& response) {
     run_commands(service, scene, request, response);
   });
-  post(server, service, "subdivide", [&](Scene& scene, const Request& request, Response& response) {
-    subdivide(service, scene, request, response);
-  });
+  post(server, service, "subdivide",
+       [&](Scene& scene, const Request& request, Response& response) { subdivide(service, scene, request, response); });
   post(server, service, "undo", [](Scene& scene, const Request& request, Response& response) {
     move(scene, undo_of(request.body), request, response);
   });

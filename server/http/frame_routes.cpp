@@ -51,9 +51,11 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
   }
   if (request.has_param("after_pass")) {
     const auto passes = parsed<int>(request.get_param_value("after_pass"));
-    if (!passes || *passes < 0) return failure(Code::invalid, "This is no count of passes.", "/after_pass", "0 or more");
+    if (!passes || *passes < 0)
+      return failure(Code::invalid, "This is no count of passes.", "/after_pass", "0 or more");
     if (!news.after) return failure(Code::invalid, "Passes are of a revision.", "/after_pass", "with after");
-    if (!wanted.progressive) return failure(Code::invalid, "Only progressive has passes to wait for.", "/after_pass", "with progressive");
+    if (!wanted.progressive)
+      return failure(Code::invalid, "Only progressive has passes to wait for.", "/after_pass", "with progressive");
     news.seen = SeenPicture{*news.after, *passes};
   }
   if (request.has_param("wait")) {
@@ -72,7 +74,9 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
 Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
                      const News& news, const ClientSocket& client) {
   if (!news.after || scene->revision() > *news.after) return {};
-  const auto better_picture = [&] { return news.seen && service.pictures.has_better_picture(*scene, wanted, *news.seen); };
+  const auto better_picture = [&] {
+    return news.seen && service.pictures.has_better_picture(*scene, wanted, *news.seen);
+  };
   if (news.seen) {
     if (Status full = service.pictures.look(scene, wanted, *news.seen); !full.ok()) return full;
     if (better_picture()) return {};
@@ -86,7 +90,8 @@ Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, cons
   while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - seconds_since(start);
     if (left <= 0) break;
-    if (scene->wait_newer(*news.after, std::min(left, slice_seconds), better_picture) > *news.after || better_picture()) return {};
+    if (scene->wait_newer(*news.after, std::min(left, slice_seconds), better_picture) > *news.after || better_picture())
+      return {};
     if (const auto still_there = service.scenes.find(scene->id()); !still_there) return still_there.status();
   }
   return nothing_new;
@@ -95,20 +100,23 @@ Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, cons
 std::string server_timing(const FrameAnswer& frame) {
   const FrameTimings& t = frame.timings;
   if (frame.trace && frame.trace->passes > 0) {
-    return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, grow;dur={:.3f}, trace;dur={:.3f}, "
-                       "read;dur={:.3f}, encode;dur={:.3f}",
-                       t.queue, t.upload, t.draw, frame.trace->grow_ms, frame.trace->trace_ms, t.read, t.encode);
+    return fmt::format(
+        "queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, grow;dur={:.3f}, trace;dur={:.3f}, "
+        "read;dur={:.3f}, encode;dur={:.3f}",
+        t.queue, t.upload, t.draw, frame.trace->grow_ms, frame.trace->trace_ms, t.read, t.encode);
   }
-  return fmt::format("queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}, "
-                     "probe;dur={:.3f}, cost;dur={:.3f}",
-                     t.queue, t.upload, t.shadow, t.draw, t.read, t.encode, t.probe, t.cost);
+  return fmt::format(
+      "queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}, "
+      "probe;dur={:.3f}, cost;dur={:.3f}",
+      t.queue, t.upload, t.shadow, t.draw, t.read, t.encode, t.probe, t.cost);
 }
 
 /// A better picture of the revision that the client has, or what it asks for anew.
 Result<FrameAnswer> picture_of(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
                                const News& news, const ClientSocket& client) {
   if (news.seen) {
-    if (auto better_picture = service.pictures.picture_if_better(*scene, wanted, *news.seen)) return std::move(*better_picture);
+    if (auto better_picture = service.pictures.picture_if_better(*scene, wanted, *news.seen))
+      return std::move(*better_picture);
   }
   return service.pictures.frame(scene, wanted, [&client] { return client.gone(); });
 }
@@ -194,9 +202,8 @@ void add_frame_routes(httplib::Server& server, Service& service) {
     });
   });
   server.Get("/v1/scenes/([^/]+)/frame.png", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) {
-      answer_frame(service, scene, png_request_of(request), request, response);
-    });
+    with_scene(service, request, response,
+               [&](const auto& scene) { answer_frame(service, scene, png_request_of(request), request, response); });
   });
   add_post(server, "/v1/scenes/([^/]+)/pick", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { pick(*scene, request, response); });

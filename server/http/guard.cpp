@@ -1,14 +1,15 @@
 #include "server/http/guard.h"
 
-#include <algorithm>
 #include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <fmt/format.h>
-#include <netinet/in.h>
 #include <string>
-#include <sys/socket.h>
 
 #include "protocol/base/limits.h"
 

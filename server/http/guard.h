@@ -1,8 +1,9 @@
 // Whether a client still waits for its answer.
 #pragma once
 
-#include <atomic>
 #include <httplib.h>
+
+#include <atomic>
 #include <optional>
 #include <string>
 #include <utility>

@@ -7,9 +7,9 @@
 
 #include "protocol/base/status.h"
 #include "server/frames/frame_service.h"
-#include "server/scene/scene_store.h"
 #include "server/frames/trace_queue.h"
 #include "server/frames/yield_gate.h"
+#include "server/scene/scene_store.h"
 
 namespace pelage {
 

@@ -8,7 +8,8 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_cached_answers = 1000;
-constexpr std::size_t max_cached_body_bytes = 64 * 1024;  // longer answers (large batches) are run once and not repeated
+constexpr std::size_t max_cached_body_bytes =
+    64 * 1024;  // longer answers (large batches) are run once and not repeated
 
 /// FNV-1a.
 std::uint64_t hash_of(const std::string& text, std::uint64_t hash) {

@@ -9,12 +9,12 @@
 #include <string>
 
 #include "protocol/json/decode.h"
+#include "server/frames/frame_service.h"
+#include "server/frames/picture_service.h"
 #include "server/http/guard.h"
 #include "server/http/http_server.h"
 #include "server/http/idempotency.h"
 #include "server/http/status_routes.h"
-#include "server/frames/frame_service.h"
-#include "server/frames/picture_service.h"
 #include "server/scene/scene_store.h"
 
 namespace pelage {

@@ -1,8 +1,9 @@
 #include "server/http/status_routes.h"
 
 #include <fmt/format.h>
-#include <fstream>
 #include <unistd.h>
+
+#include <fstream>
 
 #include "protocol/openapi/openapi.h"
 #include "server/http/reply.h"
@@ -69,7 +70,8 @@ std::string Metrics::text(const Gauges& gauges) const {
       single("pelage_drawing_seconds_total", "counter", "Time that the render thread drew.", gauges.seconds_drawing);
   text += single("pelage_traces_total", "counter", "Pictures of strands that were begun.", gauges.traces.traces);
   text += single("pelage_trace_passes_total", "counter", "Passes that were traced.", gauges.traces.passes);
-  text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.", gauges.traces.seconds);
+  text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.",
+                 gauges.traces.seconds);
   text += single("pelage_scenes", "gauge", "Scenes on the server.", gauges.scenes);
   text += single("pelage_ready", "gauge", "1 when the server takes work.", gauges.ready ? 1 : 0);
   text += head("pelage_renderer_info", "gauge", "1; `renderer` is what draws.");

@@ -104,8 +104,7 @@ Result<RawImage> import_picture(const std::string& worker, std::span<const std::
   return decode_raw_image(std::as_bytes(std::span(*answer)));
 }
 
-Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> bytes,
-                              const ImportLimits& limits) {
+Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> bytes, const ImportLimits& limits) {
   if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
   const Result<std::string> answer = run_worker(worker, worker_map, "picture", bytes, limits);
   if (!answer.ok()) return answer.status();

@@ -1,6 +1,6 @@
 // What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES`, bytes in. The job is a model's format
-// (encode_raw_model out), "environment" (encode_harmonics out), "picture" (encode_raw_image out) or "map" (encode_map_picture
-// out).
+// (encode_raw_model out), "environment" (encode_harmonics out), "picture" (encode_raw_image out) or "map"
+// (encode_map_picture out).
 #pragma once
 
 #include <array>

@@ -1,17 +1,18 @@
 #include "server/import_worker/confine.h"
 
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <seccomp.h>
 #include <string_view>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #include <vector>
 
 #include "server/import_worker/sanitized.h"

@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
+#include "server/import/import.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
-#include "server/import/import.h"
 
 namespace pelage {
 

@@ -9,9 +9,9 @@
 #include <new>
 #include <string_view>
 
+#include "server/import/import.h"
 #include "server/import_worker/confine.h"
 #include "server/import_worker/job.h"
-#include "server/import/import.h"
 
 namespace {
 

@@ -10,11 +10,11 @@
 #include <string_view>
 
 #include "protocol/base/limits.h"
+#include "server/import/import.h"
 #include "server/import_worker/assimp_materials.h"
 #include "server/import_worker/confine.h"
 #include "server/import_worker/gltf_check.h"
 #include "server/import_worker/parse.h"
-#include "server/import/import.h"
 
 namespace pelage {
 

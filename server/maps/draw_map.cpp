@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "protocol/base/parallel.h"
-#include "server/maps/read_map.h"
 #include "server/maps/encoding.h"
+#include "server/maps/read_map.h"
 
 namespace pelage {
 
@@ -241,9 +241,8 @@ void dilate(MapImage& image, int distance) {
   std::vector<std::int8_t> steps(size * size);
   std::vector<std::uint8_t> grown = image.covered;
   const auto rows = static_cast<std::uint32_t>(image.size);
-  for_each_in_parallel(rows, [&](std::uint32_t y) {
-    find_in_row(&image.covered[y * size], image.size, distance, &steps[y * size]);
-  });
+  for_each_in_parallel(
+      rows, [&](std::uint32_t y) { find_in_row(&image.covered[y * size], image.size, distance, &steps[y * size]); });
   const auto fill = [&](int x, int y) {
     const std::size_t here = static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
     int nearest = distance * distance + 1;

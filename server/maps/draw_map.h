@@ -25,7 +25,7 @@ DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& re
 
 /// What a picture says about the fields of each vertex.
 struct MapTargets {
-  std::vector<Field> fields;  // by rising number: which ones the encoding holds
+  std::vector<Field> fields;                                // by rising number: which ones the encoding holds
   std::array<std::vector<glm::dvec4>, field_count> values;  // of those fields, for each vertex; beyond ranges too
   std::vector<bool> keeps_direction;  // of `vector`, where it has no length and so no direction; else empty
 };

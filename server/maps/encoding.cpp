@@ -38,7 +38,8 @@ MapLayout fast_fur_layout(double scale, bool floats) {
   layout.kinds = {ChannelKind::part, ChannelKind::part, ChannelKind::share, ChannelKind::share};
   layout.min = {-1, -1, 0, 0};
   layout.max.z = floats ? double{shape_of(Field::width).max} / scale : 1.0;
-  layout.background = {0, 0, double{shape_of(Field::width).default_value} / scale, double{shape_of(Field::density).default_value}};
+  layout.background = {0, 0, double{shape_of(Field::width).default_value} / scale,
+                       double{shape_of(Field::density).default_value}};
   return layout;
 }
 

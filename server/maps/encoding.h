@@ -14,8 +14,8 @@ namespace pelage {
 
 /// Rows from the top, v up: pixel (x, y) has its centre at u = (x + .5) / size, v = 1 - (y + .5) / size.
 struct MapImage {
-  int size = 1;       // pixels of a side, [1, 8192]
-  int channels = 1;   // [1, 4]
+  int size = 1;                       // pixels of a side, [1, 8192]
+  int channels = 1;                   // [1, 4]
   std::vector<float> values;          // channels * size * size
   std::vector<std::uint8_t> covered;  // size * size: 1 where `values` holds something of the model
 
@@ -62,7 +62,7 @@ struct MapLayout {
   std::array<ChannelKind, 4> kinds{};
   bool premultiplied = false;  // the first three by the fourth, while pixels are mixed
   glm::dvec4 min{0}, max{1};
-  glm::dvec4 background{0};    // where no island reaches: the fields at rest
+  glm::dvec4 background{0};  // where no island reaches: the fields at rest
 };
 
 /// `scale` is in the field's unit, lengths in sizes. The field fits the encoding, which is not `automatic`.

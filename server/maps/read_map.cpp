@@ -122,8 +122,8 @@ std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, Pi
   for (std::uint32_t v = 0; v < values.size(); ++v) {
     glm::dvec4 sum(0);
     const int count = for_each_corner(uvs, v, [&](const UvCorner& corner) {
-      sum += mixed(picture, corner.uv,
-                   [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); });
+      sum +=
+          mixed(picture, corner.uv, [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); });
     });
     if (count > 0) values[v] = std::clamp(number(sum / static_cast<double>(count)), 0.0, 1.0);
   }

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "server/maps/read_map.h"
 #include "server/maps/encoding.h"
+#include "server/maps/read_map.h"
 
 namespace pelage {
 
@@ -31,9 +31,7 @@ struct Slopes {
     (slope.side > 0 ? plain : mirrored) += slope.along_u;
     (slope.side > 0 ? plain_area : mirrored_area) += glm::length(slope.along_u);
   }
-  Slope of_max() const {
-    return mirrored_area > plain_area ? Slope{mirrored, -1} : Slope{plain, 1};
-  }
+  Slope of_max() const { return mirrored_area > plain_area ? Slope{mirrored, -1} : Slope{plain, 1}; }
 };
 
 Slope slope_of(const Mesh& mesh, std::size_t t) {
@@ -111,8 +109,8 @@ namespace {
 
 constexpr std::size_t min_passes = 48, max_passes = 2000;
 constexpr std::size_t max_corrections = 10'000'000;  // beyond the least passes: small models may take more of them
-constexpr double close_enough = 1e-6;  // of a value's own size, or of 0.01 where it is smaller
-constexpr double min_hold = 0.05;    // of covered pixels on a corner; with less a correction would grow too far
+constexpr double close_enough = 1e-6;                // of a value's own size, or of 0.01 where it is smaller
+constexpr double min_hold = 0.05;  // of covered pixels on a corner; with less a correction would grow too far
 
 /// The sum of weights of one pixel that stands for several of the four.
 Taps merged(Taps taps) {
@@ -180,8 +178,7 @@ void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::d
       if (!uvs.corners[k].mapped) continue;
       const Taps taps = merged(taps_at(uvs.corners[k].uv, image.size, image.size));
       if (hold_of(taps, image) < min_hold) continue;
-      for (int c = 0; c < image.channels; ++c)
-        moved = project(taps, values[k][c], c, min[c], max[c], image) || moved;
+      for (int c = 0; c < image.channels; ++c) moved = project(taps, values[k][c], c, min[c], max[c], image) || moved;
     }
   }
 }

@@ -16,24 +16,22 @@ namespace pelage {
 /// fold of an island, the side with more area counts.
 struct UvCorner {
   std::uint32_t vertex = 0;
-  glm::vec2 uv{0};           // v up
-  glm::dvec2 axis{1, 0};     // x in the vertex's (tangent, bitangent); unit
-  double side = 1;           // -1 on mirrored islands
-  bool mapped = false;       // false where no triangle around it has an area in the texture
+  glm::vec2 uv{0};        // v up
+  glm::dvec2 axis{1, 0};  // x in the vertex's (tangent, bitangent); unit
+  double side = 1;        // -1 on mirrored islands
+  bool mapped = false;    // false where no triangle around it has an area in the texture
 
   /// A vector in the vertex's (tangent, bitangent) as parts along +u and +v, and back.
-  glm::dvec2 to_uv(glm::dvec2 d) const {
-    return {axis.x * d.x + axis.y * d.y, side * (axis.x * d.y - axis.y * d.x)};
-  }
+  glm::dvec2 to_uv(glm::dvec2 d) const { return {axis.x * d.x + axis.y * d.y, side * (axis.x * d.y - axis.y * d.x)}; }
   glm::dvec2 from_uv(glm::dvec2 d) const {
     return {axis.x * d.x - side * axis.y * d.y, axis.y * d.x + side * axis.x * d.y};
   }
 };
 
 struct UvCorners {
-  std::vector<UvCorner> corners;          // by rising vertex; a vertex on a seam has several
-  std::vector<glm::uvec3> of_triangle;    // for each triangle of the mesh its corners' numbers
-  std::vector<std::uint32_t> first;       // for each vertex its first corner, and the count at the end
+  std::vector<UvCorner> corners;        // by rising vertex; a vertex on a seam has several
+  std::vector<glm::uvec3> of_triangle;  // for each triangle of the mesh its corners' numbers
+  std::vector<std::uint32_t> first;     // for each vertex its first corner, and the count at the end
 
   std::span<const UvCorner> of_vertex(std::uint32_t vertex) const {
     return std::span(corners).subspan(first[vertex], first[vertex + 1] - first[vertex]);

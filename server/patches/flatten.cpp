@@ -29,7 +29,10 @@ glm::dvec3 transported(glm::dvec3 v, glm::dvec3 from, glm::dvec3 to) {
 class ExponentialMap {
  public:
   ExponentialMap(const Mesh& mesh, const Adjacency& neighbours, FlatPatch& patch)
-      : mesh_(mesh), patch_(patch), neighbours_(neighbours), turn_(patch.vertices.size(), 0),
+      : mesh_(mesh),
+        patch_(patch),
+        neighbours_(neighbours),
+        turn_(patch.vertices.size(), 0),
         placed_(patch.vertices.size(), false),
         distance_(patch.vertices.size(), std::numeric_limits<double>::infinity()) {}
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <tuple>
 
-#include "server/surface/adjacency.h"
 #include "server/patches/patches.h"
+#include "server/surface/adjacency.h"
 
 namespace pelage {
 

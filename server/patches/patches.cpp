@@ -206,7 +206,10 @@ struct Reach {
 class ReachFinder {
  public:
   ReachFinder(const Mesh& mesh, const VertexGraph& graph, const Cells& cells, double width)
-      : mesh_(mesh), graph_(graph), cells_(cells), width_(width),
+      : mesh_(mesh),
+        graph_(graph),
+        cells_(cells),
+        width_(width),
         distance_(mesh.positions.size(), std::numeric_limits<double>::infinity()) {}
 
   /// By rising vertex, then patch.

@@ -18,9 +18,9 @@ namespace pelage {
 struct PatchPoint {
   std::uint32_t vertex = 0;
   std::uint32_t patch = 0;
-  glm::vec2 uv{0};       // place on the sample tile, sizes
-  glm::vec3 axis{0};     // the way in space in which u grows there: unit, orthogonal to the vertex's normal
-  float weight = 0;      // [0, 1]: share of the fur's optical depth
+  glm::vec2 uv{0};    // place on the sample tile, sizes
+  glm::vec3 axis{0};  // the way in space in which u grows there: unit, orthogonal to the vertex's normal
+  float weight = 0;   // [0, 1]: share of the fur's optical depth
 };
 
 /// A triangle as one patch has it.

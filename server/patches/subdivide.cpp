@@ -197,7 +197,8 @@ void add_vertex(const Mesh& mesh, glm::uvec2 parents, Mesh& subdivided) {
   subdivided.positions.push_back(middle_of(mesh, a, b));
   subdivided.normals.emplace_back(normal);
   subdivided.tangents.emplace_back(length > vanishing ? tangent / length : tailward(normal));
-  subdivided.length_scale.push_back(static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
+  subdivided.length_scale.push_back(
+      static_cast<float>((double{mesh.length_scale[a]} + double{mesh.length_scale[b]}) / 2));
 }
 
 LookCorner mean(const LookCorner& a, const LookCorner& b) {

@@ -37,7 +37,8 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   if (!replay) return replay.status();
   if (Status refused = replay_step(*replay, request.commands, options.sources); !refused.ok()) return refused;
   for (auto later = amended + 1; later != steps.end(); ++later) {
-    if (Status refused = replay_step(*replay, later->commands, options.sources); !refused.ok()) return not_replayed(*later, refused);
+    if (Status refused = replay_step(*replay, later->commands, options.sources); !refused.ok())
+      return not_replayed(*later, refused);
   }
 
   if (!options.dry_run) {
@@ -91,8 +92,8 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
   replay.fields = std::move(outcome.fields);
   if (outcome.settings) replay.settings = outcome.settings;
   const std::vector<Command> logged = chosen(resolved, outcome.effective);
-  replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta),
-                            replay.fields.hash(), outcome.settings, pictures_read_by(logged)});
+  replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta), replay.fields.hash(),
+                            outcome.settings, pictures_read_by(logged)});
   return {};
 }
 

@@ -16,9 +16,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::string text_of(const SceneSettings& settings) {
-  return encode(commands_of(settings));
-}
+std::string text_of(const SceneSettings& settings) { return encode(commands_of(settings)); }
 
 /// Carries out a command that sets something about the scene; whether that made a difference.
 bool set(const Command& command, SceneSettings& settings, Revision next) {

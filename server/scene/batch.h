@@ -27,8 +27,8 @@ struct Outcome {
 /// A resolved command, and what it reads beside the scene's fields.
 struct Step {
   Command command;
-  std::shared_ptr<const FieldSet> baseline;  // of erase: what it goes back to; of retarget: what it takes
-  std::shared_ptr<const Surface> source = nullptr;  // of retarget: where that lies
+  std::shared_ptr<const FieldSet> baseline;             // of erase: what it goes back to; of retarget: what it takes
+  std::shared_ptr<const Surface> source = nullptr;      // of retarget: where that lies
   std::shared_ptr<const MapPicture> picture = nullptr;  // of map, and of a mask by a picture
 };
 

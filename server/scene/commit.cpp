@@ -68,9 +68,7 @@ void Scene::publish(SceneSummary&& summary) noexcept {
 }
 
 /// Where memory does not do for a summary, lists show the one before: the change itself is done and stays.
-void Scene::announce() noexcept try {
-  publish(describe());
-} catch (const std::bad_alloc&) {
+void Scene::announce() noexcept try { publish(describe()); } catch (const std::bad_alloc&) {
   newest_ = history_.revision();
   changed_.notify_all();
 }

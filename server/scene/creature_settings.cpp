@@ -16,7 +16,7 @@ struct Hair {
   dvec3 root;       // near the skin
   dvec3 direction;  // at the root, any length but 0
   double length;
-  dvec3 bends;      // how far the tip ends from a straight hair's, in lengths
+  dvec3 bends;  // how far the tip ends from a straight hair's, in lengths
 };
 
 /// Rooted in the skin; `side` is 1, or -1 for its mirror image.

@@ -26,10 +26,10 @@ FurEye make_eye(const Eye& eye, const Mesh& mesh) {
   made.pupil = eye.pupil;
   if (eye.lids) {
     const glm::dmat3 frame = upright_frame(eye.lids->facing.value_or(gaze));
-    made.lids = FurLids{glm::mat3(tilted(frame, glm::radians(eye.lids->tilt_degrees))),
-                        glm::vec3(glm::radians(glm::dvec3(eye.lids->width_degrees, eye.lids->upper_degrees,
-                                                          eye.lids->lower_degrees))),
-                        eye.lids->colour};
+    made.lids = FurLids{
+        glm::mat3(tilted(frame, glm::radians(eye.lids->tilt_degrees))),
+        glm::vec3(glm::radians(glm::dvec3(eye.lids->width_degrees, eye.lids->upper_degrees, eye.lids->lower_degrees))),
+        eye.lids->colour};
   }
   made.sclera = eye.sclera;
   made.bulge = eye.bulge, made.refraction = eye.refraction, made.wetness = eye.wetness;

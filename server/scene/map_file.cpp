@@ -4,8 +4,8 @@
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "server/maps/draw_map.h"
-#include "server/scene/map_pictures.h"
 #include "server/patches/patches.h"
+#include "server/scene/map_pictures.h"
 
 namespace pelage {
 

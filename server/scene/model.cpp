@@ -65,8 +65,8 @@ Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const
     if (!finer) return finer.status();
     mesh = std::move(finer->mesh), patches = std::move(finer->patches);
   }
-  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name,
-                                                          how.fur_patches, how.subdivisions});
+  return std::shared_ptr<const SceneModel>(
+      new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name, how.fur_patches, how.subdivisions});
 }
 
 }  // namespace pelage

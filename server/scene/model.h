@@ -17,8 +17,8 @@ std::string name_of(Builtin shape);
 std::string name_of(ModelFormat format);
 std::string name_of(FurPatches how);
 
-/// Prepares a model as `how` says (its bytes are not looked at), lays its patches and subdivides it. Fails as prepare and
-/// subdivide do, and (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
+/// Prepares a model as `how` says (its bytes are not looked at), lays its patches and subdivides it. Fails as prepare
+/// and subdivide do, and (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
 }  // namespace pelage

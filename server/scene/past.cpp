@@ -13,8 +13,8 @@ Status damaged() { return failure(Code::internal, "the journal is damaged: an en
 
 }  // namespace
 
-Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name,
-                                             std::optional<Revision> at, std::uint64_t copy_id) const {
+Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name, std::optional<Revision> at,
+                                             std::uint64_t copy_id) const {
   std::shared_ptr<const SceneModel> model;
   {
     const std::lock_guard lock(mutex_);
@@ -27,7 +27,8 @@ Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::s
   const Result<StoredScene> stored = journal_.scene(id);
   auto scene = std::make_shared<Scene>(id, name, std::move(model), FirstGroom{}, journal_, undo_bytes_);
   scene->copy_id_ = copy_id;
-  Status restored = stored ? scene->restore(stored->first_groom, stored->first_revision, stored->first_settings) : stored.status();
+  Status restored =
+      stored ? scene->restore(stored->first_groom, stored->first_revision, stored->first_settings) : stored.status();
   if (restored.ok()) return scene;
   scene->remove();
   return restored;

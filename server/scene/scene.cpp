@@ -10,11 +10,11 @@
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
+#include "server/import/import.h"
 #include "server/scene/creature_settings.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 #include "server/scene/pick.h"
-#include "server/import/import.h"
 
 namespace pelage {
 
@@ -110,8 +110,14 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
     const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
-    const Entry entry{history_.revision() + 1, kind, 0, encode(logged), std::move(outcome.delta),
-                      outcome.fields.hash(), outcome.settings, pictures_read_by(logged)};
+    const Entry entry{history_.revision() + 1,
+                      kind,
+                      0,
+                      encode(logged),
+                      std::move(outcome.delta),
+                      outcome.fields.hash(),
+                      outcome.settings,
+                      pictures_read_by(logged)};
     Status written = commit(std::span(&entry, 1), std::move(outcome.fields), std::move(live));
     if (!written.ok()) return written;
   } else {
@@ -142,8 +148,7 @@ Status Scene::admit(const ExecuteOptions& options) const {
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
 }
 
-Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands,
-                                const std::vector<GroomSource>& sources) const {
+Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const {
   Plan plan;
   BatchPictures pictures(journal_);
   const Past past{history_.settings(), [this](Revision revision) { return fields_at(revision); }, sources, pictures};
@@ -213,8 +218,7 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
     const std::vector<Checkpoint>& known = past.settings.checkpoints;
     const auto named = std::find_if(known.begin(), known.end(),
                                     [&](const Checkpoint& other) { return other.name == erase->checkpoint; });
-    if (named == known.end())
-      return failure(Code::invalid, "the scene has no checkpoint of this name", "/checkpoint");
+    if (named == known.end()) return failure(Code::invalid, "the scene has no checkpoint of this name", "/checkpoint");
     revision = *named->revision;
   }
   Result<FieldSet> baseline = past.fields_at(revision);
@@ -224,7 +228,8 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
 }
 
 SceneView Scene::view() const {
-  return {*model_, fields_, history_.settings(), history_.revision(), picture_.image.get(), copy_id_, model_, picture_.image};
+  return {*model_,  fields_, history_.settings(), history_.revision(), picture_.image.get(),
+          copy_id_, model_,  picture_.image};
 }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {

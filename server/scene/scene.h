@@ -21,10 +21,10 @@
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
 #include "server/history/live_stroke.h"
-#include "server/scene/batch.h"
-#include "server/scene/map_pictures.h"
 #include "server/patches/patches.h"
 #include "server/patches/subdivide.h"
+#include "server/scene/batch.h"
+#include "server/scene/map_pictures.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -54,8 +54,8 @@ struct SceneView {
   const FieldSet& fields;
   const SceneSettings& settings;
   Revision revision;
-  const RawImage* skin_texture = nullptr;  // that the settings name; null for the model's own colours
-  std::uint64_t copy_id = model.id;        // what the renderer keeps the model with these fields by
+  const RawImage* skin_texture = nullptr;              // that the settings name; null for the model's own colours
+  std::uint64_t copy_id = model.id;                    // what the renderer keeps the model with these fields by
   std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on without the lock
   std::shared_ptr<const RawImage> picture_owner = {};
 };
@@ -233,7 +233,7 @@ class Scene {
   History history_;
   LiveStroke live_;
   LaidPicture picture_;
-  std::vector<VertexRange> dirty_;  // since the last frame
+  std::vector<VertexRange> dirty_;   // since the last frame
   std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
   std::atomic<bool> removed_{false};
 };

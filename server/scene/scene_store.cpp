@@ -8,11 +8,11 @@
 #include <random>
 
 #include "protocol/base/limits.h"
+#include "server/builtin/builtin.h"
 #include "server/history/journal.h"
+#include "server/import/import.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
-#include "server/builtin/builtin.h"
-#include "server/import/import.h"
 
 namespace pelage {
 
@@ -52,9 +52,7 @@ Status too_many_imports() {
   return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
 }
 
-Status no_such_source() {
-  return failure(Code::invalid, "the server has no such scene to take fields from", "/scene");
-}
+Status no_such_source() { return failure(Code::invalid, "the server has no such scene to take fields from", "/scene"); }
 
 FieldDelta groom_of(const Scene& scene) {
   FieldDelta groom;
@@ -143,8 +141,7 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
 
 Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request) {
   if (!impl_->has_room()) return full();
-  Result<std::shared_ptr<Scene>> scene =
-      from.branch(random_id(), request.name, request.revision, ++impl_->last_model);
+  Result<std::shared_ptr<Scene>> scene = from.branch(random_id(), request.name, request.revision, ++impl_->last_model);
   if (!scene) return scene;
   const std::lock_guard lock(impl_->mutex);
   if (impl_->scenes.size() >= limits::scenes) {  // others came while it was copied

@@ -38,8 +38,8 @@ Status check_count(const Mesh& mesh, const Subdivide& how) {
 
 }  // namespace
 
-Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields, const std::vector<EditLayer>& layers,
-                            const Subdivide& how, std::uint64_t id) {
+Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields,
+                                        const std::vector<EditLayer>& layers, const Subdivide& how, std::uint64_t id) {
   if (Status many = check_count(model.surface.mesh(), how); !many.ok()) return many;
   Mesh mesh = model.surface.mesh();
   PatchMap patches = model.patches;

@@ -16,7 +16,7 @@ struct SubdividedScene {
 };
 
 /// As Scene::subdivide says; `id` is that of the new model. At each level the mask chooses anew, as it is there.
-Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields, const std::vector<EditLayer>& layers,
-                            const Subdivide& how, std::uint64_t id);
+Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields,
+                                        const std::vector<EditLayer>& layers, const Subdivide& how, std::uint64_t id);
 
 }  // namespace pelage

@@ -117,18 +117,19 @@ Spread spread_along_edges(const Surface& surface, std::span<const SpreadSource> 
 Spread spread_through_space(const Surface& surface, std::span<const SpreadSource> sources) {
   const Mesh& mesh = surface.mesh();
   Spread spread = nothing_reached(mesh.positions.size());
-  for_each_run_in_parallel(static_cast<std::uint32_t>(mesh.positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t v = begin; v < end; ++v) {
-      for (const SpreadSource& source : sources) {
-        const glm::dvec3 from(mesh.positions[source.vertex]);
-        const double there = source.distance + glm::distance(from, glm::dvec3(mesh.positions[v]));
-        if (!(there < spread.distance[v])) continue;
-        spread.distance[v] = there;
-        spread.vector[v] =
-            transported(source.vector, glm::dvec3(mesh.normals[source.vertex]), glm::dvec3(mesh.normals[v]));
-      }
-    }
-  });
+  for_each_run_in_parallel(
+      static_cast<std::uint32_t>(mesh.positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t v = begin; v < end; ++v) {
+          for (const SpreadSource& source : sources) {
+            const glm::dvec3 from(mesh.positions[source.vertex]);
+            const double there = source.distance + glm::distance(from, glm::dvec3(mesh.positions[v]));
+            if (!(there < spread.distance[v])) continue;
+            spread.distance[v] = there;
+            spread.vector[v] =
+                transported(source.vector, glm::dvec3(mesh.normals[source.vertex]), glm::dvec3(mesh.normals[v]));
+          }
+        }
+      });
   return spread;
 }
 
@@ -197,9 +198,9 @@ class March {
     for (const std::uint32_t other : surface_.neighbours(next)) {
       const auto known = known_.find(other);
       if (other == vertex || known == known_.end() || !known->second.settled || !adjacent(other, vertex)) continue;
-      best = std::min(best, unfolded_distance(glm::distance(position(vertex), position(other)), near,
-                                              glm::distance(position(other), position(next)), distance,
-                                              known->second.distance));
+      best = std::min(
+          best, unfolded_distance(glm::distance(position(vertex), position(other)), near,
+                                  glm::distance(position(other), position(next)), distance, known->second.distance));
     }
     return best;
   }

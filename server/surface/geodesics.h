@@ -106,9 +106,9 @@ struct Spread {
   std::vector<glm::dvec3> vector;  // the nearest source's, brought there by smallest rotations along the way
 };
 
-/// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and subdividing the mesh does
-/// not cure that. Lengths of edges are found once for all searches, which may run in parallel. Of several shortest ways
-/// to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
+/// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and subdividing the mesh
+/// does not cure that. Lengths of edges are found once for all searches, which may run in parallel. Of several shortest
+/// ways to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
 /// vertex.
 class EdgeSearch {
  public:

@@ -141,7 +141,8 @@ std::vector<double> HeatDistance::operator()(std::span<const SpreadSource> sourc
   for (std::size_t v = 0; v < distances.size(); ++v) {
     if (!std::isfinite(offsets[impl_->parts[v]])) distances[v] = std::numeric_limits<double>::infinity();
   }
-  for (const SpreadSource& source : sources) distances[source.vertex] = std::min(distances[source.vertex], source.distance);
+  for (const SpreadSource& source : sources)
+    distances[source.vertex] = std::min(distances[source.vertex], source.distance);
   return distances;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "protocol/base/limits.h"
-#include "server/surface/weld.h"
 #include "server/surface/faces.h"
+#include "server/surface/weld.h"
 
 namespace pelage {
 

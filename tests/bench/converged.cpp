@@ -62,13 +62,14 @@ void print(const std::string& name, const Picture& truth, const Picture& picture
   if (!error || !error->figures) std::fprintf(stderr, "the pictures cannot be compared\n"), std::exit(4);
   const PictureFigures& f = *error->figures;
   std::printf("  %-20s FLIP %.5f, 95th %.4f, silhouette %.5f; relMSE %.2e, bias %+.2e; %8.2f Mfragments, %7.1f s CPU\n",
-              name.c_str(), f.flip.mean, f.flip.percentile_95, f.silhouette.value_or(FlipFigures{}).mean, f.rel_mse, f.bias,
-              picture.megafragments, picture.seconds);
+              name.c_str(), f.flip.mean, f.flip.percentile_95, f.silhouette.value_or(FlipFigures{}).mean, f.rel_mse,
+              f.bias, picture.megafragments, picture.seconds);
   std::fflush(stdout);
 }
 
 void run(Renderer& renderer, const View& view, int size, int max) {
-  const testing::FurredModel model = testing::furred({Builtin::creature, 5000}, {.length = view.length, .inclination = view.inclination});
+  const testing::FurredModel model =
+      testing::furred({Builtin::creature, 5000}, {.length = view.length, .inclination = view.inclination});
   testing::draw(renderer, model, testing::small_frame());
   std::printf("\n%s\n", view.name);
   const auto draw = [&](int shells, FragmentOrder order) {

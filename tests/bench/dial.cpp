@@ -42,10 +42,11 @@ std::vector<double> picked(const std::vector<double>& all, const std::vector<std
 
 void print_view(const char* name, const MeasuredView& view, std::span<const Knobs> ladder) {
   const ViewFeatures& f = view.features;
-  std::printf("%s: pixels %.0f triangles %.0f visible %.0f area %.0f edges %.0f covered %.0f behind %.3f fur %.2f strand %.3f "
-              "bending %.3f lightness %.3f lights %.0f scatters %d varies %d\n",
-              name, f.pixels, f.triangles, f.visible, f.area, f.edges, f.covered, f.behind, f.fur_pixels, f.strand_pixels,
-              f.bending, f.lightness, f.lights, f.scatters, f.varies);
+  std::printf(
+      "%s: pixels %.0f triangles %.0f visible %.0f area %.0f edges %.0f covered %.0f behind %.3f fur %.2f strand %.3f "
+      "bending %.3f lightness %.3f lights %.0f scatters %d varies %d\n",
+      name, f.pixels, f.triangles, f.visible, f.area, f.edges, f.covered, f.behind, f.fur_pixels, f.strand_pixels,
+      f.bending, f.lightness, f.lights, f.scatters, f.varies);
   for (std::size_t row = 0; row < ladder.size(); ++row) {
     const std::string probed = view.probed_error[row] > 0 ? "probed " + std::to_string(view.probed_error[row]) : "";
     print_row(ladder[row], view.cost_ms[row], view.error[row], probed.c_str());
@@ -62,8 +63,8 @@ std::vector<MeasuredView> measure_all(Renderer& renderer, std::span<const Knobs>
     const MeasuredScene scene = make_measured_scene(described, ++id);
     sync_scene(renderer, scene.view(), {});
     for (const CalibrationScene::View& view : described.views) {
-      Result<MeasuredView> measured = measure_view(renderer, cost_unit(true, 0), scene.view(),
-                                                   measured_frame(scene.view(), view), ladder, options);
+      Result<MeasuredView> measured =
+          measure_view(renderer, cost_unit(true, 0), scene.view(), measured_frame(scene.view(), view), ladder, options);
       if (!measured) std::printf("%s\n", measured.status().message.c_str()), std::exit(1);
       views.push_back(std::move(*measured));
       print_view(std::to_string(views.size()).c_str(), views.back(), ladder);
@@ -91,13 +92,15 @@ int fit(Renderer& renderer, const std::string& file, const MeasureOptions& optio
   if (rows.front() != 0) rows.insert(rows.begin(), 0);  // the tier has an estimate whether or not it is among the best
   for (const std::size_t row : rows) ladder.push_back(candidates[row]);
   for (MeasuredView& view : views) {
-    for (std::vector<double>* column : {&view.cost_ms, &view.error, &view.probed_error}) *column = picked(*column, rows);
+    for (std::vector<double>* column : {&view.cost_ms, &view.error, &view.probed_error})
+      *column = picked(*column, rows);
   }
   Calibration calibration = fit_calibration(ladder, views);
   calibration.name = "defaults";
   print_ladder(calibration, views);
-  std::printf("%zu of %zu candidates; safety of cost %.2f, once learnt %.2f, of a probed error %.2f\nprices:", ladder.size(), candidates.size(),
-              calibration.cost_safety, calibration.learnt_safety, calibration.probe_safety);
+  std::printf(
+      "%zu of %zu candidates; safety of cost %.2f, once learnt %.2f, of a probed error %.2f\nprices:", ladder.size(),
+      candidates.size(), calibration.cost_safety, calibration.learnt_safety, calibration.probe_safety);
   for (const double price : calibration.cost) std::printf(" %.4g", price);
   std::printf("\n");
   std::ofstream(file) << encode(calibration);
@@ -132,7 +135,8 @@ struct Judged {
     return static_cast<std::size_t>(std::find(candidates.begin(), candidates.end(), knobs) - candidates.begin());
   }
   void budgets(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, Tally& tally);
-  void max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool probing, Tally& tally);
+  void max_errors(const MeasuredView& view, const FurFrame& frame, const CostCorrection& correction, bool probing,
+                  Tally& tally);
   CostCorrection learnt(const MeasuredView& view) const;
   void judge(const MeasuredView& view, const FurFrame& frame);
 };
@@ -161,7 +165,9 @@ void Judged::max_errors(const MeasuredView& view, const FurFrame& frame, const C
     }
     if (cheapest > 1e29) continue;
     MeasuredErrors errors;
-    const MeasureError measure = [&](const Knobs& knobs) { return ++probes, std::optional(view.probed_error[index_of(knobs)]); };
+    const MeasureError measure = [&](const Knobs& knobs) {
+      return ++probes, std::optional(view.probed_error[index_of(knobs)]);
+    };
     requests += probing;
     const PlannedFrame planned =
         probing ? plan_measured(calibration, view.features, frame, correction, max, errors, measure)
@@ -206,14 +212,18 @@ int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& o
           const Calibration& calibration) {
   const int size = extent.size;
   Judged judged{calibration, candidate_ladder()};
-  const CalibrationScene::View views[] = {{AutoView::three_quarter, 1, size}, {AutoView::back, 1.5f, size}, {AutoView::left, 0.6f, size}};
-  const std::pair<const char*, FirstGroom> models[] = {{"spot.ply", {.length = 0.03}}, {"cat_ascii.ply", {.length = 0.02}}, {"koala.ply", {.length = 0.03}}};
+  const CalibrationScene::View views[] = {
+      {AutoView::three_quarter, 1, size}, {AutoView::back, 1.5f, size}, {AutoView::left, 0.6f, size}};
+  const std::pair<const char*, FirstGroom> models[] = {
+      {"spot.ply", {.length = 0.03}}, {"cat_ascii.ply", {.length = 0.02}}, {"koala.ply", {.length = 0.03}}};
   for (const auto& [file, fur] : std::span(models).first(static_cast<std::size_t>(std::clamp(extent.models, 1, 3)))) {
     const testing::FurredModel model = testing::furred_ply(folder + "/" + file, fur);
     sync_scene(renderer, model.view(), {});
-    for (const CalibrationScene::View& view : std::span(views).first(static_cast<std::size_t>(std::clamp(extent.views, 1, 3)))) {
+    for (const CalibrationScene::View& view :
+         std::span(views).first(static_cast<std::size_t>(std::clamp(extent.views, 1, 3)))) {
       const FurFrame frame = measured_frame(model.view(), view);
-      const Result<MeasuredView> measured = measure_view(renderer, cost_unit(true, 0), model.view(), frame, judged.candidates, options);
+      const Result<MeasuredView> measured =
+          measure_view(renderer, cost_unit(true, 0), model.view(), frame, judged.candidates, options);
       if (!measured) return std::printf("%s\n", measured.status().message.c_str()), 1;
       print_view(file, *measured, judged.candidates);
       judged.judge(*measured, frame);
@@ -233,7 +243,9 @@ int main(int count, char** arguments) {
   if (mode != "fit" && mode != "judge") return std::fprintf(stderr, "usage: bench_dial fit FILE | judge FOLDER\n"), 2;
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  const auto number = [&](const char* name, int fallback) { return argument(count - 2, arguments + 2, name, fallback); };
+  const auto number = [&](const char* name, int fallback) {
+    return argument(count - 2, arguments + 2, name, fallback);
+  };
   const MeasureOptions options{number("--truth", 256), number("--repetitions", 2), mode == "fit" ? 3 : 1};
   if (mode == "fit") return fit(*opened.renderer, arguments[2], options, number("--scenes", 100));
   Calibration calibration = default_calibration();
@@ -248,8 +260,8 @@ int main(int count, char** arguments) {
     if (std::find(candidates.begin(), candidates.end(), row.knobs) != candidates.end()) continue;
     return std::fprintf(stderr, "the calibration has a row that is no candidate any more: run bench_dial fit\n"), 1;
   }
-  return judge(*opened.renderer, arguments[2], options, {number("--size", 384), number("--views", 3), number("--models", 3)},
-               calibration);
+  return judge(*opened.renderer, arguments[2], options,
+               {number("--size", 384), number("--views", 3), number("--models", 3)}, calibration);
 }
 
 }  // namespace

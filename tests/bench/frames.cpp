@@ -14,7 +14,8 @@ namespace pelage::bench {
 namespace {
 
 /// Gives the mean difference of the picture and the naive one, in 1/255.
-double run(const Gl& gl, Renderer& renderer, const char* name, const testing::FurredModel& model, int size, int repetitions) {
+double run(const Gl& gl, Renderer& renderer, const char* name, const testing::FurredModel& model, int size,
+           int repetitions) {
   FrameRequest request = testing::small_frame(AutoView::three_quarter, size);
   request.background = Background::colour;
   request.tone_map = ToneMap::filmic;
@@ -33,8 +34,7 @@ double run(const Gl& gl, Renderer& renderer, const char* name, const testing::Fu
   }
   std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
               model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours.wall, ours.cpu,
-              theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu,
-              theirs.cpu / ours_draft.cpu, difference);
+              theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu, theirs.cpu / ours_draft.cpu, difference);
   std::fflush(stdout);
   return difference;
 }
@@ -45,24 +45,31 @@ int main(int count, char** arguments) {
   std::string ply;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string name = arguments[i];
-    if (name == "--repetitions") repetitions = std::atoi(arguments[i + 1]);
-    else if (name == "--size") size = std::atoi(arguments[i + 1]);
-    else if (name == "--ply") ply = arguments[i + 1];
-    else if (name == "--most-difference") max_difference = std::atof(arguments[i + 1]);
-    else return std::fprintf(stderr, "unknown argument %s\n", name.c_str()), 2;
+    if (name == "--repetitions")
+      repetitions = std::atoi(arguments[i + 1]);
+    else if (name == "--size")
+      size = std::atoi(arguments[i + 1]);
+    else if (name == "--ply")
+      ply = arguments[i + 1];
+    else if (name == "--most-difference")
+      max_difference = std::atof(arguments[i + 1]);
+    else
+      return std::fprintf(stderr, "unknown argument %s\n", name.c_str()), 2;
   }
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | mean difference /255\n", "16 shells", "tri", "px", "naive: wall cpu ms",
-              "ours: wall cpu", "ratio", "draft: wall cpu", "ratio");
+  std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | mean difference /255\n", "16 shells", "tri", "px",
+              "naive: wall cpu ms", "ours: wall cpu", "ratio", "draft: wall cpu", "ratio");
   double difference = 0;
   const auto add = [&](const char* name, const testing::FurredModel& model) {
     difference = std::max(difference, run(opened.context->gl(), *opened.renderer, name, model, size, repetitions));
   };
   add("torus", testing::furred({Builtin::torus, 5000}));
   add("creature", testing::furred({Builtin::creature, 5000}));
-  if (ply.empty()) add("creature", testing::furred({Builtin::creature, 100000}));
-  else add("file", testing::furred_ply(ply));
+  if (ply.empty())
+    add("creature", testing::furred({Builtin::creature, 100000}));
+  else
+    add("file", testing::furred_ply(ply));
   return difference <= max_difference ? 0 : 1;
 }
 

@@ -11,11 +11,11 @@
 #include <type_traits>
 
 #include "protocol/base/random.h"
+#include "server/builtin/builtin.h"
 #include "server/groom/evaluate.h"
 #include "server/history/codec.h"
 #include "server/history/journal.h"
 #include "server/scene/scene.h"
-#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
 #include "tests/bench/cost.h"
 

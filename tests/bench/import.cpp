@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "server/fields/field_set.h"
 #include "server/builtin/builtin.h"
+#include "server/fields/field_set.h"
 #include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"

@@ -23,14 +23,21 @@ ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
   UploadCount count;
   const Mesh& mesh = model.model.surface.mesh();
   const FurPieces pieces = make_pieces(mesh, model.model.patches);
-  return ModelBuffers(gl, {model.model.id, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {},
-                           !mesh.corners.empty()},
+  return ModelBuffers(gl,
+                      {model.model.id,
+                       mesh.positions,
+                       mesh.normals,
+                       mesh.tangents,
+                       pieces.triangles,
+                       pieces.corners,
+                       {},
+                       !mesh.corners.empty()},
                       {model.fields.direction(), model.fields.length(), {}}, count);
 }
 
 std::string defines_of(const FurFrame& frame, const testing::FurredModel& model) {
-  return light_of(frame, !model.model.surface.mesh().corners.empty()) + "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) +
-         "\n";
+  return light_of(frame, !model.model.surface.mesh().corners.empty()) + "#define SHADING_MODEL " +
+         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 CoatTextures trilinear(const Gl& gl, const Coat& coat) {
@@ -45,10 +52,16 @@ CoatTextures trilinear(const Gl& gl, const Coat& coat) {
 }  // namespace
 
 NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame)
-    : gl_(gl), frame_(frame), coat_(trilinear(gl, frame.coat)), model_(send(gl, model)),
+    : gl_(gl),
+      frame_(frame),
+      coat_(trilinear(gl, frame.coat)),
+      model_(send(gl, model)),
       skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame, model)),
       shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame, model)),
-      resolve_(gl), scattering_(gl), block_(gl), drawn_(gl, GL_RGBA16F, frame.width, frame.height, true),
+      resolve_(gl),
+      scattering_(gl),
+      block_(gl),
+      drawn_(gl, GL_RGBA16F, frame.width, frame.height, true),
       picture_(gl, GL_RGBA8, frame.width, frame.height, false) {
   assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());
   gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
@@ -56,7 +69,8 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
 
 Image NaiveRenderer::draw() {
   const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
-  const auto lists = model_.sort_for(gl_, frame_.coat, {glm::vec3(block.viewpoint), block.viewpoint.w, frame_.knobs.shells, ShellPolicy::uniform});
+  const auto lists = model_.sort_for(
+      gl_, frame_.coat, {glm::vec3(block.viewpoint), block.viewpoint.w, frame_.knobs.shells, ShellPolicy::uniform});
   const std::array<float, 4> nothing{};
   const float far_away = 0;
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());

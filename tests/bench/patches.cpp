@@ -1,5 +1,7 @@
 // Quality and cost of patches on the built-in models and on those of the shared folder, as a table in Markdown.
 // usage: bench_patches [FILE...]
+#include "server/patches/patches.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,7 +13,6 @@
 
 #include "protocol/base/random.h"
 #include "server/builtin/builtin.h"
-#include "server/patches/patches.h"
 #include "server/surface/nearest.h"
 #include "tests/unit/surface/shared_models.h"
 
@@ -199,8 +200,9 @@ void print_row(const std::string& name, const Mesh& mesh) {
 
 void print_builtins() {
   const std::pair<const char*, BuiltinModel> models[] = {
-      {"torus", {Builtin::torus, 567}},     {"knot", {Builtin::knot, 2880}},   {"sphere", {Builtin::sphere, 5000}},
-      {"plane", {Builtin::plane, 2000}},    {"cloth", {Builtin::cloth, 1401}}, {"creature", {Builtin::creature, 5000}},
+      {"torus", {Builtin::torus, 567}},         {"knot", {Builtin::knot, 2880}},
+      {"sphere", {Builtin::sphere, 5000}},      {"plane", {Builtin::plane, 2000}},
+      {"cloth", {Builtin::cloth, 1401}},        {"creature", {Builtin::creature, 5000}},
       {"creature", {Builtin::creature, 40'000}}};
   for (const auto& [name, model] : models) {
     const Result<Mesh> mesh = prepare(make_builtin(model), Axis::plus_y, Axis::plus_z, false);
@@ -211,8 +213,10 @@ void print_builtins() {
 void print_file(const std::string& path) {
   const Result<Mesh> mesh = shared_models::load_file(path);
   const std::string name = std::filesystem::path(path).filename().string();
-  if (mesh.ok()) print_row(name, *mesh);
-  else std::printf("| %s | refused: %s |\n", name.c_str(), mesh.status().message.c_str());
+  if (mesh.ok())
+    print_row(name, *mesh);
+  else
+    std::printf("| %s | refused: %s |\n", name.c_str(), mesh.status().message.c_str());
 }
 
 std::vector<std::string> shared_files() {
@@ -230,8 +234,9 @@ std::vector<std::string> shared_files() {
 
 int main(int count, char** arguments) {
   using namespace pelage;
-  std::puts("| model | triangles | patches | pieces / triangles | area factor | area stretch, mean / 95% | "
-            "angle stretch, mean / 95% | flipped | spread of density | with hard borders | seconds |");
+  std::puts(
+      "| model | triangles | patches | pieces / triangles | area factor | area stretch, mean / 95% | "
+      "angle stretch, mean / 95% | flipped | spread of density | with hard borders | seconds |");
   std::puts("|---|---|---|---|---|---|---|---|---|---|---|");
   const std::vector<std::string> named(arguments + 1, arguments + count);
   if (named.empty()) print_builtins();

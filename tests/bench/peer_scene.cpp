@@ -68,7 +68,8 @@ void write_all(Renderer& renderer, const Options& options) {
   const std::size_t strands = write_peer_scene(model, frame, options.folder);
   Tracer tracer(2, std::size_t{6} << 30, false);
   begin_trace(renderer, tracer, model, peer_request(options.size, 1, 1));
-  if (strands == 0 || strands != tracer.report().strands) stop("not the strands that are traced: a small picture has fewer and wider ones");
+  if (strands == 0 || strands != tracer.report().strands)
+    stop("not the strands that are traced: a small picture has fewer and wider ones");
   std::printf("%zu strands\n", strands);
   std::ofstream times(options.folder + "/ours.txt");
   trace_ours(renderer, model, options, false, times);

@@ -18,7 +18,7 @@ struct Setup {
 
 struct Point {
   double error = 0, silhouette = 0;  // FLIP, means
-  double fragments = 0, cpu = 0;  // of the frame
+  double fragments = 0, cpu = 0;     // of the frame
 };
 
 FurFrame frame_of(const testing::FurredModel& model, int size, float distance) {
@@ -42,7 +42,8 @@ FlipFigures flip_of(const Image& truth, const Image& image, double& silhouette) 
   return error->figures->flip;
 }
 
-std::vector<Point> points_of(Renderer& renderer, const std::vector<FurFrame>& frames, const Image& truth, int repetitions) {
+std::vector<Point> points_of(Renderer& renderer, const std::vector<FurFrame>& frames, const Image& truth,
+                             int repetitions) {
   std::vector<Point> points(frames.size());
   std::vector<std::function<void()>> works;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -75,9 +76,10 @@ void run(Renderer& renderer, const testing::FurredModel& model, float distance, 
   converged.knobs.shells /= 2;
   double silhouette = 0;
   const double half = flip_of(truth, draw(renderer, converged), silhouette).mean;
-  std::printf("\ndistance %.2f of the view that frames the model; %d sorted shells against %d: FLIP %.4f\n", static_cast<double>(distance),
-              setup.truth, setup.truth / 2, half);
-  std::printf("%8s | %-38s | %-38s | at equal error\n", "shells", "uniform: FLIP, silhouette, Mfragm., CPU ms", "adaptive");
+  std::printf("\ndistance %.2f of the view that frames the model; %d sorted shells against %d: FLIP %.4f\n",
+              static_cast<double>(distance), setup.truth, setup.truth / 2, half);
+  std::printf("%8s | %-38s | %-38s | at equal error\n", "shells", "uniform: FLIP, silhouette, Mfragm., CPU ms",
+              "adaptive");
 
   const std::vector<int> counts = {2, 4, 6, 8, 12, 16, 24, 32};
   std::vector<FurFrame> frames;
@@ -89,9 +91,10 @@ void run(Renderer& renderer, const testing::FurredModel& model, float distance, 
   const std::vector<Point> uniform(all.begin(), middle), adaptive(middle, all.end());
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const Point &u = uniform[i], &a = adaptive[i];
-    std::printf("%8d | %8.4f %8.4f %10.3f %8.1f | %8.4f %8.4f %10.3f %8.1f | fragments %.2f, CPU %.2f\n", counts[i], u.error,
-                u.silhouette, u.fragments / 1e6, u.cpu, a.error, a.silhouette, a.fragments / 1e6, a.cpu,
-                a.fragments / cost_at(uniform, a.error, &Point::fragments), a.cpu / cost_at(uniform, a.error, &Point::cpu));
+    std::printf("%8d | %8.4f %8.4f %10.3f %8.1f | %8.4f %8.4f %10.3f %8.1f | fragments %.2f, CPU %.2f\n", counts[i],
+                u.error, u.silhouette, u.fragments / 1e6, u.cpu, a.error, a.silhouette, a.fragments / 1e6, a.cpu,
+                a.fragments / cost_at(uniform, a.error, &Point::fragments),
+                a.cpu / cost_at(uniform, a.error, &Point::cpu));
   }
   std::fflush(stdout);
 }
@@ -109,7 +112,8 @@ void overlap(Renderer& renderer, const char* name, testing::FurredModel model, i
   model.model.patches = hard_pieces(model.model.patches);
   const double hard = fragments_of(renderer, model, size);
   renderer.forget(model.model.id);
-  std::printf("%-9s fragments with soft patches %.3f M, with hard ones %.3f M: %.3f\n", name, soft / 1e6, hard / 1e6, soft / hard);
+  std::printf("%-9s fragments with soft patches %.3f M, with hard ones %.3f M: %.3f\n", name, soft / 1e6, hard / 1e6,
+              soft / hard);
 }
 
 int main(int count, char** arguments) {

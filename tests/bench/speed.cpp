@@ -1,7 +1,8 @@
 // Frames against the naive version at equal error: masked LDR-FLIP against the converged picture (sorted fragments) of
-// the creature, spot and the torus, from three cameras each: for each number of naive shells the cheapest of our settings
-// that is no further from the truth, at full and at part size; and what the tiers cost there.
-// usage: bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N] [--try SHELLS,STEPS,SCALE,ADAPTIVE]
+// the creature, spot and the torus, from three cameras each: for each number of naive shells the cheapest of our
+// settings that is no further from the truth, at full and at part size; and what the tiers cost there. usage:
+// bench_speed [--repetitions N] [--size PIXELS] [--truth SHELLS] [--model N] [--camera N] [--try
+// SHELLS,STEPS,SCALE,ADAPTIVE]
 #include <array>
 #include <cstdio>
 #include <span>
@@ -70,7 +71,8 @@ std::vector<Named> frames_of(const char* tried) {
 }
 
 /// The cheapest frame of a scale that is no further from the truth than `error`.
-void print_cheapest(const std::vector<Named>& frames, const std::vector<Point>& points, double scale, const Point& naive) {
+void print_cheapest(const std::vector<Named>& frames, const std::vector<Point>& points, double scale,
+                    const Point& naive) {
   std::size_t best = frames.size();
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].knobs.scale != scale || points[i].error > naive.error) continue;
@@ -135,7 +137,8 @@ const char* text(int count, char** arguments, const std::string& name) {
 int main(int count, char** arguments) {
   const Setup setup{argument(count, arguments, "--repetitions", 5), argument(count, arguments, "--size", 512),
                     argument(count, arguments, "--truth", 512), text(count, arguments, "--try")};
-  const int only_model = argument(count, arguments, "--model", -1), only_camera = argument(count, arguments, "--camera", -1);
+  const int only_model = argument(count, arguments, "--model", -1),
+            only_camera = argument(count, arguments, "--camera", -1);
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
   const std::array<const char*, 3> names{"creature", "spot", "torus"};

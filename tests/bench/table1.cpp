@@ -65,24 +65,31 @@ void run(Renderer& renderer, const Row& row, int size, int repetitions) {
                                                          anew.lights[0].radiance *= 1.0001f;
                                                          draw(renderer, anew);
                                                          draw(renderer, kept);
-                                                       }}, repetitions);
+                                                       }},
+                                                      repetitions);
   // The third drew two frames with new maps each: half of it is one frame.
   const double frame_anew = costs[2].wall / 2;
-  std::printf("| %s, %zu | %.0f (%.0f) | %.0f (%.0f) | %.1f, %.1f/s (%.1f) | %.1f, %.1f/s (%.1f) | %.2f (%.2f) | %.1f, %.1f/s |\n",
-              row.name, model.model.surface.mesh().triangles.size(), both - depth, row.paper.shell_maps, depth,
-              row.paper.depth_maps, costs[0].wall, 1e3 / costs[0].wall, row.paper.plain, costs[1].wall, 1e3 / costs[1].wall,
-              row.paper.shadowed, costs[1].cpu / costs[0].cpu, row.paper.plain / row.paper.shadowed, frame_anew, 1e3 / frame_anew);
+  std::printf(
+      "| %s, %zu | %.0f (%.0f) | %.0f (%.0f) | %.1f, %.1f/s (%.1f) | %.1f, %.1f/s (%.1f) | %.2f (%.2f) | %.1f, %.1f/s "
+      "|\n",
+      row.name, model.model.surface.mesh().triangles.size(), both - depth, row.paper.shell_maps, depth,
+      row.paper.depth_maps, costs[0].wall, 1e3 / costs[0].wall, row.paper.plain, costs[1].wall, 1e3 / costs[1].wall,
+      row.paper.shadowed, costs[1].cpu / costs[0].cpu, row.paper.plain / row.paper.shadowed, frame_anew,
+      1e3 / frame_anew);
   std::fflush(stdout);
   renderer.forget(model.model.id);
 }
 
 int main(int count, char** arguments) {
-  const int repetitions = argument(count, arguments, "--repetitions", 7), size = argument(count, arguments, "--size", 512);
+  const int repetitions = argument(count, arguments, "--repetitions", 7),
+            size = argument(count, arguments, "--size", 512);
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
   std::printf("%d x %d pixels, least of %d; the paper's figures in brackets\n\n", size, size, repetitions);
-  std::printf("| model, triangles | layer maps, ms | depth and width maps, ms | frame without shadow, ms | with maps kept, ms | "
-              "ratio | with maps made anew |\n|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| model, triangles | layer maps, ms | depth and width maps, ms | frame without shadow, ms | with maps kept, ms "
+      "| "
+      "ratio | with maps made anew |\n|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows) run(*opened.renderer, row, size, repetitions);
   return 0;
 }

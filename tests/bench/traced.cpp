@@ -18,8 +18,8 @@ bool always() { return true; }
 
 }  // namespace
 
-FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model,
-                     const FrameRequest& request, float distance) {
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request,
+                     float distance) {
   const SceneView view = model.view();
   sync_scene(renderer, view, {});
   FurFrame frame = make_frame(view, request);

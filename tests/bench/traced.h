@@ -9,10 +9,10 @@
 
 namespace pelage::bench {
 
-/// Begins a picture of the model; ends the program when it cannot. The frame is answered. The camera stands at `distance`
-/// times where the request puts it.
-FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model,
-                     const FrameRequest& request, float distance = 1);
+/// Begins a picture of the model; ends the program when it cannot. The frame is answered. The camera stands at
+/// `distance` times where the request puts it.
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request,
+                     float distance = 1);
 
 /// Adds passes until the request's end, and says after each what there is. Ends the program on failure.
 void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>& after_pass = {});

@@ -12,16 +12,13 @@ namespace pelage::testing {
 
 namespace {
 
-constexpr std::array all_aovs{Aov::beauty, Aov::alpha,      Aov::depth,  Aov::position,
-                                Aov::normal, Aov::tangent,    Aov::albedo, Aov::direct,
-                                Aov::shadow, Aov::shell_count};
+constexpr std::array all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
+                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
 constexpr std::array<const char*, 10> aov_names{"beauty",  "alpha",  "depth",  "position", "normal",
-                                                  "tangent", "albedo", "direct", "shadow",   "shell_count"};
+                                                "tangent", "albedo", "direct", "shadow",   "shell_count"};
 constexpr float above_one = 1.001f;  // sums of half floats
 
-bool is_light(Aov aov) {
-  return aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo;
-}
+bool is_light(Aov aov) { return aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo; }
 
 bool fine(Aov aov, std::size_t channel, float value) {
   if (!std::isfinite(value)) return false;

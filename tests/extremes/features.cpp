@@ -4,7 +4,9 @@ namespace pelage::testing {
 
 namespace {
 
-std::string one(const std::string& op, const std::string& members) { return R"({"op": ")" + op + "\", " + members + "}"; }
+std::string one(const std::string& op, const std::string& members) {
+  return R"({"op": ")" + op + "\", " + members + "}";
+}
 
 std::string coat(const std::string& members) { return one("set_coat", R"("coat": {)" + members + "}"); }
 
@@ -25,15 +27,17 @@ std::string batch(const std::string& first, const std::string& second) {
 std::vector<Feature> of_the_coat() {
   const std::string group = R"({"curves": [[[0, 0, 1], [0.5, 0, 2]]], "width_root": 0.01})";
   const std::string region = R"({"centre": [0, 0, 1], "radii": [0.5, 0.5, 0.5]})";
-  return {{"pattern", coat(R"("pattern": {"kind": "stripes"})"), "", coat(R"("pattern": {"kind": "none", "scale": 0.5})")},
-          {"variation", coat(R"("variation": {"hue": 1})"), "", coat(R"("variation": {"hue": 0, "size": 0.3})")},
-          {"tufts", coat(R"("tufts": {"gather": 1})"), "", coat(R"("tufts": {"gather": 0, "size": 0.3, "scales": 3})")},
-          {"painted density", paint("density", R"("value": 0.5)"), "", paint("density", R"("value": 1)")},
-          {"painted colour", paint("root_colour", R"("value": 1, "colour": "#ff0000")"), "", paint("wetness", R"("value": 0)")},
-          {"curves", one("set_curves", R"("groups": [)" + group + "]"), "", one("set_curves", R"("groups": [])")},
-          {"bare skin", one("set_skin", R"("regions": [)" + region + "]"), "", one("set_skin", R"("regions": [])")},
-          {"eyes", one("set_eyes", R"("eyes": [{"position": [0, 0, 1], "radius": 0.1}])"), "",
-           one("set_eyes", R"("eyes": [])"), quality(R"("eye_steps": 64)")}};
+  return {
+      {"pattern", coat(R"("pattern": {"kind": "stripes"})"), "", coat(R"("pattern": {"kind": "none", "scale": 0.5})")},
+      {"variation", coat(R"("variation": {"hue": 1})"), "", coat(R"("variation": {"hue": 0, "size": 0.3})")},
+      {"tufts", coat(R"("tufts": {"gather": 1})"), "", coat(R"("tufts": {"gather": 0, "size": 0.3, "scales": 3})")},
+      {"painted density", paint("density", R"("value": 0.5)"), "", paint("density", R"("value": 1)")},
+      {"painted colour", paint("root_colour", R"("value": 1, "colour": "#ff0000")"), "",
+       paint("wetness", R"("value": 0)")},
+      {"curves", one("set_curves", R"("groups": [)" + group + "]"), "", one("set_curves", R"("groups": [])")},
+      {"bare skin", one("set_skin", R"("regions": [)" + region + "]"), "", one("set_skin", R"("regions": [])")},
+      {"eyes", one("set_eyes", R"("eyes": [{"position": [0, 0, 1], "radius": 0.1}])"), "",
+       one("set_eyes", R"("eyes": [])"), quality(R"("eye_steps": 64)")}};
 }
 
 std::vector<Feature> of_light() {
@@ -54,22 +58,22 @@ std::vector<Feature> of_light() {
 }
 
 std::vector<Feature> of_the_frame() {
-  return {{"fins", "", quality(R"("fins": true)"), "", quality(R"("fins": false)")},
-          {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
-          {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "shells")")},
-          {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},
-          {"overlay of a field", "", R"("overlay": "direction")", "", R"("overlay": "none")"},
-          {"overlay of strokes", "", R"("overlay": "strokes")", "", R"("overlay": "none")"},
-          {"overlay of layers", "", R"("overlay": "shell_count")", "", R"("overlay": "none")"},
-          {"AOVs of an EXR", "", R"("format": "exr", "aovs": ["beauty", "depth", "normal"])", "",
-           R"("format": "png")"}};
+  return {
+      {"fins", "", quality(R"("fins": true)"), "", quality(R"("fins": false)")},
+      {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
+      {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "shells")")},
+      {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},
+      {"overlay of a field", "", R"("overlay": "direction")", "", R"("overlay": "none")"},
+      {"overlay of strokes", "", R"("overlay": "strokes")", "", R"("overlay": "none")"},
+      {"overlay of layers", "", R"("overlay": "shell_count")", "", R"("overlay": "none")"},
+      {"AOVs of an EXR", "", R"("format": "exr", "aovs": ["beauty", "depth", "normal"])", "", R"("format": "png")"}};
 }
 
 /// These change what tools do, and no frame.
 std::vector<Feature> of_the_groom() {
   const std::string aov = one("edit_layer", R"("action": "add", "name": "l")");
-  return {{"edit layers", batch(aov, one("length", R"("flood": true, "edit_layer": "l", "mode": "set", "value": 0.1)")), "",
-           batch(aov, one("edit_layer", R"("action": "set", "name": "l", "muted": true)"))},
+  return {{"edit layers", batch(aov, one("length", R"("flood": true, "edit_layer": "l", "mode": "set", "value": 0.1)")),
+           "", batch(aov, one("edit_layer", R"("action": "set", "name": "l", "muted": true)"))},
           {"blowers that stay", "", "", one("set_blowers", R"("blowers": [{"name": "b", "source": [0, 0, 3]}])")},
           {"symmetry", "", "", one("set_symmetry", R"("symmetry": {"planes": [{"normal": [1, 0, 0]}]})")},
           {"checkpoints", "", "", one("checkpoint", R"("name": "c")")}};

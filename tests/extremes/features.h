@@ -9,7 +9,7 @@ namespace pelage::testing {
 /// Texts as a client sends them: commands in one batch ("" for none), and members of a frame's quality.
 struct Feature {
   std::string name;
-  std::string commands, frame = "";         // with the feature
+  std::string commands, frame = "";            // with the feature
   std::string rest_commands, rest_frame = "";  // the same named, at rest
 };
 

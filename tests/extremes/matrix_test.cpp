@@ -83,8 +83,7 @@ TEST_P(Matrix, IsDrawnFiniteOrRefused) {
       EXPECT_TRUE(store->remove(scene.id).ok());
     }
   }
-  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows.size(), refused,
-              ways.pictures());
+  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows.size(), refused, ways.pictures());
 }
 
 std::string name_of_area(const ::testing::TestParamInfo<std::tuple<Backend, std::string>>& info) {
@@ -101,11 +100,14 @@ std::string table() {
     for (const Row& row : rows_of(area)) {
       ++rows, refused += !row.refused.empty();
       text << "| " << row.area << " | " << row.value << " | "
-           << (row.refused.empty() ? "drawn" : row.refused == "model" ? "refused" : "refused: `" + row.refused + "`")
+           << (row.refused.empty()      ? "drawn"
+               : row.refused == "model" ? "refused"
+                                        : "refused: `" + row.refused + "`")
            << " |\n";
     }
   }
-  text << "\n" << rows << " rows: " << rows - refused << " drawn, each as shells, as sorted shells with fins and guard hairs, "
+  text << "\n"
+       << rows << " rows: " << rows - refused << " drawn, each as shells, as sorted shells with fins and guard hairs, "
        << "as strands and as paths, on both backends (" << 8 * (rows - refused) << " pictures of ten layers), and "
        << refused << " refused.\n";
   return text.str();

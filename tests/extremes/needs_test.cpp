@@ -37,8 +37,9 @@ class Needs : public WithRenderer {
   }
 
   static FrameRequest request(const std::string& members) {
-    return request_of({.area = "", .value = "", .frame = R"({"width": 48, "height": 32)" +
-                                                         (members.empty() ? members : ", " + members) + "}"})
+    return request_of({.area = "",
+                       .value = "",
+                       .frame = R"({"width": 48, "height": 32)" + (members.empty() ? members : ", " + members) + "}"})
         .value();
   }
 
@@ -51,8 +52,8 @@ class Needs : public WithRenderer {
     DrawTimes times;
     renderer->clear_view_cache();
     const bool exr = request.format == FrameFormat::exr;
-    const Status drawn = exr ? status_of(renderer->draw_aovs(*frame, request.aovs, &times))
-                             : status_of(renderer->draw(*frame, &times));
+    const Status drawn =
+        exr ? status_of(renderer->draw_aovs(*frame, request.aovs, &times)) : status_of(renderer->draw(*frame, &times));
     EXPECT_TRUE(drawn.ok()) << drawn.message;
     return times.counters;
   }

@@ -63,8 +63,8 @@ Row moved(const Move& move, std::uint64_t shuffle = 0) {
   return {.area = "relations",
           .value = "moved",
           .commands = {R"({"op": "set_lights", "lights": [{"direction": )" + way({-1, -1, -1}) + "}]}"},
-          .frame = R"({"width": 48, "height": 48, "camera": {"position": )" + json_of(move({1, 2, 5})) + R"(, "target": )" +
-                   json_of(origin) + R"(, "up": )" + way({0, 1, 0}) + "}}",
+          .frame = R"({"width": 48, "height": 48, "camera": {"position": )" + json_of(move({1, 2, 5})) +
+                   R"(, "target": )" + json_of(origin) + R"(, "up": )" + way({0, 1, 0}) + "}}",
           .scene = R"({"fur": {"length": 0.05, "inclination": 0}})",
           .model = {torus(move, shuffle)}};
 }
@@ -75,7 +75,8 @@ glm::dvec3 stay(glm::dvec3 v) { return v; }
 std::array<double, 4> mean_of(const Layers& aovs) {
   std::array<double, 4> sum{};
   const std::vector<float>& values = aovs[0].rgba;
-  for (std::size_t i = 0; i < values.size(); ++i) sum[i % 4] += 4.0 * double{values[i]} / static_cast<double>(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum[i % 4] += 4.0 * double{values[i]} / static_cast<double>(values.size());
   return sum;
 }
 
@@ -141,7 +142,8 @@ double mean_alpha(const FloatImage& image) {
 
 // Layers of light are linear: what two lights give together is the sum of what each gives.
 TEST_P(Relations, LightIsAdditive) {
-  const std::string left = R"({"direction": [1, -0.3, -0.3], "intensity": 0.5})", right = R"({"direction": [-1, -1, -0.3]})";
+  const std::string left = R"({"direction": [1, -0.3, -0.3], "intensity": 0.5})",
+                    right = R"({"direction": [-1, -1, -0.3]})";
   const auto lit = [&](const std::string& lights, bool strands) {
     Row row = moved(stay);
     row.commands = {R"({"op": "set_lights", "lights": [)" + lights + "]}"};
@@ -161,7 +163,8 @@ TEST_P(Relations, LightIsAdditive) {
     return std::accumulate(image.rgba.begin(), image.rgba.end(), 0.0) -
            mean_alpha(image) * static_cast<double>(image.rgba.size() / 4);
   };
-  const double together = total(lit(left + ", " + right, true)), apart = total(lit(left, true)) + total(lit(right, true));
+  const double together = total(lit(left + ", " + right, true)),
+               apart = total(lit(left, true)) + total(lit(right, true));
   EXPECT_NEAR(together, apart, 0.03 * apart);
 }
 

@@ -66,8 +66,8 @@ void add_model(Rows& rows, const std::string& model) {
 
 void add_fibre(Rows& rows, const std::string& model) {
   for (const char* roughness : {"0", "1e-4", "1"}) {
-    const std::string both = std::string(R"("longitudinal_roughness": )") + roughness +
-                             R"(, "azimuthal_roughness": )" + roughness;
+    const std::string both =
+        std::string(R"("longitudinal_roughness": )") + roughness + R"(, "azimuthal_roughness": )" + roughness;
     for (const char* eta : {"1", "1.000001", "3"}) {
       rows.push_back(of_scattering(model, std::string("roughness ") + roughness + ", eta " + eta,
                                    R"(, "fibre": {)" + both + R"(, "refractive_index": )" + eta + "}"));
@@ -86,12 +86,18 @@ void add_fibre(Rows& rows, const std::string& model) {
 }  // namespace
 
 Rows fur_rows() {
-  Rows rows{of_length("0"), of_length("1e-6"), of_length("10"), of_length("10.1", "/fur/length"),
+  Rows rows{of_length("0"),
+            of_length("1e-6"),
+            of_length("10"),
+            of_length("10.1", "/fur/length"),
             of_length("-1", "/fur/length"),
-            of_fur("density 0", {paint("density", "0")}), of_fur("density 1", {paint("density", "1")}),
+            of_fur("density 0", {paint("density", "0")}),
+            of_fur("density 1", {paint("density", "1")}),
             of_fur("density 1.5", {paint("density", "1.5")}, "/value"),
-            of_fur("all fields at their most", {paint("width", "4"), paint("curl", "1"), paint("clump", "1"), paint("wetness", "1")}),
-            of_fur("width 0", {paint("width", "0")}), of_fur("bare", {paint("bare", "1")}),
+            of_fur("all fields at their most",
+                   {paint("width", "4"), paint("curl", "1"), paint("clump", "1"), paint("wetness", "1")}),
+            of_fur("width 0", {paint("width", "0")}),
+            of_fur("bare", {paint("bare", "1")}),
             of_fur("1 strand", {coat(R"("count": 1, "tile": 1)")}),
             of_fur("100,000 strands in a tile of 0.01", {coat(R"("count": 100000, "tile": 0.01)")}),
             of_fur("100,001 strands", {coat(R"("count": 100001)")}, "/coat/count"),
@@ -107,21 +113,24 @@ Rows fur_rows() {
                             "size": 0.005}, "pattern": {"kind": "rosettes", "scale": 0.005, "warp": 2, "softness": 0})")})};
   for (const char* shells : {"1", "2", "1024"}) {
     rows.push_back(of_quality(std::string(shells) + " layers", std::string(R"("shells": )") + shells));
-    rows.push_back(of_quality(std::string(shells) + " layers everywhere, 16 steps",
-                              std::string(R"("shells": )") + shells +
-                                  R"(, "shell_policy": "uniform", "steps": 16, "fins": true)"));
+    rows.push_back(of_quality(
+        std::string(shells) + " layers everywhere, 16 steps",
+        std::string(R"("shells": )") + shells + R"(, "shell_policy": "uniform", "steps": 16, "fins": true)"));
   }
   rows.push_back(of_quality("0 layers", R"("shells": 0)", "/quality/shells"));
   rows.push_back(of_quality("1,025 layers", R"("shells": 1025)", "/quality/shells"));
   for (const char* way : {"[0, 1, 0]", "[0, -1, 0]"}) {
-    rows.push_back(of_fur(std::string("combed towards ") + way + ", along or against the normal at the poles",
-                          {flood_comb(way)}));
+    rows.push_back(
+        of_fur(std::string("combed towards ") + way + ", along or against the normal at the poles", {flood_comb(way)}));
   }
-  rows.push_back(of_fur("strokes that cancel", {flood_comb("[1, 0, 0]"), flood_comb("[-1, 0, 0]", R"(, "brush": {"strength": 0.5})")}));
-  rows.back().commands[1] = R"({"op": "comb", "flood": true, "lean": 1, "brush": {"strength": 0.5}, "direction": [-1, 0, 0]})";
+  rows.push_back(of_fur("strokes that cancel",
+                        {flood_comb("[1, 0, 0]"), flood_comb("[-1, 0, 0]", R"(, "brush": {"strength": 0.5})")}));
+  rows.back().commands[1] =
+      R"({"op": "comb", "flood": true, "lean": 1, "brush": {"strength": 0.5}, "direction": [-1, 0, 0]})";
   rows.push_back(of_fur("combed towards nowhere", {flood_comb("[0, 0, 0]")}, "/direction"));
   for (const char* lean : {"0", "1"})
-    rows.push_back({.area = "fur", .value = std::string("inclination ") + lean + ", length 10",
+    rows.push_back({.area = "fur",
+                    .value = std::string("inclination ") + lean + ", length 10",
                     .scene = ball(std::string(R"("length": 10, "inclination": )") + lean)});
   return rows;
 }
@@ -132,7 +141,9 @@ Rows scattering_rows() {
   add_fibre(rows, "energy_conserving");
   add_fibre(rows, "marschner");
   const auto refused = [&](const char* value, const std::string& look, const char* pointer) {
-    rows.push_back({.area = "scattering", .value = value, .commands = {R"({"op": "set_look", "look": {)" + look + "}}"},
+    rows.push_back({.area = "scattering",
+                    .value = value,
+                    .commands = {R"({"op": "set_look", "look": {)" + look + "}}"},
                     .refused = pointer});
   };
   refused("roughness below 0", R"("fibre": {"longitudinal_roughness": -1e-9})", "/look/fibre/longitudinal_roughness");

@@ -59,7 +59,8 @@ std::string binary_stl(float offset) {
 }
 
 const std::string plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-const std::string apart = tetrahedra(1) + "v 30 0 0\nv 31 0 0\nv 30 1 0\nv 30 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n";
+const std::string apart =
+    tetrahedra(1) + "v 30 0 0\nv 31 0 0\nv 30 1 0\nv 30 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n";
 
 Row of_brush(std::string value, std::string command, std::string refused = {}) {
   return {.area = "brush", .value = std::move(value), .commands = {std::move(command)}, .refused = std::move(refused)};
@@ -93,7 +94,8 @@ Rows mesh_rows() {
           of_file("two solids that share a vertex",
                   plain + "v -1 0 0\nv 0 -1 0\nv 0 0 -1\nf 1 6 5\nf 1 5 7\nf 1 7 6\nf 5 6 7\n"),
           of_file("a triangle and its twin wound the other way", plain + "f 2 4 3\n"),
-          of_file("duplicate and isolated vertices", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 9 9 9\nf 1 2 3\nf 4 6 5\n"),
+          of_file("duplicate and isolated vertices",
+                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 9 9 9\nf 1 2 3\nf 4 6 5\n"),
           of_file("200 parts", tetrahedra(200)),
           of_file("only a triangle with a NaN vertex", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "model"),
           of_file("a NaN vertex beside others", plain + "v nan 0 0\nv inf 1 1\nf 1 2 5\nf 2 3 6\n"),
@@ -103,7 +105,10 @@ Rows mesh_rows() {
           of_file("offset 1e3", cube("", 1e3, 1e3 + 1)),
           of_file("offset 1e6", cube("", 1e6, 1e6 + 1)),
           {.area = "mesh", .value = "offset 1e3 in 32-bit floats", .model = {binary_stl(1e3f), ModelFormat::stl}},
-          {.area = "mesh", .value = "offset 1e6 in 32-bit floats", .model = {binary_stl(1e6f), ModelFormat::stl}, .refused = "model"},
+          {.area = "mesh",
+           .value = "offset 1e6 in 32-bit floats",
+           .model = {binary_stl(1e6f), ModelFormat::stl},
+           .refused = "model"},
           {.area = "mesh",
            .value = "1 triangle of a built-in",
            .scene = R"({"model": {"builtin": "plane", "triangles": 1}})",
@@ -116,35 +121,39 @@ Rows mesh_rows() {
 }
 
 Rows brush_rows() {
-  const std::string key = R"("keys": [{"position": [0, 0, 1], "length": 0.3}, {"position": [0, 0.5, -1], "length": 0.01}])";
-  return {of_brush("radius 0", comb(R"("radius": 0)")),
-          of_brush("radius 1e6 sizes", comb(R"("radius": 1e6, "strength": 1)")),
-          of_brush("radius 1e27 of the model's units", comb(R"("radius": 1e27, "units": "world", "strength": 1)"), "/brush/radius"),
-          of_brush("radius below 0", comb(R"("radius": -1)"), "/brush/radius"),
-          of_brush("strength 0", comb(R"("radius": 0.2, "strength": 0)")),
-          of_brush("strength 1.1", comb(R"("radius": 0.2, "strength": 1.1)"), "/brush/strength"),
-          of_brush("more than 100,000 dabs", comb(R"("radius": 1e-9, "spacing": 0.01)"), "/brush/spacing"),
-          of_brush("falloff of two points, 0 and 0", comb(R"("radius": 0.3, "falloff_points": [0, 0])")),
-          of_brush("cut-off at 0 degrees", comb(R"("radius": 0.3, "cut_off_degrees": 0)")),
-          of_brush("sigma 1e-6", R"({"op": "interpolate", "sigma": 1e-6, )" + key + "}"),
-          of_brush("sigma 1e6", R"({"op": "interpolate", "sigma": 1e6, )" + key + "}"),
-          of_brush("sigma 0", R"({"op": "interpolate", "sigma": 0, )" + key + "}", "/sigma"),
-          on_two_parts("a part that no path reaches: by heat",
-                       R"({"op": "interpolate", "distance": "heat", "keys": [{"position": [0, 0, 0], "length": 0.3}]})"),
-          on_two_parts("a part that no path reaches: along edges",
-                       R"({"op": "interpolate", "distance": "dijkstra", "keys": [{"position": [0, 0, 0], "length": 0.3}]})"),
-          on_two_parts("a part that no path reaches: brush along the surface",
-                       R"({"op": "paint", "field": "density", "value": 0, "brush": {"radius": 100, "strength": 1,
+  const std::string key =
+      R"("keys": [{"position": [0, 0, 1], "length": 0.3}, {"position": [0, 0.5, -1], "length": 0.01}])";
+  return {
+      of_brush("radius 0", comb(R"("radius": 0)")),
+      of_brush("radius 1e6 sizes", comb(R"("radius": 1e6, "strength": 1)")),
+      of_brush("radius 1e27 of the model's units", comb(R"("radius": 1e27, "units": "world", "strength": 1)"),
+               "/brush/radius"),
+      of_brush("radius below 0", comb(R"("radius": -1)"), "/brush/radius"),
+      of_brush("strength 0", comb(R"("radius": 0.2, "strength": 0)")),
+      of_brush("strength 1.1", comb(R"("radius": 0.2, "strength": 1.1)"), "/brush/strength"),
+      of_brush("more than 100,000 dabs", comb(R"("radius": 1e-9, "spacing": 0.01)"), "/brush/spacing"),
+      of_brush("falloff of two points, 0 and 0", comb(R"("radius": 0.3, "falloff_points": [0, 0])")),
+      of_brush("cut-off at 0 degrees", comb(R"("radius": 0.3, "cut_off_degrees": 0)")),
+      of_brush("sigma 1e-6", R"({"op": "interpolate", "sigma": 1e-6, )" + key + "}"),
+      of_brush("sigma 1e6", R"({"op": "interpolate", "sigma": 1e6, )" + key + "}"),
+      of_brush("sigma 0", R"({"op": "interpolate", "sigma": 0, )" + key + "}", "/sigma"),
+      on_two_parts("a part that no path reaches: by heat",
+                   R"({"op": "interpolate", "distance": "heat", "keys": [{"position": [0, 0, 0], "length": 0.3}]})"),
+      on_two_parts(
+          "a part that no path reaches: along edges",
+          R"({"op": "interpolate", "distance": "dijkstra", "keys": [{"position": [0, 0, 0], "length": 0.3}]})"),
+      on_two_parts("a part that no path reaches: brush along the surface",
+                   R"({"op": "paint", "field": "density", "value": 0, "brush": {"radius": 100, "strength": 1,
                            "falloff_shape": "surface"}, "stroke": {"samples": [{"position": [0, 0, 0]}]}})"),
-          of_brush("attracted from nowhere for 1e4 seconds",
-                   R"({"op": "attract", "point": [1e6, 0, 0], "radius": 1e6, "strength": 1, "duration": 1e4,
+      of_brush("attracted from nowhere for 1e4 seconds",
+               R"({"op": "attract", "point": [1e6, 0, 0], "radius": 1e6, "strength": 1, "duration": 1e4,
                        "max_stretch": 100, "threshold": 0})"),
-          of_brush("blown from inside the skin",
-                   R"({"op": "blow", "source": [0, 0, 1], "cone_degrees": 180, "strength": 1, "lean": 1})"),
-          of_brush("noise of amount 10 and no feature size",
-                   R"({"op": "noise", "flood": true, "amount": 10, "feature_size": 0})"),
-          of_brush("10,000 passes of smoothing", R"({"op": "smooth", "flood": true, "t": 1, "passes": 10000})"),
-          of_brush("10,001 passes", R"({"op": "smooth", "flood": true, "passes": 10001})", "/passes")};
+      of_brush("blown from inside the skin",
+               R"({"op": "blow", "source": [0, 0, 1], "cone_degrees": 180, "strength": 1, "lean": 1})"),
+      of_brush("noise of amount 10 and no feature size",
+               R"({"op": "noise", "flood": true, "amount": 10, "feature_size": 0})"),
+      of_brush("10,000 passes of smoothing", R"({"op": "smooth", "flood": true, "t": 1, "passes": 10000})"),
+      of_brush("10,001 passes", R"({"op": "smooth", "flood": true, "passes": 10001})", "/passes")};
 }
 
 }  // namespace pelage::testing

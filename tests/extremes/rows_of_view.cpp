@@ -63,9 +63,11 @@ Rows light_rows() {
   add_places(rows, "area", R"(, "direction": [0, 0, -1])");
   const std::string above = R"("kind": "spot", "direction": [0, -1, 0], "intensity": 10, "position": )";
   const std::string sun = R"("direction": [0, -1, 0])";
-  rows.push_back(of_light("shadow map of 1 x 1, a spot", above + "[0, 3, 0]" + all_shadows, R"(, "shadow_resolution": 1)"));
+  rows.push_back(
+      of_light("shadow map of 1 x 1, a spot", above + "[0, 3, 0]" + all_shadows, R"(, "shadow_resolution": 1)"));
   rows.push_back(of_light("shadow map of 1 x 1, a sun", sun + all_shadows, R"(, "shadow_resolution": 1)"));
-  rows.push_back(of_light("shadow map of 1 x 1, hard", sun + R"(, "cast_shadow": "hard")", R"(, "shadow_resolution": 1)"));
+  rows.push_back(
+      of_light("shadow map of 1 x 1, hard", sun + R"(, "cast_shadow": "hard")", R"(, "shadow_resolution": 1)"));
   for (const char* place : {"[0, 1.0000001, 0]", "[0, 1.05, 0]", "[0, 1.1733, 0]"}) {
     rows.push_back(of_light(std::string("a caster on the near plane: spot at ") + place, above + place + all_shadows,
                             R"(, "shadow_resolution": 64)"));
@@ -80,19 +82,24 @@ Rows light_rows() {
   const std::string penumbra = R"(, "cast_shadow": "penumbra")";
   rows.push_back(of_light("shadow map of 1 x 1, penumbra", sun + penumbra, R"(, "shadow_resolution": 1)"));
   for (const char* angle : {"0", "90"})
-    rows.push_back(of_light(std::string("penumbra of a sun that spans ") + angle + " degrees", sun + penumbra + R"(, "angle_degrees": )" + angle));
+    rows.push_back(of_light(std::string("penumbra of a sun that spans ") + angle + " degrees",
+                            sun + penumbra + R"(, "angle_degrees": )" + angle));
   for (const char* radius : {"0", "10"})
-    rows.push_back(of_light(std::string("penumbra of a spot of radius ") + radius, above + R"([0, 3, 0], "radius": )" + radius + penumbra));
-  rows.push_back(of_light("a sun that spans 90 degrees, intensity 1e8", sun + R"(, "angle_degrees": 90, "intensity": 1e8)"));
+    rows.push_back(of_light(std::string("penumbra of a spot of radius ") + radius,
+                            above + R"([0, 3, 0], "radius": )" + radius + penumbra));
+  rows.push_back(
+      of_light("a sun that spans 90 degrees, intensity 1e8", sun + R"(, "angle_degrees": 90, "intensity": 1e8)"));
   rows.push_back(of_light("intensity over 1e8", R"("intensity": 1.1e8)", "", "/lights/0/intensity"));
   rows.push_back(of_light("intensity below 0", R"("intensity": -1)", "", "/lights/0/intensity"));
   rows.push_back(of_light("a direction of no length", R"("direction": [0, 0, 0])", "", "/lights/0/direction"));
-  rows.push_back(of_light("a place beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
+  rows.push_back(
+      of_light("a place beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
   rows.push_back(of_light("shadow map of 0 x 0", sun, R"(, "shadow_resolution": 0)", "/quality/shadow_resolution"));
   Row eight = of_light("eight lights of 1e8 at one place", "");
   std::string lights;
   for (int i = 0; i < 8; ++i)
-    lights += std::string(i ? ", " : "") + R"({"kind": "point", "position": [0, 0, 1.02], "intensity": 1e8, "self_shadow_maps": true})";
+    lights += std::string(i ? ", " : "") +
+              R"({"kind": "point", "position": [0, 0, 1.02], "intensity": 1e8, "self_shadow_maps": true})";
   eight.commands = {R"({"op": "set_lights", "lights": [)" + lights + "]}"};
   rows.push_back(eight);
   Row nine = eight;
@@ -104,28 +111,32 @@ Rows light_rows() {
     std::string nine_of_them = one;
     for (int i = 1; i < 9; ++i) nine_of_them += ", " + one;
     Row row = of_light(std::string("surroundings of harmonics ") + harmonic + ", intensity 100", "");
-    row.commands = {R"({"op": "set_environment", "environment": {"intensity": 100, "harmonics": [)" + nine_of_them + "]}}"};
+    row.commands = {R"({"op": "set_environment", "environment": {"intensity": 100, "harmonics": [)" + nine_of_them +
+                    "]}}"};
     rows.push_back(row);
   }
   return rows;
 }
 
 Rows camera_rows() {
-  Rows rows{of_camera("inside the fur", R"("position": [0, 0, 1.08], "target": [0, 0, 0])"),
-            of_camera("inside the fur, outwards", R"("position": [0, 0, 1.08], "target": [0, 0, 2])"),
-            of_camera("on the skin", R"("position": [0, 0, 1], "target": [0, 0, 0])"),
-            of_camera("on the skin, along it", R"("position": [0, 0, 1], "target": [1, 0, 1])"),
-            of_camera("in the middle of the model", R"("position": [0, 0, 0], "target": [0, 0, 1])"),
-            of_camera("grazing the tips", R"("position": [0, 1.1, 4], "target": [0, 1.1, 0])"),
-            of_camera("grazing the skin, 1 degree wide", R"("position": [0, 1, 4], "target": [0, 1, 0], "fov_degrees": 1)"),
-            of_camera("far over near 1e7: 1e-7 above the tips", R"("position": [0, 0, 1.1732052], "target": [0, 0, 0], "fov_degrees": 150)"),
-            of_camera("far over near 1e7: 3.5e7 away", R"("position": [0, 0, 3.5e7], "target": [0, 0, 0], "fov_degrees": 1)"),
-            of_camera("1e27 away", R"("position": [1e27, 1e27, 0], "target": [0, 0, 0])"),
-            of_camera("150 degrees wide", R"("position": [0, 0, 1.3], "target": [0, 0, 0], "fov_degrees": 150)"),
-            of_camera("0.9 degrees wide", R"("position": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 0.9)", "/camera/fov_degrees"),
-            of_camera("at its target", R"("position": [0, 0, 3], "target": [0, 0, 3])", "/camera"),
-            of_camera("up along the view", R"("position": [0, 3, 0], "target": [0, 0, 0])", "/camera/up"),
-            of_camera("beyond 1e27", R"("position": [0, 1e28, 0], "target": [0, 0, 0])", "/camera/position/1")};
+  Rows rows{
+      of_camera("inside the fur", R"("position": [0, 0, 1.08], "target": [0, 0, 0])"),
+      of_camera("inside the fur, outwards", R"("position": [0, 0, 1.08], "target": [0, 0, 2])"),
+      of_camera("on the skin", R"("position": [0, 0, 1], "target": [0, 0, 0])"),
+      of_camera("on the skin, along it", R"("position": [0, 0, 1], "target": [1, 0, 1])"),
+      of_camera("in the middle of the model", R"("position": [0, 0, 0], "target": [0, 0, 1])"),
+      of_camera("grazing the tips", R"("position": [0, 1.1, 4], "target": [0, 1.1, 0])"),
+      of_camera("grazing the skin, 1 degree wide", R"("position": [0, 1, 4], "target": [0, 1, 0], "fov_degrees": 1)"),
+      of_camera("far over near 1e7: 1e-7 above the tips",
+                R"("position": [0, 0, 1.1732052], "target": [0, 0, 0], "fov_degrees": 150)"),
+      of_camera("far over near 1e7: 3.5e7 away", R"("position": [0, 0, 3.5e7], "target": [0, 0, 0], "fov_degrees": 1)"),
+      of_camera("1e27 away", R"("position": [1e27, 1e27, 0], "target": [0, 0, 0])"),
+      of_camera("150 degrees wide", R"("position": [0, 0, 1.3], "target": [0, 0, 0], "fov_degrees": 150)"),
+      of_camera("0.9 degrees wide", R"("position": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 0.9)",
+                "/camera/fov_degrees"),
+      of_camera("at its target", R"("position": [0, 0, 3], "target": [0, 0, 3])", "/camera"),
+      of_camera("up along the view", R"("position": [0, 3, 0], "target": [0, 0, 0])", "/camera/up"),
+      of_camera("beyond 1e27", R"("position": [0, 1e28, 0], "target": [0, 0, 0])", "/camera/position/1")};
   for (const char* size : {R"("width": 1, "height": 1)", R"("width": 1, "height": 300)", R"("width": 300, "height": 1)",
                            R"("width": 2048, "height": 1)"})
     rows.push_back(of_frame(std::string("picture: ") + size, size));
@@ -136,9 +147,11 @@ Rows camera_rows() {
   rows.push_back(of_frame("exposure 21", small + R"(, "exposure": 21)", "/exposure"));
   rows.push_back(of_frame("0 x 0", R"("width": 0, "height": 0)", "/width"));
   rows.push_back(of_frame("8193 wide", R"("width": 8193, "height": 8)", "/width"));
-  rows.push_back(of_frame("8192 x 8192 at twice the size", R"("width": 8192, "height": 8192, "quality": {"scale": 2})", "/quality"));
+  rows.push_back(of_frame("8192 x 8192 at twice the size", R"("width": 8192, "height": 8192, "quality": {"scale": 2})",
+                          "/quality"));
   rows.push_back(of_frame("8192 x 8192, sorted, 64 layers",
-                          R"("width": 8192, "height": 8192, "quality": {"order": "sorted", "shells": 64})", "/quality"));
+                          R"("width": 8192, "height": 8192, "quality": {"order": "sorted", "shells": 64})",
+                          "/quality"));
   rows.push_back(of_frame("8192 x 8192, two AOVs of an EXR",
                           R"("width": 8192, "height": 8192, "format": "exr", "aovs": ["beauty", "depth"])", "/aovs"));
   return rows;

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "server/scene/scene_store.h"
 #include "server/import/import.h"
+#include "server/scene/scene_store.h"
 #include "tests/gl/with_renderer.h"
 
 namespace pelage::testing {

@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "clients/cli/recipe/recipe.h"
 #include "clients/cli/recipe/split_steps.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
-#include "clients/cli/recipe/recipe.h"
 
 namespace {
 

@@ -38,8 +38,10 @@ TEST_P(Layers, DepthIsWhereOpacityCrossesHalf) {
       const float alpha = images[0].rgba[4 * i + 3];
       const bool there = images[1].rgba[4 * i] > 0;
       partial += alpha > 0.05f && alpha < 0.95f;
-      if (std::abs(alpha - 0.5f) < 0.02f) ++near_edge;
-      else if (there != (alpha > 0.5f)) ++wrong;
+      if (std::abs(alpha - 0.5f) < 0.02f)
+        ++near_edge;
+      else if (there != (alpha > 0.5f))
+        ++wrong;
     }
     EXPECT_GT(partial, 100) << shells;
     EXPECT_EQ(wrong, 0) << shells << " shells, " << near_edge << " near half";
@@ -272,13 +274,15 @@ TEST_P(Layers, HoldEyes) {
   const FurredModel model = with_eye();
   FrameRequest request = small_frame();
   const FurFrame frame = make_frame(model.view(), request);
-  const auto images = aovs_of(model, request, {Aov::depth, Aov::position, Aov::normal, Aov::albedo,
-                                                 Aov::direct, Aov::beauty, Aov::shadow, Aov::tangent});
+  const auto images = aovs_of(
+      model, request,
+      {Aov::depth, Aov::position, Aov::normal, Aov::albedo, Aov::direct, Aov::beauty, Aov::shadow, Aov::tangent});
   const glm::vec3 centre = frame.eyes[0].position;
   int seen = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
     const glm::vec3 place = pixel(images[1], i);
-    if (glm::distance(place, centre) > 1.01f * frame.eyes[0].radius || place.z < centre.z + 0.5f * frame.eyes[0].radius) continue;
+    if (glm::distance(place, centre) > 1.01f * frame.eyes[0].radius || place.z < centre.z + 0.5f * frame.eyes[0].radius)
+      continue;
     ++seen;
     EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.position, frame.camera.forward), 1e-4);
     EXPECT_GT(glm::dot(pixel(images[2], i), glm::normalize(place - centre)), 0.8f);
@@ -297,7 +301,8 @@ TEST_P(Layers, WithoutAmbientAnEyesLightIsDirect) {
   request.background_colour = glm::vec3(0);  // which the cornea mirrors
   const auto images = aovs_of(model, request, {Aov::beauty, Aov::direct});
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i)
-    ASSERT_LT(glm::distance(pixel(images[0], i), pixel(images[1], i)), 2e-3f);  // the edge of a highlight is steep, and two programs round differently
+    ASSERT_LT(glm::distance(pixel(images[0], i), pixel(images[1], i)),
+              2e-3f);  // the edge of a highlight is steep, and two programs round differently
 }
 
 TEST_P(Layers, HoldCurves) {
@@ -310,8 +315,8 @@ TEST_P(Layers, HoldCurves) {
   model.settings.curves = {group};
   const FrameRequest request = small_frame();
   const FurFrame frame = make_frame(model.view(), request);
-  const auto images = aovs_of(model, request, {Aov::depth, Aov::position, Aov::tangent, Aov::albedo,
-                                                 Aov::shadow, Aov::direct, Aov::beauty});
+  const auto images = aovs_of(
+      model, request, {Aov::depth, Aov::position, Aov::tangent, Aov::albedo, Aov::shadow, Aov::direct, Aov::beauty});
   int seen = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
     const glm::vec3 albedo = pixel(images[3], i), place = pixel(images[1], i);

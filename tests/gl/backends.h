@@ -1,4 +1,5 @@
-// Tests run on both GL drivers, EGL and OSMesa; those of a context's own ways on each way to open one. A backend that is missing skips with its reason, and fails in CI.
+// Tests run on both GL drivers, EGL and OSMesa; those of a context's own ways on each way to open one. A backend that
+// is missing skips with its reason, and fails in CI.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -49,9 +49,9 @@ TEST_P(Curves, AreSeenBesideTheBodyAndHiddenBehindIt) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.03});
   const double beside = change(model, {line(model, {0.30, 0, 0}, {0.42, 0, 0})});
   EXPECT_GT(beside, 0.1);
-  EXPECT_GT(change(model, {line(model, {-0.1, 0, 0.40}, {0.1, 0, 0.40})}), 0.1);    // in front
-  EXPECT_EQ(change(model, {line(model, {-0.1, 0, -0.40}, {0.1, 0, -0.40})}), 0);   // behind
-  EXPECT_EQ(change(model, {line(model, {-0.1, 0, 0}, {0.1, 0, 0})}), 0);           // inside
+  EXPECT_GT(change(model, {line(model, {-0.1, 0, 0.40}, {0.1, 0, 0.40})}), 0.1);  // in front
+  EXPECT_EQ(change(model, {line(model, {-0.1, 0, -0.40}, {0.1, 0, -0.40})}), 0);  // behind
+  EXPECT_EQ(change(model, {line(model, {-0.1, 0, 0}, {0.1, 0, 0})}), 0);          // inside
 }
 
 TEST_P(Curves, AnEyeHidesThem) {

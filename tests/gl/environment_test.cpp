@@ -1,7 +1,8 @@
 // Light from a picture on fur: the side that a colour comes from takes it.
+#include "renderer/light/environment.h"
+
 #include <cmath>
 
-#include "renderer/light/environment.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

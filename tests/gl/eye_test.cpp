@@ -1,12 +1,11 @@
 // The eye pass, read back in floats.
-#include "renderer/passes/eye/eye_pass.h"
-
 #include <cmath>
 #include <functional>
 
 #include "renderer/coat/slices.h"
 #include "renderer/eye/optics.h"
 #include "renderer/gl/render_target.h"
+#include "renderer/passes/eye/eye_pass.h"
 #include "renderer/upload/frame_block.h"
 #include "tests/gl/backends.h"
 
@@ -24,7 +23,9 @@ FurFrame frame_with(FurEye eye) {
   frame.camera.tan_half_fov = 0.06f;
   frame.width = frame.height = size;
   frame.background_colour = glm::vec3(0.5f);
-  frame.lights = {{.kind = LightKind::directional, .direction = glm::normalize(glm::vec3(-0.5f, -0.6f, -0.6f)), .radiance = glm::vec3(1)}};
+  frame.lights = {{.kind = LightKind::directional,
+                   .direction = glm::normalize(glm::vec3(-0.5f, -0.6f, -0.6f)),
+                   .radiance = glm::vec3(1)}};
   return frame;
 }
 
@@ -139,10 +140,12 @@ TEST_P(Eyes, BehindTheCameraOrAroundItNothingIsDrawn) {
 std::optional<bool> sees_pupil(const FurFrame& frame, int x, int y) {
   const EyeShape shape = shape_of(frame.eyes[0]);
   const double span = 2 * double{frame.camera.tan_half_fov} / size;
-  const glm::dvec3 along = glm::normalize(glm::dvec3(frame.camera.forward) + (x + 0.5 - size / 2) * span * glm::dvec3(frame.camera.right) -
-                                          (y + 0.5 - size / 2) * span * glm::dvec3(frame.camera.up));
+  const glm::dvec3 along =
+      glm::normalize(glm::dvec3(frame.camera.forward) + (x + 0.5 - size / 2) * span * glm::dvec3(frame.camera.right) -
+                     (y + 0.5 - size / 2) * span * glm::dvec3(frame.camera.up));
   const glm::dvec3 from = glm::dvec3(frame.camera.position) / 0.1 - glm::dvec3(0, 0, shape.cornea_centre);
-  const double half = glm::dot(from, along), inner = half * half - glm::dot(from, from) + shape.cornea_radius * shape.cornea_radius;
+  const double half = glm::dot(from, along),
+               inner = half * half - glm::dot(from, from) + shape.cornea_radius * shape.cornea_radius;
   if (inner <= 0) return std::nullopt;
   const glm::dvec3 away = from - along * (half + std::sqrt(inner));
   const glm::dvec3 place = away + glm::dvec3(0, 0, shape.cornea_centre);
@@ -246,7 +249,8 @@ TEST_P(Eyes, TheIrisTakesItsTint) {
 glm::dvec2 halves(const std::vector<glm::vec4>& pixels) {
   glm::dvec2 sum(0);
   for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) sum[x < size / 2 ? 0 : 1] += double{pixels[static_cast<std::size_t>(y * size + x)].r};
+    for (int x = 0; x < size; ++x)
+      sum[x < size / 2 ? 0 : 1] += double{pixels[static_cast<std::size_t>(y * size + x)].r};
   }
   return sum / (0.5 * size * size);
 }
@@ -307,7 +311,8 @@ TEST_P(Eyes, ALightIsASharpDiscOnAWetEye) {
     float max = 0;
     const std::vector<glm::vec4> pixels = draw(frame_with(eye));
     for (int y = size / 4; y < size * 3 / 4; ++y) {
-      for (int x = size / 4; x < size * 3 / 4; ++x) max = std::max(max, pixels[static_cast<std::size_t>(y * size + x)].b);
+      for (int x = size / 4; x < size * 3 / 4; ++x)
+        max = std::max(max, pixels[static_cast<std::size_t>(y * size + x)].b);
     }
     return max;
   };

@@ -44,7 +44,7 @@ Change change_between(const Image& a, const Image& b, int reach) {
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
       const std::size_t i = 4 * static_cast<std::size_t>(y * a.width + x);
-      const bool near = to_silhouette(a, x, y, reach) < reach, in = a.rgba[i + 3] > 127;
+      const bool near = to_silhouette(a, x, y, reach)<reach, in = a.rgba[i + 3]> 127;
       double difference = 0;
       for (std::size_t k = 0; k < 4; ++k) difference += std::abs(int(a.rgba[i + k]) - int(b.rgba[i + k])) / 4.0;
       (near ? sum.band : in ? sum.inside : sum.outside) += difference;
@@ -178,9 +178,12 @@ int changed_on_skin(Renderer& renderer, BuiltinModel shape, const FurredModel& f
   const FurredModel bare = furred(shape, {.length = 0});
   const Image skin = draw(renderer, bare, request_with(false, 0));
   renderer.forget(bare.model.id);
-  const Image plain = draw(renderer, furry, request_with(false, 0)), with = draw(renderer, furry, request_with(fins, hairs));
+  const Image plain = draw(renderer, furry, request_with(false, 0)),
+              with = draw(renderer, furry, request_with(fins, hairs));
   renderer.forget(furry.model.id);
-  const auto inside = [&](int x, int y) { return skin.rgba[4 * static_cast<std::size_t>(y * skin.width + x) + 3] == 255; };
+  const auto inside = [&](int x, int y) {
+    return skin.rgba[4 * static_cast<std::size_t>(y * skin.width + x) + 3] == 255;
+  };
   int changed = 0;
   for (int y = 2; y + 2 < skin.height; ++y) {
     for (int x = 2; x + 2 < skin.width; ++x) {
@@ -194,8 +197,8 @@ int changed_on_skin(Renderer& renderer, BuiltinModel shape, const FurredModel& f
   return changed;
 }
 
-/// Where one part of a knot lies before another, its silhouette is seen before skin: with a depth of far away nothing of it
-/// would be left there.
+/// Where one part of a knot lies before another, its silhouette is seen before skin: with a depth of far away nothing
+/// of it would be left there.
 TEST_P(Fins, InFrontOfTheSkinTheyShow) {
   const BuiltinModel knot{Builtin::knot, 3000};
   FurredModel model = furred(knot, {.length = 0.04, .inclination = 0.3});
@@ -208,7 +211,8 @@ INSTANTIATE_TEST_SUITE_P(Gl, Fins, both_backends(), name_of);
 
 /// A square of two triangles, each of which comes as two pieces.
 struct Square {
-  std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                   {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   std::vector<glm::vec3> normals = std::vector<glm::vec3>(8, {0, 0, 1});
   std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
   std::vector<std::uint32_t> welded{0, 1, 2, 3, 0, 1, 2, 3};
@@ -278,7 +282,8 @@ TEST(SideView, StrandsThinOutTowardsTheTips) {
   };
   EXPECT_GT(mean_opacity(2), 0.4);
   EXPECT_LT(mean_opacity(side_view_height - 2), 0.2 * mean_opacity(2));
-  for (const glm::vec4& texel : picture) ASSERT_TRUE(texel.a >= 0 && texel.a <= 1 && texel.r >= 0 && std::isfinite(texel.r));
+  for (const glm::vec4& texel : picture)
+    ASSERT_TRUE(texel.a >= 0 && texel.a <= 1 && texel.r >= 0 && std::isfinite(texel.r));
   EXPECT_EQ(picture, bake_side_view(coat));
 }
 

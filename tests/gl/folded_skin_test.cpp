@@ -5,8 +5,8 @@
 namespace pelage::testing {
 namespace {
 
-/// A triangle that faces the front, and on each of its edges one ten times as large, folded back below it: the normals of
-/// its vertices point away from the front, and its fur with them.
+/// A triangle that faces the front, and on each of its edges one ten times as large, folded back below it: the normals
+/// of its vertices point away from the front, and its fur with them.
 FurredModel folded() {
   RawModel raw;
   raw.positions = {{-1, -0.6, 0}, {1, -0.6, 0}, {0, 1, 0}, {0, 16, -0.5}, {-14, -7, -0.6}, {14, -7, -0.7}};

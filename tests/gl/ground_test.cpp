@@ -84,7 +84,10 @@ TEST_P(Grounds, LightsThatShineElsewhereCastNoShadow) {
   model.settings.look.ambient = 0.1;
   const glm::dvec3 above = model.model.surface.mesh().to_model({0, 1.2, 0});
   for (const LightKind kind : {LightKind::spot, LightKind::area}) {
-    model.settings.lights = {{.kind = kind, .direction = {0, -1, 0}, .position = above, .cone_degrees = 60,
+    model.settings.lights = {{.kind = kind,
+                              .direction = {0, -1, 0},
+                              .position = above,
+                              .cone_degrees = 60,
                               .cast_shadow = CastShadow::hard}};
     EXPECT_GT(darkening(true).sum, 2000) << int(kind);
     model.settings.lights[0].direction = {0, 1, 0};

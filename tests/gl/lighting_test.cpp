@@ -92,7 +92,8 @@ double from_all_around(double a) {
   return (1 + a) / (1 + (std::numbers::pi / 2 + 1) * a + 1.21 * a * a + 0.5 * a * a * a);
 }
 
-/// The way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, over the height of what is above.
+/// The way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, over the height of what is
+/// above.
 double way_out(const Case& c, const glm::dvec3& direction) {
   const double facing = glm::dot(glm::dvec3(c.normal), direction), below = 0.1 * (1 - double(c.height)) + 0.005;
   return (std::sqrt(facing * facing + 2 * below) - facing) / below;
@@ -103,14 +104,16 @@ double strands_crossed(const Case& c, const glm::dvec3& direction) {
   return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way_out(c, direction);
 }
 
-/// Those that a ray crosses but for what the eye's ray, which meets none, shares with it: less the further they part, seen along
-/// the strands, in sixths of a strand's width.
+/// Those that a ray crosses but for what the eye's ray, which meets none, shares with it: less the further they part,
+/// seen along the strands, in sixths of a strand's width.
 double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3& to_light) {
   const glm::dvec3 tangent(c.tangent), to_camera(c.to_camera);
   const double to_cameras = strands_crossed(c, to_camera), to_lights = strands_crossed(c, to_light);
-  const double width = (coat.width_root + coat.width_tip) / 2, by_width = coat.count * width * width / (coat.tile * coat.tile);
+  const double width = (coat.width_root + coat.width_tip) / 2,
+               by_width = coat.count * width * width / (coat.tile * coat.tile);
   const double widths = double(c.above) / by_width * std::max(glm::dot(tangent, glm::dvec3(c.normal)), 0.15);
-  const double apart = glm::length(glm::cross(tangent, to_camera * way_out(c, to_camera) - to_light * way_out(c, to_light)));
+  const double apart =
+      glm::length(glm::cross(tangent, to_camera * way_out(c, to_camera) - to_light * way_out(c, to_light)));
   const double x = 6 * widths * apart;
   const double shared = (1 + x / 6) / (1 + 2 * x / 3 + x * x / 6);
   return std::max(to_lights - std::sqrt(to_cameras * to_lights) * shared, 0.0);
@@ -213,7 +216,8 @@ TEST_P(Lighting, SumsUpAmbientLightAndLights) {
 TEST_P(Lighting, FarLightsAloneGiveTheSameLight) {
   FurFrame frame = lit_frame();
   frame.lights.resize(1);
-  frame.lights.push_back({.kind = LightKind::directional, .direction = {0.6f, -0.8f, 0}, .radiance = {0.2f, 0.4f, 0.9f}});
+  frame.lights.push_back(
+      {.kind = LightKind::directional, .direction = {0.6f, -0.8f, 0}, .radiance = {0.2f, 0.4f, 0.9f}});
   const std::vector<Case> of = random_cases();
   const std::vector<glm::vec4> any = on_gpu(whole_light, frame, of);
   const std::vector<glm::vec4> far = on_gpu(whole_light, frame, of, "#define FAR_LIGHTS\n#define LIGHTS 2\n");
@@ -404,8 +408,7 @@ TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
   const std::vector<glm::vec4> values = asked({}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const double layer = std::min(16 * double(of[i].height) + 0.25, 16.0), low = std::min(std::floor(layer), 15.0);
-    const double kept =
-        glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (low - 15)), layer - low);
+    const double kept = glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (low - 15)), layer - low);
     ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
   }
   for (const glm::vec4& value : asked({.shells = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate

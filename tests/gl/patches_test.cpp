@@ -25,7 +25,13 @@ Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std:
   FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 192));
   static std::uint64_t last_id = 1'000'000;  // far from those of other models
   frame.model = ++last_id;
-  renderer.add({frame.model, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {},
+  renderer.add({frame.model,
+                mesh.positions,
+                mesh.normals,
+                mesh.tangents,
+                pieces.triangles,
+                pieces.corners,
+                {},
                 !mesh.corners.empty()},
                {model.fields.direction(), model.fields.length(), {}});
   return renderer.draw(frame).value();

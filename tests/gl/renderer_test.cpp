@@ -13,8 +13,10 @@ namespace {
 class Frames : public WithRenderer {};
 
 TEST_P(Frames, FurReachesBeyondTheSkin) {
-  const FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0}), furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0});
-  const double skin = covered(draw(*renderer, bare, small_frame())), fur = covered(draw(*renderer, furry, small_frame()));
+  const FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0}),
+                    furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0});
+  const double skin = covered(draw(*renderer, bare, small_frame())),
+               fur = covered(draw(*renderer, furry, small_frame()));
   // The box's diagonal is 1, so the radius is .289 and upright fur of .08 makes it .369: 1.63 times the area at most.
   EXPECT_GT(fur, skin * 1.2);
   EXPECT_LT(fur, skin * 1.63);
@@ -50,7 +52,8 @@ TEST_P(Frames, MoreShellsComeCloser) {
     return draw(*renderer, model, request);
   };
   const Image truth = with(256);
-  const double coarse = mean_difference(with(4), truth), middle = mean_difference(with(16), truth), fine = mean_difference(with(64), truth);
+  const double coarse = mean_difference(with(4), truth), middle = mean_difference(with(16), truth),
+               fine = mean_difference(with(64), truth);
   EXPECT_LT(middle, coarse * 0.7);
   EXPECT_LT(fine, middle * 0.7);
 }
@@ -110,7 +113,8 @@ TEST_P(Frames, LightIsAdditive) {
   FurredModel model = furred({Builtin::sphere, 1000});
   model.settings.look.ambient = 0;
   model.settings.look.self_shadow = 0;
-  const Light left{.direction = {1, -0.3, -0.3}, .intensity = 0.25}, right{.direction = {-1, -0.3, -0.3}, .intensity = 0.2};
+  const Light left{.direction = {1, -0.3, -0.3}, .intensity = 0.25},
+      right{.direction = {-1, -0.3, -0.3}, .intensity = 0.2};
   FrameRequest request = small_frame();
   const auto linear_mean = [&](std::vector<Light> lights) {
     model.settings.lights = std::move(lights);
@@ -121,7 +125,8 @@ TEST_P(Frames, LightIsAdditive) {
     }
     return sum;
   };
-  const double a = linear_mean({left}), b = linear_mean({right}), both = linear_mean({left, right}), dark = linear_mean({});
+  const double a = linear_mean({left}), b = linear_mean({right}), both = linear_mean({left, right}),
+               dark = linear_mean({});
   EXPECT_GT(a, 10);
   EXPECT_NEAR(both - dark, a + b - 2 * dark, 0.03 * both);  // 8-bit steps and the toe of the curve
 }
@@ -218,8 +223,9 @@ TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
 
 TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   // A scene without maps, ground, pattern or environment. These are the numbers of a program that has none of those:
-  // skin, coarse depth, fur back-facing and facing in each part of the depth, and the picture; 4 shells of depth and 8 of fur
-  // on each side of the parts that it reaches. The model and the coat are bound for skin and each side of a part.
+  // skin, coarse depth, fur back-facing and facing in each part of the depth, and the picture; 4 shells of depth and 8
+  // of fur on each side of the parts that it reaches. The model and the coat are bound for skin and each side of a
+  // part.
   const FurredModel model = furred({Builtin::sphere, 300});
   FrameRequest request = small_frame();
   request.knobs.shells = 8;

@@ -88,7 +88,8 @@ TEST_P(Resolve, TheBackgroundShowsInLinearLight) {
 /// Premultiplied linear light of a pixel; the nearest one for those outside.
 double light_at(const Image16& image, int x, int y, std::size_t channel) {
   x = std::clamp(x, 0, image.width - 1), y = std::clamp(y, 0, image.height - 1);
-  const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  const std::size_t i =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
   const double alpha = image.rgba[i + 3] / 65535.0;
   return channel == 3 ? alpha : linear(image.rgba[i + channel]) * alpha;
 }
@@ -119,7 +120,8 @@ TEST_P(Resolve, PartSizeFramesAreEnlargedByCatmullRom) {
   FrameRequest request = small_frame();
   request.exposure = -4;  // nothing is brighter than white
   // Strands at the silhouette, from so near that pixels of both frames read the finest texels: the light is the same.
-  request.camera = {.automatic = AutoView::none, .position = {1.07, 0, 1.4}, .target = {1.07, 0, 0}, .fov_degrees = 1.5};
+  request.camera = {
+      .automatic = AutoView::none, .position = {1.07, 0, 1.4}, .target = {1.07, 0, 0}, .fov_degrees = 1.5};
   const double scale = 0.5;
   request.knobs.scale = scale;
   const Image16 picture_of_part = picture(request);

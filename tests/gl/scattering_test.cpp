@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/fibre.h"
+#include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_table.h"
 #include "tests/gl/backends.h"
 #include "tests/gl/grid.h"

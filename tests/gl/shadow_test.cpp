@@ -139,7 +139,8 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
   FrameRequest request = small_frame(AutoView::front, 96);
   request.knobs.shadow_maps = true, request.knobs.shadow_resolution = 1024;
   for (const double degrees : {3.0, 12.0}) {
-    model.settings.lights = {{.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
+    model.settings.lights = {
+        {.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
     sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
     const FurFrame frame = make_frame(model.view(), request);
     const std::vector<Aov> asked{Aov::position, Aov::normal, Aov::shadow};
@@ -150,7 +151,8 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
       const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&shells[layer].rgba[i])); };
       if (shells[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
       double open = 0;
-      for (const glm::dvec3& ray : rays) open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
+      for (const glm::dvec3& ray : rays)
+        open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
       error += std::abs(value(2).r - open), bias += value(2).r - open, ++count;
       between += open > 0.1 && open < 0.9;
     }
@@ -183,7 +185,8 @@ TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
     }
     return sum;
   };
-  const double under_short = light_below(CastShadow::penumbra, 0.015f), under_long = light_below(CastShadow::penumbra, 0.08f);
+  const double under_short = light_below(CastShadow::penumbra, 0.015f),
+               under_long = light_below(CastShadow::penumbra, 0.08f);
   EXPECT_GT(under_short, 10);
   EXPECT_LT(under_long, 0.9 * under_short);
   EXPECT_NEAR(light_below(CastShadow::hard, 0.08f), light_below(CastShadow::hard, 0.015f), 0.05 * under_short);
@@ -249,8 +252,8 @@ TEST_P(Shadows, ASpotLightsOnlyItsCone) {
   EXPECT_LT(mean(picture(model, light, false)), 0.5 * full);
 }
 
-/// Share of the lights' light that is left where the light itself sees skin between strands. Skin under fur has the colour
-/// of the roots, and only that is red.
+/// Share of the lights' light that is left where the light itself sees skin between strands. Skin under fur has the
+/// colour of the roots, and only that is red.
 double light_between_strands(Renderer& renderer, Coat coat) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.5});
   coat.ramp = {{0, {1, 0, 0}}, {0.01, {0, 1, 0}}, {1, {0, 1, 0}}};
@@ -290,7 +293,8 @@ RawModel three_levels(bool gap) {
   RawModel raw;
   const auto level = [&](double y, double from, double to) {
     const auto first = static_cast<std::uint32_t>(raw.positions.size());
-    for (const auto& [x, z] : {std::pair{from, -1.0}, {from, 1.0}, {to, 1.0}, {to, -1.0}}) raw.positions.emplace_back(x, y, z);
+    for (const auto& [x, z] : {std::pair{from, -1.0}, {from, 1.0}, {to, 1.0}, {to, -1.0}})
+      raw.positions.emplace_back(x, y, z);
     raw.face_sizes.push_back(4);
     for (std::uint32_t i = 0; i < 4; ++i) raw.corners.push_back(first + i);
   };
@@ -317,7 +321,8 @@ struct CurveOverPlane {
   FurredModel model;
   FrameRequest request = small_frame(AutoView::top, 200);
 
-  explicit CurveOverPlane(double length) : model(furred({Builtin::plane, 200}, {.length = length, .inclination = 0.4})) {
+  explicit CurveOverPlane(double length)
+      : model(furred({Builtin::plane, 200}, {.length = length, .inclination = 0.4})) {
     request.knobs.shadow_maps = true;
     model.settings.look.ambient = 0.2;
     model.settings.lights = {{.direction = {1.5, -1, 0}, .cast_shadow = CastShadow::hard}};

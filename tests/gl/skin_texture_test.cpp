@@ -1,6 +1,6 @@
 // A picture on a model takes the place of its own colours, and gives it back when it is taken off.
-#include "server/frames/fur_view.h"
 #include "server/builtin/builtin.h"
+#include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 #include "tests/support/textured.h"

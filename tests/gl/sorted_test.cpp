@@ -69,7 +69,8 @@ class Stack : public OnBackend {
     const Buffer buffer(gl()), elements(gl());
     const VertexArray array(gl());
     const std::array<GLuint, 4> order{0, 1, 2, 3};
-    gl().NamedBufferData(buffer.id(), static_cast<GLsizeiptr>(quads.size() * sizeof(Quad)), quads.data(), GL_STATIC_DRAW);
+    gl().NamedBufferData(buffer.id(), static_cast<GLsizeiptr>(quads.size() * sizeof(Quad)), quads.data(),
+                         GL_STATIC_DRAW);
     gl().NamedBufferData(elements.id(), sizeof(order), order.data(), GL_STATIC_DRAW);
     gl().VertexArrayElementBuffer(array.id(), elements.id());
     gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer.id());
@@ -174,7 +175,8 @@ INSTANTIATE_TEST_SUITE_P(Gl, Stack, both_backends(), name_of);
 
 class Sorted : public WithRenderer {
  protected:
-  FloatImage light_of(Renderer& with, const FurredModel& model, const FrameRequest& request, DrawTimes* times = nullptr) {
+  FloatImage light_of(Renderer& with, const FurredModel& model, const FrameRequest& request,
+                      DrawTimes* times = nullptr) {
     sync_scene(with, model.view(), {VertexRange{0, static_cast<std::uint32_t>(model.fields.size())}});
     const FurFrame frame = make_frame(model.view(), request);
     Result<std::vector<FloatImage>> images = with.draw_aovs(frame, std::array{Aov::beauty}, times);
@@ -200,7 +202,8 @@ class Sorted : public WithRenderer {
 
   static double largest(const FloatImage& a, const FloatImage& b) {
     double worst = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i) worst = std::max(worst, std::abs(double{a.rgba[i]} - double{b.rgba[i]}));
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+      worst = std::max(worst, std::abs(double{a.rgba[i]} - double{b.rgba[i]}));
     return worst;
   }
 };
@@ -231,8 +234,8 @@ TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
   EXPECT_LT(largest(sorted, aovs), 1e-3);  // shells leave out what lies well below dense fur
 }
 
-/// From behind, where a body's own fur lies behind its fur. In the order of shells alone, all of the body at once, they are
-/// twice as far apart.
+/// From behind, where a body's own fur lies behind its fur. In the order of shells alone, all of the body at once, they
+/// are twice as far apart.
 TEST_P(Sorted, ShellsOfWhatIsNearLieOverThoseOfWhatIsFar) {
   const FurredModel model = furred({Builtin::creature, 1500}, {.length = 0.05, .inclination = 0.5});
   FrameRequest request = request_of(FragmentOrder::sorted, 16, 96);
@@ -285,7 +288,8 @@ TEST_P(Sorted, AShellShowsTheColoursOfAllSlicesInIt) {
     request.knobs.shells = shells, request.knobs.steps = steps;
     const FloatImage light = light_of(*renderer, model, request);
     double red = 0, blue = 0;
-    for (std::size_t i = 0; i < light.rgba.size(); i += 4) red += double{light.rgba[i]}, blue += double{light.rgba[i + 2]};
+    for (std::size_t i = 0; i < light.rgba.size(); i += 4)
+      red += double{light.rgba[i]}, blue += double{light.rgba[i + 2]};
     return red / blue;
   };
   EXPECT_NEAR(redness(16, 2) / redness(32, 1), 1, 0.012);  // .019 with one colour for two slices

@@ -30,7 +30,7 @@ Ray ray_through(const FurCamera& camera, std::size_t i, int width, int height) {
   const double y = (static_cast<double>(i / static_cast<std::size_t>(width)) + 0.5) / height;
   const double up = double(camera.tan_half_fov), right = up * width / height;
   return {glm::dvec3(camera.position), glm::dvec3(camera.forward) + glm::dvec3(camera.right) * ((2 * x - 1) * right) +
-                                      glm::dvec3(camera.up) * ((1 - 2 * y) * up)};
+                                           glm::dvec3(camera.up) * ((1 - 2 * y) * up)};
 }
 
 /// Depth along the view of where a ray enters a ball about the origin.
@@ -123,9 +123,12 @@ TEST_P(Base, SkinIsLitAsIfNothingGrewOnIt) {
   Look& look = model.settings.look;
   look.ambient = 0.3, look.diffuse = 0.8;
   const glm::dvec3 area_position(0.2, 1.1, 1.4), aim = glm::normalize(glm::dvec3(0, -1, -1));
-  model.settings.lights = {
-      {.direction = {-1, -1, -0.5}, .colour = {1, 0.5f, 0.25f}, .intensity = 0.7},
-      {.kind = LightKind::area, .direction = aim, .position = area_position, .colour = {0.2f, 0.6f, 1}, .intensity = 2}};
+  model.settings.lights = {{.direction = {-1, -1, -0.5}, .colour = {1, 0.5f, 0.25f}, .intensity = 0.7},
+                           {.kind = LightKind::area,
+                            .direction = aim,
+                            .position = area_position,
+                            .colour = {0.2f, 0.6f, 1},
+                            .intensity = 2}};
   const FrameRequest request = askew(120, 90);
   const FurFrame frame = frame_of(*renderer, model, request);
   const glm::dvec3 place_of_light(frame.lights[1].position);
@@ -136,8 +139,8 @@ TEST_P(Base, SkinIsLitAsIfNothingGrewOnIt) {
     const Ray ray = ray_through(frame.camera, i, base.depth.width, base.depth.height);
     const glm::dvec3 place = ray.from + ray.along / double(base.depth.rgba[4 * i]), normal = pixel(base.normal, i);
     const glm::dvec3 apart = place_of_light - place, to_light = glm::normalize(apart);
-    glm::dvec3 light = 0.7 * glm::dvec3(1, 0.5, 0.25) *
-                       std::max(glm::dot(normal, glm::normalize(glm::dvec3(1, 1, 0.5))), 0.0);
+    glm::dvec3 light =
+        0.7 * glm::dvec3(1, 0.5, 0.25) * std::max(glm::dot(normal, glm::normalize(glm::dvec3(1, 1, 0.5))), 0.0);
     light += 2.0 * glm::dvec3(glm::vec3(0.2f, 0.6f, 1)) * std::max(-glm::dot(to_light, aim), 0.0) *
              std::max(glm::dot(normal, to_light), 0.0) / glm::dot(apart, apart);
     const glm::dvec3 albedo = pixel(base.albedo, i), direct = pixel(base.direct, i);
@@ -177,7 +180,8 @@ TEST_P(Base, LeavesFramesAsTheyAre) {
   EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
 }
 
-/// Without light from all around and without surroundings to mirror all light is of lights, on skin, bare skin and eyes.
+/// Without light from all around and without surroundings to mirror all light is of lights, on skin, bare skin and
+/// eyes.
 TEST_P(Base, DirectIsWhatLightsBring) {
   FurredModel model = smooth_ball();
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .wetness = 0.5}};
@@ -282,10 +286,10 @@ TEST_P(Finish, LaysFieldsOverThePictureAsOverADrawnOne) {
 TEST_P(Finish, ShowsTheLightThatItIsGiven) {
   FurFrame frame = frame_of(*renderer, model, askew(3, 2));
   frame.exposure = 1;
-  const FloatImage light{3, 2, {0.1f, 0, 0, 1, 0, 0.1f, 0, 1, 0, 0, 0.1f, 1, 0.25f, 0.25f, 0.25f, 0.5f,
-                                0, 0, 0, 0.5f, 0, 0, 0, 0}};
-  const std::vector<std::uint8_t> expected = {124, 0, 0, 255, 0, 124, 0, 255, 0, 0, 124, 255, 255, 255, 255, 128,
-                                              0, 0, 0, 128, 0, 0, 0, 0};
+  const FloatImage light{
+      3, 2, {0.1f, 0, 0, 1, 0, 0.1f, 0, 1, 0, 0, 0.1f, 1, 0.25f, 0.25f, 0.25f, 0.5f, 0, 0, 0, 0.5f, 0, 0, 0, 0}};
+  const std::vector<std::uint8_t> expected = {124, 0,   0,   255, 0, 124, 0, 255, 0, 0, 124, 255,
+                                              255, 255, 255, 128, 0, 0,   0, 128, 0, 0, 0,   0};
   const Image image = renderer->finish(frame, light).value();
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(image.rgba[i], expected[i], 1) << i;
 }

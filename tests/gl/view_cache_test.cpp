@@ -27,7 +27,9 @@ class ViewCacheTest : public WithRenderer {
   }
 
   /// Draws after each of some strokes, and once more whole; gives the shares of the picture that strokes drew.
-  std::vector<double> expect_same_bits(FurredModel&& model, int strokes = 6) { return expect_same_bits(model, strokes); }
+  std::vector<double> expect_same_bits(FurredModel&& model, int strokes = 6) {
+    return expect_same_bits(model, strokes);
+  }
   std::vector<double> expect_same_bits(FurredModel& model, int strokes = 6) {
     drawn(model, {});
     std::vector<double> shares;
@@ -110,7 +112,8 @@ TEST_P(ViewCacheTest, WithCurvesThatStandInTheFur) {
     group.width_root = 0.01, group.fill = 5, group.spread = spread;
     for (std::size_t v = 0; v < 200; v += 40) {
       const Mesh& mesh = model.model.surface.mesh();
-      const glm::dvec3 root = glm::dvec3(mesh.positions[v]) * mesh.size + mesh.centre, way = glm::dvec3(mesh.normals[v]) * mesh.size;
+      const glm::dvec3 root = glm::dvec3(mesh.positions[v]) * mesh.size + mesh.centre,
+                       way = glm::dvec3(mesh.normals[v]) * mesh.size;
       group.curves.push_back({root, root + 0.03 * way, root + 0.04 * way + glm::dvec3(0.2, 0, 0.1) * mesh.size});
     }
     model.settings.curves.push_back(group);
@@ -163,7 +166,8 @@ TEST_P(ViewCacheTest, AnotherFrameBetweenIsNotMistakenForIt) {
   expect_part();
   ASSERT_TRUE(renderer->draw_backplate(make_frame(model.view(), request)).ok());
   expect_part();
-  ASSERT_TRUE(renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::beauty}).ok());  // into its targets
+  ASSERT_TRUE(
+      renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::beauty}).ok());  // into its targets
   EXPECT_EQ(drawn(model, {}).redrawn, 1);
   expect_part();
   model.settings.look.ambient = 1;
@@ -209,7 +213,8 @@ TEST_P(ViewCacheTest, AnOrbitLeavesWhatComesBack) {
   const auto orbit = [&](int frame) {
     FrameRequest turned = request;
     turned.camera.automatic = AutoView::none;
-    turned.camera.position = {2 * std::sin(0.1 * frame), 0, 2 * std::cos(0.1 * frame)}, turned.camera.target = {0, 0, 0};
+    turned.camera.position = {2 * std::sin(0.1 * frame), 0, 2 * std::cos(0.1 * frame)},
+    turned.camera.target = {0, 0, 0};
     ASSERT_TRUE(renderer->draw(make_frame(model.view(), turned)).ok());
   };
   drawn(model, {});

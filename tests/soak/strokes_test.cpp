@@ -63,7 +63,8 @@ class Artist {
   Command with_stroke(Tool tool) {
     Stroke stroke;
     const glm::dvec3 start = places_[below(places_.size())];
-    const glm::dvec3 step = 0.02 * size_ * glm::dvec3(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
+    const glm::dvec3 step =
+        0.02 * size_ * glm::dvec3(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
     for (int i = 0; i < 4; ++i) {
       StrokeSample sample;
       sample.place = PositionSample{start + static_cast<double>(i) * step};

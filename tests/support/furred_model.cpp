@@ -8,8 +8,8 @@
 #include <span>
 #include <stdexcept>
 
-#include "server/frames/fur_view.h"
 #include "server/builtin/builtin.h"
+#include "server/frames/fur_view.h"
 #include "server/import/import.h"
 #include "server/surface/prepare.h"
 
@@ -29,8 +29,8 @@ FurredModel furred(BuiltinModel model, FirstGroom fur) { return furred(make_buil
 FurredModel furred_ply(const std::string& path, FirstGroom fur) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const Result<RawModel> raw = import_model(program_folder() + "/pelage-import", ModelFormat::ply,
-                                            std::as_bytes(std::span(bytes)));
+  const Result<RawModel> raw =
+      import_model(program_folder() + "/pelage-import", ModelFormat::ply, std::as_bytes(std::span(bytes)));
   if (!raw) throw std::runtime_error(raw.status().message);
   return furred(*raw, fur);
 }
@@ -77,7 +77,8 @@ double mean_difference(const Image& a, const Image& b) {
 int largest_difference(const Image& a, const Image& b) {
   assert(a.rgba.size() == b.rgba.size());
   int largest = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) largest = std::max(largest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
+  for (std::size_t i = 0; i < a.rgba.size(); ++i)
+    largest = std::max(largest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
   return largest;
 }
 

@@ -83,9 +83,10 @@ void print(const PictureError& error) {
 
 void print_json(const PictureError& error) {
   const PictureFigures& figures = *error.figures;
-  fmt::print(R"({{"flip":{},"silhouette":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
-             json_of(figures.flip), figures.silhouette ? json_of(*figures.silhouette) : "null", figures.rel_mse, figures.rmse,
-             figures.bias, figures.reference_luminance);
+  fmt::print(
+      R"({{"flip":{},"silhouette":{},"rel_mse":{:.7g},"rmse":{:.7g},"bias":{:.7g},"reference_luminance":{:.7g},)",
+      json_of(figures.flip), figures.silhouette ? json_of(*figures.silhouette) : "null", figures.rel_mse, figures.rmse,
+      figures.bias, figures.reference_luminance);
   fmt::print("\"coverage\":{:.7g},\"pixels\":{},\"non_finite\":{}}}\n", error.coverage, error.pixels, error.non_finite);
 }
 

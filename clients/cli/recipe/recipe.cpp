@@ -2,17 +2,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "clients/cli/recipe/recipe_files.h"
 #include "protocol/json/nearest.h"
 #include "protocol/json/parse.h"
-#include "clients/cli/recipe/recipe_files.h"
 
 namespace pelage {
 
 namespace {
 
+using json_parts::recipe_failure;
 using json_parts::RecipeFile;
 using json_parts::RecipeReader;
-using json_parts::recipe_failure;
 using nlohmann::json;
 
 /// What the variables of a file are worth in one use of it.
@@ -52,16 +52,16 @@ class Filler {
       for (std::size_t k = 0; k < value.size(); ++k)
         copy.push_back(fill(value[k], scope, pointer + "/" + std::to_string(k)));
     } else {
-      for (const auto& [name, member] : value.items())
-        copy[name] = fill(member, scope, pointer + pointer_step(name));
+      for (const auto& [name, member] : value.items()) copy[name] = fill(member, scope, pointer + pointer_step(name));
     }
     return is_place(copy) ? position(copy, scope, pointer) : copy;
   }
 
   json refuse(const Scope& scope, std::string message, std::string pointer, std::string limit,
               std::string nearest = {}) {
-    if (status_.ok()) status_ = recipe_failure(scope.file.name, std::move(message), std::move(pointer),
-                                               std::move(limit), std::move(nearest));
+    if (status_.ok())
+      status_ =
+          recipe_failure(scope.file.name, std::move(message), std::move(pointer), std::move(limit), std::move(nearest));
     return {};
   }
 
@@ -71,8 +71,7 @@ class Filler {
     std::size_t at = 0;
     for (std::size_t begin; (begin = text.find("${", at)) != std::string::npos;) {
       const std::size_t end = text.find('}', begin);
-      if (end == std::string::npos)
-        return refuse(scope, "A \"${\" is not closed.", pointer, "${name}");
+      if (end == std::string::npos) return refuse(scope, "A \"${\" is not closed.", pointer, "${name}");
       const json value = variable(text.substr(begin + 2, end - begin - 2), scope, pointer);
       if (begin == 0 && end + 1 == text.size()) return value;
       if (value.is_structured())

@@ -32,7 +32,7 @@ struct Recipe {
   std::string file;  // names it in refusals; what it includes is relative to its folder
   std::string text;
   std::vector<std::pair<std::string, std::string>> variables;  // in place of the recipe's: JSON, or else taken as text
-  glm::dvec3 min{0}, max{1};  // the box of the model, in its own coordinates
+  glm::dvec3 min{0}, max{1};                                   // the box of the model, in its own coordinates
   std::function<Result<std::string>(const std::string& file)> read;  // the text of a file that is included
 };
 

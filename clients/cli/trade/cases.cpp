@@ -1,7 +1,8 @@
 #include "clients/cli/trade/cases.h"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "protocol/json/encode.h"
 
@@ -24,9 +25,10 @@ glm::dvec3 from(double degrees_up, double degrees_around) {
 /// One light that is seen from behind the camera, or one that shines at it, with a weak one from above.
 std::string lights(bool front, glm::dvec3 towards) {
   const glm::dvec3 to = front ? -towards + glm::dvec3{0.4, -0.5, 0} : towards + glm::dvec3{0, -0.6, 0};
-  return fmt::format(R"({{"op":"set_lights","lights":[{{"direction":[{:.4f},{:.4f},{:.4f}],"intensity":1.6,)"
-                     R"("cast_shadow":"penumbra"}},{{"direction":[0,-1,0.1],"intensity":0.3,"cast_shadow":"penumbra"}}]}})",
-                     to.x, to.y, to.z);
+  return fmt::format(
+      R"({{"op":"set_lights","lights":[{{"direction":[{:.4f},{:.4f},{:.4f}],"intensity":1.6,)"
+      R"("cast_shadow":"penumbra"}},{{"direction":[0,-1,0.1],"intensity":0.3,"cast_shadow":"penumbra"}}]}})",
+      to.x, to.y, to.z);
 }
 
 std::string new_scene(const char* builtin, int triangles) {

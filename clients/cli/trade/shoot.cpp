@@ -1,9 +1,10 @@
 #include "clients/cli/trade/shoot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <span>
 
@@ -110,7 +111,8 @@ const std::string plain_name = "R1";
 double truth_scale(const Knobs& knobs) { return std::max(1.0, knobs.scale); }
 
 std::string name_of_shells(const Knobs& knobs) {
-  const std::string size = knobs.scale > 1 ? fmt::format("{} at {:g} times the size", plain_name, knobs.scale) : plain_name;
+  const std::string size =
+      knobs.scale > 1 ? fmt::format("{} at {:g} times the size", plain_name, knobs.scale) : plain_name;
   if (knobs.shadow_maps) return fmt::format("{} with maps of {}", size, knobs.shadow_resolution);
   return knobs.self_shadow ? size : size + " without self-shadow";
 }

@@ -54,7 +54,7 @@ const AovsPass::DistancePrograms& AovsPass::distance_programs(const Gl& gl, cons
 // What a frame blends, the other way round: guided curves and guard hairs, fur that is front-facing, fins, fur turned
 // away.
 std::vector<AovsPass::Piece> AovsPass::pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
-                                                          const FurDrawing& drawing) {
+                                                      const FurDrawing& drawing) {
   const auto variant = [&](bool crossing) {
     return drawing.variant + (crossing ? "#define COVERING\n#define CROSSING\n" : "#define COVERING\n");
   };
@@ -84,17 +84,18 @@ std::vector<AovsPass::Piece> AovsPass::pieces_inwards(const Gl& gl, const BodyPa
   for (auto part = drawing.lists.parts.rbegin(); part != drawing.lists.parts.rend(); ++part) {
     add_shells(FurPass::facing_shells(drawing.knobs, *part));
     if (frame.knobs.fins)
-      add_strips([&, range = part->range](const FurDrawing& with) { body.fins.draw_plain_fins(gl, frame, with, range); });
+      add_strips(
+          [&, range = part->range](const FurDrawing& with) { body.fins.draw_plain_fins(gl, frame, with, range); });
     add_shells(FurPass::back_facing_shells(drawing.knobs, *part));
   }
   return pieces;
 }
 
-// Three draws of each piece, from the camera inwards: add its opacity to what covers a pixel after it; where that crosses
-// half, keep the nearest distance; add it to what covers a pixel before the next one. Parts of one piece that share a
-// place count together, and no fragment reads what is being written.
+// Three draws of each piece, from the camera inwards: add its opacity to what covers a pixel after it; where that
+// crosses half, keep the nearest distance; add it to what covers a pixel before the next one. Parts of one piece that
+// share a place count together, and no fragment reads what is being written.
 void AovsPass::draw_distance(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
-                               const RenderTarget& distance, const RenderTarget& covered) {
+                             const RenderTarget& distance, const RenderTarget& covered) {
   draw_solid(gl, body, frame, drawing, covered, false);
   draw_solid(gl, body, frame, drawing, distance, true);
   gl.DepthMask(GL_FALSE);
@@ -119,7 +120,7 @@ void AovsPass::draw_distance(const Gl& gl, const BodyPasses& body, const FurFram
 }
 
 void AovsPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
-                            const RenderTarget& target, bool distance) {
+                          const RenderTarget& target, bool distance) {
   set_draw_state(gl, target);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
@@ -138,7 +139,7 @@ void AovsPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& 
 }
 
 void AovsPass::draw_open_distance(const Gl& gl, EyePass& eyes, const FurFrame& frame, const ModelBuffers& model,
-                                    const ModelBuffers::DrawList& triangles, const RenderTarget& distance) {
+                                  const ModelBuffers::DrawList& triangles, const RenderTarget& distance) {
   if (!open_distance_) {
     open_distance_.emplace(gl, shaders::skin_vert, shaders::distance_frag);
     failure_ += open_distance_->log();

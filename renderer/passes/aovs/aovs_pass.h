@@ -10,11 +10,11 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
+#include "renderer/passes/aovs/aov_target.h"
 #include "renderer/passes/curves/curves_pass.h"
 #include "renderer/passes/eye/eye_pass.h"
 #include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
-#include "renderer/passes/aovs/aov_target.h"
 
 namespace pelage {
 

@@ -27,9 +27,9 @@ void draw_strips(const Gl& gl, int segments, std::size_t count);
 void draw_all_strips(const Gl& gl, const Program& program, int segments, std::size_t count);
 
 /// Hairs that are blended, far ones first, in four passes (character rendering; Scheuermann 2004): depth of opaque
-/// hair; opaque hair at equal depth; blended hair on surface back-facing, which is the first `back-facing`; blended hair on
-/// surface that is front-facing, with depth. The program is in use; it draws from its uniform `first` on and discards
-/// what is under its uniform `min_opacity`. Leaves blending off and depth as set_draw_state wants it.
+/// hair; opaque hair at equal depth; blended hair on surface back-facing, which is the first `back-facing`; blended
+/// hair on surface that is front-facing, with depth. The program is in use; it draws from its uniform `first` on and
+/// discards what is under its uniform `min_opacity`. Leaves blending off and depth as set_draw_state wants it.
 void draw_four_passes(const Gl& gl, const Program& program, int segments, std::size_t back_facing, std::size_t count);
 
 /// All of them at once, without depth, in any order: for programs of the variant SORTED. The rest as above.

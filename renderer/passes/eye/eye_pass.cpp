@@ -5,8 +5,8 @@
 #include <cassert>
 
 #include "protocol/base/limits.h"
-#include "renderer/eye/optics.h"
 #include "renderer/eye/iris_map.h"
+#include "renderer/eye/optics.h"
 
 namespace pelage {
 

@@ -26,8 +26,8 @@ struct EyeBlock {
 };
 static_assert(sizeof(EyeBlock) == 16 * (1 + 8 * 13));
 
-/// `first_caustic` is the array index at which the caustics of the eye's shape begin. A pupil without a size answers the
-/// frame's lights.
+/// `first_caustic` is the array index at which the caustics of the eye's shape begin. A pupil without a size answers
+/// the frame's lights.
 EyeEntry make_eye_entry(const FurEye& eye, const FurFrame& frame, int first_caustic);
 
 // Eyes, between the skin and the fur.

@@ -213,7 +213,8 @@ void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& 
   gl.Disable(GL_BLEND);
 }
 
-void FinsPass::draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range) {
+void FinsPass::draw_plain_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing,
+                               const DepthRange& range) {
   Geometry& geometry = geometry_of(frame.model);
   if (!geometry.edges) geometry.edges = list_edges(mesh_of(drawing.model));
   std::vector<FinEdge> shown = shown_fins(mesh_of(drawing.model), *geometry.edges, frame.camera.position).strips;

@@ -75,12 +75,13 @@ class FinsPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Fins near the silhouette whose edges have their middle in `range`, from far to near. Between a part's fur back-facing
-  /// from the eye and its fur that faces it: what stands beyond the silhouette has only fins in it, and on the body fur covers
-  /// them. The frame's block is bound.
+  /// Fins near the silhouette whose edges have their middle in `range`, from far to near. Between a part's fur
+  /// back-facing from the eye and its fur that faces it: what stands beyond the silhouette has only fins in it, and on
+  /// the body fur covers them. The frame's block is bound.
   void draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range);
 
-  /// Guard hairs near the silhouette, after all other fur, in four passes (draw_four_passes), or at once where fragments are sorted.
+  /// Guard hairs near the silhouette, after all other fur, in four passes (draw_four_passes), or at once where
+  /// fragments are sorted.
   void draw_hairs(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing);
 
   /// The same fins and hairs once, with whatever blending and depth is set: for variants that write something other

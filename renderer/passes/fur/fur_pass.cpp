@@ -40,8 +40,8 @@ std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const std::vector<Mode
   const bool one_set = sets_of(knobs.shells, knobs.shell_policy) == 1;
   std::vector<FurPass::Shell> result;
   for (const ModelBuffers::ShellList& each : lists)
-    result.push_back({one_set ? FurPass::every_pixel : each.set, each.shell, each.shells, steps_of_set(knobs, each.set), each.list,
-                      side, range});
+    result.push_back({one_set ? FurPass::every_pixel : each.set, each.shell, each.shells, steps_of_set(knobs, each.set),
+                      each.list, side, range});
   return result;
 }
 
@@ -63,8 +63,9 @@ const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
 
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
   const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
-  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.mark.log() +
-                place->second.fur.log();
+  if (made)
+    failure_ +=
+        place->second.skin.log() + place->second.solid.log() + place->second.mark.log() + place->second.fur.log();
   return place->second;
 }
 

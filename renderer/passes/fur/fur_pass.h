@@ -8,9 +8,9 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
-#include "renderer/upload/textures.h"
 #include "renderer/upload/frame_block.h"
 #include "renderer/upload/model_buffers.h"
+#include "renderer/upload/textures.h"
 
 namespace pelage {
 
@@ -49,8 +49,8 @@ class FurPass {
   /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
   void draw_depth(const Gl& gl, const FurDrawing& drawing);
 
-  /// One shell of one set of shells: the triangles, from which side of the slab the ray comes (1 or -1), and what of it is
-  /// drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
+  /// One shell of one set of shells: the triangles, from which side of the slab the ray comes (1 or -1), and what of it
+  /// is drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
   static constexpr int every_pixel = -1;
   struct Shell {
     int set, shell, shells, steps;  // texture steps in the slab
@@ -77,7 +77,7 @@ class FurPass {
   const Shading& shading_of(const Gl& gl, const std::string& variant);
 
   std::map<std::string, Shading> shadings_;  // by variant, made when first used
-  std::map<std::string, Program> skins_;         // beside those of the shadings, by all of their defines
+  std::map<std::string, Program> skins_;     // beside those of the shadings, by all of their defines
   std::string failure_;
 };
 

@@ -20,9 +20,9 @@ extern const char* const map_frag;
 
 namespace {
 
-constexpr float strength = 0.6f;     // of colours over the frame
+constexpr float strength = 0.6f;      // of colours over the frame
 constexpr GLuint shares_binding = 3;  // as in difference.vert
-constexpr float full_shells = 2.0f;  // times the shells: what the end of the ramp stands for
+constexpr float full_shells = 2.0f;   // times the shells: what the end of the ramp stands for
 
 enum class FieldKind { direction, strokes, length, density, wetness, mask };  // numbers of field.frag
 
@@ -54,9 +54,9 @@ const OverlayPass::Programs& OverlayPass::programs(const Gl& gl) {
 }
 
 std::string OverlayPass::failure() const {
-  const std::string others = programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() +
-                                             programs_->map.log()
-                                       : "";
+  const std::string others =
+      programs_ ? programs_->field.log() + programs_->strokes.log() + programs_->count.log() + programs_->map.log()
+                : "";
   return comparison_ ? others + comparison_->program.log() : others;
 }
 

@@ -30,7 +30,8 @@ class SceneShadowPass {
   /// block with the view's matrix.
   void draw_depth(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                   const RenderTarget& target) const;
-  /// The same of the fur's hull (renderer/shaders/lean.glsl), which is what stops the light that comes to fur elsewhere.
+  /// The same of the fur's hull (renderer/shaders/lean.glsl), which is what stops the light that comes to fur
+  /// elsewhere.
   void draw_hull(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                  const RenderTarget& target) const;
 

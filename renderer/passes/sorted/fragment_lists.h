@@ -33,7 +33,7 @@ class FragmentLists {
     std::int32_t left = 0, top = 0, width = 0;
     std::uint32_t unsorted = 0, too_long = 0, padding = 0;
   };
-  static constexpr std::size_t fragment_bytes = 24;    // colour, depth and link
+  static constexpr std::size_t fragment_bytes = 24;  // colour, depth and link
   static constexpr double max_pixels = 1024 * 1024;  // of an area: 4 MiB beside the fragments
 
   /// Whether fragment shaders of this context can write as many buffers as the lists take.

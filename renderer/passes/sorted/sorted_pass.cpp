@@ -15,7 +15,7 @@ extern const char* const compose_frag;
 
 namespace {
 
-constexpr int max_rounds = 32;         // each halves the number of runs
+constexpr int max_rounds = 32;          // each halves the number of runs
 constexpr double guessed_cover = 0.25;  // share of a picture's pixels that fur covers
 constexpr double cautious = 0.8;        // of the room is used by areas as full as their neighbours
 
@@ -48,8 +48,7 @@ Status SortedPass::draw(const Gl& gl, const RenderTarget& target, const Area& wi
   if (!lists_->complete()) return lists_.reset(), no_memory();
   const FragmentLists& lists = *lists_;
   const double fitting = lists.capacity() / (guessed_cover * std::max(expected, 1));
-  std::vector<Area> areas =
-      cut(within, std::min(fitting, FragmentLists::max_pixels));
+  std::vector<Area> areas = cut(within, std::min(fitting, FragmentLists::max_pixels));
   Status status;
   gl.Enable(GL_SCISSOR_TEST);
   while (!areas.empty() && status.ok()) {
@@ -72,7 +71,7 @@ Status SortedPass::draw(const Gl& gl, const RenderTarget& target, const Area& wi
 }
 
 Result<std::uint32_t> SortedPass::draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
-                                   const std::function<void()>& draw_fragments) const {
+                                            const std::function<void()>& draw_fragments) const {
   set_draw_state(gl, target);
   set_colour_writes(gl, GL_FALSE);
   gl.DepthMask(GL_FALSE);

@@ -28,11 +28,11 @@ class SortedPass {
   /// "" when the programs were built, or not asked for yet.
   std::string failure() const { return failure_; }
 
-  /// Blends what `draw_fragments` draws over an area of the target, which has one sample and a depth buffer that is only tested
-  /// against. It is called once for each area, with the draw state set and no colour written; its programs include
-  /// fragment.glsl with SORTED. `expected` fragments for a covered pixel are a first guess: a wrong one costs time.
-  /// Fails with invalid, naming the order, when the GL lacks what lists need; with too_large when there is no memory,
-  /// or not enough for a single pixel; with unavailable when the GL does not answer.
+  /// Blends what `draw_fragments` draws over an area of the target, which has one sample and a depth buffer that is
+  /// only tested against. It is called once for each area, with the draw state set and no colour written; its programs
+  /// include fragment.glsl with SORTED. `expected` fragments for a covered pixel are a first guess: a wrong one costs
+  /// time. Fails with invalid, naming the order, when the GL lacks what lists need; with too_large when there is no
+  /// memory, or not enough for a single pixel; with unavailable when the GL does not answer.
   Status draw(const Gl& gl, const RenderTarget& target, const Area& within, int expected,
               const std::function<void()>& draw_fragments);
 
@@ -40,7 +40,7 @@ class SortedPass {
   void make_programs(const Gl& gl);
   /// How many fragments the area has; they are in the target if there was room for them.
   Result<std::uint32_t> draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
-                         const std::function<void()>& draw_fragments) const;
+                                  const std::function<void()>& draw_fragments) const;
   Status sort(const Gl& gl, const FragmentLists& lists) const;
   void draw_whole(const Gl& gl, const Program& program) const;
 

@@ -17,7 +17,9 @@ class Large : public WithRenderer {
 };
 
 TEST_P(Large, APictureOf8192IsDrawnByShellsAndRefusedToStrands) {
-  const Row row{.area = "camera", .value = "8192 x 8192", .frame = R"({"width": 8192, "height": 8192, "quality": {"shells": 1}})"};
+  const Row row{.area = "camera",
+                .value = "8192 x 8192",
+                .frame = R"({"width": 8192, "height": 8192, "quality": {"shells": 1}})"};
   const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
   BothWays ways(*renderer);
   FrameRequest request = request_of(row).value();

@@ -86,7 +86,7 @@ Stroke CommandMaker::stroke() {
     if (on_surface) {
       const glm::dvec3 shares = (cube() + 1.001) / 2.0;
       sample.place = SurfaceSample{static_cast<std::uint32_t>(below(surface_.mesh().triangles.size())),
-                                  shares / (shares.x + shares.y + shares.z)};
+                                   shares / (shares.x + shares.y + shares.z)};
     } else if (!stroke.samples.empty() && numbers_ == Numbers::extreme && chance(0.2)) {
       sample.place = stroke.samples.back().place;
     } else {

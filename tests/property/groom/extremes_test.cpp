@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "server/builtin/builtin.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/vertex_frame.h"
-#include "server/builtin/builtin.h"
 #include "tests/property/groom/models.h"
 #include "tests/unit/groom/shapes.h"
 

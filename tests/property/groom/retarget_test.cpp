@@ -6,8 +6,8 @@
 
 #include "server/fields/field_mix.h"
 #include "server/groom/evaluate.h"
-#include "server/surface/prepare.h"
 #include "server/patches/subdivide.h"
+#include "server/surface/prepare.h"
 #include "tests/property/groom/command_maker.h"
 #include "tests/property/groom/models.h"
 

@@ -134,15 +134,23 @@ class Script {
     const auto at = static_cast<std::size_t>(below(static_cast<int>(layers.size())));
     change.name = layers[at].name;
     const int kind = below(4);
-    if (kind == 0) change.action = EditLayerAction::move, change.above = at == 0 ? layers.back().name : "";
-    else if (kind == 1 && !layers[at].muted && (at == 0 || !layers[at - 1].muted)) change.action = EditLayerAction::merge_down;
-    else if (kind == 2) change.action = EditLayerAction::remove;
-    else change.action = EditLayerAction::set, change.muted = chance(0.3);
+    if (kind == 0)
+      change.action = EditLayerAction::move, change.above = at == 0 ? layers.back().name : "";
+    else if (kind == 1 && !layers[at].muted && (at == 0 || !layers[at - 1].muted))
+      change.action = EditLayerAction::merge_down;
+    else if (kind == 2)
+      change.action = EditLayerAction::remove;
+    else
+      change.action = EditLayerAction::set, change.muted = chance(0.3);
     return change;
   }
   Command tool() {
     Command tool = tool_of_the_groom();
-    std::visit([&](auto& t) { if constexpr (requires { t.edit_layer; }) t.edit_layer = layer(); }, tool);
+    std::visit(
+        [&](auto& t) {
+          if constexpr (requires { t.edit_layer; }) t.edit_layer = layer();
+        },
+        tool);
     return tool;
   }
   Command tool_of_the_groom() {
@@ -240,8 +248,7 @@ std::string settings_text(const Scene& scene) {
   scene.read([&](const SceneView& view) {
     text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
                                        SetLights{view.settings.lights}, SetEyes{view.settings.eyes},
-                                       SetCurves{view.settings.curves},
-                                       SetSkin{view.settings.skin}});
+                                       SetCurves{view.settings.curves}, SetSkin{view.settings.skin}});
   });
   return text;
 }

@@ -54,14 +54,16 @@ FurFrame any_frame() {
   frame.environment.ground = glm::vec3(one_of<float>({0, 1}));
   if (one_of<int>({0, 1}) == 1) frame.ground = FurGround{one_of<float>({-0.3f, 0, 0.5f}), 1, 1};
   Tracing& trace = frame.knobs.trace;
-  trace.passes = one_of<int>({1, 2}), trace.bounces = one_of<int>({1, 8, 4096}), trace.filter = one_of<int>({0, 1}) == 1;
+  trace.passes = one_of<int>({1, 2}), trace.bounces = one_of<int>({1, 8, 4096}),
+  trace.filter = one_of<int>({0, 1}) == 1;
   trace.strands = one_of<int>({1, 500, 8'000'000}), trace.noise = one_of<double>({0, 0.01, 1});
   trace.seed = one_of<std::uint32_t>({0, 1, 4294967295u});
   if (trace.transport == Transport::transmittance) {  // paths take no other model than energy_conserving
     trace.scattering = one_of<StrandScattering>({StrandScattering::look, StrandScattering::energy_conserving});
   }
-  frame.look.shading = one_of<ShadingModel>({ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving,
-                                             ShadingModel::scheuermann, ShadingModel::marschner});
+  frame.look.shading =
+      one_of<ShadingModel>({ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving,
+                            ShadingModel::scheuermann, ShadingModel::marschner});
   frame.look.fibre.longitudinal_roughness = one_of<double>({0, 0.3, 1});
   frame.look.fibre.azimuthal_roughness = one_of<double>({0, 0.3, 1});
   frame.look.fibre.refractive_index = one_of<double>({1, 1.55, 3});

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "server/patches/patches.h"
+#include "server/surface/nearest.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
-#include "server/surface/nearest.h"
 
 namespace pelage {
 namespace {

@@ -15,7 +15,8 @@ namespace {
 TEST(Parallel, EachNumberIsWorkedOnOnce) {
   for (const int threads : {1, 2, 5, 64}) {
     std::vector<int> visits(1000, 0);
-    for_each_in_parallel(1000, [&](std::uint32_t i) { ++visits[i]; }, threads);
+    for_each_in_parallel(
+        1000, [&](std::uint32_t i) { ++visits[i]; }, threads);
     EXPECT_EQ(visits, std::vector<int>(1000, 1)) << threads << " threads";
   }
   for_each_in_parallel(0, [](std::uint32_t) { FAIL() << "there is nothing to do"; });
@@ -63,7 +64,9 @@ TEST(ParallelDeathTest, WorkIsDoneWhereNoThreadCanStart) {
       {
         std::atomic<int> calls = 0;
         allow_no_more_threads();
-        for (int loop = 0; loop < 3; ++loop) for_each_in_parallel(100, [&](std::uint32_t) { ++calls; }, 4);
+        for (int loop = 0; loop < 3; ++loop)
+          for_each_in_parallel(
+              100, [&](std::uint32_t) { ++calls; }, 4);
         std::exit(calls == 300 ? 0 : 1);
       },
       testing::ExitedWithCode(0), "");

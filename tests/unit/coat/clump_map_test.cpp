@@ -1,9 +1,8 @@
-#include "renderer/coat/clump.h"
-
 #include <gtest/gtest.h>
 
 #include <glm/glm.hpp>
 
+#include "renderer/coat/clump.h"
 
 namespace pelage {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "protocol/base/random.h"
 #include "protocol/base/lean_curve.h"
+#include "protocol/base/random.h"
 
 namespace pelage {
 namespace {

@@ -55,7 +55,8 @@ TEST(Forms, WavesLieInOnePlaneWithTheirAmplitude) {
     double largest = 0;
     int crossings = 0;
     for (int i = 101; i <= 400; ++i) {  // above the first quarter, where they have grown out
-      const glm::dvec2 here = strand_offset(coat, strand, i / 400.0), before = strand_offset(coat, strand, (i - 1) / 400.0);
+      const glm::dvec2 here = strand_offset(coat, strand, i / 400.0),
+                       before = strand_offset(coat, strand, (i - 1) / 400.0);
       EXPECT_LT(std::abs(here.x * way.y - here.y * way.x), 1e-12);
       largest = std::max(largest, glm::length(here));
       crossings += glm::dot(here, way) * glm::dot(before, way) < 0;
@@ -96,7 +97,8 @@ TEST(Forms, MessyStrandsGoTheirOwnWays) {
   for (const Strand& strand : make_strands(coat)) sum += tip(coat, strand), length += glm::length(tip(coat, strand));
   EXPECT_LT(glm::length(sum), 0.05 * length) << "no way is preferred";
   EXPECT_GT(length / coat.count, 0.25 * nominal_length);
-  EXPECT_LT(mean_of(coat, [](const Strand& s) { return s.length_share; }), 0.95) << "a strand that leans reaches less high";
+  EXPECT_LT(mean_of(coat, [](const Strand& s) { return s.length_share; }), 0.95)
+      << "a strand that leans reaches less high";
 }
 
 TEST(Forms, LocksGatherInsideClumps) {
@@ -109,7 +111,8 @@ TEST(Forms, LocksGatherInsideClumps) {
   std::size_t shared = 0;
   for (std::size_t i = 0; i < strands.size(); ++i) {  // strands of one lock go to one clump
     for (std::size_t k = i + 1; k < strands.size(); ++k) {
-      if (glm::distance(strands[i].root + strands[i].fine_clump, strands[k].root + strands[k].fine_clump) > 1e-9) continue;
+      if (glm::distance(strands[i].root + strands[i].fine_clump, strands[k].root + strands[k].fine_clump) > 1e-9)
+        continue;
       ++shared;
       EXPECT_LT(glm::distance(strands[i].root + strands[i].clump, strands[k].root + strands[k].clump), 1e-9);
     }
@@ -143,7 +146,8 @@ TEST(Forms, LodgedPatchesLieAndTheRestStands) {
 TEST(Forms, UndercoatAndOvercoatAreTwoLengths) {
   Coat coat = plain();
   coat.length_spread = 0.2;
-  coat.undercoat = {.share = 0.6, .length = 0.5, .width = 0.4, .lightness = 0.5, .tint = 1, .colour = {0.2f, 0.3f, 0.4f}};
+  coat.undercoat = {
+      .share = 0.6, .length = 0.5, .width = 0.4, .lightness = 0.5, .tint = 1, .colour = {0.2f, 0.3f, 0.4f}};
   int under = 0, between = 0;
   for (const Strand& strand : make_strands(coat)) {
     between += strand.length_share > 0.5 && strand.length_share < 0.8;
@@ -198,7 +202,8 @@ TEST(Forms, OneFormLeavesTheOthersAsTheyWere) {
 
 TEST(Forms, RootsStayAndLengthsAreShares) {
   Coat coat;
-  coat.wave = 0.5, coat.curl = 0.5, coat.mess = 1, coat.lodge = 1, coat.fine_clump = 1, coat.clump = 1, coat.wetness = 1;
+  coat.wave = 0.5, coat.curl = 0.5, coat.mess = 1, coat.lodge = 1, coat.fine_clump = 1, coat.clump = 1,
+  coat.wetness = 1;
   coat.length_spread = 1, coat.undercoat = {.share = 0.5, .length = 0.02};
   for (const Strand& strand : make_strands(coat)) {
     EXPECT_LT(glm::length(strand_offset(coat, strand, 0)), 1e-12);

@@ -28,7 +28,9 @@ double depth_at(const SliceLevel& level, int x, int y, int slice) {
 /// As the GPU filters it, for texels' middles at whole numbers.
 double filtered_depth(const SliceLevel& level, double x, double y, int slice) {
   const int left = static_cast<int>(std::floor(x)), low = static_cast<int>(std::floor(y));
-  const auto row = [&](int at) { return std::lerp(depth_at(level, left, at, slice), depth_at(level, left + 1, at, slice), x - left); };
+  const auto row = [&](int at) {
+    return std::lerp(depth_at(level, left, at, slice), depth_at(level, left + 1, at, slice), x - left);
+  };
   return std::lerp(row(low), row(low + 1), y - low);
 }
 
@@ -128,7 +130,8 @@ TEST(StrandCover, RaysMeetStrandsByTheirWidthAndTheirWay) {
 TEST(StrandCover, NoStrandIsTooThinToBeMet) {
   Coat coat = plain_coat();
   coat.count = 600, coat.width_root = coat.width_tip = 0.00008;
-  const double tangent = 3.7320508, met = coat.count * coat.width_root * nominal_length * tangent / (coat.tile * coat.tile);
+  const double tangent = 3.7320508,
+               met = coat.count * coat.width_root * nominal_length * tangent / (coat.tile * coat.tile);
   const double open = rays_let_through(coat, make_strands(coat), tangent)[0];
   EXPECT_GT(open, 1 - met - 0.01);
   EXPECT_LT(open, std::exp(-met) + 0.02);
@@ -169,7 +172,8 @@ TEST(Slices, EverySliceHoldsOffItsShare) {
     const auto open = rays_let_through(coat, make_strands(coat), std::tan(std::numbers::pi / 3));
     for (int slice = slice_count - 1; slice >= 20; --slice) {
       const double above = open[static_cast<std::size_t>(slice)];
-      EXPECT_NEAR(transmittance(coat, slices.levels[0], 60, slice), above, 0.1 * std::min(above, 1 - above) + 0.01) << slice;
+      EXPECT_NEAR(transmittance(coat, slices.levels[0], 60, slice), above, 0.1 * std::min(above, 1 - above) + 0.01)
+          << slice;
     }
   }
 }
@@ -177,7 +181,8 @@ TEST(Slices, EverySliceHoldsOffItsShare) {
 // What is seen takes its colour from how deep rays reach: 1 % of the height is about 1 % of a ramp's lightness.
 TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
   Coat sleek;
-  sleek.count = 8400, sleek.width_root = 0.00042, sleek.width_tip = 0.00011, sleek.clump = 0.15, sleek.fine_clump = 0.25;
+  sleek.count = 8400, sleek.width_root = 0.00042, sleek.width_tip = 0.00011, sleek.clump = 0.15,
+  sleek.fine_clump = 0.25;
   for (const Coat& coat : {sleek, Coat()}) {
     const Slices slices = bake_slices(coat);
     const std::vector<Strand> strands = make_strands(coat);
@@ -185,7 +190,8 @@ TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
       const auto open = rays_let_through(coat, strands, std::tan(angle * std::numbers::pi / 180));
       for (const std::size_t i : {3, 5}) {
         double reached = 0;
-        for (int slice = 0; slice < slice_count; ++slice) reached += transmittance(coat, slices.levels[i], angle, slice);
+        for (int slice = 0; slice < slice_count; ++slice)
+          reached += transmittance(coat, slices.levels[i], angle, slice);
         EXPECT_NEAR(reached / slice_count, std::accumulate(open.begin(), open.end(), 0.0) / slice_count, 0.01)
             << "level " << i << ", " << angle << " degrees";
       }

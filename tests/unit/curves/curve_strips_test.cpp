@@ -1,8 +1,9 @@
 #include "renderer/curves/curve_strips.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 namespace pelage {
 namespace {
@@ -14,7 +15,8 @@ FurCurves comb_of(int guides, int fill, double spread = 0) {
   FurCurves group;
   for (int g = 0; g < guides; ++g) {
     const double x = g;
-    group.guides.push_back({.points = {{x, 0, 0}, {x, 0, 1}}, .skin = {x, 0, 0}, .normal = {0, 0, 1}, .fur_height = 0.5});
+    group.guides.push_back(
+        {.points = {{x, 0, 0}, {x, 0, 1}}, .skin = {x, 0, 0}, .normal = {0, 0, 1}, .fur_height = 0.5});
   }
   group.width_root = 0.01, group.width_tip = 0.001;
   group.root_colour = {1, 0.5f, 0.25f}, group.tip_colour = {0, 0.5f, 1};
@@ -34,8 +36,7 @@ void expect_finite(const CurveStrips& strips) {
     ASSERT_GE(point.fur, 0);
     ASSERT_LE(point.fur, 2);
   }
-  for (const CurveStyle& style : strips.styles)
-    EXPECT_NEAR(glm::length(glm::vec3(style.normal)), 1, 1e-6);
+  for (const CurveStyle& style : strips.styles) EXPECT_NEAR(glm::length(glm::vec3(style.normal)), 1, 1e-6);
 }
 
 TEST(CurveStrips, GuidesAloneAreDrawnAsTheyAreGiven) {
@@ -96,7 +97,7 @@ TEST(CurveStrips, TheSameSeedGivesTheSameBits) {
 
 TEST(CurveStrips, ExtremesAreFinite) {
   FurCurves group = comb_of(2, 3, 1);
-  group.guides[0].points = {{1, 1, 1}, {1, 1, 1}};  // no length
+  group.guides[0].points = {{1, 1, 1}, {1, 1, 1}};   // no length
   group.guides[0].normal = -group.guides[1].normal;  // their mix has no direction in the middle
   expect_finite(strips_of(group));
   group.guides[0].points = {{-1e6, 1e6, 1e6}, {1e6, -1e6, -1e6}, {-1e6, 1e6, 1e6}};

@@ -1,9 +1,10 @@
-#include "renderer/curves/curve_strips.h"
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <vector>
+
+#include "renderer/curves/curve_strips.h"
 
 namespace pelage {
 namespace {

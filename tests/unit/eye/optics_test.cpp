@@ -24,7 +24,8 @@ struct AirToCornea {
 };
 
 TEST(Optics, ValuesOfAirToCornea) {  // science.md 5
-  for (const AirToCornea& v : {AirToCornea{30, 21.3074, .02624}, {60, 39.0043, .06765}, {75, 44.5862, .22499}, {89, 46.6049, .89914}}) {
+  for (const AirToCornea& v :
+       {AirToCornea{30, 21.3074, .02624}, {60, 39.0043, .06765}, {75, 44.5862, .22499}, {89, 46.6049, .89914}}) {
     EXPECT_NEAR(refracted_degrees(v.degrees, cornea), v.inside, 5e-5);
     EXPECT_NEAR(fresnel(std::cos(glm::radians(v.degrees)), cornea), v.reflected, 5e-6);
   }

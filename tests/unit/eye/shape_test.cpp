@@ -1,11 +1,10 @@
-#include "renderer/eye/optics.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "renderer/eye/iris_map.h"
+#include "renderer/eye/optics.h"
 
 namespace pelage {
 namespace {
@@ -38,7 +37,8 @@ TEST(EyeShape, NoFibreReachesThroughTheLimbus) {
 TEST(PupilShape, SlitOpensToARoundPupil) {
   EXPECT_EQ(pupil_axes(PupilShape::round, 0.4).width, 0.4);
   EXPECT_EQ(pupil_axes(PupilShape::round, 0.4).height, 0.4);
-  const PupilAxes shut = pupil_axes(PupilShape::slit, 0), bright = pupil_axes(PupilShape::slit, 0.2), full = pupil_axes(PupilShape::slit, 1);
+  const PupilAxes shut = pupil_axes(PupilShape::slit, 0), bright = pupil_axes(PupilShape::slit, 0.2),
+                  full = pupil_axes(PupilShape::slit, 1);
   EXPECT_EQ(shut.width, 0);
   EXPECT_EQ(shut.height, 0);
   EXPECT_GT(bright.height, 2 * bright.width);
@@ -58,8 +58,12 @@ TEST(PupilShape, SeesTheLightsInFrontOfIt) {
   frame.lights = {{.kind = LightKind::point, .position = {0, 0, 2}, .radiance = glm::vec3(1)}};
   EXPECT_NEAR(luminance_at(eye, frame), 250, 1e-3);
   for (const LightKind kind : {LightKind::spot, LightKind::area}) {  // by the cosine, and not backwards
-    frame.lights[0] = {.kind = kind, .direction = {0, 0.6f, -0.8f}, .position = {0, 0, 2}, .radiance = glm::vec3(1),
-                       .cone = 0, .soft_cone = 1};
+    frame.lights[0] = {.kind = kind,
+                       .direction = {0, 0.6f, -0.8f},
+                       .position = {0, 0, 2},
+                       .radiance = glm::vec3(1),
+                       .cone = 0,
+                       .soft_cone = 1};
     EXPECT_NEAR(luminance_at(eye, frame), 0.8 * 250, 1e-3);
     frame.lights[0].direction = {0, 0.6f, 0.8f};
     EXPECT_EQ(luminance_at(eye, frame), 0);
@@ -78,14 +82,15 @@ double gathered(const std::vector<float>& maps, int angle, const EyeShape& shape
 }
 
 TEST(Caustics, GatherWhatCameThroughTheCornea) {
-  // Along the axis nothing is lost on the wall: the flux is that through the disc of the limbus, less what is reflected,
-  // here by a sum over rings.
+  // Along the axis nothing is lost on the wall: the flux is that through the disc of the limbus, less what is
+  // reflected, here by a sum over rings.
   for (const double index : {1.0, 1.376, 3.0}) {
     const EyeShape shape = shape_of(eye_with(index));
     double through = 0;
     constexpr int rings = 20000;
     for (int k = 0; k < rings; ++k) {
-      const double radius = shape.iris_radius * (k + 0.5) / rings, cosine = std::sqrt(1 - std::pow(radius / shape.cornea_radius, 2));
+      const double radius = shape.iris_radius * (k + 0.5) / rings,
+                   cosine = std::sqrt(1 - std::pow(radius / shape.cornea_radius, 2));
       through += 2 * 3.14159265358979 * radius * shape.iris_radius / rings * (1 - fresnel(cosine, index));
     }
     EXPECT_NEAR(gathered(gather_caustics(shape), 0, shape), through, 0.004 * through) << index;
@@ -134,7 +139,9 @@ TEST(IrisMap, JoinsAroundTheAxisAndVaries) {
   ASSERT_EQ(map.size(), std::size_t{4} * iris_map_width * iris_map_height);
   double seam = 0, inside = 0, mean = 0, square = 0;
   for (int row = 0; row < iris_map_height; ++row) {
-    const auto red = [&](int column) { return map[static_cast<std::size_t>(4 * (row * iris_map_width + column))] / 255.0; };
+    const auto red = [&](int column) {
+      return map[static_cast<std::size_t>(4 * (row * iris_map_width + column))] / 255.0;
+    };
     seam += std::abs(red(0) - red(iris_map_width - 1)) / iris_map_height;
     inside += std::abs(red(500) - red(501)) / iris_map_height;
     mean += red(300) / iris_map_height, square += red(300) * red(300) / iris_map_height;

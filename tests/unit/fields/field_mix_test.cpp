@@ -7,8 +7,8 @@
 
 #include "protocol/base/random.h"
 #include "server/builtin/builtin.h"
-#include "server/surface/prepare.h"
 #include "server/patches/subdivide.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 namespace {

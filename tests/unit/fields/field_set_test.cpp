@@ -129,7 +129,8 @@ TEST(FieldSet, RefusesVerticesThatItDoesNotHave) {
 }
 
 /// From one field set to another that holds these values of a length.
-FieldDelta lengths(std::vector<std::pair<std::uint32_t, float>> before, std::vector<std::pair<std::uint32_t, float>> after) {
+FieldDelta lengths(std::vector<std::pair<std::uint32_t, float>> before,
+                   std::vector<std::pair<std::uint32_t, float>> after) {
   FieldSet from(300), to(300);
   for (const auto& [v, length] : before) from.set(Field::length, v, {length, 0, 0, 0});
   for (const auto& [v, length] : after) to.set(Field::length, v, {length, 0, 0, 0});

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "server/fields/field_set.h"
 #include "server/builtin/builtin.h"
+#include "server/fields/field_set.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {
@@ -50,7 +50,8 @@ TEST(FirstGroom, AnimalsHaveShortFacesAndPawsAndLongChestsAndTails) {
   ASSERT_TRUE(mesh.ok());
   Mesh bare = *mesh;
   bare.length_scale.clear();
-  const FieldSet even = first_groom(bare, {.length = 0.03}), animal = first_groom(bare, {.length = 0.03, .form = GroomForm::animal});
+  const FieldSet even = first_groom(bare, {.length = 0.03}),
+                 animal = first_groom(bare, {.length = 0.03, .form = GroomForm::animal});
   glm::vec3 low(1), high(-1);
   for (const glm::vec3& p : bare.positions) low = glm::min(low, p), high = glm::max(high, p);
   for (std::uint32_t v = 0; v < even.size(); ++v) {

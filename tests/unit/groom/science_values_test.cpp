@@ -22,8 +22,9 @@ std::vector<double> weights_of(const std::vector<double>& distances, double sigm
   std::vector<double> weights(distances.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     GaussianMean<double> mean;
-    mean.add(distances.size(), sigma, [&](std::size_t k) { return distances[k]; },
-             [&](std::size_t k) { return k == i ? 1.0 : 0.0; });
+    mean.add(
+        distances.size(), sigma, [&](std::size_t k) { return distances[k]; },
+        [&](std::size_t k) { return k == i ? 1.0 : 0.0; });
     weights[i] = mean.reached() ? mean.mean() : 0;
   }
   return weights;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "protocol/commands/command.h"
+#include "server/builtin/builtin.h"
 #include "server/fields/field_set.h"
 #include "server/groom/vertex_frame.h"
-#include "server/builtin/builtin.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
 

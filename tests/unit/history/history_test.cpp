@@ -165,14 +165,14 @@ TEST_F(HistoryTest, AnAmendmentIsOneStepOverAListOfReplayedOnes) {
 }
 
 TEST_F(HistoryTest, ListedStepsHaveTheirRevisions) {
-  step(1);                                                                     // 6
+  step(1);                                                                         // 6
   take(EntryKind::command, 0, encode(Command(comb_at(2, "k", 0, false))), to(2));  // 7
   take(EntryKind::join, 0, encode(Command(comb_at(3, "k", 1, true))), to(3));      // 8
   undo(1);
   redo(1);
-  step(4);                                                                     // 11
-  take(EntryKind::revert, 6, "", to(1));                                       // 12
-  take(EntryKind::replay, 0, encode(Command(comb_at(5))), to(5));              // 13
+  step(4);                                                         // 11
+  take(EntryKind::revert, 6, "", to(1));                           // 12
+  take(EntryKind::replay, 0, encode(Command(comb_at(5))), to(5));  // 13
   std::vector<Revision> marked;
   for (const LogEntry& line : history_.log()) {
     if (line.in_effect) marked.push_back(line.revision);

@@ -260,8 +260,8 @@ TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
     EXPECT_FALSE(journal->scene("a")->first_settings);
     ASSERT_TRUE(journal->subdivide_model(finer).ok());
   }
-  for (const char* damage : {"x'010000'", "x'01000000'", "x'010000000500000005000000'",
-                             "x'0200000000000000020000000200000003000000'"}) {
+  for (const char* damage :
+       {"x'010000'", "x'01000000'", "x'010000000500000005000000'", "x'0200000000000000020000000200000003000000'"}) {
     execute((std::string("UPDATE scenes SET subdivisions = ") + damage).c_str());
     EXPECT_EQ(open()->scene("a").status().code, Code::internal) << damage;
   }

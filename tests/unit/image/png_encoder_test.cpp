@@ -1,11 +1,11 @@
-#include "renderer/image/png.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <array>
 #include <thread>
 #include <vector>
+
+#include "renderer/image/png.h"
 
 namespace pelage {
 namespace {

@@ -1,5 +1,3 @@
-#include "renderer/light/environment.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/light/environment.h"
 #include "tests/unit/light/quadrature.h"
 
 namespace pelage {

@@ -1,11 +1,10 @@
-#include "renderer/light/environment.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "protocol/base/random.h"
+#include "renderer/light/environment.h"
 #include "tests/unit/light/quadrature.h"
 
 namespace pelage {
@@ -105,11 +104,13 @@ TEST(SphericalHarmonics, AnEnvironmentIsTurnedAndScaled) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(from_the_left[k], 3 * from_behind[k], 1e-12);
 }
 
-/// Against brute force; sqrt |y| bends sharply at the horizon, where the strips of the quadrature are too wide for more.
+/// Against brute force; sqrt |y| bends sharply at the horizon, where the strips of the quadrature are too wide for
+/// more.
 TEST(SphericalHarmonics, AGradientIsItsIntegral) {
   Random random(6);
   const auto colour = [&] { return glm::vec3(random.uniform(), random.uniform(), random.uniform()); };
-  const Environment environment{.sky = colour(), .horizon = colour(), .ground = colour(), .harmonics = {}, .intensity = 2};
+  const Environment environment{
+      .sky = colour(), .horizon = colour(), .ground = colour(), .harmonics = {}, .intensity = 2};
   const auto radiance = [&](glm::dvec3 d) {
     const glm::dvec3 end(d.y >= 0 ? environment.sky : environment.ground);
     return 2.0 * glm::mix(glm::dvec3(environment.horizon), end, std::sqrt(std::abs(d.y)));

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "protocol/base/random.h"
-#include "server/maps/read_map.h"
 #include "server/maps/encoding.h"
+#include "server/maps/read_map.h"
 
 namespace pelage {
 namespace {
@@ -41,7 +41,8 @@ std::vector<glm::vec4> random_values(std::uint64_t seed, std::size_t count) {
 }
 
 /// What a pixel shows: the last triangle whose half planes all hold its centre, by the areas opposite to its corners.
-bool plain_pixel(const UvCorners& uvs, const std::vector<glm::vec4>& values, int size, int x, int y, glm::dvec4& value) {
+bool plain_pixel(const UvCorners& uvs, const std::vector<glm::vec4>& values, int size, int x, int y,
+                 glm::dvec4& value) {
   bool found = false;
   for (std::size_t i = 0; i < 9 * uvs.of_triangle.size(); ++i) {
     const glm::uvec3 t = uvs.of_triangle[i / 9];  // and the nine repeats of the picture around it
@@ -140,7 +141,8 @@ TEST(MapDilation, TakesTheNearestCoveredPixel) {
 
 /// The largest miss of a bilinear reader along the borders of two islands that hold 1.
 double worst_on_seams(int distance) {
-  const UvCorners uvs = loose_triangles({{{{0.1f, 0.1f}, {0.8f, 0.2f}, {0.3f, 0.7f}}}, {{{0.9f, 0.9f}, {0.45f, 0.8f}, {0.85f, 0.4f}}}});
+  const UvCorners uvs =
+      loose_triangles({{{{0.1f, 0.1f}, {0.8f, 0.2f}, {0.3f, 0.7f}}}, {{{0.9f, 0.9f}, {0.45f, 0.8f}, {0.85f, 0.4f}}}});
   MapImage image = make_map_image(64, 1, glm::dvec4(0));
   draw_triangles(uvs, std::vector<glm::vec4>(6, glm::vec4(1)), image);
   dilate(image, distance);
@@ -148,7 +150,8 @@ double worst_on_seams(int distance) {
   for (const glm::uvec3 t : uvs.of_triangle) {
     for (int k = 0; k < 3; ++k) {
       for (int step = 0; step <= 20; ++step) {
-        const glm::vec2 uv = glm::mix(uvs.corners[t[k]].uv, uvs.corners[t[(k + 1) % 3]].uv, static_cast<float>(step) / 20);
+        const glm::vec2 uv =
+            glm::mix(uvs.corners[t[k]].uv, uvs.corners[t[(k + 1) % 3]].uv, static_cast<float>(step) / 20);
         worst = std::max(worst, std::abs(bilinear(image, uv, 0) - 1));
       }
     }
@@ -168,7 +171,8 @@ TEST(MapFit, BilinearReadersFindTheCorners) {
   std::vector<glm::vec2> places;
   for (int j = 0; j <= cells; ++j) {
     for (int i = 0; i <= cells; ++i) {
-      const glm::dvec2 inside(i > 0 && i < cells ? random.uniform(-0.2, 0.2) : 0, j > 0 && j < cells ? random.uniform(-0.2, 0.2) : 0);
+      const glm::dvec2 inside(i > 0 && i < cells ? random.uniform(-0.2, 0.2) : 0,
+                              j > 0 && j < cells ? random.uniform(-0.2, 0.2) : 0);
       places.emplace_back((glm::dvec2(i, j) + inside) / double(cells));
     }
   }
@@ -177,7 +181,8 @@ TEST(MapFit, BilinearReadersFindTheCorners) {
   for (std::uint32_t j = 0; j < cells; ++j) {
     for (std::uint32_t i = 0; i < cells; ++i) {
       const std::uint32_t a = j * (cells + 1) + i;
-      uvs.of_triangle.emplace_back(a, a + 1, a + cells + 2), uvs.of_triangle.emplace_back(a, a + cells + 2, a + cells + 1);
+      uvs.of_triangle.emplace_back(a, a + 1, a + cells + 2),
+          uvs.of_triangle.emplace_back(a, a + cells + 2, a + cells + 1);
     }
   }
   const std::vector<glm::vec4> values = random_values(4, places.size());

@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "protocol/base/random.h"
+#include "server/builtin/builtin.h"
 #include "server/groom/evaluate.h"
 #include "server/maps/draw_map.h"
-#include "server/builtin/builtin.h"
 #include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 
@@ -30,7 +30,8 @@ FieldSet random_fields(std::size_t vertices) {
   for (std::uint32_t v = 0; v < vertices; ++v) {
     for (std::size_t f = 0; f < field_count; ++f) {
       glm::vec4 value(0);
-      for (int k = 0; k < shape_of(field_at(f)).channels; ++k) value[k] = stored_value(field_at(f), random.uniform(0.1, 0.9));
+      for (int k = 0; k < shape_of(field_at(f)).channels; ++k)
+        value[k] = stored_value(field_at(f), random.uniform(0.1, 0.9));
       if (field_at(f) == Field::direction)
         value = glm::vec4(stored_direction({random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7)}), 0, 0);
       if (field_at(f) == Field::length) value.x *= 0.1f;
@@ -49,7 +50,8 @@ MapPicture file_of(const DrawnMap& map, int bits) {
       const int from = map.layout.channels == 1 ? 0 : k;
       const bool there = from < map.layout.channels;
       const double max = bits == 8 ? 255 : bits == 16 ? 65535 : 1;
-      const double number = there ? file_number(map.layout.kinds[static_cast<std::size_t>(from)], map.image.at(i)[from], bits) : 0;
+      const double number =
+          there ? file_number(map.layout.kinds[static_cast<std::size_t>(from)], map.image.at(i)[from], bits) : 0;
       picture.rgba.push_back(static_cast<float>(number / max));
     }
   }
@@ -58,7 +60,8 @@ MapPicture file_of(const DrawnMap& map, int bits) {
 
 MapFormat format_of(int bits) { return bits == 8 ? MapFormat::png : bits == 16 ? MapFormat::png16 : MapFormat::exr; }
 
-Evaluation read_back(const DrawnMap& map, int bits, const Surface& surface, const FieldSet& fields, double strength = 1) {
+Evaluation read_back(const DrawnMap& map, int bits, const Surface& surface, const FieldSet& fields,
+                     double strength = 1) {
   const MapPicture picture = file_of(map, bits);
   const ApplyMap command{"", map.answer.field, map.answer.encoding, map.answer.scale, map.answer.units, strength};
   ToolExtras extras;
@@ -77,7 +80,9 @@ double worst_change(const Surface& surface, const FieldSet& fields, MapRequest r
 
 class MapRoundTrip : public ::testing::Test {
  protected:
-  MapRoundTrip() : surface_(surface_of(make_builtin({Builtin::torus, 800}))), fields_(random_fields(surface_.mesh().positions.size())) {}
+  MapRoundTrip()
+      : surface_(surface_of(make_builtin({Builtin::torus, 800}))),
+        fields_(random_fields(surface_.mesh().positions.size())) {}
 
   Surface surface_;
   FieldSet fields_;
@@ -151,7 +156,8 @@ TEST_F(MapRoundTrip, ValuesBeyondTheFieldAreHeldAndCounted) {
 }
 
 TEST_F(MapRoundTrip, OnePixel) {
-  for (const int bits : {8, 16, 32}) EXPECT_TRUE(std::isfinite(worst_change(surface_, fields_, asked(Field::length, 1), bits)));
+  for (const int bits : {8, 16, 32})
+    EXPECT_TRUE(std::isfinite(worst_change(surface_, fields_, asked(Field::length, 1), bits)));
 }
 
 TEST_F(MapRoundTrip, AMaskIsReadFromTheChannelThatIsNamed) {

@@ -37,9 +37,8 @@ void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& 
 glm::dvec2 mean_marks(const Pattern& pattern) {
   const PatternBlock block = make_pattern_block(with(pattern));
   glm::dvec2 sum(0);
-  for_each_place(20000, [&](glm::vec3 place, glm::vec3 normal) {
-    sum += glm::dvec2(pattern_marks(block, place, normal));
-  });
+  for_each_place(20000,
+                 [&](glm::vec3 place, glm::vec3 normal) { sum += glm::dvec2(pattern_marks(block, place, normal)); });
   return sum / 20000.0;
 }
 
@@ -198,7 +197,8 @@ TEST(Pattern, ExtremesAreFinite) {
   for (const PatternKind kind : marked_kinds) {
     for (const double scale : {0.005, 2.0}) {
       for (const double edge : {0.0, 1.0}) {
-        Coat coat = with({.kind = kind, .scale = scale, .coverage = edge, .softness = edge, .warp = 2 * edge, .belly = edge});
+        Coat coat =
+            with({.kind = kind, .scale = scale, .coverage = edge, .softness = edge, .warp = 2 * edge, .belly = edge});
         coat.ramp = {{0, glm::vec3(0)}};
         const PatternBlock block = make_pattern_block(coat);
         for_each_place(500, [&](glm::vec3 place, glm::vec3 normal) {

@@ -31,7 +31,8 @@ TEST(Tufts, RootsGatherAboutOneMiddle) {
   const Tufts tufts{.gather = 1, .size = 0.2, .scales = 1};
   int together = 0, pairs = 0;
   for (int i = 0; i < 500; ++i) {
-    const glm::vec3 root(0.031f * static_cast<float>(i % 25), 0, 0.029f * static_cast<float>(i / 25)), next = root + glm::vec3(0.002f, 0, 0);
+    const glm::vec3 root(0.031f * static_cast<float>(i % 25), 0, 0.029f * static_cast<float>(i / 25)),
+        next = root + glm::vec3(0.002f, 0, 0);
     const TuftPlace a = tuft_at(tufts, root, up), b = tuft_at(tufts, next, up);
     ++pairs;
     if (glm::distance(root + a.to_middle, next + b.to_middle) < 1e-4f) ++together;

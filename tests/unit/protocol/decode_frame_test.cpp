@@ -19,7 +19,8 @@ TEST(DecodeFrame, DefaultsAndCameras) {
   ASSERT_TRUE(free.ok());
   EXPECT_EQ(free->camera.automatic, AutoView::none);
   EXPECT_EQ(free->background, Background::transparent);
-  EXPECT_EQ(decode_frame_request(R"({"camera": {"position": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer, "/camera");
+  EXPECT_EQ(decode_frame_request(R"({"camera": {"position": [0, 0, 2], "target": [0, 0, 2]}})").status().pointer,
+            "/camera");
   EXPECT_EQ(decode_frame_request(R"({"camera": {"position": [0, 2, 0], "target": [0, 0, 0]}})").status().pointer,
             "/camera/up");
 }
@@ -62,9 +63,9 @@ TEST(DecodeFrame, ADifferenceIsFromARevision) {
   ASSERT_TRUE(taken.ok()) << taken.status().message;
   EXPECT_EQ(taken->overlay, Overlay::difference);
   EXPECT_EQ(taken->overlay_from, std::uint64_t{18446744073709551615u});
-  for (const char* wrong : {R"({"overlay": "difference"})", R"({"overlay": "mask", "overlay_from": 3})",
-                            R"({"overlay_from": 3})", R"({"overlay": "difference", "overlay_from": -1})",
-                            R"({"overlay": "difference", "overlay_from": 1.5})"}) {
+  for (const char* wrong :
+       {R"({"overlay": "difference"})", R"({"overlay": "mask", "overlay_from": 3})", R"({"overlay_from": 3})",
+        R"({"overlay": "difference", "overlay_from": -1})", R"({"overlay": "difference", "overlay_from": 1.5})"}) {
     EXPECT_EQ(decode_frame_request(wrong).status().pointer, "/overlay_from") << wrong;
   }
   EXPECT_EQ(decode_frame_query({{"overlay", "difference"}, {"overlay_from", "7"}})->overlay_from, std::uint64_t{7});
@@ -72,7 +73,8 @@ TEST(DecodeFrame, ADifferenceIsFromARevision) {
 
 TEST(DecodeFrame, AovsTogetherHaveALimit) {
   const auto with = [](const char* more) {
-    return decode_frame_request(std::string(R"({"format": "exr", "width": 8192, "height": 4096, "quality": {"scale": 1}, )") + more + "}");
+    return decode_frame_request(
+        std::string(R"({"format": "exr", "width": 8192, "height": 4096, "quality": {"scale": 1}, )") + more + "}");
   };
   EXPECT_TRUE(with(R"("aovs": ["beauty", "depth"])").ok());
   EXPECT_EQ(with(R"("aovs": ["beauty", "depth", "normal"])").status().pointer, "/aovs");
@@ -80,12 +82,14 @@ TEST(DecodeFrame, AovsTogetherHaveALimit) {
 
 TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
   const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
-  const auto sorted = decode_frame_request(R"({"width": 1024, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})");
+  const auto sorted =
+      decode_frame_request(R"({"width": 1024, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})");
   ASSERT_TRUE(sorted.ok());
   EXPECT_EQ(sorted->knobs.order, FragmentOrder::sorted);
   EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::shells);
   EXPECT_EQ(pointer_of(R"({"quality": {"order": "depth"}})"), "/quality/order");
-  EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"), "/quality");
+  EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"),
+            "/quality");
   EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "shells": 1024, "scale": 2.0}, "width": 1024})"), "/quality");
 }
 
@@ -97,12 +101,24 @@ TEST(DecodeFrame, ScaleCountsForTheSize) {
 }
 
 TEST(Query, HowStrandsAreTraced) {
-  const auto tracing = decode_tracing_query({{"passes", "9"}, {"transport", "paths"}, {"bounces", "3"}, {"noise", "0.01"},
-                                             {"seconds", "2.5"}, {"strands", "1000"}, {"filter", "false"}, {"seed", "7"}});
+  const auto tracing = decode_tracing_query({{"passes", "9"},
+                                             {"transport", "paths"},
+                                             {"bounces", "3"},
+                                             {"noise", "0.01"},
+                                             {"seconds", "2.5"},
+                                             {"strands", "1000"},
+                                             {"filter", "false"},
+                                             {"seed", "7"}});
   ASSERT_TRUE(tracing.ok()) << tracing.status().message;
-  EXPECT_EQ(*tracing, (Tracing{.passes = 9, .transport = Transport::paths,
-                               .scattering = StrandScattering::energy_conserving, .bounces = 3, .strands = 1000,
-                               .noise = 0.01, .seconds = 2.5, .filter = false, .seed = 7}));
+  EXPECT_EQ(*tracing, (Tracing{.passes = 9,
+                               .transport = Transport::paths,
+                               .scattering = StrandScattering::energy_conserving,
+                               .bounces = 3,
+                               .strands = 1000,
+                               .noise = 0.01,
+                               .seconds = 2.5,
+                               .filter = false,
+                               .seed = 7}));
   EXPECT_EQ(*decode_tracing_query({}), Tracing{});
   EXPECT_EQ(decode_tracing_query({{"passes", "0"}}).status().pointer, "/passes");
   EXPECT_EQ(decode_tracing_query({{"bounces", "3"}}).status().pointer, "/bounces");

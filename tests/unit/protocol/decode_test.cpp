@@ -1,10 +1,10 @@
-#include "clients/cli/recipe/split_steps.h"
 #include "protocol/json/decode.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "clients/cli/recipe/split_steps.h"
 #include "protocol/base/limits.h"
 #include "tests/unit/protocol/refusals.h"
 
@@ -186,7 +186,8 @@ TEST(Decode, EyesHaveLimits) {
   };
   EXPECT_TRUE(refusal(eyes("")).ok());
   EXPECT_TRUE(refusal(eye("")).ok());
-  EXPECT_TRUE(refusal(eye(R"("look_at": [0, 0, 0], "pupil": {"shape": "slit", "size": "automatic"}, "lids": {})")).ok());
+  EXPECT_TRUE(
+      refusal(eye(R"("look_at": [0, 0, 0], "pupil": {"shape": "slit", "size": "automatic"}, "lids": {})")).ok());
   EXPECT_TRUE(refusal(eyes(repeated(R"({"position": [0, 0, 0], "radius": 1})", limits::eyes))).ok());
   expect_refusal(eyes(repeated(R"({"position": [0, 0, 0], "radius": 1})", limits::eyes + 1)), Code::invalid, "/eyes");
   expect_refusal(eyes(R"({"position": [0, 1, 0], "radius": 0})"), Code::invalid, "/eyes/0/radius");
@@ -210,7 +211,8 @@ TEST(Decode, CurvesHaveLimits) {
   EXPECT_TRUE(refusal(groups("")).ok());
   EXPECT_TRUE(refusal(group(line)).ok());
   EXPECT_TRUE(refusal(group("[" + repeated("[0, 0, 0]", limits::curve_points) + "]")).ok());
-  expect_refusal(group("[" + repeated("[0, 0, 0]", limits::curve_points + 1) + "]"), Code::invalid, "/groups/0/curves/0");
+  expect_refusal(group("[" + repeated("[0, 0, 0]", limits::curve_points + 1) + "]"), Code::invalid,
+                 "/groups/0/curves/0");
   expect_refusal(group("[[0, 0, 0]]"), Code::invalid, "/groups/0/curves/0");
   expect_refusal(group(line + ", [[0, 0, 0], [0, 1]]"), Code::invalid, "/groups/0/curves/1/1");
   expect_refusal(group(""), Code::invalid, "/groups/0/curves");
@@ -233,7 +235,8 @@ TEST(Decode, CurvesAreCountedWithWhatIsFilledIn) {
   EXPECT_TRUE(refusal(groups(pair(limits::curves - 2))).ok());
   expect_refusal(groups(pair(limits::curves - 1)), Code::invalid, "/groups/0");
   EXPECT_TRUE(refusal(groups(repeated(pair(limits::curves / 16 - 2), limits::curve_groups))).ok());
-  expect_refusal(groups(repeated(pair(limits::curves / 16 - 2), 15) + "," + pair(limits::curves / 16 - 1)), Code::invalid, "/groups/15");
+  expect_refusal(groups(repeated(pair(limits::curves / 16 - 2), 15) + "," + pair(limits::curves / 16 - 1)),
+                 Code::invalid, "/groups/15");
   expect_refusal(groups(repeated(pair(0), limits::curve_groups + 1)), Code::invalid, "/groups");
 }
 

@@ -53,7 +53,8 @@ TEST(Decode, MapsAreOfOneFieldInAnEncodingThatHoldsIt) {
   expect_refusal(picture + R"(, "scale": 0})", Code::invalid, "/scale");
   expect_refusal(R"({"op": "map"})", Code::invalid, "/picture");
   expect_refusal(R"({"op": "mask", "picture": {"name": "own"}})", Code::invalid, "/picture/name");
-  const auto map = decode_map_query({{"field", "direction"}, {"format", "exr"}, {"encoding", "vector"}, {"size", "8192"}});
+  const auto map =
+      decode_map_query({{"field", "direction"}, {"format", "exr"}, {"encoding", "vector"}, {"size", "8192"}});
   ASSERT_TRUE(map.ok());
   EXPECT_EQ(map->size, 8192);
   EXPECT_EQ(decode_map_query({{"field", "direction"}, {"encoding", "vector"}}).status().pointer, "/format");

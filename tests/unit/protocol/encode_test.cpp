@@ -58,34 +58,39 @@ TEST(Encode, SummariesComeBack) {
 
 TEST(Encode, PicksComeBack) {
   EXPECT_EQ(encode(PickAnswer{}), R"({"hit":false})");
-  const PickAnswer answer{.hit = true,
-                          .triangle = 7,
-                          .barycentric = {0.2, 0.3, 0.5},
-                          .position = {1, 2, 3},
-                          .normal = {0, 1, 0},
-                          .direction = {0, 0, -1},
-                          .inclination = 0.5,
-                          .length = 0.03,
-                          .stretch = 0.1,
-                          .painted = {{{0.25, 0, 0, 0}, {2, 0, 0, 0}, {}, {}, {0.75, 0, 0, 0}, {}, {},
-                                       {0.1, 0.2, 0.3, 0.4}}}};
+  const PickAnswer answer{
+      .hit = true,
+      .triangle = 7,
+      .barycentric = {0.2, 0.3, 0.5},
+      .position = {1, 2, 3},
+      .normal = {0, 1, 0},
+      .direction = {0, 0, -1},
+      .inclination = 0.5,
+      .length = 0.03,
+      .stretch = 0.1,
+      .painted = {{{0.25, 0, 0, 0}, {2, 0, 0, 0}, {}, {}, {0.75, 0, 0, 0}, {}, {}, {0.1, 0.2, 0.3, 0.4}}}};
   EXPECT_NE(encode(answer).find(R"("root_colour":[0.1,0.2,0.3,0.4])"), std::string::npos);
   EXPECT_NE(encode(answer).find(R"("density":0.25)"), std::string::npos);
   EXPECT_EQ(encode(*decode_pick_answer(encode(answer))), encode(answer));
 }
 
 TEST(Encode, LogHoldsCommandsAsJson) {
-  const std::string text =
-      encode(std::vector<LogEntry>{{.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5, .in_effect = true},
-                                   {.revision = 2, .kind = "undo", .commands = "", .touched = 5}});
+  const std::string text = encode(std::vector<LogEntry>{
+      {.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5, .in_effect = true},
+      {.revision = 2, .kind = "undo", .commands = "", .touched = 5}});
   EXPECT_EQ(text, R"({"entries":[{"revision":1,"kind":"do","touched":5,"in_effect":true,"commands":{"op":"comb"}},)"
                   R"({"revision":2,"kind":"undo","touched":5,"in_effect":false}]})");
   EXPECT_EQ(encode(*decode_log(text)), text);
 }
 
 TEST(Encode, TraceReportsComeBack) {
-  const TraceReport report{.passes = 12, .samples = 11.5, .noise = 0.02, .strands = 400'000, .end = TraceEnd::noise,
-                           .grow_ms = 700, .trace_ms = 1500.5};
+  const TraceReport report{.passes = 12,
+                           .samples = 11.5,
+                           .noise = 0.02,
+                           .strands = 400'000,
+                           .end = TraceEnd::noise,
+                           .grow_ms = 700,
+                           .trace_ms = 1500.5};
   const auto read = decode_trace_report(encode(report));
   ASSERT_TRUE(read.ok()) << read.status().message;
   EXPECT_EQ(encode(*read), encode(report));

@@ -21,7 +21,8 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 TEST(Looks, EveryOneIsThere) {
-  for (const char* name : {"shorthair_cat", "rabbit", "fox", "sheep", "wet_dog", "bear", "zebra", "leopard", "toy_plush"}) {
+  for (const char* name :
+       {"shorthair_cat", "rabbit", "fox", "sheep", "wet_dog", "bear", "zebra", "leopard", "toy_plush"}) {
     EXPECT_TRUE(std::filesystem::exists(looks_folder / (std::string(name) + ".json"))) << name;
   }
 }

@@ -54,14 +54,18 @@ TEST(Recipe, IsToldFromCommands) {
 }
 
 TEST(Recipe, FillsVariablesOfEveryType) {
-  const Files files = {{"main.json", R"({"description": "d", "variables": {"n": 0.25, "list": [1, "${n}"], "word": "lift", "both": "x ${word} ${n}"},
+  const Files files = {
+      {"main.json",
+       R"({"description": "d", "variables": {"n": 0.25, "list": [1, "${n}"], "word": "lift", "both": "x ${word} ${n}"},
     "steps": [{"op": "${word}", "a": "${n}", "b": "${list}", "c": "${both}", "d": {"e": "is ${word}"}}]})"}};
-  EXPECT_EQ(texts(files), std::vector<std::string>{
-                              R"({"a":0.25,"b":[1,0.25],"c":"x lift 0.25","d":{"e":"is lift"},"op":"lift"})"});
+  EXPECT_EQ(texts(files),
+            std::vector<std::string>{R"({"a":0.25,"b":[1,0.25],"c":"x lift 0.25","d":{"e":"is lift"},"op":"lift"})"});
 }
 
 TEST(Recipe, TakesWhatTheUserSetsAsJsonOrElseAsText) {
-  const Files files = {{"main.json", R"({"variables": {"a": 1, "b": 2, "c": "${a}"}, "steps": [{"op": "x", "a": "${a}", "b": "${b}", "c": "${c}"}]})"}};
+  const Files files = {
+      {"main.json",
+       R"({"variables": {"a": 1, "b": 2, "c": "${a}"}, "steps": [{"op": "x", "a": "${a}", "b": "${b}", "c": "${c}"}]})"}};
   EXPECT_EQ(texts(files, {{"a", "[1, 2]"}, {"b", "plain words"}}),
             std::vector<std::string>{R"({"a":[1,2],"b":"plain words","c":[1,2],"op":"x"})"});
   expect_refusal(files, "/variables/aa", "\"aa\"", {{"aa", "1"}});
@@ -70,17 +74,20 @@ TEST(Recipe, TakesWhatTheUserSetsAsJsonOrElseAsText) {
 TEST(Recipe, NamesPlacesByTheirShareOfTheBox) {
   const Files files = {{"main.json", R"({"variables": {"nose": [0.5, 1, 0]}, "steps": [
     {"op": "x", "a": {"at": [0, 0, 0]}, "b": {"at": "${nose}", "by": [0.25, -0.5, 1]}, "ramp": [{"at": 0.5}, {"at": 1, "colour": "#fff"}]}]})"}};
-  EXPECT_EQ(texts(files), std::vector<std::string>{
-      R"({"a":[-1.0,0.0,10.0],"b":[0.5,2.0,30.0],"op":"x","ramp":[{"at":0.5},{"at":1,"colour":"#fff"}]})"});
+  EXPECT_EQ(texts(files),
+            std::vector<std::string>{
+                R"({"a":[-1.0,0.0,10.0],"b":[0.5,2.0,30.0],"op":"x","ramp":[{"at":0.5},{"at":1,"colour":"#fff"}]})"});
   expect_refusal({{"main.json", R"({"steps": [{"op": "x", "a": {"at": [0, 0]}}]})"}}, "/steps/0/a", "three shares");
-  expect_refusal({{"main.json", R"({"steps": [{"op": "x", "a": {"at": [0, 0, 0], "by": 1}}]})"}}, "/steps/0/a", "three shares");
+  expect_refusal({{"main.json", R"({"steps": [{"op": "x", "a": {"at": [0, 0, 0], "by": 1}}]})"}}, "/steps/0/a",
+                 "three shares");
 }
 
 TEST(Recipe, UsesFilesWithValuesOfTheirVariables) {
   const Files files = {
       {"main.json", R"({"variables": {"n": 7}, "include": ["parts/ear.json"], "steps": [
          {"comment": "nothing"}, {"use": "ear"}, {"use": "ear", "with": {"a": "${n}"}, "comment": "two"}]})"},
-      {"parts/ear.json", R"({"variables": {"a": 1, "n": 2}, "include": ["../tip.json"], "steps": [{"op": "x", "a": "${a}", "n": "${n}"}, {"use": "tip"}]})"},
+      {"parts/ear.json",
+       R"({"variables": {"a": 1, "n": 2}, "include": ["../tip.json"], "steps": [{"op": "x", "a": "${a}", "n": "${n}"}, {"use": "tip"}]})"},
       {"tip.json", R"({"steps": [{"commands": [{"op": "y"}]}]})"}};
   EXPECT_EQ(texts(files), (std::vector<std::string>{R"({"a":1,"n":2,"op":"x"})", R"({"commands":[{"op":"y"}]})",
                                                     R"({"a":7,"n":2,"op":"x"})", R"({"commands":[{"op":"y"}]})"}));
@@ -109,17 +116,23 @@ TEST(Recipe, RefusesWithFileAndPointer) {
   expect_refusal(one(R"({"include": ["/etc/x.json"], "steps": []})"), "/include/0", "folder");
   expect_refusal(one(R"({"include": [1], "steps": []})"), "/include/0", "folder");
   expect_refusal({{"main.json", R"({"include": ["a.json"], "steps": [{"use": "a", "with": {"lenght": 1}}]})"},
-                  {"a.json", R"({"variables": {"length": 1}, "steps": []})"}}, "/steps/0/with/lenght", "a.json");
-  expect_refusal({{"main.json", R"({"include": ["a.json"], "steps": [{"use": "a"}]})"}, {"a.json", R"({"steps": [{"op": "${q}"}]})"}},
+                  {"a.json", R"({"variables": {"length": 1}, "steps": []})"}},
+                 "/steps/0/with/lenght", "a.json");
+  expect_refusal({{"main.json", R"({"include": ["a.json"], "steps": [{"use": "a"}]})"},
+                  {"a.json", R"({"steps": [{"op": "${q}"}]})"}},
                  "/steps/0/op", "a.json");
-  expect_refusal({{"main.json", R"({"include": ["a.json", "b/a.json"], "steps": []})"}, {"a.json", R"({"steps": []})"},
-                  {"b/a.json", R"({"steps": []})"}}, "/include/1", "called");
+  expect_refusal({{"main.json", R"({"include": ["a.json", "b/a.json"], "steps": []})"},
+                  {"a.json", R"({"steps": []})"},
+                  {"b/a.json", R"({"steps": []})"}},
+                 "/include/1", "called");
 }
 
 TEST(Recipe, RefusesCirclesAndDepth) {
-  expect_refusal({{"main.json", R"({"include": ["a.json"], "steps": []})"}, {"a.json", R"({"include": ["./b/../main.json"], "steps": []})"}},
+  expect_refusal({{"main.json", R"({"include": ["a.json"], "steps": []})"},
+                  {"a.json", R"({"include": ["./b/../main.json"], "steps": []})"}},
                  "/include/0", "main.json -> a.json -> main.json");
-  expect_refusal({{"main.json", R"({"variables": {"a": "${b}", "b": "${a}"}, "steps": [{"op": "${a}"}]})"}}, "/variables/b", "circle");
+  expect_refusal({{"main.json", R"({"variables": {"a": "${b}", "b": "${a}"}, "steps": [{"op": "${a}"}]})"}},
+                 "/variables/b", "circle");
   Files chain;
   for (int k = 0; k <= recipe_depth; ++k) {
     chain[k == 0 ? "main.json" : "f" + std::to_string(k) + ".json"] =

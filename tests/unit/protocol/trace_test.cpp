@@ -127,10 +127,9 @@ TEST(Trace, OnlyPathsBounceAndTheyMakeNoLight) {
 }
 
 TEST(Trace, StrandsTakeNoKnobOfShells) {
-  for (const std::string knob :
-       {R"("shells": 8)", R"("shell_policy": "uniform")", R"("steps": 2)", R"("scale": 1)",
-        R"("min_radius": 9)", R"("self_shadow": true)", R"("shadow_maps": false)", R"("shadow_resolution": 512)",
-        R"("order": "shells")", R"("fins": false)"}) {
+  for (const std::string knob : {R"("shells": 8)", R"("shell_policy": "uniform")", R"("steps": 2)", R"("scale": 1)",
+                                 R"("min_radius": 9)", R"("self_shadow": true)", R"("shadow_maps": false)",
+                                 R"("shadow_resolution": 512)", R"("order": "shells")", R"("fins": false)"}) {
     const std::string name = knob.substr(1, knob.find('"', 1) - 1);
     expect_frame_refusal(R"({"quality": {"method": "strands", )" + knob + "}}", "/quality/" + name);
     EXPECT_TRUE(frame_refusal(R"({"quality": {"method": "shells", )" + knob + "}}").ok()) << knob;
@@ -167,19 +166,28 @@ TEST(Trace, MapsOfShellsAreNotOfStrands) {
 TEST(Trace, ComesBackThroughEncode) {
   FrameRequest strands;
   strands.knobs = knobs_of(Tier::reference);
-  strands.knobs.trace = {.passes = 3, .scattering = StrandScattering::energy_conserving, .strands = 77, .noise = 0.01,
-                         .seed = 9};
+  strands.knobs.trace = {
+      .passes = 3, .scattering = StrandScattering::energy_conserving, .strands = 77, .noise = 0.01, .seed = 9};
   EXPECT_EQ(decoded(encode(strands)).knobs, strands.knobs);
   FrameRequest progressive;
-  progressive.progressive = Tracing{.passes = 5, .transport = Transport::paths,
-                          .scattering = StrandScattering::energy_conserving, .bounces = 100, .seconds = 2, .filter = false};
+  progressive.progressive = Tracing{.passes = 5,
+                                    .transport = Transport::paths,
+                                    .scattering = StrandScattering::energy_conserving,
+                                    .bounces = 100,
+                                    .seconds = 2,
+                                    .filter = false};
   EXPECT_EQ(decoded(encode(progressive)).progressive, progressive.progressive);
   EXPECT_EQ(decoded(encode(progressive)).knobs, progressive.knobs);
 }
 
 TEST(Trace, ReportsNameTheirNumbers) {
-  const TraceReport report{.passes = 16, .samples = 15.5, .noise = 0.125, .strands = 1000, .end = TraceEnd::noise,
-                           .grow_ms = 20, .trace_ms = 300};
+  const TraceReport report{.passes = 16,
+                           .samples = 15.5,
+                           .noise = 0.125,
+                           .strands = 1000,
+                           .end = TraceEnd::noise,
+                           .grow_ms = 20,
+                           .trace_ms = 300};
   const std::string text = encode(report);
   for (const std::string part : {R"("passes":16)", R"("samples":15.5)", R"("noise":0.125)", R"("strands":1000)",
                                  R"("end":"noise")", R"("grow_ms":20)", R"("trace_ms":300)"})
@@ -223,10 +231,17 @@ TEST(Lights, RefuseSizesBeyondTheirRange) {
   struct Member {
     std::string name, value;
   };
-  const std::vector<Member> members = {
-      {"angle_degrees", "-0.1"}, {"angle_degrees", "90.1"}, {"radius", "-1e-9"}, {"radius", "10.01"},
-      {"width", "0"},            {"width", "0.0009"},       {"width", "100.1"},  {"height", "0"},
-      {"height", "100.1"},       {"height", "\"1\""},       {"kind", "\"rectangle\""}};
+  const std::vector<Member> members = {{"angle_degrees", "-0.1"},
+                                       {"angle_degrees", "90.1"},
+                                       {"radius", "-1e-9"},
+                                       {"radius", "10.01"},
+                                       {"width", "0"},
+                                       {"width", "0.0009"},
+                                       {"width", "100.1"},
+                                       {"height", "0"},
+                                       {"height", "100.1"},
+                                       {"height", "\"1\""},
+                                       {"kind", "\"rectangle\""}};
   for (const auto& [name, value] : members) {
     const Status status = lights_refusal("\"" + name + "\": " + value);
     EXPECT_EQ(status.pointer, "/lights/0/" + name) << value;

@@ -1,11 +1,12 @@
 // A fit finds the prices and errors that measurements were made from.
+#include "renderer/quality/fit.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "renderer/quality/cost_model.h"
 #include "renderer/quality/error_model.h"
-#include "renderer/quality/fit.h"
 #include "tests/unit/quality/views.h"
 
 namespace pelage {
@@ -57,7 +58,8 @@ TEST(Fit, CostsAndErrorsComeBack) {
   const Calibration calibration = fit_calibration(ladder(), views);
   for (const MeasuredView& view : views) {
     for (std::size_t row = 0; row < view.error.size(); ++row) {
-      EXPECT_NEAR(predicted_cost(calibration, view.features, calibration.ladder[row].knobs) / view.cost_ms[row], 1, 0.05);
+      EXPECT_NEAR(predicted_cost(calibration, view.features, calibration.ladder[row].knobs) / view.cost_ms[row], 1,
+                  0.05);
       const ErrorTraits traits = in_range(calibration, error_traits_of(view.features));
       EXPECT_NEAR(std::log(predicted_error(calibration.ladder[row], traits) / view.error[row]), 0, 0.4);
       EXPECT_GT(calibration.ladder[row].slopes[0], 0.05);  // longer fur is further off

@@ -77,7 +77,8 @@ RC_GTEST_PROP(Planner, WhatItSaysIsWhatItChose, ()) {
   RC_ASSERT(e.error > 0 && e.error <= 1 && std::isfinite(e.cost_ms));
 }
 
-/// What is measured is `factor` times what is predicted, but for rows whose number `odd` divides: those are twice as far off.
+/// What is measured is `factor` times what is predicted, but for rows whose number `odd` divides: those are twice as
+/// far off.
 MeasureError off_by(const Calibration& calibration, double factor, std::size_t odd, std::vector<std::size_t>& asked) {
   return [&calibration, factor, odd, &asked](const Knobs& knobs) -> std::optional<double> {
     std::size_t row = 0;
@@ -91,7 +92,8 @@ MeasureError off_by(const Calibration& calibration, double factor, std::size_t o
 RC_GTEST_PROP(Planner, WhatWasMeasuredKeepsTheErrorAndNothingCheaperIsExpectedTo, ()) {
   Calibration calibration = any_calibration();
   calibration.probe_safety = number(100, 200, 0.01);
-  for (std::size_t i = 0; i < calibration.ladder.size(); ++i) calibration.ladder[i].knobs.steps = static_cast<int>(i) + 1;
+  for (std::size_t i = 0; i < calibration.ladder.size(); ++i)
+    calibration.ladder[i].knobs.steps = static_cast<int>(i) + 1;
   const double max = number(1, 1000, 1e-3), factor = number(10, 500, 0.01);
   std::vector<std::size_t> asked;
   MeasuredErrors errors;
@@ -101,7 +103,7 @@ RC_GTEST_PROP(Planner, WhatWasMeasuredKeepsTheErrorAndNothingCheaperIsExpectedTo
   RC_ASSERT(e.measured && e.error_safety == calibration.probe_safety);
   const double told = std::min(1.0, *off_by(calibration, factor, 3, asked)(planned.knobs));
   asked.pop_back();
-  RC_ASSERT(std::abs(e.error - told) <= 1e-9 * told);  // what was measured of it, not of others
+  RC_ASSERT(std::abs(e.error - told) <= 1e-9 * told);                      // what was measured of it, not of others
   RC_ASSERT(std::set(asked.begin(), asked.end()).size() == asked.size());  // nothing is measured twice
   if (e.end == PlanEnd::error) RC_ASSERT(e.error * e.error_safety <= max);
   asked.clear();

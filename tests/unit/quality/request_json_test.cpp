@@ -22,8 +22,10 @@ TEST(DialJson, OneGoalAtMost) {
 }
 
 TEST(DialJson, Ranges) {
-  for (const char* budget : {"0.99", "600001", "-1"}) expect_refusal(std::string(R"({"budget_ms": )") + budget + "}", "/budget_ms");
-  for (const char* error : {"0", "1.01", "-1"}) expect_refusal(std::string(R"({"max_error": )") + error + "}", "/max_error");
+  for (const char* budget : {"0.99", "600001", "-1"})
+    expect_refusal(std::string(R"({"budget_ms": )") + budget + "}", "/budget_ms");
+  for (const char* error : {"0", "1.01", "-1"})
+    expect_refusal(std::string(R"({"max_error": )") + error + "}", "/max_error");
   EXPECT_TRUE(decode_frame_request(R"({"budget_ms": 1})").ok());
   EXPECT_TRUE(decode_frame_request(R"({"budget_ms": 600000})").ok());
   EXPECT_TRUE(decode_frame_request(R"({"max_error": 1})").ok());

@@ -1,9 +1,10 @@
 // What is told of a view without drawing it, against what can be counted by hand.
+#include "renderer/quality/view_features.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "renderer/quality/view_features.h"
 #include "tests/unit/quality/views.h"
 
 namespace pelage {
@@ -44,7 +45,8 @@ TEST(Windows, ShowAPlaceOfThePictureWithItsPixels) {
   const FurFrame corner = window_of(frame, {360, 30}, 60);
   const auto pixel_of = [&](const FurFrame& seen, const glm::vec3& at) {
     const glm::vec3 off = at - seen.camera.position;
-    const float focal = static_cast<float>(seen.height) / (2 * seen.camera.tan_half_fov) / glm::dot(off, seen.camera.forward);
+    const float focal =
+        static_cast<float>(seen.height) / (2 * seen.camera.tan_half_fov) / glm::dot(off, seen.camera.forward);
     return glm::vec2(seen.width, seen.height) * 0.5f +
            focal * glm::vec2(glm::dot(off, seen.camera.right), -glm::dot(off, seen.camera.up));
   };
@@ -95,14 +97,16 @@ TEST(ViewFeatures, PiecesCountAsTriangles) {
   const Patch patch;
   FurredSkin skin = patch.skin();
   skin.pieces = 1.5;
-  const ViewFeatures view = view_features(frame_of(256, 256), skin), plain = view_features(frame_of(256, 256), patch.skin());
+  const ViewFeatures view = view_features(frame_of(256, 256), skin),
+                     plain = view_features(frame_of(256, 256), patch.skin());
   EXPECT_NEAR(view.area / plain.area, 1.5, 1e-9);
   EXPECT_NEAR(view.triangles / plain.triangles, 1.5, 1e-9);
 }
 
 TEST(ViewFeatures, ManyTrianglesAreLookedAtInPart) {
   const Patch coarse(16), fine(256);
-  const ViewFeatures a = view_features(frame_of(256, 256), coarse.skin()), b = view_features(frame_of(256, 256), fine.skin());
+  const ViewFeatures a = view_features(frame_of(256, 256), coarse.skin()),
+                     b = view_features(frame_of(256, 256), fine.skin());
   EXPECT_EQ(b.triangles, 2.0 * 256 * 256);
   EXPECT_NEAR(b.area / a.area, 1, 0.02);
 }
@@ -113,8 +117,8 @@ TEST(ViewFeatures, ExtremesAreFinite) {
     for (const auto& [width, height] : {std::pair{1, 1}, {8192, 8192}, {8192, 1}}) {
       for (const float distance : {0.0f, 1e-9f, 0.01f, 1e20f}) {
         const ViewFeatures view = view_features(frame_of(width, height, distance), skin->skin());
-        for (const double value : {view.area, view.edges, view.covered, view.behind, view.fur_pixels, view.strand_pixels,
-                                   view.bending, view.visible}) {
+        for (const double value : {view.area, view.edges, view.covered, view.behind, view.fur_pixels,
+                                   view.strand_pixels, view.bending, view.visible}) {
           EXPECT_TRUE(std::isfinite(value) && value >= 0) << width << " x " << height << " from " << distance;
         }
       }

@@ -58,8 +58,7 @@ TEST_F(AmendTest, GivesWhatTheEditedListGives) {
   const FieldsHash edited = fresh({{first}, {stronger(second)}, {smooth()}, {third}});
   EXPECT_EQ(answer.fields_hash, edited);
   EXPECT_NE(edited, before);
-  EXPECT_EQ(kinds(*scene),
-            (std::vector<std::string>{"do", "do", "do", "do", "revert", "replay", "replay", "replay"}));
+  EXPECT_EQ(kinds(*scene), (std::vector<std::string>{"do", "do", "do", "do", "revert", "replay", "replay", "replay"}));
   EXPECT_EQ(scene->effective_log().size(), 4u);
   EXPECT_EQ(scene->summary().undo_steps, 5u);
 

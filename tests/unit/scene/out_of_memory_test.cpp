@@ -29,8 +29,8 @@ class OutOfMemory : public StoreTest {
     const SceneSummary summary = scene.summary();
     double root_share = 0;
     scene.read([&](const SceneView& view) { root_share = view.settings.coat.root_share; });
-    return {summary.revision,   summary.fields_hash,  summary.undo_steps,
-            summary.redo_steps, scene.log().size(), root_share};
+    return {summary.revision,   summary.fields_hash, summary.undo_steps,
+            summary.redo_steps, scene.log().size(),  root_share};
   }
 
   std::shared_ptr<Scene> reopened() {

@@ -5,11 +5,11 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
+#include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/history/sqlite.h"
-#include "server/scene/model.h"
-#include "server/builtin/builtin.h"
 #include "server/import/import.h"
+#include "server/scene/model.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {
@@ -145,7 +145,8 @@ TEST_F(SceneStoreTest, ACreaturesWhiskersStandOutOfItsSkin) {
     const Surface& surface = view.model.surface;
     for (const CurveGroup& group : view.settings.curves) {
       for (const GuideCurve& curve : group.curves) {
-        const glm::dvec3 root = surface.mesh().to_internal(curve.front()), tip = surface.mesh().to_internal(curve.back());
+        const glm::dvec3 root = surface.mesh().to_internal(curve.front()),
+                         tip = surface.mesh().to_internal(curve.back());
         EXPECT_LT(glm::distance(root, surface.position(surface.nearest(root))), 0.02);
         EXPECT_GT(glm::dot(tip - root, surface.normal(surface.nearest(root))), 0);
       }
@@ -155,7 +156,8 @@ TEST_F(SceneStoreTest, ACreaturesWhiskersStandOutOfItsSkin) {
 
 TEST_F(SceneStoreTest, CurvesFarFromTheModelAreRefused) {
   const auto scene = make();
-  const CurveGroup near{.curves = {{{0, 1, 0}, {0, 2, 0}}}}, far{.curves = {{{0, 1, 0}, {0, 2, 0}}, {{0, 1, 0}, {0, 1e20, 0}}}};
+  const CurveGroup near{.curves = {{{0, 1, 0}, {0, 2, 0}}}},
+      far{.curves = {{{0, 1, 0}, {0, 2, 0}}, {{0, 1, 0}, {0, 1e20, 0}}}};
   const auto refused = scene->execute({SetCurves{{near, far}}});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.status().pointer, "/groups/1/curves/1/1");

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <thread>
 
+#include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/scene/model.h"
-#include "server/builtin/builtin.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

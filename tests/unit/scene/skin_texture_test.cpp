@@ -1,9 +1,9 @@
 // Pictures on models: named in the log, kept in the journal, undone like everything else.
+#include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/history/sqlite.h"
-#include "server/scene/model.h"
-#include "server/builtin/builtin.h"
 #include "server/import/import.h"
+#include "server/scene/model.h"
 #include "tests/support/textured.h"
 #include "tests/unit/scene/store_fixture.h"
 

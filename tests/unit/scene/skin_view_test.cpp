@@ -13,7 +13,9 @@ Mesh mesh_of_size(double size, glm::dvec3 centre) {
 
 FurSkinRegion made(const SkinRegion& region) { return make_skin({region}, mesh_of_size(4, {1, 2, 3})).at(0); }
 
-void expect_near(glm::dvec3 a, glm::dvec3 b) { EXPECT_LT(glm::distance(a, b), 1e-12) << a.x << " " << a.y << " " << a.z; }
+void expect_near(glm::dvec3 a, glm::dvec3 b) {
+  EXPECT_LT(glm::distance(a, b), 1e-12) << a.x << " " << a.y << " " << a.z;
+}
 
 TEST(SkinView, PlacesRegionsInSizes) {
   const FurSkinRegion region = made({.centre = {3, 2, 3}, .radii = {0.1, 0.2, 0.5}});

@@ -1,10 +1,10 @@
 // Finer triangles, other scenes' fields and logs for other models, over restarts.
 #include <cmath>
 
-#include "server/scene/model.h"
-#include "server/scene/scene.h"
 #include "server/builtin/builtin.h"
 #include "server/import/import.h"
+#include "server/scene/model.h"
+#include "server/scene/scene.h"
 #include "tests/support/textured.h"
 #include "tests/unit/scene/store_fixture.h"
 

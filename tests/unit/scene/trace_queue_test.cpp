@@ -218,7 +218,8 @@ TEST_F(TraceQueueTest, ARemovedSceneEndsItsJobs) {
   const auto scene = make();
   const FrameRequest request = progressive(1'000'000);
   queue();
-  std::future<Picture> picture = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
+  std::future<Picture> picture =
+      std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
   ASSERT_TRUE(store_->remove(scene->id()).ok());
   EXPECT_EQ(picture.get().status().code, Code::not_found);
@@ -284,7 +285,8 @@ TEST_F(TraceQueueTest, TakesWhatWasAskedForLast) {
   stage_.allowed = 0;
   ASSERT_TRUE(queue().improve(scene, progressive(2, "first"), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.begun == 1; }));
-  for (const char* view : {"second", "third", "fourth"}) ASSERT_TRUE(queue_->improve(scene, progressive(2, view), 0).ok());
+  for (const char* view : {"second", "third", "fourth"})
+    ASSERT_TRUE(queue_->improve(scene, progressive(2, view), 0).ok());
   ASSERT_TRUE(queue_->improve(scene, progressive(2, "second"), 0).ok());  // asked for again
   stage_.allowed = 1000;
   ASSERT_TRUE(soon([&] { return stage_.begun == 4; }));
@@ -365,7 +367,8 @@ TEST_F(TraceQueueTest, KeepsSoManyProgressivePictures) {
 TEST_F(TraceQueueTest, StopsAtOnce) {
   const auto scene = make();
   queue();
-  std::future<Picture> running = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
+  std::future<Picture> running =
+      std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
   std::future<Picture> waiting = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(2)); });
   const YieldGate::Turn turn = gate_.go_first();  // even what is held at the gate

@@ -34,8 +34,8 @@
 #include <numbers>
 
 #include "protocol/base/random.h"
-#include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/fibre.h"
+#include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_table.h"
 
 namespace pelage {

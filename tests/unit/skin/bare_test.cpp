@@ -1,7 +1,8 @@
 #include "renderer/skin/bare.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <limits>
 #include <vector>
 

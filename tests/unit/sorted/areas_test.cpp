@@ -1,6 +1,6 @@
-#include "renderer/passes/sorted/fragment_lists.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer/passes/sorted/fragment_lists.h"
 
 namespace pelage {
 namespace {

@@ -10,9 +10,8 @@
 namespace pelage {
 namespace {
 
-constexpr std::array all_aovs{Aov::beauty, Aov::alpha,      Aov::depth,  Aov::position,
-                                Aov::normal, Aov::tangent,    Aov::albedo, Aov::direct,
-                                Aov::shadow, Aov::shell_count};
+constexpr std::array all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
+                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
 constexpr std::array both{Transport::transmittance, Transport::paths};
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -272,8 +271,7 @@ TEST_F(Extremes, ABackplateOfAnything) {
     for (const Transport transport : both) {
       const FurPatch bald = fur_ball(0);
       const FurFrame frame = usual(transport);
-      ASSERT_TRUE(
-          tracer_.begin(bald.model(), bald.fields(), frame, {any, any, any, any, any}, all_aovs, always).ok());
+      ASSERT_TRUE(tracer_.begin(bald.model(), bald.fields(), frame, {any, any, any, any, any}, all_aovs, always).ok());
       ASSERT_TRUE(tracer_.add_pass(always).ok());
       expect_sane(tracer_);
     }

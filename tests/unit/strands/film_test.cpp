@@ -11,9 +11,8 @@
 namespace pelage {
 namespace {
 
-const std::vector<Aov> all_aovs{
-    Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
-    Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
+const std::vector<Aov> all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
+                                Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
 
 FilmSample hit(float brightness) {
   FilmSample s;
@@ -51,9 +50,8 @@ TEST(Film, AovsOfAPixelThatIsHalfCovered) {
   const struct {
     Aov aov;
     glm::vec3 value;
-  } rows[] = {{Aov::position, {1, 2, 3}},      {Aov::normal, {0, 1, 0}},
-              {Aov::tangent, {1, 0, 0}},       {Aov::albedo, {0.4f, 0.2f, 0.1f}},
-              {Aov::direct, glm::vec3(0.75f)}, {Aov::shadow, glm::vec3(0.25f)},
+  } rows[] = {{Aov::position, {1, 2, 3}},        {Aov::normal, {0, 1, 0}},        {Aov::tangent, {1, 0, 0}},
+              {Aov::albedo, {0.4f, 0.2f, 0.1f}}, {Aov::direct, glm::vec3(0.75f)}, {Aov::shadow, glm::vec3(0.25f)},
               {Aov::shell_count, glm::vec3(4)}};
   for (const auto& row : rows) {
     const glm::vec4 found = pixel_of(film, row.aov);

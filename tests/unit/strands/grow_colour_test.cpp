@@ -21,8 +21,7 @@ void expect_colour(glm::vec3 colour, glm::vec3 expected) {
 
 TEST(GrowColour, IsTheStrandsOwn) {
   Coat coat;
-  coat.count = 300, coat.undercoat.share = 0.3, coat.undercoat.tint = 0.5, coat.ticking.share = 0.2,
-  coat.wetness = 0.4;
+  coat.count = 300, coat.undercoat.share = 0.3, coat.undercoat.tint = 0.5, coat.ticking.share = 0.2, coat.wetness = 0.4;
   const StrandSet set = FurPatch(0.12).grow({coat});
   for (const Strand& strand : make_strands(coat)) {
     for (std::size_t i = 0; i < set.count(); ++i) {

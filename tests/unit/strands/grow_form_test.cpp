@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/coat/clump.h"
 #include "protocol/base/lean_curve.h"
+#include "renderer/coat/clump.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/pattern/pattern.h"
@@ -331,7 +331,7 @@ TEST(GrowAndSlices, CoverTheSamePlaces) {
       sum += share, of_strands += strands[i], apart += std::abs(share - strands[i]);
     }
     EXPECT_NEAR(of_strands / sum, 0.955, 0.105) << slice;  // slanted rays need the rims at the tips thickened
-    EXPECT_LT(apart / sum, 0.25) << slice;  // and soft over a texel, sharp here
+    EXPECT_LT(apart / sum, 0.25) << slice;                 // and soft over a texel, sharp here
   }
 }
 

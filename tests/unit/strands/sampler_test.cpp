@@ -1,10 +1,10 @@
-#include "renderer/strands/sampling.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 #include <vector>
+
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 namespace {

@@ -195,8 +195,7 @@ TEST(TraceExtremes, APictureBeyondTheMemoryIsRefused) {
   FurFrame frame = frame_at(8192, coat_of(glm::vec3(0.5f), 10), Transport::transmittance, 1);
   Tracer tracer(1, std::size_t{256} << 20, false);
   const FurPatch ball = fur_ball(0.03f);
-  const Status status =
-      tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{Aov::beauty}, always);
+  const Status status = tracer.begin(ball.model(), ball.fields(), frame, nothing(), std::array{Aov::beauty}, always);
   EXPECT_EQ(status.code, Code::too_large);
   EXPECT_EQ(status.pointer, "/width");
 }

@@ -62,7 +62,8 @@ inline Coat coat_of(glm::vec3 colour, int count = 1500) {
 inline FurFrame frame_at(int size, Coat coat, Transport transport, int passes) {
   FurFrame frame;
   frame.coat = std::move(coat);
-  frame.camera = {.position = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .tan_half_fov = 0.2f};
+  frame.camera = {
+      .position = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .tan_half_fov = 0.2f};
   frame.width = frame.height = size;
   frame.knobs = knobs_of(Tier::reference);
   frame.knobs.trace.transport = transport;
@@ -84,8 +85,7 @@ struct Traced {
 
 inline Traced traced(const FurPatch& fur, const FurFrame& frame, int threads = 2) {
   Tracer tracer(threads, plenty, false);
-  const Status begun =
-      tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{Aov::beauty}, always);
+  const Status begun = tracer.begin(fur.model(), fur.fields(), frame, nothing(), std::array{Aov::beauty}, always);
   EXPECT_TRUE(begun.ok()) << begun.message;
   while (begun.ok() && tracer.report().end == TraceEnd::none) EXPECT_TRUE(tracer.add_pass(always).ok());
   return {tracer.aov(Aov::beauty), tracer.report()};

@@ -41,8 +41,7 @@ TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
     if (traced_in(tracer, bald, frame).ok()) {  // then with the skin, which may have been what did not fit
       EXPECT_GT(mean_of(tracer.aov(Aov::beauty)).alpha, 10) << memory;
     }
-    const Status fits =
-        tracer.begin(small.model(), small.fields(), less, nothing(), std::array{Aov::beauty}, always);
+    const Status fits = tracer.begin(small.model(), small.fields(), less, nothing(), std::array{Aov::beauty}, always);
     EXPECT_TRUE(fits.ok()) << memory << " " << fits.message;
     EXPECT_TRUE(tracer.add_pass(always).ok());
     EXPECT_EQ(traced_in(tracer, ball, frame).code, status.code) << memory;
@@ -150,7 +149,8 @@ TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {
 FurFrame view_from(double distance) {
   const double pixel = 0.4 / 64 * distance;
   const int size = static_cast<int>(std::ceil(0.7 / pixel));
-  FurFrame frame = frame_at(size, coat_of(glm::vec3(0.5f), 4000), Transport::transmittance, std::max(1, 20'000 / (size * size)));
+  FurFrame frame =
+      frame_at(size, coat_of(glm::vec3(0.5f), 4000), Transport::transmittance, std::max(1, 20'000 / (size * size)));
   frame.coat.width_root = 0.0004, frame.coat.width_tip = 0.00015;
   frame.camera.position = {0, 0, distance};
   frame.camera.tan_half_fov = static_cast<float>(size * pixel / 2 / distance);
@@ -164,7 +164,8 @@ double covered(const World& world, const FurFrame& frame) {
   for (int i = 0; i < side * side; ++i) {
     const glm::vec2 off = (glm::vec2(i % side, i / side) + 0.5f) * (2.0f / side) - 1.0f;
     const glm::vec3 towards(off * frame.camera.tan_half_fov, -1);
-    hits += world.intersect({.origin = frame.camera.position, .direction = glm::normalize(towards)}).kind != HitKind::none;
+    hits +=
+        world.intersect({.origin = frame.camera.position, .direction = glm::normalize(towards)}).kind != HitKind::none;
   }
   return double(hits) / (side * side);
 }

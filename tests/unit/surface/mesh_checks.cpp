@@ -16,8 +16,8 @@ void expect_patches(const Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));
   std::size_t bad_points = 0, bad_sums = 0;
   for (const PatchPoint& point : map.points) {
-    const bool good = std::isfinite(point.uv.x) && std::isfinite(point.uv.y) &&
-                      std::abs(glm::length(point.axis) - 1) < 1e-4f;
+    const bool good =
+        std::isfinite(point.uv.x) && std::isfinite(point.uv.y) && std::abs(glm::length(point.axis) - 1) < 1e-4f;
     if (!good) ++bad_points;
   }
   for (const Piece& piece : map.pieces) {

@@ -26,9 +26,9 @@ double area_of(const Mesh& mesh, std::uint32_t triangle) {
 
 /// What the issue asks of a map.
 struct Quality {
-  double area_factor = 0;    // area of pieces over area of the surface
-  double flipped = 0;        // share of the pieces' area
-  double stretched = 0;      // share of the pieces' area with a singular value outside [1/1.4, 1.4]
+  double area_factor = 0;                 // area of pieces over area of the surface
+  double flipped = 0;                     // share of the pieces' area
+  double stretched = 0;                   // share of the pieces' area with a singular value outside [1/1.4, 1.4]
   double min_sum = 1e9, largest_sum = 0;  // of the shares at a corner
 };
 
@@ -93,8 +93,11 @@ TEST(Patches, ABallIsCoveredByAFewThatStretchLittle) {
 }
 
 TEST(Patches, BuiltInsOfTheUsualSize) {
-  for (const auto& [shape, triangles] : {std::pair{Builtin::creature, 5000}, {Builtin::sphere, 5000},
-                                         {Builtin::cloth, 1401}, {Builtin::knot, 10'000}, {Builtin::torus, 5000}}) {
+  for (const auto& [shape, triangles] : {std::pair{Builtin::creature, 5000},
+                                         {Builtin::sphere, 5000},
+                                         {Builtin::cloth, 1401},
+                                         {Builtin::knot, 10'000},
+                                         {Builtin::torus, 5000}}) {
     SCOPED_TRACE(static_cast<int>(shape));
     const Mesh mesh = builtin(shape, triangles);
     expect_good(mesh, lay_patches(mesh), 1.3);
@@ -189,9 +192,9 @@ TEST(Patches, HardPiecesKeepTheLargestShare) {
 
 /// Two squares of side 1; the first on a quarter of its texture, the second mirrored on another one.
 RawModel two_squares_with_uvs() {
-  RawModel raw = shapes::model_of({{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1},
-                                   {2, 0, 0}, {3, 0, 0}, {3, 0, -1}, {2, 0, -1}},
-                                  {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  RawModel raw =
+      shapes::model_of({{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1}, {2, 0, 0}, {3, 0, 0}, {3, 0, -1}, {2, 0, -1}},
+                       {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
   const glm::dvec2 a(0, 0), b(0.5, 0), c(0.5, 0.5), d(0, 0.5);
   raw.corner_uv = {a, b, c, a, c, d, b, a, d, b, d, c};
   return raw;

@@ -1,14 +1,13 @@
 // Searches against plain ones that follow the definition.
-#include "server/surface/geodesics.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <queue>
 
 #include "protocol/base/random.h"
-#include "server/surface/adjacency.h"
 #include "server/builtin/builtin.h"
+#include "server/surface/adjacency.h"
+#include "server/surface/geodesics.h"
 #include "server/surface/prepare.h"
 #include "server/surface/value_noise.h"
 

@@ -10,8 +10,8 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/base/random.h"
-#include "server/surface/adjacency.h"
 #include "server/builtin/builtin.h"
+#include "server/surface/adjacency.h"
 #include "tests/unit/surface/mesh_checks.h"
 #include "tests/unit/surface/shapes.h"
 

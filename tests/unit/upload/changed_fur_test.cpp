@@ -11,7 +11,8 @@ namespace {
 
 /// Two triangles far from each other; x and y of a place are what a picture sees.
 struct Skin {
-  std::array<glm::vec3, 6> positions{{{-0.9, 0, 0}, {-0.8, 0, 0}, {-0.9, 0.1, 0}, {0.8, 0, 0}, {0.9, 0, 0}, {0.8, 0.1, 0}}};
+  std::array<glm::vec3, 6> positions{
+      {{-0.9, 0, 0}, {-0.8, 0, 0}, {-0.9, 0.1, 0}, {0.8, 0, 0}, {0.9, 0, 0}, {0.8, 0.1, 0}}};
   std::array<glm::vec3, 6> normals, tangents, groom;
   std::array<glm::uvec3, 2> triangles{{{0, 1, 2}, {3, 4, 5}}};
 

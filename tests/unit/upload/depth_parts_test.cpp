@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "protocol/base/random.h"
 #include "protocol/base/lean_curve.h"
+#include "protocol/base/random.h"
 
 namespace pelage {
 namespace {
@@ -25,7 +25,8 @@ TEST(DepthParts, EveryDistanceBelongsToOne) {
   ASSERT_EQ(parts.count(), 4);
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
-    const auto distance = static_cast<float>(i < 1000 ? 20 * random.uniform() - 2 : 8 + i % 5);  // and at the boundaries
+    const auto distance =
+        static_cast<float>(i < 1000 ? 20 * random.uniform() - 2 : 8 + i % 5);  // and at the boundaries
     int holding = 0;
     for (int part = 0; part < 4; ++part) holding += parts.range(part).holds(distance);
     EXPECT_EQ(holding, 1) << distance;
@@ -62,7 +63,8 @@ TEST(DepthParts, WhatHasNoDepthIsOnePart) {
   EXPECT_EQ(DepthParts(from_ten_away(), {}, 4).count(), 1);
 }
 
-/// Random strands, seen from random sides, near and so far away that distances are rounded: no place of a triangle's shell is outside of what is said of it.
+/// Random strands, seen from random sides, near and so far away that distances are rounded: no place of a triangle's
+/// shell is outside of what is said of it.
 TEST(DepthParts, StrandsStayWithinTheirDepths) {
   Random random(3);
   const auto number = [&](double low, double high) { return low + (high - low) * random.uniform(); };
@@ -75,7 +77,8 @@ TEST(DepthParts, StrandsStayWithinTheirDepths) {
     const glm::vec3 tangent = glm::normalize(glm::cross(normal, glm::vec3(0.3, 0.5, 0.7)));
     const double inclination = number(0, 1), turn = number(0, 6.3), length = number(0, 0.3);
     const std::vector<glm::vec3> positions(3, direction()), normals(3, normal), tangents(3, tangent);
-    const std::vector<glm::vec3> grooms(3, glm::vec3(inclination * std::cos(turn), inclination * std::sin(turn), length));
+    const std::vector<glm::vec3> grooms(3,
+                                        glm::vec3(inclination * std::cos(turn), inclination * std::sin(turn), length));
     glm::mat4 to_clip(1);
     for (int k = 0; k < 3; ++k) to_clip[k][3] = along[k];
     to_clip[3][3] = static_cast<float>(i % 4 ? 1 : number(1, 1e5));
@@ -84,10 +87,11 @@ TEST(DepthParts, StrandsStayWithinTheirDepths) {
     const glm::vec2 range = depths.of({0, 1, 2}, static_cast<float>(height));
     const double leaning = std::clamp(inclination + coat.variation.lean * number(-1, 1), 0.0, 1.0);
     const LeanPoint at = lean_point(coat.lean_curve, leaning, coat.root_share, height);
-    const glm::vec3 lean = tangent * static_cast<float>(std::cos(turn)) +
-                           glm::cross(normal, tangent) * static_cast<float>(std::sin(turn));
+    const glm::vec3 lean =
+        tangent * static_cast<float>(std::cos(turn)) + glm::cross(normal, tangent) * static_cast<float>(std::sin(turn));
     const auto drawn = static_cast<float>(length * (1 + coat.variation.length * number(-1, 1)));
-    const glm::vec3 place = positions[0] + drawn * (static_cast<float>(at.across) * lean + static_cast<float>(at.up) * normal);
+    const glm::vec3 place =
+        positions[0] + drawn * (static_cast<float>(at.across) * lean + static_cast<float>(at.up) * normal);
     const double distance = glm::dot(glm::dvec3(along), glm::dvec3(place)) + double{to_clip[3][3]};
     EXPECT_GE(distance, range.x) << i;
     EXPECT_LE(distance, range.y) << i;

@@ -54,7 +54,8 @@ TEST(ShellLods, CurvatureOfASphereIsOneOverItsRadius) {
   std::vector<glm::uvec3> triangles;
   for (int row = 1; row < 40; ++row) {
     for (int column = 0; column < 80; ++column) {
-      const float polar = 3.14159265f * static_cast<float>(row) / 40, turn = 3.14159265f * static_cast<float>(column) / 40;
+      const float polar = 3.14159265f * static_cast<float>(row) / 40,
+                  turn = 3.14159265f * static_cast<float>(column) / 40;
       normals.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn));
     }
   }
@@ -123,9 +124,10 @@ TEST(ShellLods, EverySetIsMarkedWhereItMayShow) {
   EXPECT_EQ(mesh.sorted({0, 0, 0}, 8).marks[0].size(), 0u);
   const std::vector<float> levels(9, 0.0f);
   const std::vector<CellBox> cells(9);
-  EXPECT_EQ(shown_triangles({mesh.triangles, mesh.centroids, mesh.normals, mesh.positions, mesh.lengths, levels, cells}, view)
-                .size(),
-            2u);
+  EXPECT_EQ(
+      shown_triangles({mesh.triangles, mesh.centroids, mesh.normals, mesh.positions, mesh.lengths, levels, cells}, view)
+          .size(),
+      2u);
 }
 
 TEST(ShellLods, ASetIsDrawnWhereItMayBeAskedForAndNowhereElse) {

@@ -1,15 +1,16 @@
 #include "clients/cli/trade/page/page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <set>
 
-#include "clients/cli/trade/page/row.h"
 #include "clients/cli/trade/page/plots.h"
+#include "clients/cli/trade/page/row.h"
 
 namespace pelage::trade {
 
@@ -160,7 +161,7 @@ std::vector<std::string> cells_of(std::string wish, const std::optional<Mean>& c
 std::string budget_table(const std::vector<Mean>& settings) {
   Table table{{"so many ms", "choose", "ms", "error", "silhouette"}, {}};
   const auto [min, max] = std::minmax_element(settings.begin(), settings.end(),
-                                                 [](const Mean& a, const Mean& b) { return a.cost < b.cost; });
+                                              [](const Mean& a, const Mean& b) { return a.cost < b.cost; });
   std::string last;
   for (const double budget : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}) {
     const std::optional<Mean> choice = best_within(settings, budget);
@@ -181,8 +182,8 @@ std::string error_table(const std::vector<Mean>& settings) {
 /// Whether another setting is as cheap and better, in words.
 std::string judgement(const std::vector<Mean>& settings, const Mean& tier) {
   const std::optional<Mean> better = best_within(settings, tier.cost * no_worse);
-  const std::string start = fmt::format("<b>{}</b> takes {} ms with an error of {} (silhouette {}). ", escaped(tier.name),
-                                        ms(tier.cost), error(tier.flip), error(tier.silhouette));
+  const std::string start = fmt::format("<b>{}</b> takes {} ms with an error of {} (silhouette {}). ",
+                                        escaped(tier.name), ms(tier.cost), error(tier.flip), error(tier.silhouette));
   if (!better || better->flip > 0.95 * tier.flip) return start + "Nothing measured is better for its time.";
   return start + fmt::format("For the same time, {} has {}.", escaped(better->name), error(better->flip));
 }
@@ -237,7 +238,8 @@ std::string introduction(const Report& report) {
       "pixels. Another machine, above all another GPU, has other times: run <code>pelage trade</code> there.</p>"
       "<p><b>Error</b> is FLIP, the difference that an eye sees when two pictures are swapped in place, from 0 to 1, "
       "over "
-      "the fur only. <b>Silhouette</b> is the same in a band of 8 pixels to each side of its edge. <b>Time</b> is {} of "
+      "the fur only. <b>Silhouette</b> is the same in a band of 8 pixels to each side of its edge. <b>Time</b> is {} "
+      "of "
       "drawing, shadows included, without sending and encoding: the least of {}.</p>"
       "<p>The truth is <b>R1</b>, the same fur with the same shadows in {} shells with every fragment sorted. "
       "<b>R2</b> traces every "

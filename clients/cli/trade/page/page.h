@@ -11,9 +11,9 @@ namespace pelage::trade {
 
 /// A setting over all scenes that have it.
 struct Mean {
-  std::string name;              // of the setting in words
-  std::string knobs;             // JSON
-  double cost = 0;               // milliseconds, geometric mean
+  std::string name;                 // of the setting in words
+  std::string knobs;                // JSON
+  double cost = 0;                  // milliseconds, geometric mean
   double flip = 0, silhouette = 0;  // means
   int scenes = 0;
 };

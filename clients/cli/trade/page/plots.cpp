@@ -1,9 +1,10 @@
 #include "clients/cli/trade/page/plots.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <set>
 
 #include "clients/cli/trade/page/page.h"

@@ -1,8 +1,9 @@
 #include "clients/cli/trade/page/row.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cstdint>
-#include <fmt/format.h>
 #include <optional>
 
 #include "clients/cli/trade/page/page.h"
@@ -74,9 +75,9 @@ namespace {
 using Line = std::vector<std::string>;
 
 const Line& names() {
-  static const Line result{"scene",     "size",     "series", "base",       "value",   "reference", "truth",
-                           "shells",    "steps",    "scale",  "flip",       "flip_95", "silhouette",   "silhouette_95",
-                           "luminance", "coverage", "floor",  "non_finite", "draw_ms", "cpu_ms",    "knobs"};
+  static const Line result{"scene",     "size",     "series", "base",       "value",   "reference",  "truth",
+                           "shells",    "steps",    "scale",  "flip",       "flip_95", "silhouette", "silhouette_95",
+                           "luminance", "coverage", "floor",  "non_finite", "draw_ms", "cpu_ms",     "knobs"};
   return result;
 }
 

@@ -40,7 +40,7 @@ struct Row {
   int truth = 0;          // shells of R1, or passes of R2
   int shells = 0, steps = 0;
   double scale = 1;
-  double flip = 0, flip_95 = 0;        // mean and 95th percentile
+  double flip = 0, flip_95 = 0;              // mean and 95th percentile
   double silhouette = 0, silhouette_95 = 0;  // the same in the band around the fur's edge; 0 where there is no edge
   double luminance = 0,
          coverage = 0;         // mean linear luminance of the fur, and pixels that it covers, over the reference's

@@ -30,7 +30,8 @@ std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Br
 
 double falloff_at(const Brush& brush, double distance);
 
-/// The share of a field's half of the strand (root or tip) that the brush's part of the strand holds; 1 for other fields.
+/// The share of a field's half of the strand (root or tip) that the brush's part of the strand holds; 1 for other
+/// fields.
 double strand_part(const Brush& brush, Field field);
 
 /// The place of a sample, internal coordinates.
