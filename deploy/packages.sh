@@ -8,7 +8,7 @@ build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml 
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
 demo=("${build[@]}" glmark2-data openimageio-tools)
 test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema curl
-  clang-14 libclang-rt-14-dev)
+  clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;
