@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <thread>
 
+#include "protocol/base/limits.h"
 #include "server/calibration/program.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/scene_tracer.h"
@@ -25,12 +27,15 @@ using namespace pelage;
 // Exit codes of all programs of the project.
 constexpr int failed = 1, usage = 2, no_gl = 4;
 
+constexpr std::size_t min_memory = std::size_t{1} << 20, max_memory = std::size_t{1} << 50;
+
 struct Options {
   std::string listen = "127.0.0.1:8080";
   std::string port_file;
   std::string data = "pelage-data";
   GlChoice gl = GlChoice::automatic;
   int threads = 0;
+  std::size_t memory = 0;   // bytes of open scenes, 0 for a half of the machine's
   double trace_memory = 4;  // GiB
   std::string token;
   std::vector<std::string> hosts;
@@ -49,6 +54,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--gl", options.gl, "auto, egl or osmesa")->transform(CLI::CheckedTransformer(gl_names));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
       ->check(CLI::Range(0, 1024));
+  app.add_option("--memory", options.memory, "Bytes that open scenes may take, as in 4G [a half of the machine's]")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(min_memory, max_memory));
   app.add_option("--trace-memory", options.trace_memory, "GiB for traced strands and their picture")
       ->check(CLI::Range(0.0625, 1024.0))
       ->capture_default_str();
@@ -95,6 +103,17 @@ int fail(int code, const Status& status) {
   return code;
 }
 
+/// A half of what this process may have: the machine's memory, or less where a container sets a limit.
+std::size_t default_memory() {
+  std::size_t bytes =
+      static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    std::size_t limit = 0;
+    if (std::ifstream(file) >> limit && limit >= min_memory) bytes = std::min(bytes, limit);  // "max" is no number
+  }
+  return bytes / 2;
+}
+
 /// A calibration that is not there is nothing to speak of; one that cannot be used is said, and the defaults count.
 void plan_frames(FrameService& frames, const Options& options) {
   Result<Calibration> stored = read_calibration(options.calibration_file(), frames.description(), frames.threads());
@@ -110,10 +129,12 @@ int serve(const Options& options, const HttpOptions& http) {
   const auto frames = FrameService::start(options.gl, options.threads, gate);
   if (!frames) return fail(no_gl, frames.status());
   plan_frames(**frames, options);
-  const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import");
+  const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import", limits::undo_bytes,
+                                       options.memory ? options.memory : default_memory());
   if (!scenes) return fail(failed, scenes.status());
-  const auto memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
-  TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, memory), gate);
+  (*scenes)->on_close([&](std::uint64_t copy) { (*frames)->forget(copy); });
+  const auto trace_memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
+  TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, trace_memory), gate);
   const auto server = HttpServer::listen(http, {**scenes, **frames, traces, gate});
   if (!server) return fail(usage, server.status());
 

@@ -113,6 +113,21 @@ const char* name_of(EntryKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+namespace {
+
+/// Of a record, with the settings that no other record has. Curves are by far the largest of them.
+std::size_t bytes_of(const LogEntry& line, const SceneSettings* settings) noexcept {
+  std::size_t bytes = 128 + line.commands.capacity();
+  if (settings == nullptr) return bytes;
+  bytes += sizeof(SceneSettings);
+  for (const CurveGroup& group : settings->curves) {
+    for (const GuideCurve& curve : group.curves) bytes += sizeof(curve) + curve.size() * sizeof(glm::dvec3);
+  }
+  return bytes;
+}
+
+}  // namespace
+
 History::History(Revision first, SceneSettings settings, UndoMemory memory)
     : first_(first), records_(1), memory_(std::move(memory)) {
   records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
@@ -263,6 +278,7 @@ void History::record_one(EntryKind kind, std::uint64_t argument, Record record, 
     case EntryKind::undo: move_steps(done_, undone_); break;
     case EntryKind::redo: move_steps(undone_, done_); break;
   }
+  record_bytes_ += bytes_of(record.line, record.settings != records_.back().settings ? record.settings.get() : nullptr);
   records_.push_back(std::move(record));
   keep_to_budget();
 }

@@ -95,6 +95,8 @@ class History {
   Result<FieldDelta> last_step() const { return change(done_.back()); }
   /// What the steps' changes take in memory.
   std::size_t held_bytes() const { return held_bytes_; }
+  /// An estimate of all that the log takes in memory.
+  std::size_t bytes() const { return held_bytes_ + record_bytes_; }
 
   /// Whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
@@ -145,6 +147,7 @@ class History {
   std::vector<Step> done_, undone_;  // the last one is the next to undo or redo
   UndoMemory memory_;
   std::size_t held_bytes_ = 0;
+  std::size_t record_bytes_ = 0;
   std::size_t dropped_ = 0;  // as many of the oldest steps of done_ are known to be without bytes
 };
 

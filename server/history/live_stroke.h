@@ -28,6 +28,8 @@ class LiveStroke {
   void accept(const Plan& plan, const Command& command, bool changed);
   /// The scene was changed by something else.
   void end();
+  /// Whether a part may follow.
+  bool goes_on() const { return !id_.empty() && !finished_; }
 
  private:
   Result<Plan> next_part(const Command& command) const;

@@ -37,11 +37,9 @@ void describe_scene(const Scene& scene, const Request& request, Response& respon
   reply_json(response, 200, encode(summary), summary.revision);
 }
 
-void remove_scene(Service& service, const Scene& scene, Response& response) {
-  const std::uint64_t model = model_id_of(scene);
-  const Status removed = service.scenes.remove(scene.id());
+void remove_scene(Service& service, const Request& request, Response& response) {
+  const Status removed = service.scenes.remove(request.matches[1].str());
   if (!removed.ok()) return reply_problem(response, removed);
-  service.frames.forget(model);
   response.status = 204;
 }
 
@@ -77,9 +75,8 @@ void add_scene_routes(httplib::Server& server, Service& service) {
     with_scene(service, request, response,
                [&](const auto& scene) { reply_json(response, 200, encode(scene->count_folds())); });
   });
-  server.Delete("/v1/scenes/([^/]+)", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) { remove_scene(service, *scene, response); });
-  });
+  server.Delete("/v1/scenes/([^/]+)",
+                [&](const Request& request, Response& response) { remove_scene(service, request, response); });
 }
 
 }  // namespace pelage

@@ -53,6 +53,15 @@ static std::string label_value(const std::string& text) {
   return value;
 }
 
+static std::string scene_memory(const MemoryUse& use) {
+  return single("pelage_scenes_open", "gauge", "Scenes in memory.", use.open) +
+         single("pelage_scenes_evicted", "gauge", "Scenes that only the journal has.", use.evicted) +
+         single("pelage_scene_memory_bytes", "gauge", "Estimate of what open scenes take.", use.bytes) +
+         single("pelage_scene_memory_budget_bytes", "gauge", "What open scenes may take (--memory).", use.budget) +
+         single("pelage_scene_evictions_total", "counter", "Times that a scene was evicted.", use.evictions) +
+         single("pelage_scene_reopenings_total", "counter", "Times that an evicted scene was opened.", use.reopened);
+}
+
 std::string Metrics::text(const Gauges& gauges) const {
   const std::lock_guard lock(mutex_);
   std::string text = head("pelage_requests_total", "counter", "Answers by route and status.");
@@ -73,6 +82,7 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.",
                  gauges.traces.seconds);
   text += single("pelage_scenes", "gauge", "Scenes on the server.", gauges.scenes);
+  text += scene_memory(gauges.memory);
   text += single("pelage_ready", "gauge", "1 when the server takes work.", gauges.ready ? 1 : 0);
   text += head("pelage_renderer_info", "gauge", "1; `renderer` is what draws.");
   text += fmt::format("pelage_renderer_info{{renderer=\"{}\"}} 1\n", label_value(gauges.renderer));
@@ -139,6 +149,7 @@ void add_status_routes(httplib::Server& server, Service& service) {
   server.Get("/readyz", [&](const Request&, Response& response) { ready(service, response); });
   server.Get("/metrics", [&](const Request&, Response& response) {
     const Gauges gauges{.scenes = service.scenes.count(),
+                        .memory = service.scenes.memory(),
                         .ready = service.ready(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .seconds_drawing = service.frames.seconds_drawing(),

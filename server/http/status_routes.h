@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "server/frames/trace_queue.h"
+#include "server/scene/open_scenes.h"
 
 namespace pelage {
 
 /// What the service knows at the moment of asking.
 struct Gauges {
   std::size_t scenes = 0;
+  MemoryUse memory;
   bool ready = false;
   std::size_t frames_drawn = 0;
   double seconds_drawing = 0;

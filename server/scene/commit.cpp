@@ -60,9 +60,11 @@ void Scene::publish(SceneSummary&& summary) noexcept {
   summary.fields_hash = fields_.hash();
   summary.undo_steps = history_.undo_steps();
   summary.redo_steps = history_.redo_steps();
+  const SceneMemory memory = measure_memory();
   {
     const std::lock_guard lock(published_mutex_);
     published_ = std::move(summary);
+    memory_ = memory;
   }
   changed_.notify_all();
 }

@@ -49,6 +49,7 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       history_(new_history(0, first_settings(*model_))),
       dirty_(whole_range(fields_.size())) {
   published_ = describe();
+  memory_ = measure_memory();
 }
 
 /// Steps beyond the budget are read back from the journal, which has every entry.

@@ -25,6 +25,7 @@
 #include "server/patches/subdivide.h"
 #include "server/scene/batch.h"
 #include "server/scene/map_pictures.h"
+#include "server/scene/scene_memory.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -124,6 +125,8 @@ class Scene {
   SceneSummary summary() const;
   /// As it was after the last change, without waiting for one that goes on. For lists.
   SceneSummary last_summary() const;
+  /// The same for what it takes in memory.
+  SceneMemory last_memory() const;
   /// All entries of the journal since the model came, oldest first.
   std::vector<LogEntry> log() const;
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
@@ -216,6 +219,7 @@ class Scene {
   Result<LaidPicture> picture_of(const SceneSettings& settings) const;
   void announce() noexcept;
   void publish(SceneSummary&& summary) noexcept;
+  SceneMemory measure_memory() const noexcept;
   SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
   SceneSummary describe() const;
@@ -227,6 +231,7 @@ class Scene {
   mutable std::condition_variable changed_;
   mutable std::mutex published_mutex_;  // held for a copy only
   SceneSummary published_;
+  SceneMemory memory_;  // published with it
   std::shared_ptr<const SceneModel> model_;
   std::uint64_t copy_id_;
   FieldSet fields_;

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <filesystem>
 #include <iterator>
-#include <mutex>
 #include <random>
 
 #include "protocol/base/limits.h"
@@ -43,11 +42,6 @@ class Slot {
   bool has_;
 };
 
-Status full() {
-  return failure(Code::busy, "there are as many scenes as the server holds", {},
-                 "at most " + std::to_string(limits::scenes) + " scenes");
-}
-
 Status too_many_imports() {
   return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
 }
@@ -68,20 +62,16 @@ struct SceneStore::Impl {
   std::size_t undo_bytes = 0;  // of each scene
   std::atomic<int> imports{0};
   std::atomic<std::uint64_t> last_model{0};
-  mutable std::mutex mutex;
-  std::vector<std::shared_ptr<Scene>> scenes;  // in the order they were made in
+  OpenScenes scenes;
 
-  bool has_room() const {
-    const std::lock_guard lock(mutex);
-    return scenes.size() < limits::scenes;
-  }
+  explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return restored(id); }) {}
 
-  Status restore(const std::string& id);
+  Result<std::shared_ptr<Scene>> restored(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes);
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
-Status SceneStore::Impl::restore(const std::string& id) {
+Result<std::shared_ptr<Scene>> SceneStore::Impl::restored(const std::string& id) {
   const Result<StoredScene> stored = journal->scene(id);
   if (!stored) return stored.status();
   const Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored->model.raw)));
@@ -90,18 +80,15 @@ Status SceneStore::Impl::restore(const std::string& id) {
   if (!model) return model.status();
   auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal, undo_bytes);
   Status restored = scene->restore(stored->first_groom, stored->first_revision, stored->first_settings);
-  if (restored.ok()) scenes.push_back(std::move(scene));
-  return restored;
+  if (!restored.ok()) return restored;
+  return scene;
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::Impl::add(StoredScene stored, std::shared_ptr<const SceneModel> model,
                                                      FirstGroom fur) {
   auto scene = std::make_shared<Scene>(stored.id, stored.name, std::move(model), fur, *journal, undo_bytes);
   stored.first_groom = groom_of(*scene);
-  const std::lock_guard lock(mutex);
-  if (scenes.size() >= limits::scenes) return full();
-  if (Status written = journal->add_scene(stored); !written.ok()) return written;
-  scenes.push_back(scene);
+  if (Status added = scenes.add(scene, [&] { return journal->add_scene(stored); }); !added.ok()) return added;
   return scene;
 }
 
@@ -109,28 +96,28 @@ SceneStore::SceneStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SceneStore::~SceneStore() = default;
 
 Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_folder, const std::string& worker,
-                                                     std::size_t undo_bytes) {
+                                                     std::size_t undo_bytes, std::size_t memory) {
   std::error_code error;
   std::filesystem::create_directories(data_folder, error);
   if (error) return failure(Code::internal, "the data folder cannot be made: " + error.message());
   auto journal = Journal::open((std::filesystem::path(data_folder) / "pelage.sqlite").string());
   if (!journal) return journal.status();
-  auto impl = std::make_unique<Impl>();
+  auto impl = std::make_unique<Impl>(memory);
   impl->journal = std::move(*journal);
   impl->worker = worker;
   impl->undo_bytes = undo_bytes;
   const Result<std::vector<std::string>> ids = impl->journal->scene_ids();
   if (!ids) return ids.status();
   for (const std::string& id : *ids) {
-    if (Status restored = impl->restore(id); !restored.ok()) {
-      return failure(Code::internal, "scene " + id + " cannot be restored: " + restored.message);
-    }
+    const Result<std::shared_ptr<Scene>> scene = impl->restored(id);
+    const Status added = scene ? impl->scenes.add(*scene) : scene.status();
+    if (!added.ok()) return failure(Code::internal, "scene " + id + " cannot be restored: " + added.message);
   }
   return std::unique_ptr<SceneStore>(new SceneStore(std::move(impl)));
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
-  if (!impl_->has_room()) return full();
+  if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
   const RawModel raw = make_builtin(request.model);
   StoredModel how{
       .name = name_of(request.model.shape), .raw = encode_raw_model(raw), .fur_patches = request.fur_patches};
@@ -140,51 +127,28 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request) {
-  if (!impl_->has_room()) return full();
+  if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
   Result<std::shared_ptr<Scene>> scene = from.branch(random_id(), request.name, request.revision, ++impl_->last_model);
   if (!scene) return scene;
-  const std::lock_guard lock(impl_->mutex);
-  if (impl_->scenes.size() >= limits::scenes) {  // others came while it was copied
-    const Status removed = (*scene)->remove();
-    return removed.ok() ? full() : removed;
-  }
-  impl_->scenes.push_back(*scene);
-  return scene;
+  Status added = impl_->scenes.add(*scene);
+  if (added.ok()) return scene;
+  const Status removed = (*scene)->remove();  // others came while it was copied
+  return removed.ok() ? added : removed;
 }
 
-Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const {
-  const std::lock_guard lock(impl_->mutex);
-  for (const auto& scene : impl_->scenes) {
-    if (scene->id() == id) return scene;
-  }
-  return failure(Code::not_found, "there is no such scene");
-}
+Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const { return impl_->scenes.find(id); }
 
 Status SceneStore::remove(const std::string& id) {
-  const Result<std::shared_ptr<Scene>> scene = find(id);
-  if (!scene) return scene.status();
-  if (Status removed = (*scene)->remove(); !removed.ok()) return removed;
-  const std::lock_guard lock(impl_->mutex);
-  std::erase(impl_->scenes, *scene);
-  return {};
+  return impl_->scenes.remove(id, [&](const std::string& evicted) { return impl_->journal->remove_scene(evicted); });
 }
 
-std::size_t SceneStore::count() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->scenes.size();
-}
+std::size_t SceneStore::count() const { return impl_->scenes.count(); }
 
-std::vector<SceneSummary> SceneStore::list() const {
-  std::vector<std::shared_ptr<Scene>> scenes;
-  {
-    const std::lock_guard lock(impl_->mutex);
-    scenes = impl_->scenes;
-  }
-  std::vector<SceneSummary> summaries;
-  summaries.reserve(scenes.size());
-  for (const auto& scene : scenes) summaries.push_back(scene->last_summary());
-  return summaries;
-}
+std::vector<SceneSummary> SceneStore::list() const { return impl_->scenes.list(); }
+
+MemoryUse SceneStore::memory() const { return impl_->scenes.memory(); }
+
+void SceneStore::on_close(OpenScenes::OnClose forget) { impl_->scenes.on_close(std::move(forget)); }
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> bytes, const ExecuteOptions& execute) {

@@ -1,6 +1,7 @@
 // All scenes of the server, and their way through a restart.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
+#include "server/scene/open_scenes.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -17,9 +19,11 @@ class SceneStore {
  public:
   /// Opens or makes `data_folder`/pelage.sqlite and restores every scene in it, with its log and revision, by the
   /// stored deltas. `worker` is the path of pelage-import; of each scene's undo steps at most `undo_bytes` stay in
-  /// memory. Fails (internal) with the reason when the journal cannot be used.
+  /// memory. While open scenes take more than `memory` bytes, the least recently used ones that nobody holds are
+  /// evicted; `find` opens them again. Fails (internal) with the reason when the journal cannot be used.
   static Result<std::unique_ptr<SceneStore>> open(const std::string& data_folder, const std::string& worker,
-                                                  std::size_t undo_bytes = limits::undo_bytes);
+                                                  std::size_t undo_bytes = limits::undo_bytes,
+                                                  std::size_t memory = std::numeric_limits<std::size_t>::max());
   ~SceneStore();
 
   /// Refused (busy) at the limit of scenes.
@@ -27,11 +31,15 @@ class SceneStore {
   /// A scene of its own that begins as `from` is or was at a revision. Refused: busy at the limit of scenes; as
   /// Scene::branch does.
   Result<std::shared_ptr<Scene>> branch(const Scene& from, const BranchRequest& request);
+  /// Opens the scene where it was evicted, by the journal as at the start.
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
   /// Waits for no scene: each is as it was after its last change.
   std::vector<SceneSummary> list() const;
   std::size_t count() const;
+  MemoryUse memory() const;
+  /// Calls `forget` with SceneView::copy_id of scenes that are evicted or removed. Before anyone else uses the store.
+  void on_close(OpenScenes::OnClose forget);
 
   /// Reads the bytes through the worker and gives the model to the scene. At most two imports run at a time; more are
   /// refused (busy).

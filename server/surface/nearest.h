@@ -18,6 +18,9 @@ class PointTree {
   void find_within(std::span<const glm::vec3> points, glm::dvec3 centre, double radius,
                    std::vector<std::uint32_t>& found) const;
 
+  /// What the tree takes in memory.
+  std::size_t bytes() const { return order_.capacity() * sizeof(std::uint32_t) + boxes_.capacity() * sizeof(Box); }
+
  private:
   struct Box {
     glm::vec3 low, high;

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -34,6 +35,25 @@ void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
   std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
   std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
   rtcCommitGeometry(geometry);
+}
+
+/// `bytes` is what the device has at any time.
+Device make_device(std::atomic<std::ptrdiff_t>& bytes) {
+  Device device(rtcNewDevice(device_settings));
+  const auto count = [](void* counter, std::ptrdiff_t change, bool) {
+    *static_cast<std::atomic<std::ptrdiff_t>*>(counter) += change;
+    return true;
+  };
+  rtcSetDeviceMemoryMonitorFunction(device.get(), count, &bytes);
+  return device;
+}
+
+std::size_t bytes_of(const Mesh& mesh) {
+  const auto array = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+  std::size_t bytes = array(mesh.positions) + array(mesh.normals) + array(mesh.tangents) + array(mesh.triangles) +
+                      array(mesh.corners) + array(mesh.texture_uv) + array(mesh.length_scale);
+  for (const RawImage& image : mesh.images) bytes += array(image.rgba);
+  return bytes;
 }
 
 Scene make_scene(RTCDevice device, const Mesh& mesh) {
@@ -88,12 +108,13 @@ glm::dvec3 start_near_model(glm::dvec3 origin, glm::dvec3 direction) {
 struct Surface::Impl {
   explicit Impl(Mesh m)
       : mesh(std::move(m)),
-        device(rtcNewDevice(device_settings)),
+        device(make_device(embree_bytes)),
         scene(make_scene(device.get(), mesh)),
         points(mesh.positions),
         neighbours(vertex_neighbours(mesh.triangles, mesh.positions.size())) {}
 
   Mesh mesh;
+  std::atomic<std::ptrdiff_t> embree_bytes{0};  // counted by the device, which goes before it
   Device device;
   Scene scene;
   PointTree points;
@@ -106,6 +127,13 @@ Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
 
 const Mesh& Surface::mesh() const { return impl_->mesh; }
+
+std::size_t Surface::bytes() const {
+  const Adjacency& beside = impl_->neighbours;
+  return sizeof(Impl) + bytes_of(impl_->mesh) +
+         static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, impl_->embree_bytes)) + impl_->points.bytes() +
+         (beside.begin.capacity() + beside.others.capacity()) * sizeof(std::uint32_t);
+}
 
 std::optional<SurfacePoint> Surface::raycast(glm::dvec3 origin, glm::dvec3 direction) const {
   const double length = glm::length(direction);

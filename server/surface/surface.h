@@ -46,6 +46,9 @@ class Surface {
   glm::dvec3 position(const SurfacePoint& point) const;
   glm::dvec3 normal(const SurfacePoint& point) const;  // interpolated vertex normals, unit
 
+  /// What the mesh and all beside it take in memory.
+  std::size_t bytes() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,9 +27,9 @@ class StoreTest : public ::testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  void open(std::size_t undo_bytes = limits::undo_bytes) {
+  void open(std::size_t undo_bytes = limits::undo_bytes, std::size_t memory = std::numeric_limits<std::size_t>::max()) {
     store_.reset();
-    auto store = SceneStore::open(folder_.string(), "pelage-import", undo_bytes);
+    auto store = SceneStore::open(folder_.string(), "pelage-import", undo_bytes, memory);
     ASSERT_TRUE(store.ok()) << store.status().message;
     store_ = std::move(*store);
   }

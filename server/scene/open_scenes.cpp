@@ -1,0 +1,198 @@
+#include "server/scene/open_scenes.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "protocol/base/limits.h"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace pelage {
+
+namespace {
+
+Status no_such_scene() { return failure(Code::not_found, "there is no such scene"); }
+
+Status too_many() {
+  return failure(Code::busy, "there are as many scenes as the server holds", {},
+                 "at most " + std::to_string(limits::scenes) + " scenes");
+}
+
+/// The allocator holds freed arrays of this size back for others, which would make an eviction worth little.
+void give_memory_back() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
+OpenScenes::Slot* OpenScenes::slot_of(const std::string& id) {
+  const auto found = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) { return slot.id == id; });
+  return found == slots_.end() ? nullptr : &*found;
+}
+
+/// A model that branches share counts once.
+std::size_t OpenScenes::open_bytes() const {
+  std::map<std::uint64_t, std::size_t> models;
+  std::size_t bytes = 0;
+  for (const Slot& slot : slots_) {
+    if (!slot.scene) continue;
+    const SceneMemory memory = slot.scene->last_memory();
+    bytes += memory.own;
+    models[memory.model_id] = memory.model;
+  }
+  for (const auto& [id, model] : models) bytes += model;
+  return bytes;
+}
+
+/// Nobody else can begin to hold a scene that only its slot holds while the lock is held. The one that was used last
+/// stays, for whoever is at work on it; one that is in the middle of a stroke goes after the others, because the
+/// journal does not know that its stroke goes on.
+OpenScenes::Slot* OpenScenes::next_to_evict() {
+  Slot* next = nullptr;
+  bool next_in_stroke = false;
+  for (Slot& slot : slots_) {
+    if (!slot.scene || slot.scene.use_count() > 1 || slot.last_use == uses_) continue;
+    const bool in_stroke = slot.scene->last_memory().in_stroke;
+    if (next && std::pair(next_in_stroke, next->last_use) < std::pair(in_stroke, slot.last_use)) continue;
+    next = &slot, next_in_stroke = in_stroke;
+  }
+  return next;
+}
+
+OpenScenes::Dropped OpenScenes::keep_to_budget() {
+  Dropped dropped;
+  while (open_bytes() > budget_) {
+    Slot* slot = next_to_evict();
+    if (!slot) break;
+    slot->summary = slot->scene->last_summary();
+    dropped.push_back(std::move(slot->scene));
+    slot->scene = nullptr;
+    ++evictions_;
+  }
+  return dropped;
+}
+
+/// Without the lock.
+void OpenScenes::close(Dropped dropped) const {
+  if (dropped.empty()) return;
+  for (const auto& scene : dropped) {
+    if (on_close_) on_close_(scene->last_memory().copy_id);
+  }
+  dropped.clear();
+  give_memory_back();
+}
+
+Status OpenScenes::has_room() const { return count() < limits::scenes ? Status{} : too_many(); }
+
+Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<Status()>& write) {
+  Dropped dropped;
+  {
+    const std::lock_guard lock(mutex_);
+    if (slots_.size() >= limits::scenes) return too_many();
+    slots_.reserve(slots_.size() + 1);  // what fails is to fail before the journal has it
+    Slot slot{scene->id(), scene, {}, uses_ + 1};
+    if (Status written = write ? write() : Status{}; !written.ok()) return written;
+    ++uses_;
+    slots_.push_back(std::move(slot));
+    dropped = keep_to_budget();
+  }
+  close(std::move(dropped));
+  return {};
+}
+
+Result<std::shared_ptr<Scene>> OpenScenes::find(const std::string& id) {
+  std::shared_ptr<Scene> scene;
+  Dropped dropped;
+  {
+    std::unique_lock lock(mutex_);
+    Slot* slot = slot_of(id);
+    while (slot && slot->opening) {
+      opened_.wait(lock);
+      slot = slot_of(id);
+    }
+    if (!slot) return no_such_scene();
+    slot->last_use = ++uses_;
+    scene = slot->scene;
+    slot->opening = !scene;
+    dropped = keep_to_budget();
+  }
+  close(std::move(dropped));
+  if (scene) return scene;
+  return reopen(id);
+}
+
+/// Its slot says `opening`, so that nobody else changes it.
+Result<std::shared_ptr<Scene>> OpenScenes::reopen(const std::string& id) {
+  const auto finish = [&](const std::shared_ptr<Scene>& scene) {
+    const std::lock_guard lock(mutex_);
+    Slot& slot = *slot_of(id);
+    slot.scene = scene;
+    slot.opening = false;
+    opened_.notify_all();
+    if (!scene) return Dropped();
+    slot.last_use = ++uses_;
+    ++reopened_;
+    return keep_to_budget();
+  };
+  Result<std::shared_ptr<Scene>> scene = failure(Code::internal, "the scene was not opened");
+  try {
+    scene = open_(id);
+  } catch (...) {
+    finish(nullptr);
+    throw;
+  }
+  close(finish(scene ? *scene : nullptr));
+  return scene;
+}
+
+Status OpenScenes::remove(const std::string& id, const std::function<Status(const std::string& id)>& remove_evicted) {
+  std::unique_lock lock(mutex_);
+  Slot* slot = slot_of(id);
+  while (slot && slot->opening) {
+    opened_.wait(lock);
+    slot = slot_of(id);
+  }
+  if (!slot) return no_such_scene();
+  Dropped dropped;
+  if (slot->scene) {
+    dropped.push_back(slot->scene);
+    lock.unlock();  // the scene may be at work
+    if (Status removed = dropped[0]->remove(); !removed.ok()) return removed;
+    lock.lock();
+  } else if (Status removed = remove_evicted(id); !removed.ok()) {
+    return removed;
+  }
+  std::erase_if(slots_, [&](const Slot& one) { return one.id == id; });
+  lock.unlock();
+  close(std::move(dropped));
+  return {};
+}
+
+std::vector<SceneSummary> OpenScenes::list() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<SceneSummary> summaries;
+  summaries.reserve(slots_.size());
+  for (const Slot& slot : slots_) summaries.push_back(slot.scene ? slot.scene->last_summary() : slot.summary);
+  return summaries;
+}
+
+std::size_t OpenScenes::count() const {
+  const std::lock_guard lock(mutex_);
+  return slots_.size();
+}
+
+MemoryUse OpenScenes::memory() const {
+  const std::lock_guard lock(mutex_);
+  const auto open = std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scene != nullptr; });
+  MemoryUse use{.budget = budget_, .bytes = open_bytes(), .open = static_cast<std::size_t>(open)};
+  use.evicted = slots_.size() - use.open;
+  use.evictions = evictions_, use.reopened = reopened_;
+  return use;
+}
+
+}  // namespace pelage

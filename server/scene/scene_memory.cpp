@@ -1,0 +1,25 @@
+#include "server/scene/scene_memory.h"
+
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+std::size_t bytes_of(const SceneModel& model) {
+  std::size_t bytes = sizeof(SceneModel) + model.surface.bytes();
+  bytes += model.patches.points.capacity() * sizeof(PatchPoint) + model.patches.pieces.capacity() * sizeof(Piece);
+  for (const ChosenTriangles& chosen : model.subdivisions) bytes += chosen.capacity() * sizeof(TriangleRun);
+  return bytes;
+}
+
+SceneMemory Scene::measure_memory() const noexcept {
+  std::size_t own = sizeof(Scene) + fields_.bytes() + history_.bytes() + dirty_.capacity() * sizeof(VertexRange);
+  if (picture_.image) own += picture_.image->rgba.capacity();
+  return {own, model_->id, bytes_of(*model_), copy_id_, live_.goes_on()};
+}
+
+SceneMemory Scene::last_memory() const {
+  const std::lock_guard lock(published_mutex_);
+  return memory_;
+}
+
+}  // namespace pelage
