@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/json/encode.h"
+#include "server/scene/check_cost.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -84,6 +85,10 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
     }
     resolved.push_back(step->command);
     steps.push_back(std::move(*step));
+  }
+  if (Status dear = check_cost(steps, replay.settings->symmetry, model_->surface); !dear.ok()) {
+    if (steps.size() == 1) dear.pointer.insert(0, "/commands/0");  // as the other refusals here
+    return dear;
   }
   const Revision next = replay.entries.back().revision + 1;
   Outcome outcome = evaluate_batch(steps, {}, model_->surface, replay.fields, *replay.settings, next);

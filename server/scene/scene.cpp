@@ -11,6 +11,7 @@
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
+#include "server/scene/check_cost.h"
 #include "server/scene/creature_settings.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
@@ -90,6 +91,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
   const Result<Plan> planned = plan(commands, options.sources);
   if (!planned) return planned.status();
+  if (Status dear = check_cost(planned->whole, history_.settings().symmetry, model_->surface); !dear.ok()) return dear;
 
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};

@@ -1,0 +1,138 @@
+#include "server/groom/evaluation_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/base/limits.h"
+#include "server/groom/brush.h"
+
+namespace pelage {
+
+namespace {
+
+// Visits that one of these is worth, about.
+constexpr double dab_visits = 32;      // finding the vertices of a dab, however few
+constexpr double along_surface = 30;   // a vertex of a dab along the surface
+constexpr double nearest_visits = 50;  // the nearest place of the surface
+constexpr double ring_visits = 8;      // a vertex with its neighbours
+constexpr double edges_visits = 16;    // a vertex on a way along edges
+constexpr double heat_visits = 400;    // a vertex of one distance by heat
+constexpr double curve_step = 0.01, curve_steps = 4096;  // as flow walks along curves: sizes, and of one piece at most
+
+/// How many vertices lie under a dab: the mean of at most 16 samples, spread over the stroke.
+double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& surface) {
+  constexpr std::size_t places = 16;
+  const std::size_t count = std::min(places, stroke.samples.size());
+  if (count == 0) return 0;
+  std::size_t sum = 0;
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = 0; k < count; ++k) {
+    Stroke one;
+    one.samples = {stroke.samples[k * stroke.samples.size() / count]}, one.view = stroke.view;
+    const Dab dab = BrushStroke(one, brush, surface).covering_dabs().front();
+    found.clear();
+    if (dab.radius > 0) surface.vertices_within(dab.centre, dab.radius, found);
+    sum += found.size();
+  }
+  return static_cast<double>(sum) / static_cast<double>(count);
+}
+
+/// What a stroke asks for, of one image.
+struct StrokeWork {
+  double visits = 0;
+  double region = 0;  // vertices under it, at most
+};
+
+StrokeWork work_of(const Stroke& stroke, const Brush& brush, const Surface& surface) {
+  const auto vertices = static_cast<double>(surface.mesh().positions.size());
+  const BrushStroke painted(stroke, brush, surface);
+  const double dabs = std::min(painted.dab_count(), double{limits::dabs_per_stroke}) + 2;
+  const double reach = typical_reach(stroke, brush, surface), samples = static_cast<double>(stroke.samples.size());
+  const bool screen = brush.falloff_shape == FalloffShape::screen;
+  const bool surface_shape = brush.falloff_shape == FalloffShape::surface;
+  const double each = screen ? vertices : surface_shape ? nearest_visits + along_surface * reach : reach;
+  return {samples * nearest_visits + dabs * (dab_visits + nearest_visits + each), std::min(vertices, dabs * reach)};
+}
+
+/// What a tool does at the vertices that it changes, beside finding them; of one image.
+struct ToolWork {
+  const Mesh& mesh;
+  double region;   // vertices
+  double samples;  // of the stroke
+
+  double vertices() const { return static_cast<double>(mesh.positions.size()); }
+  double spread(DistanceKind kind) const {
+    if (kind == DistanceKind::straight) return vertices();
+    return vertices() * (kind == DistanceKind::heat ? heat_visits : edges_visits);
+  }
+  double steps_of(const std::vector<glm::dvec3>& curve) const {
+    double steps = 0;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const double length = glm::distance(mesh.to_internal(curve[i - 1]), mesh.to_internal(curve[i]));
+      steps += std::clamp(std::ceil(length / curve_step), 1.0, curve_steps) + 1;
+    }
+    return steps;
+  }
+
+  EvaluationCost operator()(const Smooth& command) const {
+    return {region * ring_visits * command.passes * static_cast<double>(command.fields.size()), "/passes"};
+  }
+  EvaluationCost operator()(const ChangeMask& command) const {
+    if (command.action == MaskAction::smooth) return {vertices() * ring_visits * command.passes, "/passes"};
+    return {vertices() * edges_visits, "/distance"};
+  }
+  EvaluationCost operator()(const Interpolate& command) const {
+    return {static_cast<double>(command.keys.size()) * (spread(command.distance) + region), "/keys"};
+  }
+  EvaluationCost operator()(const Flow& command) const {
+    double visits = 0;
+    for (const auto& curve : command.curves)
+      visits += spread(command.distance) + region + nearest_visits * steps_of(curve);
+    return {visits, "/curves"};
+  }
+  EvaluationCost operator()(const Part&) const { return {region * samples, "/stroke/samples"}; }
+  EvaluationCost operator()(const Clump&) const { return {region * samples, "/stroke/samples"}; }
+  EvaluationCost operator()(const Retarget&) const { return {vertices() * nearest_visits, "/scene"}; }
+  template <class Other>
+  EvaluationCost operator()(const Other& other) const {
+    if constexpr (requires { other.edit_layer; }) return {region, ""};
+    return {0, ""};
+  }
+};
+
+bool has_images(const Command& command) {
+  return stroke_of(command) != nullptr || std::holds_alternative<Blow>(command) ||
+         std::holds_alternative<Attract>(command) || std::holds_alternative<Interpolate>(command) ||
+         std::holds_alternative<Flow>(command);
+}
+
+}  // namespace
+
+double image_count(const Symmetry& symmetry) {
+  return std::ldexp(std::max(symmetry.count, 1), static_cast<int>(symmetry.planes.size()));
+}
+
+EvaluationCost evaluation_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface) {
+  const Mesh& mesh = surface.mesh();
+  StrokeWork stroke{0, static_cast<double>(mesh.positions.size())};
+  double samples = 0;
+  if (const Stroke* drawn = stroke_of(resolved)) {
+    stroke = work_of(*drawn, *brush_of(resolved), surface);
+    samples = static_cast<double>(drawn->samples.size());
+  }
+  EvaluationCost cost = std::visit(ToolWork{mesh, stroke.region, samples}, resolved);
+  if (stroke.visits > cost.visits) cost.field = "/stroke/samples";
+  cost.visits += stroke.visits;
+  if (has_images(resolved)) cost.visits *= image_count(symmetry);
+  return cost;
+}
+
+Status add_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface, double& visits) {
+  const EvaluationCost cost = evaluation_cost(resolved, symmetry, surface);
+  visits += cost.visits;
+  if (visits <= limits::evaluation_visits) return {};
+  return failure(Code::invalid, "the commands are too much work, images of the symmetry included", cost.field,
+                 "at most 500000000 visits of vertices in a request");
+}
+
+}  // namespace pelage
