@@ -101,7 +101,7 @@ takes what makes the rest add up to that. What is seen is the groom and, from th
 adds, held in each field's range, so the order of edit layers matters only where a range ends. The mask lies outside of edit layers.
 `set` weighs (half, twice, the opposite), mutes and renames, `move` reorders, `merge_down` merges into the layer below or the
 groom (what is seen stays, but where a range ended between the two), `remove` takes a layer away, [erase](erase.md) with a layer takes away what it adds under the brush. Below: a ruff,
-combing and spots in three edit layers; after, the ruff at weight -.6, the combing at -1 and the spots at one half.""", "Layer"),
+combing and spots in three edit layers; after, the ruff at weight -.6, the combing at -1 and the spots at one half.""", "ChangeEditLayer"),
     "retarget": page("Retarget", """
 Takes the fields of another scene's model, or of this one at an earlier revision, from the nearest places of its surface, as
 [retarget](../retarget.md) says. It is one undo step; the revision that was taken is in the log. Below: plain fur takes the

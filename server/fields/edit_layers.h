@@ -59,7 +59,7 @@ void finish_parts(FieldDelta& delta);
 /// Refused (invalid): names that are unknown or taken, more than limits::edit_layers, merging what is muted.
 Status check(const ChangeEditLayer& command, const std::vector<EditLayer>& layers);
 
-/// Refused (invalid, "/edit layer"): an edit layer that is not there, is muted, or hardly shows, so that it could not
+/// Refused (invalid, "/edit_layer"): an edit layer that is not there, is muted, or hardly shows, so that it could not
 /// take what a tool does to what is seen.
 Status check_groomed(const std::string& layer, const std::vector<EditLayer>& layers);
 

@@ -54,7 +54,7 @@ class Document(unittest.TestCase):
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetSkinTexture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
-                    "RevisionBody", "Subdivide", "Retarget", "Layer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
+                    "RevisionBody", "Subdivide", "Retarget", "ChangeEditLayer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
                     "PickRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
@@ -93,7 +93,7 @@ class Document(unittest.TestCase):
         self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
         self.assertEqual(SCHEMAS["StoredPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
         self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
-        self.assertIn(f"At most {limits['edit_layers']}.", SCHEMAS["Layer"]["description"])
+        self.assertIn(f"At most {limits['edit_layers']}.", SCHEMAS["ChangeEditLayer"]["description"])
         self.assertEqual(SCHEMAS["Scene"]["properties"]["aovs"]["maxItems"], limits["edit_layers"])
         self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])

@@ -48,7 +48,7 @@ class Dial(ServedTest):
     def test_the_ends(self):
         ends = [header(self.scene.frame(**request), "pelage-error")["end"]
                 for request in ({"budget_ms": 1}, {"budget_ms": 600000}, {"max_error": 1}, {"max_error": 0.000001}, {})]
-        self.assertEqual(ends, ["min", "best", "error", "best", "asked"])
+        self.assertEqual(ends, ["cheapest", "best", "error", "best", "asked"])
 
     def test_a_larger_budget_is_no_worse(self):
         estimates = [header(self.scene.frame(budget_ms=b), "pelage-error") for b in (1, 10, 30, 100, 1000)]
@@ -63,7 +63,7 @@ class Dial(ServedTest):
         self.assertTrue(all(len(knobs) == 1 for knobs in seen.values()), seen)
 
     def test_what_goes_with_a_dial(self):
-        exr = self.scene.frame(budget_ms=50, format="exr", layers=["beauty", "normal"])
+        exr = self.scene.frame(budget_ms=50, format="exr", aovs=["beauty", "normal"])
         self.assertEqual(exr.headers["content-type"], "image/x-exr")
         self.scene.frame(budget_ms=50, overlay="length")
         trace = {"passes": 1, "strands": 2000}

@@ -38,7 +38,7 @@ class Frames(ServedTest):
 
     def test_aovs_agree_with_a_pick(self):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
-        path = self.exr(scene, layers=list(NAMES))
+        path = self.exr(scene, aovs=list(NAMES))
         said = self.described(path)
         for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "shell_count.Y", "Z"):
             self.assertIn(name, said)

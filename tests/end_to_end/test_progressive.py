@@ -71,7 +71,7 @@ class Traced(ServedTest):
             one.close()
 
     def test_reference_exr(self):
-        answer = self.reference(format="exr", layers=["beauty", "depth", "normal"])
+        answer = self.reference(format="exr", aovs=["beauty", "depth", "normal"])
         self.assertEqual(answer.status, 200, answer)
         self.assertEqual(answer.headers["content-type"], "image/x-exr")
         for channel in (b"normal.X\0", b"Z\0", b"A\0"):

@@ -62,7 +62,7 @@ TEST_F(SceneEditLayersTest, TheLogSaysWhichLayerACommandWentToAndReplays) {
   execute(*scene, {add("a"), add("b")});
   execute(*scene, {comb_in(*scene, 5, "a"), comb_in(*scene, 9, "b"), set("a", -0.5)});
   execute(*scene, {comb_at(*scene, 7)});
-  EXPECT_NE(scene->log()[1].commands.find("\"edit layer\":\"a\""), std::string::npos);
+  EXPECT_NE(scene->log()[1].commands.find("\"edit_layer\":\"a\""), std::string::npos);
   for (const std::vector<Command>& step : scene->effective_log()) execute(*replayed, step);
   EXPECT_EQ(hash(*replayed), hash(*scene));
   const FieldsHash before = hash(*scene);
@@ -126,7 +126,7 @@ TEST_F(SceneEditLayersTest, RefusesAndChangesNothing) {
   };
   EXPECT_EQ(pointer({comb_in(*scene, 5, "a")}), "/edit_layer");
   EXPECT_EQ(pointer({comb_in(*scene, 5, "none")}), "/edit_layer");
-  EXPECT_EQ(pointer({add("b"), comb_in(*scene, 5, "c")}), "/commands/1/edit layer");
+  EXPECT_EQ(pointer({add("b"), comb_in(*scene, 5, "c")}), "/commands/1/edit_layer");
   EXPECT_EQ(pointer({add("b"), add("b")}), "/commands/1/name");
   EXPECT_EQ(scene->revision(), 1u);
   EXPECT_EQ(pointer({add("b"), comb_in(*scene, 5, "b")}), "accepted") << "made by the command before it";
