@@ -14,41 +14,7 @@ constexpr bool has_stroke = requires(C command) {
 }  // namespace
 
 const char* op_of(const Command& command) {
-  static constexpr const char* names[] = {"comb",
-                                          "blow",
-                                          "attract",
-                                          "interpolate",
-                                          "flow",
-                                          "smooth",
-                                          "noise",
-                                          "unify",
-                                          "part",
-                                          "length",
-                                          "trim",
-                                          "lift",
-                                          "erase",
-                                          "clump",
-                                          "curl",
-                                          "paint",
-                                          "mask",
-                                          "map",
-                                          "set_blowers",
-                                          "set_attractors",
-                                          "set_symmetry",
-                                          "checkpoint",
-                                          "edit_layer",
-                                          "retarget",
-                                          "set_coat",
-                                          "set_look",
-                                          "set_lights",
-                                          "set_environment",
-                                          "set_ground",
-                                          "set_eyes",
-                                          "set_curves",
-                                          "set_skin",
-                                          "set_skin_texture"};
-  static_assert(std::size(names) == std::variant_size_v<Command>);
-  return names[command.index()];
+  return std::visit([](const auto& c) { return c.op; }, command);
 }
 
 Stroke* stroke_of(Command& command) {

@@ -14,40 +14,48 @@
 #include "protocol/commands/edit_layer.h"
 #include "protocol/commands/eye.h"
 #include "protocol/commands/look.h"
-#include "protocol/commands/map.h"
 #include "protocol/commands/skin.h"
-#include "protocol/commands/tools.h"
+#include "protocol/commands/tool_list.h"
 
 namespace pelage {
 
 struct SetCoat {
+  static constexpr const char* op = "set_coat";
   Coat coat;
 };
 struct SetLook {
+  static constexpr const char* op = "set_look";
   Look look;
 };
 struct SetLights {
+  static constexpr const char* op = "set_lights";
   std::vector<Light> lights;
 };  // at most 8
 struct SetEnvironment {
+  static constexpr const char* op = "set_environment";
   Environment environment;
 };
 struct SetGround {
+  static constexpr const char* op = "set_ground";
   Ground ground;
 };
 struct SetEyes {
+  static constexpr const char* op = "set_eyes";
   std::vector<Eye> eyes;
 };  // at most 8
 struct SetCurves {
+  static constexpr const char* op = "set_curves";
   std::vector<CurveGroup> groups;
 };  // at most 16, and 4096 curves in all
 struct SetSkin {
+  static constexpr const char* op = "set_skin";
   std::vector<SkinRegion> regions;
 };  // at most 64
 
 /// Lays a picture on the model by its texture coordinates, in place of all colours of its own. It is named by the 32
 /// hex digits that its upload answered with; "" takes it off again.
 struct SetSkinTexture {
+  static constexpr const char* op = "set_skin_texture";
   std::string picture;
 };
 
@@ -66,9 +74,11 @@ struct NamedAttractor {
   Attract attract;
 };
 struct SetBlowers {
+  static constexpr const char* op = "set_blowers";
   std::vector<NamedBlower> blowers;
 };  // at most 64, names differ
 struct SetAttractors {
+  static constexpr const char* op = "set_attractors";
   std::vector<NamedAttractor> attractors;
 };  // at most 64, names differ
 
@@ -79,19 +89,28 @@ struct Symmetry {
   int count = 1;  // of a rotation about the axis, [1, 16]
 };
 struct SetSymmetry {
+  static constexpr const char* op = "set_symmetry";
   Symmetry symmetry;
 };
 
 /// Gives the present revision a name, for `erase` and for comparing.
 struct Checkpoint {
+  static constexpr const char* op = "checkpoint";
   std::string name;                       // 1 to 200 bytes; one that is known moves here
   std::optional<std::uint64_t> revision;  // set when it is resolved
 };
 
-using Command = std::variant<Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Length, Trim, Lift,
-                             Erase, Clump, Curl, Paint, ChangeMask, ApplyMap, SetBlowers, SetAttractors, SetSymmetry,
-                             Checkpoint, ChangeEditLayer, Retarget, SetCoat, SetLook, SetLights, SetEnvironment,
-                             SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture>;
+/// Commands that set something about the scene, and change no field of their own.
+using Settings = CommandList<SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetLook,
+                             SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture>;
+
+template <class C>
+concept SettingCommand = Settings::holds<C>;
+
+template <class... T, class... S>
+std::variant<T..., S...> either_of(CommandList<T...>, CommandList<S...>);  // only its type is used
+
+using Command = decltype(either_of(Tools{}, Settings{}));
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

@@ -19,6 +19,7 @@ struct EditLayer {
 /// holds.
 enum class EditLayerAction { add, set, move, merge_down, remove };
 struct ChangeEditLayer {
+  static constexpr const char* op = "edit_layer";
   EditLayerAction action = EditLayerAction::add;
   std::string name = {};              // 1 to 200 bytes
   std::optional<double> weight = {};  // of add and set

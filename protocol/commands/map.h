@@ -22,6 +22,7 @@ enum class MapFormat { png, png16, exr, exr_half };
 
 /// Puts the fields in place of what a picture holds for them. Needs a model with texture coordinates.
 struct ApplyMap {
+  static constexpr const char* op = "map";
   std::string picture;          // 32 hex digits, the name that its upload answered with; required
   Field field = Field::length;  // direction with uv_tangent, fast_fur and vector
   MapEncoding encoding = MapEncoding::automatic;

@@ -17,6 +17,7 @@ namespace pelage {
 
 /// Turns fur the way the stroke moves (science.md 3). As a flood it needs a direction.
 struct Comb {
+  static constexpr const char* op = "comb";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -28,6 +29,7 @@ struct Comb {
 
 /// Wind from a source, inside a cone; a stroke restricts it to what its brush covers.
 struct Blow {
+  static constexpr const char* op = "blow";
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
@@ -44,6 +46,7 @@ struct Blow {
 
 /// A stick that pulls fur to it and stretches it (fur modelling 5.2); a stroke restricts it to what its brush covers.
 struct Attract {
+  static constexpr const char* op = "attract";
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
@@ -69,6 +72,7 @@ struct Key {
 
 /// Spreads keys over the surface with Gaussian weights of the distance (fur modelling 5.1).
 struct Interpolate {
+  static constexpr const char* op = "interpolate";
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
@@ -81,6 +85,7 @@ struct Interpolate {
 
 /// Lays the fur of the whole body along curves that are drawn on it.
 struct Flow {
+  static constexpr const char* op = "flow";
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
@@ -95,6 +100,7 @@ struct Flow {
 
 /// V' = (1 - t) V + t sum w_j V_j over neighbours, w_j the inverse distance, normalised (fur modelling 5.1).
 struct Smooth {
+  static constexpr const char* op = "smooth";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -107,6 +113,7 @@ struct Smooth {
 
 /// Adds seeded noise (fur modelling 5.1: disturb).
 struct Noise {
+  static constexpr const char* op = "noise";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -120,6 +127,7 @@ struct Noise {
 
 /// Blends to a value, or to the mean under the brush (fur modelling 5.1).
 struct Unify {
+  static constexpr const char* op = "unify";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -134,6 +142,7 @@ struct Unify {
 
 /// A line that fur leans away from on both sides.
 struct Part {
+  static constexpr const char* op = "part";
   std::optional<Stroke> stroke = {};  // the line; required
   Brush brush = {};
   std::string edit_layer = {};
@@ -142,6 +151,7 @@ struct Part {
 
 enum class LengthMode { set, add, scale, average, jitter, min, max };
 struct Length {
+  static constexpr const char* op = "length";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -162,6 +172,7 @@ struct TrimSphere {
 };  // radius in `units`
 /// Cuts fur by a plane, by a sphere, or to a height over the skin.
 struct Trim {
+  static constexpr const char* op = "trim";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -172,6 +183,7 @@ struct Trim {
 
 /// Raises fur; inverted it lays it down. Fur that stands upright has no heading to be laid along and stays.
 struct Lift {
+  static constexpr const char* op = "lift";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -181,6 +193,7 @@ struct Lift {
 /// Goes back to the first groom, or to a checkpoint or revision of this scene; with an edit layer and neither of them,
 /// takes away what the edit layer adds.
 struct Erase {
+  static constexpr const char* op = "erase";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -192,6 +205,7 @@ struct Erase {
 
 /// Gathers fur to the middle of the brush, and tips to locks.
 struct Clump {
+  static constexpr const char* op = "clump";
   std::optional<Stroke> stroke = {};  // required
   Brush brush = {};
   std::string edit_layer = {};
@@ -201,6 +215,7 @@ struct Clump {
 
 /// Curls fur, and turns its heading.
 struct Curl {
+  static constexpr const char* op = "curl";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -211,6 +226,7 @@ struct Curl {
 
 /// Paints a field: value or colour.
 struct Paint {
+  static constexpr const char* op = "paint";
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -225,6 +241,7 @@ enum class Alignment { box, none };
 /// Takes the fields of another scene, or of this one at another revision, from the nearest places of its surface.
 /// Lengths stay shares of the size; without alignment they stay as long as they are in the models' unit.
 struct Retarget {
+  static constexpr const char* op = "retarget";
   std::string scene = {};                      // id of the source, on the same server
   std::optional<std::uint64_t> revision = {};  // of the source's model; set when it is resolved
   Alignment align = Alignment::box;
@@ -264,6 +281,7 @@ struct MaskPicture {
 };  // 32 hex digits
 /// Chooses where tools work. Brushes paint it with `paint`.
 struct ChangeMask {
+  static constexpr const char* op = "mask";
   MaskAction action = MaskAction::select;
   std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskPicture> shape = {};  // of select
   MaskCombine combine = MaskCombine::replace;                                                  // of select

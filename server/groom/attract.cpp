@@ -88,7 +88,7 @@ std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surfac
 
 }  // namespace
 
-Evaluation attract(const Attract& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Attract& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 point = mesh.to_internal(command.point);
   const double radius = internal_length(command.radius, command.units, mesh);

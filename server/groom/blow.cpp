@@ -47,7 +47,7 @@ class Wind {
 
 }  // namespace
 
-Evaluation blow(const Blow& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const Wind wind(command, mesh);
   const double sign = command.brush.invert ? -1 : 1;

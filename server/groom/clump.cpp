@@ -14,7 +14,7 @@ constexpr double min_lean = 0.5;  // upright fur has to lean to come together
 }  // namespace
 
 // Fur turns to the nearest place of the stroke, and the field rises; inverted it opens again.
-Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const double sign = command.brush.invert ? -1 : 1, goal = command.brush.invert ? 0 : command.amount;
   FieldWriter directions(fields, Field::direction), clumps(fields, Field::clump);

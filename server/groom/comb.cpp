@@ -51,7 +51,7 @@ void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fi
 
 }  // namespace
 
-Evaluation comb(const Comb& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields) {
   Evaluation done;
   if (command.flood)
     comb_flood(command, surface, fields, done.delta);

@@ -7,7 +7,7 @@
 namespace pelage {
 
 // Inverted it takes the curl out and turns the other way.
-Evaluation curl(const Curl& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields) {
   const double goal = command.brush.invert ? 0 : command.amount;
   const double turn = glm::radians(command.turn_degrees) * (command.brush.invert ? -1 : 1);
   FieldWriter directions(fields, Field::direction), curls(fields, Field::curl);

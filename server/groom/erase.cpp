@@ -42,8 +42,9 @@ Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const 
 }
 
 // (1 - w) V + w R: at full strength exactly what was.
-Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& baseline) {
-  assert(baseline.size() == fields.size());
+Evaluation run(const Erase& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
+  assert(extras.baseline != nullptr && extras.baseline->size() == fields.size());
+  const FieldSet& baseline = *extras.baseline;
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {

@@ -68,7 +68,7 @@ std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface
 
 }  // namespace
 
-Evaluation flow(const Flow& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
   const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields);
   Evaluation done;

@@ -75,7 +75,7 @@ std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surfa
 
 }  // namespace
 
-Evaluation interpolate(const Interpolate& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
   const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields);
   Evaluation done;

@@ -42,7 +42,7 @@ double goal_of(const Length& command, double length, double value, double mean, 
 
 }  // namespace
 
-Evaluation length(const Length& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Length& command, const Surface& surface, const FieldSet& fields) {
   const bool is_factor = command.mode == LengthMode::scale || command.mode == LengthMode::jitter;
   const double value = is_factor ? command.value : internal_length(command.value, command.units, surface.mesh());
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);

@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-Evaluation lift(const Lift& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Lift& command, const Surface& surface, const FieldSet& fields) {
   FieldWriter writer(fields, Field::direction);
   for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields)) {
     const glm::dvec2 direction(fields.direction()[v]);

@@ -9,12 +9,13 @@
 namespace pelage {
 
 // (1 - w) V + w M: at full strength exactly what the picture says.
-Evaluation map(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const MapPicture& picture) {
+Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
+  assert(extras.picture != nullptr);
   const Mesh& mesh = surface.mesh();
   const MapEncoding encoding = encoding_of(command.field, command.encoding);
   const bool is_length = command.field == Field::length || encoding == MapEncoding::vector;
   const double scale = is_length ? internal_length(command.scale, command.units, mesh) : command.scale;
-  const MapTargets targets = read_map(mesh, picture, command.field, encoding, scale);
+  const MapTargets targets = read_map(mesh, *extras.picture, command.field, encoding, scale);
   Brush everywhere;
   everywhere.strength = command.strength;
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;

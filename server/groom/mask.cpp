@@ -154,10 +154,10 @@ Values changed(const ChangeMask& command, const Surface& surface, const MapPictu
 
 }  // namespace
 
-Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields, const MapPicture* picture) {
+Evaluation run(const ChangeMask& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   Values now(fields.size());
   for (std::uint32_t v = 0; v < now.size(); ++v) now[v] = fields.number(Field::mask, v);
-  const Values after = changed(command, surface, picture, std::move(now));
+  const Values after = changed(command, surface, extras.picture, std::move(now));
   FieldWriter writer(fields, Field::mask);
   for (std::uint32_t v = 0; v < after.size(); ++v) writer.put(v, after[v]);
   Evaluation done;

@@ -59,7 +59,7 @@ glm::dvec4 disturbed_direction(glm::dvec2 direction, const PlacedNoise& noise, c
 
 }  // namespace
 
-Evaluation noise(const Noise& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const PlacedNoise random(command, mesh);
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);

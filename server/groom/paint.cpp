@@ -16,7 +16,7 @@ glm::dvec4 over(glm::dvec4 below, glm::dvec3 colour, double cover, double weight
 }  // namespace
 
 // Inverted it takes the field back to rest.
-Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields) {
   const FieldShape& shape = shape_of(command.field);
   const double value = command.brush.invert ? double{shape.default_value} : command.value;
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;

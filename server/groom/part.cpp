@@ -6,7 +6,7 @@
 namespace pelage {
 
 // Fur leans away from the nearest place of the line, strongest beside it; on the line itself there is no away.
-Evaluation part(const Part& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Part& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const double sign = command.brush.invert ? -1 : 1;
   FieldWriter writer(fields, Field::direction);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <string>
 
 #include "server/fields/field_mix.h"
@@ -55,8 +56,10 @@ bool takes(const Retarget& command, Field field) {
 }  // namespace
 
 // (1 - w) V + w S, with S what the source has at its nearest place: at full strength exactly that.
-Evaluation retarget(const Retarget& command, const Surface& surface, const FieldSet& fields, const Surface& source,
-                    const FieldSet& source_fields) {
+Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
+  assert(extras.source != nullptr && extras.baseline != nullptr);
+  const Surface& source = *extras.source;
+  const FieldSet& source_fields = *extras.baseline;
   const Mesh &mesh = surface.mesh(), &other = source.mesh();
   const Nearest found = nearest_corners(mesh, source, command.align);
   const double longer = command.align == Alignment::none ? other.size / mesh.size : 1;

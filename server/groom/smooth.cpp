@@ -206,7 +206,7 @@ class SmoothedField {
 
 }  // namespace
 
-Evaluation smooth(const Smooth& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields) {
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   Evaluation done;
   if (region.empty() || command.t == 0) return done;

@@ -1,31 +1,44 @@
-// One function for each tool, each in its own file. Commands are resolved; formulas are those of docs and science.
+// One function for each tool, each in its own file. Commands are resolved; formulas are those of docs and science. A
+// tool of the list without one does not compile.
 #pragma once
+
+#include <concepts>
 
 #include "protocol/commands/command.h"
 #include "server/groom/evaluate.h"
 
 namespace pelage {
 
-Evaluation comb(const Comb& command, const Surface& surface, const FieldSet& fields);
-Evaluation blow(const Blow& command, const Surface& surface, const FieldSet& fields);
-Evaluation attract(const Attract& command, const Surface& surface, const FieldSet& fields);
-Evaluation interpolate(const Interpolate& command, const Surface& surface, const FieldSet& fields);
-Evaluation flow(const Flow& command, const Surface& surface, const FieldSet& fields);
-Evaluation smooth(const Smooth& command, const Surface& surface, const FieldSet& fields);
-Evaluation noise(const Noise& command, const Surface& surface, const FieldSet& fields);
-Evaluation unify(const Unify& command, const Surface& surface, const FieldSet& fields);
-Evaluation part(const Part& command, const Surface& surface, const FieldSet& fields);
-Evaluation length(const Length& command, const Surface& surface, const FieldSet& fields);
-Evaluation trim(const Trim& command, const Surface& surface, const FieldSet& fields, const Coat& coat);
-Evaluation lift(const Lift& command, const Surface& surface, const FieldSet& fields);
-Evaluation erase(const Erase& command, const Surface& surface, const FieldSet& fields, const FieldSet& baseline);
-Evaluation clump(const Clump& command, const Surface& surface, const FieldSet& fields);
-Evaluation curl(const Curl& command, const Surface& surface, const FieldSet& fields);
-Evaluation paint(const Paint& command, const Surface& surface, const FieldSet& fields);
-Evaluation mask(const ChangeMask& command, const Surface& surface, const FieldSet& fields,
-                const MapPicture* picture = nullptr);
-Evaluation map(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const MapPicture& picture);
-Evaluation retarget(const Retarget& command, const Surface& surface, const FieldSet& fields, const Surface& source,
-                    const FieldSet& source_fields);
+Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Attract& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Unify& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Part& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Length& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Trim& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Lift& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Erase& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const ChangeMask& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+
+/// A tool that needs no more than the surface and the fields.
+template <class Tool>
+concept Plain = requires(const Tool& tool, const Surface& surface, const FieldSet& fields) {
+  { run(tool, surface, fields) } -> std::same_as<Evaluation>;
+};
+/// A tool that reads something beside them.
+template <class Tool>
+concept Informed = requires(const Tool& tool, const Surface& surface, const FieldSet& fields,
+                            const ToolExtras& extras) {
+  { run(tool, surface, fields, extras) } -> std::same_as<Evaluation>;
+};
 
 }  // namespace pelage

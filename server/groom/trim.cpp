@@ -88,13 +88,13 @@ class LongestStrand {
 
 }  // namespace
 
-Evaluation trim(const Trim& command, const Surface& surface, const FieldSet& fields, const Coat& coat) {
+Evaluation run(const Trim& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const LongestStrand longest(command, surface.mesh());
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
   FieldWriter writer(fields, Field::length);
   for (const auto [v, weight] : region_of(command.stroke, brush, surface, fields)) {
     const double now = fields.length()[v];
-    const double cut = std::min(now, longest(strand_at(v, surface.mesh(), fields, coat)));
+    const double cut = std::min(now, longest(strand_at(v, surface.mesh(), fields, extras.coat)));
     writer.put(v, now + weight * (cut - now));
   }
   Evaluation done;

@@ -52,7 +52,7 @@ struct Target {
 
 }  // namespace
 
-Evaluation unify(const Unify& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Unify& command, const Surface& surface, const FieldSet& fields) {
   const Mesh& mesh = surface.mesh();
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
   Evaluation done;

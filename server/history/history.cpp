@@ -53,40 +53,35 @@ void put_checkpoint(std::vector<Checkpoint>& checkpoints, Checkpoint checkpoint,
     *same = std::move(checkpoint);
 }
 
+/// Carries out a setting; one that is forgotten here does not compile.
+struct Set {
+  SceneSettings& settings;
+  Revision next;
+
+  void operator()(const SetCoat& c) const { settings.coat = c.coat; }
+  void operator()(const SetLook& c) const { settings.look = c.look; }
+  void operator()(const SetLights& c) const { settings.lights = c.lights; }
+  void operator()(const SetEnvironment& c) const { settings.environment = c.environment; }
+  void operator()(const SetGround& c) const { settings.ground = c.ground; }
+  void operator()(const SetEyes& c) const { settings.eyes = c.eyes; }
+  void operator()(const SetCurves& c) const { settings.curves = c.groups; }
+  void operator()(const SetSkin& c) const { settings.skin = c.regions; }
+  void operator()(const SetSkinTexture& c) const { settings.skin_texture = c.picture; }
+  void operator()(const SetBlowers& c) const { settings.blowers = c.blowers; }
+  void operator()(const SetAttractors& c) const { settings.attractors = c.attractors; }
+  void operator()(const SetSymmetry& c) const { settings.symmetry = c.symmetry; }
+  void operator()(const ChangeEditLayer& c) const { settings.layers = with_change(settings.layers, c); }
+  void operator()(const Checkpoint& c) const { put_checkpoint(settings.checkpoints, c, next); }
+};
+
 }  // namespace
 
 std::optional<SceneSettings> with_setting(SceneSettings settings, const Command& command, Revision next) {
-  if (const auto* coat = std::get_if<SetCoat>(&command))
-    settings.coat = coat->coat;
-  else if (const auto* look = std::get_if<SetLook>(&command))
-    settings.look = look->look;
-  else if (const auto* lights = std::get_if<SetLights>(&command))
-    settings.lights = lights->lights;
-  else if (const auto* environment = std::get_if<SetEnvironment>(&command))
-    settings.environment = environment->environment;
-  else if (const auto* ground = std::get_if<SetGround>(&command))
-    settings.ground = ground->ground;
-  else if (const auto* eyes = std::get_if<SetEyes>(&command))
-    settings.eyes = eyes->eyes;
-  else if (const auto* curves = std::get_if<SetCurves>(&command))
-    settings.curves = curves->groups;
-  else if (const auto* skin = std::get_if<SetSkin>(&command))
-    settings.skin = skin->regions;
-  else if (const auto* base = std::get_if<SetSkinTexture>(&command))
-    settings.skin_texture = base->picture;
-  else if (const auto* blowers = std::get_if<SetBlowers>(&command))
-    settings.blowers = blowers->blowers;
-  else if (const auto* attractors = std::get_if<SetAttractors>(&command))
-    settings.attractors = attractors->attractors;
-  else if (const auto* symmetry = std::get_if<SetSymmetry>(&command))
-    settings.symmetry = symmetry->symmetry;
-  else if (const auto* layer = std::get_if<ChangeEditLayer>(&command))
-    settings.layers = with_change(settings.layers, *layer);
-  else if (const auto* checkpoint = std::get_if<Checkpoint>(&command))
-    put_checkpoint(settings.checkpoints, *checkpoint, next);
-  else
-    return std::nullopt;
-  return settings;
+  const auto apply = [&]<class C>(const C& one) {
+    if constexpr (SettingCommand<C>) Set{settings, next}(one);
+    return SettingCommand<C>;
+  };
+  return std::visit(apply, command) ? std::optional(std::move(settings)) : std::nullopt;
 }
 
 std::vector<Command> commands_of(const SceneSettings& settings) {
