@@ -1,9 +1,9 @@
 """Makes the pages of the tools and their pictures, with the programs of build/release.
 
 usage: docs/tools/make.py [NAME...]     (all tools, or those whose name begins with one of the given ones)
-       docs/tools/make.py --pages       (only the text; needs no programs)
-       docs/tools/make.py --check       (says which pages differ from what openapi.yaml and pages.py say)
-Needs deploy/packages.sh demo and, for pictures, a build: deploy/demo.sh makes both.
+       docs/tools/make.py --pages       (only the text)
+       docs/tools/make.py --check       (says which pages differ from what the contract and pages.py say)
+Needs deploy/packages.sh demo and a build, whose bin/openapi.json is the contract: deploy/demo.sh makes both.
 """
 import json
 import os
@@ -13,15 +13,13 @@ import sys
 import tempfile
 import time
 
-import yaml
-
 from pages import GROOMS, PAGES
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = pathlib.Path(os.environ.get("PELAGE_BIN", ROOT / "build" / "release" / "bin"))
 SHARED = pathlib.Path(os.environ.get("PELAGE_SHARED", ROOT.parent / "shared")) / "meshes"
 FOLDER = ROOT / "docs" / "tools"
-SCHEMAS = yaml.safe_load((ROOT / "protocol" / "openapi" / "openapi.yaml").read_text(encoding="utf-8"))["components"]["schemas"]
+SCHEMAS = json.loads((BIN / "openapi.json").read_text(encoding="utf-8"))["components"]["schemas"]
 VIEW = ["--width", "420", "--height", "420", "--knob", "shells=24", "--knob", "shadow_maps=true", "--knob", "scale=1.5"]
 NO_LIMIT = 1e20  # bounds as large as these only say that a number is finite; the words say the real ones
 

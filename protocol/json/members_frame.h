@@ -46,8 +46,8 @@ void members(V& v, Visited<V, Knobs>& c) {
          "strands: every strand of the coat, ray traced; of the other knobs it takes `trace`, `eye_steps` and "
          "`guard_hairs`.");
   if (v.shows(c.method == Method::shells)) {
-    v.integer("shells", c.shells, {1, limits::shells}, "Layers of fur, where the view needs most.");
-    v.integer("steps", c.steps, {1, 16}, "Texture steps inside each layer.");
+    v.integer("shells", c.shells, {1, limits::shells}, "Where the view needs most.");
+    v.integer("steps", c.steps, {1, 16}, "Texture steps inside each slab.");
     v.number("scale", c.scale, {0.25, 2},
              "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
     v.integer(
@@ -64,8 +64,8 @@ void members(V& v, Visited<V, Knobs>& c) {
     v.name("order", c.order, json_names::fragment_orders,
            "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
            "pictures "
-           "to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's layers it makes "
-           "beauty and alpha; the others stay in the order of layers.");
+           "to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it makes "
+           "beauty and alpha; the others stay in the order of shells.");
   }
   v.integer(
       "eye_steps", c.eye_steps, {0, 64},
@@ -90,7 +90,7 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of frames keep "
       "it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is CPU milliseconds of the "
       "server while it draws, over the GL's threads; of a hardware GL the milliseconds until the frame is done. "
-      "Layers of an EXR beside beauty, overlays and the making of shadow maps come on top.");
+      "AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.");
   v.number(
       "max_error", c.max_error, max_error,
       "In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where there is "
@@ -110,7 +110,7 @@ void members(V& v, Visited<V, FrameRequest>& c) {
   v.integer("jpeg_quality", c.jpeg_quality, {1, 100});
   v.name("exr_type", c.exr_type, json_names::exr_types, "Depth and position are always float.");
   if (v.shows(c.format == FrameFormat::exr))
-    v.names("aovs", c.aovs, json_names::aovs, 1, "AOV",
+    v.names(bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
             "Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of "
             "beauty; "
             "A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and "

@@ -169,7 +169,7 @@ void members(V& v, Visited<V, Length>& c) {
   v.type("Length", "Changes how long fur is.");
   place_members(v, c), flood_member(v, c);
   v.name("mode", c.mode, json_names::length_modes,
-         "average: to the mean under the brush. jitter: by a random share. least, most: not under, not over.");
+         "average: to the mean under the brush. jitter: by a random share. min, max: not under, not over.");
   v.number(
       "value", c.value, coordinate,
       "A length in `units`, at most 10 sizes and below 0 for add only; a factor for scale, at most 1000000; a share "
@@ -243,7 +243,7 @@ template <class V>
 void members(V& v, Visited<V, Paint>& c) {
   v.type("Paint", "Paints a field; inverted it takes it back to its default.");
   place_members(v, c), flood_member(v, c);
-  v.name("field", c.field, json_names::fields);
+  v.name("field", c.field, json_names::fields, "Not direction, length or stretch, which have tools of their own.");
   v.number("value", c.value, {0, 4}, "At most 1, of width 4. Of a colour how much it covers.");
   if (v.takes(shape_of(c.field).channels == 4)) v.colour("colour", c.colour, "Of root_colour and tip_colour only.");
 }

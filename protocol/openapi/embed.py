@@ -1,4 +1,5 @@
-"""Turns openapi.yaml into a C++ source that holds it as JSON: embed.py INPUT.yaml OUTPUT.cpp"""
+"""Puts the schemas of the requests into the contract, as JSON and as a C++ source that holds it:
+embed.py CONTRACT.yaml SCHEMAS.json OUTPUT.cpp OUTPUT.json"""
 
 import json
 import sys
@@ -8,9 +9,24 @@ import yaml
 PIECE = 8000  # compilers bound the length of one string literal
 
 
-def main(source, target):
+def merged(contract, schemas):
+    """What the contract says of a made schema is added to it, and may repeat nothing."""
+    written = contract["components"]["schemas"]
+    for name, schema in schemas.items():
+        twice = schema.keys() & written.get(name, {}).keys()
+        if twice:
+            sys.exit(f"openapi.yaml repeats {sorted(twice)} of {name}, which protocol/json/schema.cpp makes")
+        written[name] = {**schema, **written.get(name, {})}
+    return contract
+
+
+def main(source, schemas, target, document):
     with open(source, encoding="utf-8") as file:
-        text = json.dumps(yaml.safe_load(file), ensure_ascii=True, separators=(",", ":"))
+        contract = yaml.safe_load(file)
+    with open(schemas, encoding="utf-8") as file:
+        text = json.dumps(merged(contract, json.load(file)), ensure_ascii=True, separators=(",", ":"))
+    with open(document, "w", encoding="utf-8") as file:
+        file.write(text)
     pieces = [text[i:i + PIECE] for i in range(0, len(text), PIECE)]
     lines = [f'    R"json~({piece})json~"' for piece in pieces]
     with open(target, "w", encoding="utf-8") as file:

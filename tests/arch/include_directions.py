@@ -11,7 +11,7 @@ ALLOWED = {
     "protocol/base": [],
     "protocol/commands": ["protocol/base"],
     "protocol/json": ["protocol/base", "protocol/commands"],
-    "protocol/openapi": [],
+    "protocol/openapi": ["protocol/base", "protocol/commands", "protocol/json"],
     "server/surface": ["protocol/base", "protocol/commands"],
     "server/patches": ["protocol/base", "protocol/commands", "server/surface"],
     "server/builtin": ["protocol/base", "protocol/commands", "server/surface"],

@@ -1,16 +1,15 @@
-"""openapi.yaml, the server and limits.h say the same."""
+"""The contract that the build makes, the server and limits.h say the same."""
 
 import json
 import re
 import unittest
 
 import jsonschema
-import yaml
 
 from support.pictures import hdr, png
-from support.server import REPOSITORY, ServedTest, comb, flood
+from support.server import BIN, REPOSITORY, ServedTest, comb, flood
 
-CONTRACT = yaml.safe_load((REPOSITORY / "protocol" / "openapi" / "openapi.yaml").read_text())
+CONTRACT = json.loads((BIN / "openapi.json").read_text())
 SCHEMAS = CONTRACT["components"]["schemas"]
 
 
@@ -74,7 +73,7 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["Stroke"]["properties"]["samples"]["maxItems"], limits["samples_per_stroke"])
         self.assertIn(f"at most {limits['dabs_per_stroke']} dabs", SCHEMAS["Brush"]["properties"]["spacing"]["description"])
         self.assertEqual(SCHEMAS["SetLights"]["properties"]["lights"]["maxItems"], limits["lights"])
-        self.assertEqual(SCHEMAS["Harmonics"]["items"]["items"]["maximum"], limits["harmonic"])
+        self.assertEqual(SCHEMAS["Environment"]["properties"]["harmonics"]["items"]["items"]["maximum"], limits["harmonic"])
         self.assertIn(f"{limits['picture_pixels']} pixels on a side", whole)
         self.assertEqual(SCHEMAS["SetEyes"]["properties"]["eyes"]["maxItems"], limits["eyes"])
         self.assertEqual(SCHEMAS["SetCurves"]["properties"]["groups"]["maxItems"], limits["curve_groups"])
@@ -92,12 +91,12 @@ class Document(unittest.TestCase):
         of_map = {p.get("name"): p.get("schema") for p in CONTRACT["paths"]["/v1/scenes/{id}/maps/{field}"]["get"]["parameters"]}
         self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
         self.assertEqual(SCHEMAS["StoredPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
-        self.assertEqual(SCHEMAS["Name"]["maxLength"], limits["name_bytes"])
+        self.assertEqual(SCHEMAS["NewScene"]["properties"]["name"]["maxLength"], limits["name_bytes"])
         self.assertIn(f"At most {limits['edit_layers']}.", SCHEMAS["ChangeEditLayer"]["description"])
-        self.assertEqual(SCHEMAS["Scene"]["properties"]["aovs"]["maxItems"], limits["edit_layers"])
+        self.assertEqual(SCHEMAS["Scene"]["properties"]["edit_layers"]["maxItems"], limits["edit_layers"])
         self.assertEqual(SCHEMAS["Subdivide"]["properties"]["levels"]["maximum"], limits["subdivide_levels"])
         self.assertEqual(SCHEMAS["SceneList"]["properties"]["scenes"]["maxItems"], limits["scenes"])
-        builtin = SCHEMAS["NewScene"]["properties"]["model"]["properties"]
+        builtin = SCHEMAS["BuiltinModel"]["properties"]
         self.assertEqual(builtin["triangles"]["maximum"], limits["builtin_triangles"])
         self.assertEqual(CONTRACT["components"]["parameters"]["Wait"]["schema"]["maximum"], limits["wait_seconds"])
         for name in ("command_body_bytes", "model_bytes", "model_triangles", "picture_bytes"):
@@ -323,9 +322,9 @@ class Defaults(ServedTest):
     def test_scenes(self):
         plain = self.server.post("/v1/scenes", {}).json
         said = {"name": SCHEMAS["NewScene"]["properties"]["name"]["default"],
-                "model": {k: v["default"] for k, v in SCHEMAS["NewScene"]["properties"]["model"]["properties"].items()},
+                "model": {k: v["default"] for k, v in SCHEMAS["BuiltinModel"]["properties"].items()},
                 "fur": {k: v["default"] for k, v in SCHEMAS["FirstGroom"]["properties"].items()},
-                "fur_patches": SCHEMAS["FurPatches"]["default"]}
+                "fur_patches": SCHEMAS["NewScene"]["properties"]["fur_patches"]["default"]}
         same = self.server.post("/v1/scenes", said).json
         for key in ("name", "model", "triangles", "fields_hash"):
             self.assertEqual(plain[key], same[key])
@@ -348,7 +347,7 @@ class Answers(ServedTest):
             if header != "Pelage-Trace":  # of traced pictures alone
                 self.assertIn(header.lower(), answer.headers)
 
-    def test_the_served_contract_is_the_written_one(self):
+    def test_the_served_contract_is_the_made_one(self):
         self.assertEqual(self.server.get("/openapi.json").json, CONTRACT)
 
     def test_every_operation_answers_what_it_says(self):
