@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
+
 namespace pelage {
 
 namespace {
 
 /// IEC 61966-2-1.
-float linear_of_srgb(int level) {
-  const double encoded = level / 255.0;
-  return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
-}
+float linear_of_srgb(int level) { return static_cast<float>(linear_from_srgb(level / 255.0)); }
 
 int srgb_of_linear(float linear) {
-  const double value = linear;
-  const double encoded = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-  return static_cast<int>(std::lround(255 * std::clamp(encoded, 0.0, 1.0)));
+  return static_cast<int>(std::lround(255 * std::clamp(srgb_from_linear(double{linear}), 0.0, 1.0)));
 }
 
 int hex_digit(char c) {

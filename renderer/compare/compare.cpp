@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/compare/flip.h"
 
 namespace pelage {
@@ -29,8 +30,6 @@ double lab_curve(double t) {
 }
 
 }  // namespace
-
-double luminance_of(const glm::dvec3& linear) { return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 glm::dvec3 ycxcz_from_linear(const glm::dvec3& linear) {
   static const glm::dmat3 matrix = white_relative();
@@ -96,7 +95,7 @@ Mask alpha_mask(const FloatImage& image) {
 
 Mask luminance_mask(const FloatImage& image) {
   const double half = linear_from_srgb(0.5);
-  return mask_of(image, [half](const float* rgba) { return luminance_of({rgba[0], rgba[1], rgba[2]}) > half; });
+  return mask_of(image, [half](const float* rgba) { return luminance(glm::dvec3(rgba[0], rgba[1], rgba[2])) > half; });
 }
 
 Mask union_of(const Mask& first, const Mask& second) {
@@ -220,7 +219,7 @@ glm::dvec3 over_background(const FloatImage& image, std::size_t pixel, double ba
 void measure_light(PictureFigures& figures, const FloatImage& reference, const FloatImage& test, const Mask& mask,
                    double background) {
   constexpr double epsilon = 0.01;
-  double count = 0, relative = 0, square = 0, bias = 0, luminance = 0;
+  double count = 0, relative = 0, square = 0, bias = 0, bright = 0;
   for (std::size_t i = 0; i < mask.inside.size(); ++i) {
     if (!mask.inside[i]) continue;
     const glm::dvec3 truth = over_background(reference, i, background);
@@ -229,13 +228,13 @@ void measure_light(PictureFigures& figures, const FloatImage& reference, const F
     count += 1;
     square += squares.x + squares.y + squares.z;
     relative += shares.x + shares.y + shares.z;
-    bias += luminance_of(difference);
-    luminance += luminance_of(truth);
+    bias += luminance(difference);
+    bright += luminance(truth);
   }
   figures.rel_mse = relative / (3 * count);
   figures.rmse = std::sqrt(square / (3 * count));
   figures.bias = bias / count;
-  figures.reference_luminance = luminance / count;
+  figures.reference_luminance = bright / count;
 }
 
 /// None where the mask is empty.

@@ -14,9 +14,6 @@
 
 namespace pelage {
 
-/// Rec. 709 luminance.
-double luminance_of(const glm::dvec3& linear);
-
 /// The linearised opponent space of Zhang and Wandell (1996): Y in [-16, 100], Cx red against green, Cz blue against
 /// yellow.
 glm::dvec3 ycxcz_from_linear(const glm::dvec3& linear);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/shading/fibre.h"
 
 namespace pelage {
@@ -31,8 +32,6 @@ namespace {
 
 constexpr double white_light = 1000;  // candela per square metre, a bright room
 
-double brightness(glm::vec3 radiance) { return glm::dot(glm::dvec3(radiance), glm::dvec3(0.2126, 0.7152, 0.0722)); }
-
 /// What a light brings to a surface at the eye that faces where it looks.
 double brought_by(const FurLight& light, const FurEye& eye) {
   glm::dvec3 to_light = -glm::dvec3(light.direction);
@@ -47,7 +46,7 @@ double brought_by(const FurLight& light, const FurEye& eye) {
       share *= std::clamp((inside - light.cone) / std::max<double>(light.soft_cone - light.cone, 1e-6), 0.0, 1.0);
     }
   }
-  return share * brightness(light.radiance) * std::max(0.0, glm::dot(to_light, glm::dvec3(eye.frame[2])));
+  return share * luminance(glm::dvec3(light.radiance)) * std::max(0.0, glm::dot(to_light, glm::dvec3(eye.frame[2])));
 }
 
 }  // namespace

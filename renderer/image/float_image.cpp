@@ -11,6 +11,7 @@
 #include <memory>
 #include <string_view>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/image/image.h"
 
 namespace pelage {
@@ -85,16 +86,6 @@ void make_linear_and_premultiplied(FloatImage& image) {
 }
 
 }  // namespace
-
-double linear_from_srgb(double value) {
-  if (value <= 0.04045) return value / 12.92;
-  return std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-double srgb_from_linear(double value) {
-  if (value <= 0.0031308) return value * 12.92;
-  return 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-}
 
 FloatImage linear_image(const Image& image) {
   FloatImage linear{image.width, image.height, std::vector<float>(image.rgba.size()), true};

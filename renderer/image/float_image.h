@@ -18,10 +18,6 @@ struct FloatImage {
   bool display_referred = false;  // from PNG or JPEG: tone mapped and held to [0, 1] already
 };
 
-/// The sRGB curve (IEC 61966-2-1) and back. Odd outside [0, 1]: no clamp.
-double linear_from_srgb(double value);
-double srgb_from_linear(double value);
-
 FloatImage linear_image(const Image& image);
 
 /// PNG (8 and 16 bit, taken as sRGB), JPEG, EXR or Radiance HDR from memory. Of an EXR the first part is read: R, G, B

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/coat/strand_tile.h"
 
 namespace pelage {
@@ -66,7 +67,7 @@ namespace {
 float largest_luminance(const Coat& coat) {
   float largest = 1e-4f;
   for (const RampStop& stop : coat.ramp) {
-    largest = std::max(largest, glm::dot(wet_colour(coat, stop.colour), {0.2126f, 0.7152f, 0.0722f}));
+    largest = std::max(largest, luminance(wet_colour(coat, stop.colour)));
   }
   return largest;
 }
@@ -254,7 +255,7 @@ glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 place, glm::vec3 
 }
 
 glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 base) {
-  const float shade = 0.36f + 0.84f * glm::dot(base, {0.2126f, 0.7152f, 0.0722f}) * block.axis.w;
+  const float shade = 0.36f + 0.84f * luminance(base) * block.axis.w;
   glm::vec3 colour = glm::mix(base, glm::vec3(block.belly_colour) * shade, weights.x);
   colour = glm::mix(colour, glm::vec3(block.inner_colour) * shade, weights.y);
   return glm::mix(colour, glm::vec3(block.colour) * shade, weights.z);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "protocol/base/colour_space.h"
+
 namespace pelage {
 
 namespace {
@@ -143,7 +145,7 @@ std::vector<glm::vec2> Looker::spread_places(std::span<const bool> touched) cons
 
 double lightness_of(const Coat& coat) {
   double sum = 0;
-  for (const RampStop& stop : coat.ramp) sum += double{glm::dot(stop.colour, {0.2126f, 0.7152f, 0.0722f})};
+  for (const RampStop& stop : coat.ramp) sum += double{luminance(stop.colour)};
   return coat.ramp.empty() ? 0 : std::clamp(sum / static_cast<double>(coat.ramp.size()), 0.0, 1.0);
 }
 

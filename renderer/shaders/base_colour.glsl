@@ -20,6 +20,6 @@ bool takes_model_colours() {
 // Hue from the model, lightness along the strand from the ramp; or the ramp alone.
 vec3 fur_colour(vec3 strand, vec3 colour, vec3 uv) {
   if (!takes_model_colours()) return strand;
-  float lightness = dot(strand, vec3(0.2126, 0.7152, 0.0722)) / frame.tile.w;
+  float lightness = luminance(strand) / frame.tile.w;
   return model_colour(colour, uv) * (0.36 + 0.84 * lightness);
 }

@@ -1,3 +1,5 @@
+#include "luminance.glsl"
+
 // What every pass of a frame knows. Layout std140; renderer/upload/frame_block.h mirrors it.
 struct Light {
   vec4 direction;  // where the light goes, unit; w is 0, or 1 for a light at a position

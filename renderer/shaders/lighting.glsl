@@ -110,9 +110,8 @@ vec3 direct_light = vec3(0.0);  // of lights alone, summed up by what lights a f
 vec2 light_share = vec2(0.0);   // luminance of that light, and what it would be without shadows
 
 void keep_direct(vec3 kept, vec3 whole) {
-  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
   direct_light += kept;
-  light_share += vec2(dot(kept, luminance), dot(whole, luminance));
+  light_share += vec2(luminance(kept), luminance(whole));
 }
 #endif
 

@@ -9,7 +9,7 @@ layout(std140, binding = 1) uniform PatternColours {
 layout(binding = 8) uniform sampler3D pattern_volume;
 
 vec3 with_weights(vec3 weights, vec3 base) {
-  float shade = 0.36 + 0.84 * dot(base, vec3(0.2126, 0.7152, 0.0722)) * pattern.origin.w;
+  float shade = 0.36 + 0.84 * luminance(base) * pattern.origin.w;
   vec3 colour = mix(base, pattern.belly_colour.rgb * shade, weights.x);
   colour = mix(colour, pattern.inner_colour.rgb * shade, weights.y);
   return mix(colour, pattern.colour.rgb * shade, weights.z);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/strands/filter.h"
 
 namespace pelage {
@@ -15,8 +16,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t judged_samples = 4;  // fewer say too little about their spread
-
-float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
 
 /// As passes/resolve/resolve.frag shows linear light.
 double shown(double linear) {

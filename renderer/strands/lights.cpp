@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/light/environment.h"
 
 namespace pelage {
@@ -13,8 +14,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float nearest_square = 1e-8f, largest_fall = 1e8f;  // as light_at in lighting.glsl
-
-float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
 
 struct Axes {
   glm::vec3 right, up;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/shading/fibre_paths.h"
 #include "renderer/strands/fibre_frame.h"
 #include "renderer/strands/sampling.h"

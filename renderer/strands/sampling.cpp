@@ -66,8 +66,6 @@ glm::vec2 Sampler::next2() {
           unit_float(reverse_bits(flip_by_lower(second_sobol_reversed(index), hash(pair, 2))))};
 }
 
-float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
-
 void DiscreteDistribution::add(float weight) {
   assert(count_ < static_cast<int>(weights_.size()));
   weights_[static_cast<std::size_t>(count_)] = std::max(weight, 0.0f);

@@ -8,6 +8,7 @@
 #include <span>
 #include <type_traits>
 
+#include "protocol/base/colour_space.h"
 #include "protocol/base/random.h"
 
 namespace pelage {
@@ -69,8 +70,6 @@ class Sampler {
 };
 
 // A discrete distribution over few weights, and directions about a normal.
-
-float luminance(glm::vec3 colour);
 
 /// What a discrete distribution was sampled to.
 struct DiscreteSample {

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/image/float_image.h"
 #include "renderer/pattern/pattern.h"
 
 namespace pelage {
 
 namespace {
-
-float luminance(glm::vec3 colour) { return glm::dot(colour, {0.2126f, 0.7152f, 0.0722f}); }
 
 float largest_luminance(const Coat& coat) {
   float largest = 1e-4f;

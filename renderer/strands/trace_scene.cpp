@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {

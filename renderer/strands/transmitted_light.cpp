@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/shading/empirical.h"
 #include "renderer/shading/fibre_paths.h"
 #include "renderer/skin/bare.h"

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/coat/colour_above.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/light/environment.h"
@@ -41,8 +42,7 @@ LightBlock light_block(const FurLight& light) {
 
 float largest_lightness(const Coat& coat) {
   float largest = 1e-4f;
-  for (const RampStop& stop : coat.ramp)
-    largest = std::max(largest, glm::dot(stop.colour, {0.2126f, 0.7152f, 0.0722f}));
+  for (const RampStop& stop : coat.ramp) largest = std::max(largest, luminance(stop.colour));
   return largest;
 }
 

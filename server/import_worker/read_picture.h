@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "protocol/base/colour_space.h"
 #include "protocol/base/status.h"
 #include "protocol/commands/look.h"
 #include "server/import/map_picture.h"
@@ -16,7 +17,7 @@ namespace pelage {
 inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
   for (int i = 0; i < 3; ++i) {
     const float c = colour[i] < 0 ? 0 : (colour[i] > 1 ? 1 : colour[i]);
-    colour[i] = c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+    colour[i] = linear_from_srgb(c);
   }
   return colour;
 }

@@ -5,18 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "protocol/base/colour_space.h"
+
 namespace pelage {
 
 namespace {
-
-// The sRGB curve (IEC 61966-2-1).
-double srgb_from_linear(double value) {
-  return value <= 0.0031308 ? value * 12.92 : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-}
-
-double linear_from_srgb(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 MapLayout value_layout(Field field, double scale, bool floats) {
   const FieldShape& shape = shape_of(field);

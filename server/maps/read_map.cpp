@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
 #include "server/maps/draw_map.h"
 
 namespace pelage {
@@ -115,7 +116,7 @@ MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, Ma
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel) {
   const UvCorners uvs = make_uv_corners(mesh);
   const auto number = [&](glm::dvec4 rgba) {
-    if (channel == PictureChannel::luminance) return 0.2126 * rgba.x + 0.7152 * rgba.y + 0.0722 * rgba.z;
+    if (channel == PictureChannel::luminance) return luminance(glm::dvec3(rgba));
     return rgba[static_cast<int>(channel) - static_cast<int>(PictureChannel::red)];
   };
   std::vector<double> values(mesh.positions.size(), 0);

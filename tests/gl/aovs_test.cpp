@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "protocol/base/colour_space.h"
 #include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
@@ -24,8 +25,6 @@ class Layers : public WithRenderer {
 glm::vec3 pixel(const FloatImage& image, std::size_t i) {
   return {image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]};
 }
-
-float luminance(glm::vec3 c) { return glm::dot(c, {0.2126f, 0.7152f, 0.0722f}); }
 
 TEST_P(Layers, DepthIsWhereOpacityCrossesHalf) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});

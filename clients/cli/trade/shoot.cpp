@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "protocol/base/colour_space.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "renderer/image/image.h"

@@ -340,11 +340,11 @@ vec3 albedo_of(Seen seen, vec3 along) {
   return mix(ball, lid_colour(seen.lid), seen.shut);
 }
 
-// Lids and cornea count as what reflects, not as shadow: all of an eye's light light is left.
+// Lids and cornea count as what reflects, not as shadow: all of the lights' share is left.
 void write_eye_aovs(Seen seen, vec3 along, vec3 hit, vec3 light) {
   light_count = 0;
   direct_light = clamp(light - light_of(seen, along), 0.0, max_value);
-  light_share = vec2(dot(direct_light, vec3(0.2126, 0.7152, 0.0722)));
+  light_share = vec2(luminance(direct_light));
   vec3 normal = seen.shut > 0.5 ? unit(seen.lid) : eyeball_normal(seen.ball, along);
   write_aovs(eye.position.xyz + eye.right.w * in_world(hit), in_world(normal), vec3(0.0), albedo_of(seen, along), 0.0,
                seen.covered);

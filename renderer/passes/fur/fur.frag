@@ -43,8 +43,7 @@ uniform int step_count;  // texture steps inside the slab
 const float mean_level = 7.0;  // whose texels hold the mean of many strands
 
 float lightness_over(vec3 strand, vec3 mean) {
-  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
-  return clamp(dot(strand, luminance) / max(dot(mean, luminance), 1e-4), 0.5, 1.6);
+  return clamp(luminance(strand) / max(luminance(mean), 1e-4), 0.5, 1.6);
 }
 #endif
 

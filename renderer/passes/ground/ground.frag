@@ -85,7 +85,7 @@ void main() {
     float facing = max(near ? apart.y * inversesqrt(square) : -light.direction.y, 0.0);
     float inside = near ? -dot(apart, light.direction.xyz) * inversesqrt(square) : 1.0, edge = light.position.w;
     facing *= clamp((inside - edge) / max(light.radiance.w - edge, 1e-6), 0.0, 1.0);  // in a spot's cone
-    float arrives = frame.weights.y * facing * dot(light.radiance.rgb, vec3(0.2126, 0.7152, 0.0722)) * (near ? min(1.0 / square, 1e6) : 1.0);
+    float arrives = frame.weights.y * facing * luminance(light.radiance.rgb) * (near ? min(1.0 / square, 1e6) : 1.0);
     whole += arrives;
 #ifdef SHADOW_MAPS
     bool mapped = shadow.slots[i].w >= 0.0 && shadow.slots[i].y >= 0.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/compare/compare.h"
 #include "tests/unit/compare/pictures.h"
 
@@ -147,7 +148,7 @@ TEST(FlipKernels, AreNormalised) {
 }
 
 TEST(ColourSpaces, HavePublishedValuesAndAnInverse) {
-  EXPECT_NEAR(luminance_of({1, 1, 1}), 1, 1e-12);
+  EXPECT_NEAR(luminance(glm::dvec3(1)), 1, 1e-12);
   const glm::dvec3 white = ycxcz_from_linear({1, 1, 1}), black = ycxcz_from_linear({0, 0, 0});
   EXPECT_NEAR(glm::length(white - glm::dvec3(100, 0, 0)), 0, 1e-9);
   EXPECT_NEAR(glm::length(black - glm::dvec3(-16, 0, 0)), 0, 1e-9);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <regex>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/image/float_image.h"
 
 namespace pelage {
