@@ -49,6 +49,11 @@ KNOWN = {"Position": "3 numbers, the model's coordinates", "Direction": "3 numbe
          "Colour": "`#rrggbb` (sRGB) or 3 linear numbers, 0 to 1", "Camera": "`auto`, or `eye`, `target`, `up`, `fov_degrees`"}
 
 
+def required_of(schema):
+    """Members that are always required, by the schema itself or by a rule that is written for it."""
+    return schema.get("required", []) + [name for rule in schema.get("allOf", []) for name in rule.get("required", [])]
+
+
 def values(schema):
     """What a member may be, in words."""
     known = schema.get("$ref", "").split("/")[-1]
@@ -93,7 +98,7 @@ def table(name):
             continue
         words = resolved(own).get("description", "")
         default = f"`{json.dumps(resolved(own)['default'])}`" if "default" in resolved(own) else \
-            "required" if member in schema.get("required", []) else ""
+            "required" if member in required_of(schema) else ""
         lines.append(f"| `{member}` | {linked(member, own)} | {default} | {words} |".replace("\n", " "))
     return lines
 
@@ -105,7 +110,7 @@ def where(name):
         return []
     if "flood" in schema["properties"]:
         return ["Takes either a stroke, or `flood` to work everywhere. The mask holds for both.", ""]
-    if "stroke" in schema["required"]:
+    if "stroke" in required_of(schema):
         return ["Needs a stroke. The mask holds.", ""]
     return ["Works everywhere, or under a stroke's brush where one is given. The mask holds.", ""]
 

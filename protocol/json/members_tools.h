@@ -10,7 +10,7 @@ namespace pelage::json_parts {
 template <class V, class Tool>
 void layer_member(V& v, Tool& c) {
   v.text(sparse("edit_layer"), c.edit_layer,
-         "Edit layer that keeps what changes; the groom below all layers unless named.");
+         "Edit layer that keeps what changes; the groom below all edit layers unless named.");
 }
 
 /// Where a tool works.
@@ -400,10 +400,11 @@ void members(V& v, Visited<V, ChangeEditLayer>& c) {
   v.label(required("name"), c.name);
   const bool add = c.action == EditLayerAction::add, set = c.action == EditLayerAction::set;
   if (v.takes(add || set)) {
-    v.number("weight", c.weight, edit_layer_weight,
-             "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change layers of at "
-             "least .05 "
-             "or at most -.05.");
+    v.number(
+        "weight", c.weight, edit_layer_weight,
+        "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change edit layers of at "
+        "least .05 "
+        "or at most -.05.");
     v.boolean("muted", c.muted, "Of add and set.");
   }
   if (v.takes(set)) v.text(sparse("rename"), c.rename, "Of set: the new name.");

@@ -1,3 +1,5 @@
+#include "luminance.glsl"
+
 // Markings over the body: shares of three colours, read from a volume about the surface (renderer/pattern/pattern_volume.h)
 // and mixed as with_weights in renderer/pattern/pattern.cpp does.
 layout(std140, binding = 1) uniform PatternColours {

@@ -11,12 +11,12 @@ namespace pelage {
 namespace {
 
 // Visits that one of these is worth, about.
-constexpr double dab_visits = 32;      // finding the vertices of a dab, however few
-constexpr double along_surface = 30;   // a vertex of a dab along the surface
-constexpr double nearest_visits = 50;  // the nearest place of the surface
-constexpr double ring_visits = 8;      // a vertex with its neighbours
-constexpr double edges_visits = 16;    // a vertex on a way along edges
-constexpr double heat_visits = 400;    // a vertex of one distance by heat
+constexpr double dab_visits = 32;                        // finding the vertices of a dab, however few
+constexpr double along_surface = 30;                     // a vertex of a dab along the surface
+constexpr double nearest_visits = 50;                    // the nearest place of the surface
+constexpr double ring_visits = 8;                        // a vertex with its neighbours
+constexpr double edges_visits = 16;                      // a vertex on a way along edges
+constexpr double heat_visits = 400;                      // a vertex of one distance by heat
 constexpr double curve_step = 0.01, curve_steps = 4096;  // as flow walks along curves: sizes, and of one piece at most
 
 /// How many vertices lie under a dab: the mean of at most 16 samples, spread over the stroke.

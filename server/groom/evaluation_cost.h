@@ -11,7 +11,8 @@ namespace limits {
 inline constexpr double evaluation_visits = 5e8;  // of vertices, by the commands of one request
 }
 
-/// Work in visits: one visit looks at one vertex once, the lightest thing that a tool does. The same command on the same surface always costs the same.
+/// Work in visits: one visit looks at one vertex once, the lightest thing that a tool does. The same command on the
+/// same surface always costs the same.
 struct EvaluationCost {
   double visits = 0;
   const char* field = "";  // JSON pointer to the field of the command that asks for most of it

@@ -17,8 +17,8 @@ namespace pelage {
 
 /// How the scenes of a server share its memory.
 struct MemoryUse {
-  std::size_t budget = 0, bytes = 0;  // what open scenes may take and take, estimated
-  std::size_t open = 0, evicted = 0;  // scenes
+  std::size_t budget = 0, bytes = 0;          // what open scenes may take and take, estimated
+  std::size_t open = 0, evicted = 0;          // scenes
   std::uint64_t evictions = 0, reopened = 0;  // since the start
 };
 

@@ -11,7 +11,7 @@ struct SceneSettings;
 
 /// Estimates in bytes, without what the renderer holds. Branches may share a model.
 struct SceneMemory {
-  std::size_t own = 0;        // fields, undo log, settings and skin texture
+  std::size_t own = 0;         // fields, undo log, settings and skin texture
   std::uint64_t model_id = 0;  // SceneModel::id
   std::size_t model = 0;
   std::uint64_t copy_id = 0;  // SceneView::copy_id
