@@ -83,7 +83,7 @@ def linked(name, schema):
     target = schema.get("$ref", schema.get("items", {}).get("$ref", "")).split("/")[-1]
     if target in ("Brush", "Stroke"):
         return f"[{target.lower()}](brush.md)"
-    if resolved(schema).get("type") == "object" and target:
+    if resolved(schema).get("type") == "object" and resolved(schema).get("properties") and target:
         return f"[{target}](#{target.lower()})"
     if target and schema.get("type") == "array" and resolved(SCHEMAS[target]).get("type") == "object":
         return f"list{bounds(schema.get('minItems', 0), schema.get('maxItems'))} of [{target}](#{target.lower()})"
