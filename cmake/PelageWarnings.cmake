@@ -6,6 +6,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-restrict -Wno-stringop-overread -Wno-array-bounds -Wno-stringop-overflow
                       -Wno-maybe-uninitialized)
 endif()
+if(CMAKE_UNITY_BUILD)
+  add_compile_options(-Wno-subobject-linkage)  # for headers; what is in the batch is one file's own
+endif()
 # The same bits on every run: no contraction that depends on the optimiser's mood.
 add_compile_options(-ffp-contract=off)
 # One x86-64 level for every build, so that a log gives the same bits on one kind of CPU.

@@ -95,7 +95,7 @@ Parameters with_format(Parameters parameters, const std::string& output) {
 }
 
 /// Checked here too, so that a wrong line says so without a server.
-Result<FrameRequest> request_of(const Options& options) {
+Result<FrameRequest> frame_request_of(const Options& options) {
   Result<FrameRequest> request = decode_frame_query(with_format(options.frame, options.output));
   const Result<Tracing> tracing = decode_tracing_query(options.trace);
   if (!request || !tracing) return request ? tracing.status() : request;
@@ -128,7 +128,7 @@ void print_frame(const Options& options, const HttpAnswer& answer) {
 
 ExitCode draw_frame(Session& session) {
   const Options& options = session.options();
-  const auto request = request_of(options);
+  const auto request = frame_request_of(options);
   if (!request) return report(request.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());

@@ -16,7 +16,7 @@ namespace pelage {
 
 namespace {
 
-std::string request_of(const Options& options) {
+std::string new_scene_request_of(const Options& options) {
   const std::string form = options.form.empty() ? "" : ",\"form\":" + json_text(options.form);
   return fmt::format(
       R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}{}}},"fur_patches":{}}})",
@@ -70,7 +70,7 @@ ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer)
 }  // namespace
 
 ExitCode create_scene(Session& session) {
-  const std::string request = request_of(session.options());
+  const std::string request = new_scene_request_of(session.options());
   if (const auto checked = decode_new_scene(request); !checked) return report(checked.status());
   const auto answer = Session::accepted(session.connection().post_json("/v1/scenes", request));
   if (!answer) return report(answer.status());

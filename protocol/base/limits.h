@@ -16,6 +16,7 @@ inline constexpr int map_dilation = 64;                               // pixels
 inline constexpr double harmonic = 1e6;                               // an environment's coefficient, either sign
 inline constexpr std::size_t builtin_triangles = 1'000'000;
 inline constexpr std::size_t commands_per_batch = 1'000;
+inline constexpr double evaluation_visits = 5e8;  // of vertices, by the commands of one request
 inline constexpr std::size_t samples_per_stroke = 10'000;
 inline constexpr std::size_t dabs_per_stroke = 100'000;  // length of the stroke over spacing x radius
 inline constexpr std::size_t falloff_points = 64;

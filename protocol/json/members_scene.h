@@ -5,6 +5,7 @@
 #include "protocol/commands/map.h"
 #include "protocol/commands/scene.h"
 #include "protocol/json/decode.h"
+#include "protocol/json/members_look.h"
 #include "protocol/json/members_tools.h"
 
 namespace pelage::json_parts {

@@ -27,6 +27,8 @@ inline constexpr Range length_in_units{0, 1e27};
 inline constexpr Range width_in_units{1e-27, 1e27};
 inline constexpr Range map_scale{1e-27, 1e27};
 inline constexpr Range share{0, 1};
+inline constexpr Range whole_number{0, 4294967295.0};
+inline constexpr Range screen_coordinate{-1e6, 1e6};  // pixels
 inline constexpr Range half_circle{0, 180};
 inline constexpr Range edit_layer_weight{-4, 4};
 inline constexpr Range clump_size{0.001, 0.5};

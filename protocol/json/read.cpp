@@ -12,9 +12,6 @@ namespace pelage::json_parts {
 
 namespace {
 
-constexpr Range screen_coordinate{-1e6, 1e6};
-constexpr Range whole_number{0, 4294967295.0};
-
 void get(const Value& value, Camera& out) {
   Object object(value);
   if (object.has("auto")) {

@@ -17,9 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using json_names::text_of;
 
-constexpr Range whole_number{0, 4294967295.0};
-constexpr Range screen_coordinate{-1e6, 1e6};
-
 Json reference(const std::string& name) { return {{"$ref", "#/components/schemas/" + name}}; }
 
 /// Whole numbers without a point, floats with the digits that they were written with.

@@ -45,7 +45,7 @@ NearestClumps ClumpGrid::nearest_two(glm::dvec2 place) const {
 
 namespace {
 
-std::uint8_t byte(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
+std::uint8_t unorm8(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
 
 }  // namespace
 
@@ -61,7 +61,7 @@ ClumpMap bake_clump_map(const Coat& coat) {
       const glm::dvec2 way = (near.first.centre - place) / (coat.tile * map.reach);
       const double inside = (near.to_second - near.to_first) / std::max(near.to_second + near.to_first, 1e-12);
       for (const double value : {0.5 + 0.5 * way.x, 0.5 + 0.5 * way.y, inside, near.first.pull})
-        map.texels.push_back(byte(value));
+        map.texels.push_back(unorm8(value));
     }
   }
   return map;

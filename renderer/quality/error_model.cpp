@@ -7,8 +7,6 @@ namespace pelage {
 
 namespace {
 
-constexpr double min_error = 1e-5;
-
 double log_of(double pixels) { return std::log2(std::max(pixels, 1e-3)); }
 
 }  // namespace

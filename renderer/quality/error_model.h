@@ -9,6 +9,9 @@
 
 namespace pelage {
 
+/// Below this an error is not told apart from none.
+inline constexpr double min_error = 1e-5;
+
 using ErrorTraits = std::array<double, error_traits>;
 
 /// Binary logarithms of the fur's length, the strands' width and the model's size in pixels; the share of fur behind

@@ -16,8 +16,7 @@ namespace {
 constexpr double ridge = 3;          // on slopes; for 13 views .3 gave a spread of .41, 1 of .36, 3 of .35
 constexpr double normal_95 = 1.645;  // standard deviations below which 95% of a normal distribution lies
 constexpr double pooled_views = 8;   // that the spread of all rows counts as in the spread of one
-constexpr double min_error = 1e-5;
-constexpr int sweeps = 20'000;  // of coordinate descent
+constexpr int sweeps = 20'000;       // of coordinate descent
 constexpr double max_safety = 4;
 constexpr std::size_t enough_views = 12;  // fewer judge their own fit too kindly
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int farthest = 6;           // pixels that light comes from at 1 sample
 constexpr int margin = farthest + 3;  // and more for silhouettes, and for windows that touch a pixel
 constexpr int band_rows = 32;
-constexpr int block = 32;            // pixels of a row that are worked on together
+constexpr int block_pixels = 32;     // pixels of a row that are worked on together
 constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights
 constexpr float unknown = 1e9f;      // noise of a feature that too few pixels show
 
@@ -52,7 +52,7 @@ float reach_of(std::uint32_t samples) {
   return 1 + farthest * (1 - std::log2(static_cast<float>(std::max(samples, 1u))) / 6);
 }
 
-using Lanes = std::array<float, block>;
+using Lanes = std::array<float, block_pixels>;
 
 /// What a block of pixels gathers.
 struct Sums {
@@ -99,7 +99,7 @@ Band::Band(const FilterSource& source, int top, int bottom)
       top_(top),
       bottom_(bottom),
       rows_(bottom - top + 2 * margin),
-      stride_(static_cast<std::size_t>(source.width + 2 * margin + block)),
+      stride_(static_cast<std::size_t>(source.width + 2 * margin + block_pixels)),
       planes_(static_cast<std::size_t>(plane_count * rows_) * stride_) {
   for (int y = std::max(top - margin, 0); y < std::min(bottom + margin, source.height); ++y) load(y);
 }
@@ -142,7 +142,7 @@ void Band::judge_windows(int x, int y) {
     for (int v = y - 1; v <= y + 1; ++v) {
       for (int u = x - 1; u <= x + 1; ++u) {
         const float* values = row(plane, v) + u;
-        for (std::size_t i = 0; i < block; ++i) add(i, values[i]);
+        for (std::size_t i = 0; i < block_pixels; ++i) add(i, values[i]);
       }
     }
   };
@@ -153,13 +153,13 @@ void Band::judge_windows(int x, int y) {
       Lanes sum{}, squares{};
       over_window(feature + k, [&](std::size_t i, float value) { sum[i] += value, squares[i] += value * value; });
       float* means = row(mean + k, y) + x;
-      for (std::size_t i = 0; i < block; ++i) {
+      for (std::size_t i = 0; i < block_pixels; ++i) {
         means[i] = sum[i] / std::max(count[i], 1.0f);
         spread[i] += std::max(squares[i] - sum[i] * means[i], 0.0f);
       }
     }
     float* variance = row(noise + group, y) + x;
-    for (std::size_t i = 0; i < block; ++i) variance[i] = count[i] > 3 ? spread[i] / (count[i] - 1) : unknown;
+    for (std::size_t i = 0; i < block_pixels; ++i) variance[i] = count[i] > 3 ? spread[i] / (count[i] - 1) : unknown;
   }
 }
 
@@ -194,33 +194,33 @@ void Band::add_tap(int x, int y, int dx, int dy, Sums& sums) const {
     Lanes square{};
     for (int k = group_begins[std::size_t(group)]; k < group_begins[std::size_t(group) + 1]; ++k) {
       const float *own = row(guide + k, y) + x, *other = row(guide + k, y + dy) + x + dx;
-      for (std::size_t i = 0; i < block; ++i) square[i] += (own[i] - other[i]) * (own[i] - other[i]);
+      for (std::size_t i = 0; i < block_pixels; ++i) square[i] += (own[i] - other[i]) * (own[i] - other[i]);
     }
     const float* over = row(falloff + group, y) + x;
-    for (std::size_t i = 0; i < block; ++i) difference[i] += square[i] * over[i];
+    for (std::size_t i = 0; i < block_pixels; ++i) difference[i] += square[i] * over[i];
   }
   const float* over = row(over_reach, y) + x;
   const float apart = static_cast<float>(dx * dx + dy * dy);
-  for (std::size_t i = 0; i < block; ++i) {
+  for (std::size_t i = 0; i < block_pixels; ++i) {
     const float alike = std::max(1 - difference[i] / 8, 0.0f), near = std::max(1 - apart * over[i], 0.0f);
     const float fourth = alike * alike * alike * alike;
     weight[i] = fourth * fourth * near;
   }
   const auto add = [&](int plane, const Lanes& weights, Lanes& sum) {
     const float* other = row(plane, y + dy) + x + dx;
-    for (std::size_t i = 0; i < block; ++i) sum[i] += weights[i] * other[i];
+    for (std::size_t i = 0; i < block_pixels; ++i) sum[i] += weights[i] * other[i];
   };
   for (int c = 0; c < 3; ++c) add(light + c, weight, sums.light[std::size_t(c)]);
   for (int c = 0; c < 3; ++c) add(white + c, weight, sums.white[std::size_t(c)]);
   if (4 * (dx * dx + dy * dy) > farthest * farthest) return;
-  for (std::size_t i = 0; i < block; ++i) weight[i] *= std::max(1 - 4 * apart * over[i], 0.0f);
+  for (std::size_t i = 0; i < block_pixels; ++i) weight[i] *= std::max(1 - 4 * apart * over[i], 0.0f);
   for (int c = 0; c < 3; ++c) add(white + c, weight, sums.near_white[std::size_t(c)]);
   add(body, weight, sums.near_body);
 }
 
 void Band::gather(int x, int y) {
   float min = 1;
-  for (int i = x; i < x + block; ++i) {
+  for (int i = x; i < x + block_pixels; ++i) {
     if (row(body, y)[i] > 0) min = std::min(min, row(over_reach, y)[i]);
   }
   if (min == 1) return;
@@ -237,7 +237,7 @@ void Band::gather(int x, int y) {
 
 /// A ratio of sums, so that where light and albedo vary together their mean is kept.
 void Band::finish(int x, int y, const Sums& sums) {
-  for (std::size_t i = 0; i < block; ++i) {
+  for (std::size_t i = 0; i < block_pixels; ++i) {
     const int u = x + static_cast<int>(i);
     const float covered = row(body, y)[u];
     if (!(covered > 0) || row(over_reach, y)[u] == 1 || u >= source_.width) continue;
@@ -250,11 +250,11 @@ void Band::finish(int x, int y, const Sums& sums) {
 
 void Band::filter() {
   for (int y = top_ - margin + 1; y < bottom_ + margin - 1; ++y) {
-    for (int x = -1; x <= source_.width; x += block) judge_windows(x, y);
+    for (int x = -1; x <= source_.width; x += block_pixels) judge_windows(x, y);
   }
   for (int y = top_ - margin + 2; y < bottom_ + margin - 2; ++y) make_guides(y);
   for (int y = std::max(top_ - 1, 0); y < std::min(bottom_ + 1, source_.height); ++y) {
-    for (int x = 0; x < source_.width; x += block) gather(x, y);
+    for (int x = 0; x < source_.width; x += block_pixels) gather(x, y);
   }
 }
 

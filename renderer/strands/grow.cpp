@@ -20,7 +20,6 @@ namespace pelage {
 
 namespace {
 
-constexpr float min_radius = 1e-7f;    // sizes
 constexpr double looked_through = 16;  // copies for each that is kept, at most
 constexpr double min_of_tile = 256;    // strands that repeat with the tile
 
@@ -136,7 +135,7 @@ void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet
   for (std::size_t i = 0; i < knots; ++i) {
     const int k = static_cast<int>(i);
     set.points[first + i] = {root.place + piece.leaned(share, tile.along(k) * reach) + sideways[i],
-                             std::max(wider * tile.radius(copy.strand, k), min_radius)};
+                             std::max(wider * tile.radius(copy.strand, k), min_strand_radius)};
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), reach, root.wetness});
@@ -158,7 +157,7 @@ void Grower::Impl::append_guard_hair(const FurPiece& piece, const TileCopy& copy
     const int k = static_cast<int>(i);
     const float s = tile.along(k);
     set.points[first + i] = {root.place + stretch * piece.leaned(share, s) + aside * (bow * s * s),
-                             std::max(wider * tile.radius(copy.strand, k), min_radius)};
+                             std::max(wider * tile.radius(copy.strand, k), min_strand_radius)};
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});

@@ -14,6 +14,8 @@
 
 namespace pelage {
 
+inline constexpr float min_strand_radius = 1e-7f;  // sizes
+
 /// What says how strands grow beside the model and its fields.
 struct GrowRecipe {
   Coat coat;

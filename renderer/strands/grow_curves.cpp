@@ -5,10 +5,6 @@
 
 namespace pelage {
 
-namespace {
-constexpr float min_radius = 1e-7f;  // sizes
-}
-
 StrandSet grow_curves(std::span<const FurCurves> curves) {
   const CurveStrips strips = make_strips(curves);
   StrandSet set;
@@ -19,7 +15,7 @@ StrandSet grow_curves(std::span<const FurCurves> curves) {
     for (int k = 0; k <= curve_segments; ++k) {
       const glm::vec4 look = glm::mix(style.root, style.tip, static_cast<float>(k) / curve_segments);
       const CurvePoint& point = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
-      set.points.push_back({point.place, std::max(0.5f * look.w, min_radius)});
+      set.points.push_back({point.place, std::max(0.5f * look.w, min_strand_radius)});
       set.colours.push_back(pack_colour(glm::vec3(look)));
     }
     set.roots.push_back({glm::vec3(style.normal), style.normal.w, 1, 0});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <limits>
-#include <numbers>
 
 #include "protocol/base/colour_space.h"
 #include "renderer/light/environment.h"
@@ -12,7 +12,6 @@ namespace pelage {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float nearest_square = 1e-8f, largest_fall = 1e8f;  // as light_at in lighting.glsl
 
 struct Axes {
@@ -56,7 +55,7 @@ LightSample from_point(const FurLight& light, glm::vec3 from, glm::vec3 place) {
 
 LightSample from_disc(const FurLight& light, glm::vec2 u) {
   const float half = std::sin(light.angle / 2);
-  const glm::vec3 to_light = turned_off(-light.direction, u.x * 2 * half * half, 2 * pi * u.y);
+  const glm::vec3 to_light = turned_off(-light.direction, u.x * 2 * half * half, 2 * glm::pi<float>() * u.y);
   return {light.angle > 0 ? to_light : -light.direction, std::numeric_limits<float>::infinity(), light.radiance};
 }
 
@@ -70,7 +69,7 @@ LightSample from_ball(const FurLight& light, glm::vec3 place, glm::vec2 u) {
   const float missing = u.x * share * share / (1 + cosine);  // of the cosine to the centre
   const float sine = std::sqrt(missing * (2 - missing)) / share;
   const float half_chord = std::sqrt(std::max(0.0f, 1 - sine * sine));
-  return {turned_off(centre.to_light, missing, 2 * pi * u.y),
+  return {turned_off(centre.to_light, missing, 2 * glm::pi<float>() * u.y),
           centre.distance * std::max(1 - missing - share * half_chord, 0.0f), centre.radiance * (2 / (1 + cosine))};
 }
 
@@ -114,7 +113,7 @@ namespace {
 /// Across and up in [0, 1]: around +y and its height, so that even in both is even over all directions.
 glm::vec3 direction_at(float across, float up) {
   const float y = 2 * up - 1, level = 2 * std::sqrt(std::max(0.0f, up * (1 - up)));
-  const float around = 2 * pi * across;
+  const float around = 2 * glm::pi<float>() * across;
   return {level * std::cos(around), y, level * std::sin(around)};
 }
 
@@ -180,15 +179,16 @@ EnvironmentSample StrandLights::sample_environment(glm::vec2 u) const {
   const Found column = find_step(std::span(cell_sums_).subspan(first, columns + 1), u.x);
   const glm::vec3 direction =
       direction_at((float(column.index) + column.within) / columns, (float(row.index) + row.within) / rows);
-  return {direction, environment(direction), cell_share(row.index, column.index) * (rows * columns / (4 * pi))};
+  return {direction, environment(direction),
+          cell_share(row.index, column.index) * (rows * columns / (4 * glm::pi<float>()))};
 }
 
 float StrandLights::environment_pdf(glm::vec3 direction) const {
-  const float turn = std::atan2(direction.z, direction.x) / (2 * pi);
+  const float turn = std::atan2(direction.z, direction.x) / (2 * glm::pi<float>());
   const float across = turn < 0 ? turn + 1 : turn, up = (direction.y + 1) / 2;
   const int column = std::clamp(static_cast<int>(across * columns), 0, columns - 1);
   const int row = std::clamp(static_cast<int>(up * rows), 0, rows - 1);
-  return cell_share(row, column) * (rows * columns / (4 * pi));
+  return cell_share(row, column) * (rows * columns / (4 * glm::pi<float>()));
 }
 
 }  // namespace pelage

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <glm/gtc/constants.hpp>
 #include <optional>
 
 #include "protocol/base/colour_space.h"
@@ -14,7 +14,6 @@ namespace pelage {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float leave_skin = 1e-5f;  // sizes from which rays start
 constexpr int first_bounces = 1;     // after them Russian roulette ends dark paths
 constexpr float worth_a_ray =
@@ -45,16 +44,17 @@ class Bsdf {
   /// BSDF times cosine for light from a unit direction, 1 / steradian.
   glm::vec3 f(glm::vec3 to_light) const {
     if (fibre_) return fibre_->value(frame_->local(to_light));
-    return hit_.colour * std::max(glm::dot(hit_.normal, to_light), 0.0f) / pi;
+    return hit_.colour * std::max(glm::dot(hit_.normal, to_light), 0.0f) / glm::pi<float>();
   }
   /// The same for a light. Paths hit a strand at any offset alike, so that its mean over the offsets, which the table
   /// has, is as true as the value at this one, and far less noisy.
   glm::vec3 mean_f(glm::vec3 to_light) const {
-    return fibre_ ? scene_.shading().scatter_averaged(hit_, absorption_, to_light, to_camera_) / pi : f(to_light);
+    return fibre_ ? scene_.shading().scatter_averaged(hit_, absorption_, to_light, to_camera_) / glm::pi<float>()
+                  : f(to_light);
   }
   float pdf(glm::vec3 to_light) const {
     if (fibre_) return fibre_->pdf(frame_->local(to_light));
-    return std::max(glm::dot(hit_.normal, to_light), 0.0f) / pi;
+    return std::max(glm::dot(hit_.normal, to_light), 0.0f) / glm::pi<float>();
   }
   /// A direction in space, with f / pdf as its weight.
   FibreSample sample_f(Sampler& sampler) const {
@@ -109,7 +109,7 @@ DirectLight sample_direct(const TraceScene& scene, const World& world, const Bsd
     return {.environment = radiance};
   }
   const LightSample light = lights.sample(chosen.index, bsdf.position(), u);
-  glm::vec3 radiance = bsdf.mean_f(light.to_light) * light.radiance * (pi / chosen.probability);
+  glm::vec3 radiance = bsdf.mean_f(light.to_light) * light.radiance * (glm::pi<float>() / chosen.probability);
   if (luminance(radiance) <= 0) return {};
   const float survival_probability = first ? 1 : luminance(throughput * radiance) / (worth_a_ray * scene.brightest());
   if (survival_probability < 1) {

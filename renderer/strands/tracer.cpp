@@ -57,8 +57,6 @@ std::size_t picture_bytes(int width, int height, std::span<const Aov> aovs) {
          (backplate_images + aovs.size());
 }
 
-Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
-
 }  // namespace
 
 struct Tracer::Impl {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <glm/gtc/constants.hpp>
 
 #include "protocol/base/colour_space.h"
 #include "renderer/shading/empirical.h"
@@ -15,7 +15,6 @@ namespace pelage {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float leave_skin = 1e-5f;  // sizes from which rays to lights start
 constexpr float near_pixels = 1.5f;  // width from which a strand shows how it scatters across
 
@@ -36,7 +35,7 @@ glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light,
     const FibreFrame frame(hit.tangent, to_camera);
     const StrandShading& shading = scene.shading();
     const FibrePaths fibre(shading.lobes(), frame.local(to_camera), hit.offset, shading.absorption(hit.colour));
-    return with_more(scene, hit, to_light, pi * fibre.value(frame.local(to_light)));
+    return with_more(scene, hit, to_light, glm::pi<float>() * fibre.value(frame.local(to_light)));
   }
   const glm::vec3 once = scene.shading().scatter(hit, to_light, to_camera);
   return model == ShadingModel::marschner ? with_more(scene, hit, to_light, once) : once;

@@ -119,8 +119,6 @@ Status no_memory() {
                  "fewer strands");
 }
 
-Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
-
 }  // namespace
 
 struct World::Impl {

@@ -96,4 +96,7 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The end (unavailable) of what was cancelled.
+inline Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
+
 }  // namespace pelage

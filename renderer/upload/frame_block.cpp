@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-constexpr float near_plane = 1e-4f;  // sizes
+constexpr float near_plane_of_camera = 1e-4f;  // sizes
 
 glm::mat4 projection(const FurFrame& frame) {
   const float y = 1 / frame.camera.tan_half_fov;
@@ -21,8 +21,8 @@ glm::mat4 projection(const FurFrame& frame) {
   glm::mat4 matrix(0);
   matrix[0][0] = x;
   matrix[1][1] = y;
-  matrix[2][3] = -1;          // w = -z
-  matrix[3][2] = near_plane;  // z / w = near / distance
+  matrix[2][3] = -1;                    // w = -z
+  matrix[3][2] = near_plane_of_camera;  // z / w = near / distance
   return matrix;
 }
 

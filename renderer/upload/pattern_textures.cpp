@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-constexpr GLuint uniform_binding = 1, texture_unit = 8;  // as in pattern.glsl
+constexpr GLuint pattern_binding = 1, pattern_texture_unit = 8;  // as in pattern.glsl
 
 struct PatternColours {
   glm::vec4 colour, inner_colour, belly_colour, origin, scale;
@@ -28,8 +28,8 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
     for (const glm::vec3& place : model.positions()) variation.push_back(pattern_variation(block, place));
     model.send_variation(gl, variation);
   }
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, uniform_binding, uniforms_.id());
-  gl.BindTextureUnit(texture_unit, volume_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, pattern_binding, uniforms_.id());
+  gl.BindTextureUnit(pattern_texture_unit, volume_.id());
 }
 
 void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const ModelBuffers& model) {

@@ -48,7 +48,7 @@ CoatTextures::CoatTextures(const Gl& gl, const Coat& coat, UploadCount& count)
 
 namespace {
 
-constexpr GLuint uniform_binding = 6, texture_unit = 15;  // as in paint.glsl and paint_form.glsl
+constexpr GLuint clump_binding = 6, clump_texture_unit = 15;  // as in paint.glsl and paint_form.glsl
 
 Texture send(const Gl& gl, const ClumpMap& map) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D});
@@ -71,8 +71,8 @@ void PaintTextures::prepare(const Gl& gl, const Coat& coat) {
     gl.NamedBufferData(uniforms_.id(), sizeof block, &block, GL_STATIC_DRAW);
     coat_ = coat;
   }
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, uniform_binding, uniforms_.id());
-  gl.BindTextureUnit(texture_unit, clumps_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, clump_binding, uniforms_.id());
+  gl.BindTextureUnit(clump_texture_unit, clumps_.id());
 }
 
 }  // namespace pelage

@@ -6,7 +6,7 @@ namespace pelage {
 
 namespace {
 
-constexpr GLuint uniform_binding = 7, texture_unit = 13;  // as in tufts.glsl
+constexpr GLuint tuft_binding = 7, tuft_texture_unit = 13;  // as in tufts.glsl
 
 struct TuftBlock {
   glm::vec4 origin;  // of the volume; w: gathered at the tip
@@ -20,8 +20,8 @@ void TuftTextures::prepare(const Gl& gl, std::uint64_t model_id, const Tufts& tu
     model_ = model_id, tufts_ = tufts;
     send(gl, tufts, model);
   }
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, uniform_binding, uniforms_.id());
-  gl.BindTextureUnit(texture_unit, volume_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, tuft_binding, uniforms_.id());
+  gl.BindTextureUnit(tuft_texture_unit, volume_.id());
 }
 
 void TuftTextures::send(const Gl& gl, const Tufts& tufts, const ModelBuffers& model) {

@@ -13,8 +13,8 @@ namespace {
 
 Sheet sheet_of(std::size_t layer) { return static_cast<Sheet>(first_edit_layer + layer); }
 
-/// As it is stored on the seen and the under sheet.
-glm::vec4 stored(Field field, glm::dvec4 sum) {
+/// As it is stored_sum on the seen and the under sheet.
+glm::vec4 stored_sum(Field field, glm::dvec4 sum) {
   if (field == Field::direction) return glm::vec4(stored_direction(glm::dvec2(sum)), 0, 0);
   const glm::dvec4 value = from_summable(field, sum);
   glm::vec4 result(0);
@@ -74,8 +74,8 @@ void StackWriter::put(std::uint32_t vertex, Sheet sheet, glm::vec4 value) {
 }
 
 void StackWriter::put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers) {
-  // What is seen follows from what is stored, so that making it anew gives the same bits.
-  const glm::vec4 base = stored(field_, stack.base);
+  // What is seen follows from what is stored_sum, so that making it anew gives the same bits.
+  const glm::vec4 base = stored_sum(field_, stack.base);
   EditLayerStack kept{true, to_summable(field_, glm::dvec4(base)), {}};
   bool adds = false;
   for (std::size_t s = first_edit_layer; s < parts_.size(); ++s) {
@@ -84,7 +84,7 @@ void StackWriter::put(std::uint32_t vertex, const EditLayerStack& stack, const s
     kept.added[s - first_edit_layer] = glm::dvec4(added);
     put(vertex, static_cast<Sheet>(s), added);
   }
-  put(vertex, seen_sheet, adds ? stored(field_, seen_through(kept, field_, layers)) : base);
+  put(vertex, seen_sheet, adds ? stored_sum(field_, seen_through(kept, field_, layers)) : base);
   put(vertex, under_sheet, adds ? base : glm::vec4(std::numeric_limits<float>::quiet_NaN()));
 }
 

@@ -76,8 +76,8 @@ class Stick {
 
 /// Under the stroke, or all around the point.
 std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surface, const FieldSet& fields,
-                                   glm::dvec3 point, double radius) {
-  if (command.stroke) return region_of(command.stroke, command.brush, surface, fields);
+                                   glm::dvec3 point, double radius, const Cancel& cancel) {
+  if (command.stroke) return region_of(command.stroke, command.brush, surface, fields, cancel);
   std::vector<std::uint32_t> found;
   surface.vertices_within(point, radius, found);
   std::vector<VertexWeight> all;
@@ -88,14 +88,14 @@ std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surfac
 
 }  // namespace
 
-Evaluation run(const Attract& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Attract& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 point = mesh.to_internal(command.point);
   const double radius = internal_length(command.radius, command.units, mesh);
   const double sign = command.brush.invert ? -1 : 1;
   if (!(radius > 0)) return {};
   Stick stick(command, fields);
-  for (const auto [vertex, restriction] : reach_of(command, surface, fields, point, radius)) {
+  for (const auto [vertex, restriction] : reach_of(command, surface, fields, point, radius, extras.cancel)) {
     const glm::dvec3 to_point = point - glm::dvec3(mesh.positions[vertex]);
     const double weight =
         command.strength * restriction * falloff_weight(command.brush, glm::length(to_point) / radius);

@@ -47,14 +47,14 @@ class Wind {
 
 }  // namespace
 
-Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const Wind wind(command, mesh);
   const double sign = command.brush.invert ? -1 : 1;
   FieldWriter writer(fields, Field::direction);
   const Brush brush =
       command.stroke ? command.brush : Brush{.strength = 1};  // without a stroke the wind blows everywhere
-  for (const auto [vertex, restriction] : region_of(command.stroke, brush, surface, fields)) {
+  for (const auto [vertex, restriction] : region_of(command.stroke, brush, surface, fields, extras.cancel)) {
     const glm::dvec3 position(mesh.positions[vertex]), heading = wind.heading(position);
     const double weight = command.strength * restriction * wind.share(heading) * wind.strength(position);
     if (weight == 0) continue;

@@ -14,12 +14,13 @@ constexpr double min_lean = 0.5;  // upright fur has to lean to come together
 }  // namespace
 
 // Fur turns to the nearest place of the stroke, and the field rises; inverted it opens again.
-Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const double sign = command.brush.invert ? -1 : 1, goal = command.brush.invert ? 0 : command.amount;
   FieldWriter directions(fields, Field::direction), clumps(fields, Field::clump);
   if (!command.stroke->samples.empty()) {
-    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields)) {
+    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
+      if (v % 256 == 0) extras.cancel.check();  // each looks at the whole stroke
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 middle = sign * safe_unit(nearest_on_path(*command.stroke, surface, position) - position);
       const glm::dvec2 direction(fields.direction()[v]);

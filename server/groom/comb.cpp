@@ -19,11 +19,12 @@ glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& 
 }
 
 /// Combs the whole surface one way.
-void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fields, FieldDelta& delta) {
+void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fields, const Cancel& cancel,
+                FieldDelta& delta) {
   if (!command.direction) return;
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 towards = safe_unit(*command.direction) * (command.brush.invert ? -1.0 : 1.0);
-  const std::vector<VertexWeight> region = region_of({}, command.brush, surface, fields);
+  const std::vector<VertexWeight> region = region_of({}, command.brush, surface, fields, cancel);
   const auto count = static_cast<std::uint32_t>(region.size());
   write_in_parallel(fields, Field::direction, count, delta, [&](std::uint32_t i, FieldWriter& writer) {
     const auto [v, weight] = region[i];
@@ -32,12 +33,14 @@ void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fie
 }
 
 /// Each dab turns fur the way that the brush moved. The exponent makes many small dabs do what one large one does.
-void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, FieldDelta& delta) {
+void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, const Cancel& cancel,
+                 FieldDelta& delta) {
   const BrushStroke stroke(*command.stroke, command.brush, surface);
   WorkingField directions(fields, Field::direction);
   std::vector<VertexWeight> weights;
   for (const Dab& dab : stroke.moving_dabs()) {
     const glm::dvec3 towards = command.brush.invert ? -dab.motion : dab.motion;
+    cancel.check();
     stroke.weigh(dab, weights);
     for (const auto [vertex, weight] : weights) {
       glm::dvec4& direction = directions.at(vertex);
@@ -51,12 +54,12 @@ void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fi
 
 }  // namespace
 
-Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   Evaluation done;
   if (command.flood)
-    comb_flood(command, surface, fields, done.delta);
+    comb_flood(command, surface, fields, extras.cancel, done.delta);
   else if (command.stroke)
-    comb_stroke(command, surface, fields, done.delta);
+    comb_stroke(command, surface, fields, extras.cancel, done.delta);
   return done;
 }
 

@@ -7,11 +7,11 @@
 namespace pelage {
 
 // Inverted it takes the curl out and turns the other way.
-Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const double goal = command.brush.invert ? 0 : command.amount;
   const double turn = glm::radians(command.turn_degrees) * (command.brush.invert ? -1 : 1);
   FieldWriter directions(fields, Field::direction), curls(fields, Field::curl);
-  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields)) {
+  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
     const glm::dvec2 direction(fields.direction()[v]);
     const double c = std::cos(turn * weight), s = std::sin(turn * weight);
     directions.put(v, glm::dvec2(c * direction.x - s * direction.y, s * direction.x + c * direction.y));

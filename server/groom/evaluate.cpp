@@ -14,11 +14,9 @@ struct Run {
 
   template <ToolCommand Tool>
   Evaluation operator()(const Tool& tool) const {
-    static_assert(Plain<Tool> || Informed<Tool>, "a tool of tool_list.h has no run() in server/groom/tools.h");
-    if constexpr (Informed<Tool>)
-      return run(tool, surface, fields, extras);
-    else
-      return run(tool, surface, fields);
+    static_assert(Runnable<Tool>, "a tool of tool_list.h has no run() in server/groom/tools.h");
+    extras.cancel.check();
+    return run(tool, surface, fields, extras);
   }
   template <SettingCommand Setting>
   Evaluation operator()(const Setting&) const {

@@ -4,6 +4,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
+#include "server/groom/cancel.h"
 #include "server/import/map_picture.h"
 #include "server/surface/surface.h"
 
@@ -27,16 +28,18 @@ struct ToolExtras {
   const FieldSet* baseline = nullptr;   // erase: what it goes back to, retarget: what it takes; required
   const Surface* source = nullptr;      // retarget: where `rest` lies; required
   const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
+  Cancel cancel = {};                   // asked between dabs, passes and images
 };
 
-/// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count.
+/// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count. Throws
+/// Cancelled once nobody waits.
 Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields,
                     const ToolExtras& extras = {});
 
 /// Takes away what the command's edit layer adds, by the brush's weight at each vertex; exactly all of it where that
 /// is 1.
 Evaluation erase_edit_layer(const Erase& resolved, const Surface& surface, const FieldSet& fields,
-                            const std::vector<EditLayer>& layers);
+                            const std::vector<EditLayer>& layers, const Cancel& cancel = {});
 
 /// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.

@@ -1,5 +1,7 @@
 #include "server/groom/evaluation_cost.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -132,7 +134,7 @@ Status add_cost(const Command& resolved, const Symmetry& symmetry, const Surface
   visits += cost.visits;
   if (visits <= limits::evaluation_visits) return {};
   return failure(Code::invalid, "the commands are too much work, images of the symmetry included", cost.field,
-                 "at most 500000000 visits of vertices in a request");
+                 fmt::format("at most {:.0f} visits of vertices in a request", limits::evaluation_visits));
 }
 
 }  // namespace pelage

@@ -7,10 +7,6 @@
 
 namespace pelage {
 
-namespace limits {
-inline constexpr double evaluation_visits = 5e8;  // of vertices, by the commands of one request
-}
-
 /// Work in visits: one visit looks at one vertex once, the lightest thing that a tool does. The same command on the
 /// same surface always costs the same.
 struct EvaluationCost {

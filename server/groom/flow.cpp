@@ -44,12 +44,13 @@ std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const
 
 /// The way that all curves together give the region's vertices.
 std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface& surface,
-                                              const std::vector<VertexWeight>& region) {
+                                              const std::vector<VertexWeight>& region, const Cancel& cancel) {
   const double sigma = internal_length(command.sigma, command.units, surface.mesh());
   const Spreader spreader(surface, command.distance);
   std::vector<GaussianMean<glm::dvec3>> ways(region.size());
   std::vector<Spread> spreads;
   for (std::size_t first = 0; first < command.curves.size(); first += spreads_at_a_time) {
+    cancel.check();
     spreads.resize(std::min(spreads_at_a_time, command.curves.size() - first));
     for_each_in_parallel(static_cast<std::uint32_t>(spreads.size()), [&](std::uint32_t k) {
       spreads[k] = spreader(sources_of(command.curves[first + k], surface));
@@ -68,12 +69,12 @@ std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface
 
 }  // namespace
 
-Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
-  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields);
+  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras.cancel);
   Evaluation done;
   if (region.empty()) return done;
-  const std::vector<GaussianMean<glm::dvec3>> ways = ways_of(command, surface, region);
+  const std::vector<GaussianMean<glm::dvec3>> ways = ways_of(command, surface, region, extras.cancel);
   write_in_parallel(fields, Field::direction, static_cast<std::uint32_t>(region.size()), done.delta,
                     [&](std::uint32_t i, FieldWriter& directions) {
                       const auto [v, restriction] = region[i];

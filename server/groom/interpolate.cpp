@@ -46,13 +46,14 @@ struct Said {
 /// What the keys say at the region's vertices. Keys without a direction say nothing about it, and those without a
 /// length nothing about that.
 std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surface,
-                                const std::vector<VertexWeight>& region) {
+                                const std::vector<VertexWeight>& region, const Cancel& cancel) {
   constexpr double silent = std::numeric_limits<double>::infinity();
   const double sigma = internal_length(command.sigma, command.units, surface.mesh());
   const Spreader spreader(surface, command.distance);
   std::vector<Said> said(region.size());
   std::vector<Spread> spreads;
   for (std::size_t first = 0; first < command.keys.size(); first += spreads_at_a_time) {
+    cancel.check();
     const std::span keys =
         std::span(command.keys).subspan(first, std::min(spreads_at_a_time, command.keys.size() - first));
     spreads.resize(keys.size());
@@ -75,12 +76,12 @@ std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surfa
 
 }  // namespace
 
-Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
-  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields);
+  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras.cancel);
   Evaluation done;
   if (region.empty()) return done;
-  const std::vector<Said> said = what_keys_say(command, surface, region);
+  const std::vector<Said> said = what_keys_say(command, surface, region, extras.cancel);
   const auto count = static_cast<std::uint32_t>(region.size());
   write_in_parallel(fields, Field::direction, count, done.delta, [&](std::uint32_t i, FieldWriter& directions) {
     const std::uint32_t v = region[i].vertex;

@@ -119,9 +119,10 @@ Values inverted(Values mask) {
   return mask;
 }
 
-Values smoothed(const Surface& surface, Values mask, int passes) {
+Values smoothed(const Surface& surface, Values mask, int passes, const Cancel& cancel) {
   Values next(mask.size());
   for (int pass = 0; pass < passes; ++pass) {
+    cancel.check();
     for (std::uint32_t v = 0; v < mask.size(); ++v) {
       double sum = 0;
       const auto others = surface.neighbours(v);
@@ -139,13 +140,13 @@ Values selected(const ChangeMask& command, const Surface& surface, const MapPict
   return mask;
 }
 
-Values changed(const ChangeMask& command, const Surface& surface, const MapPicture* picture, Values mask) {
+Values changed(const ChangeMask& command, const Surface& surface, const ToolExtras& extras, Values mask) {
   const double distance = internal_length(command.distance, command.units, surface.mesh());
   switch (command.action) {
-    case MaskAction::select: return selected(command, surface, picture, std::move(mask));
+    case MaskAction::select: return selected(command, surface, extras.picture, std::move(mask));
     case MaskAction::grow: return grown(surface, mask, distance);
     case MaskAction::shrink: return inverted(grown(surface, inverted(std::move(mask)), distance));
-    case MaskAction::smooth: return smoothed(surface, std::move(mask), command.passes);
+    case MaskAction::smooth: return smoothed(surface, std::move(mask), command.passes, extras.cancel);
     case MaskAction::invert: return inverted(std::move(mask));
   }
   assert(false);
@@ -157,7 +158,7 @@ Values changed(const ChangeMask& command, const Surface& surface, const MapPictu
 Evaluation run(const ChangeMask& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   Values now(fields.size());
   for (std::uint32_t v = 0; v < now.size(); ++v) now[v] = fields.number(Field::mask, v);
-  const Values after = changed(command, surface, extras.picture, std::move(now));
+  const Values after = changed(command, surface, extras, std::move(now));
   FieldWriter writer(fields, Field::mask);
   for (std::uint32_t v = 0; v < after.size(); ++v) writer.put(v, after[v]);
   Evaluation done;

@@ -59,10 +59,10 @@ glm::dvec4 disturbed_direction(glm::dvec2 direction, const PlacedNoise& noise, c
 
 }  // namespace
 
-Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const PlacedNoise random(command, mesh);
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);

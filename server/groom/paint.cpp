@@ -16,13 +16,13 @@ glm::dvec4 over(glm::dvec4 below, glm::dvec3 colour, double cover, double weight
 }  // namespace
 
 // Inverted it takes the field back to rest.
-Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields) {
+Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const FieldShape& shape = shape_of(command.field);
   const double value = command.brush.invert ? double{shape.default_value} : command.value;
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
   const double share = strand_share(command.brush, command.field);
   FieldWriter writer(fields, command.field);
-  for (const auto [v, reach] : region_of(command.stroke, command.brush, surface, fields, masked)) {
+  for (const auto [v, reach] : region_of(command.stroke, command.brush, surface, fields, extras.cancel, masked)) {
     const double weight = share * reach;
     const glm::dvec4 now(fields.value(command.field, v));
     writer.put(v, shape.channels == 4 ? over(now, glm::dvec3(command.colour), value, weight)

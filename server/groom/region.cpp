@@ -8,11 +8,13 @@ namespace pelage {
 namespace {
 
 /// For each vertex under the stroke the largest weight of any dab.
-std::vector<VertexWeight> covered(const Stroke& stroke, const Brush& brush, const Surface& surface) {
+std::vector<VertexWeight> covered(const Stroke& stroke, const Brush& brush, const Surface& surface,
+                                  const Cancel& cancel) {
   const BrushStroke painted(stroke, brush, surface);
   std::unordered_map<std::uint32_t, double> largest;
   std::vector<VertexWeight> weights;
   for (const Dab& dab : painted.covering_dabs()) {
+    cancel.check();
     painted.weigh(dab, weights);
     for (const auto [vertex, weight] : weights) {
       double& so_far = largest[vertex];
@@ -36,9 +38,9 @@ std::vector<VertexWeight> everywhere(double weight, std::size_t vertices) {
 }  // namespace
 
 std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
-                                    const FieldSet& fields, Masked masked) {
+                                    const FieldSet& fields, const Cancel& cancel, Masked masked) {
   std::vector<VertexWeight> region =
-      stroke ? covered(*stroke, brush, surface) : everywhere(brush.strength, fields.size());
+      stroke ? covered(*stroke, brush, surface, cancel) : everywhere(brush.strength, fields.size());
   if (masked == Masked::no || fields.at_default(Field::mask)) return region;
   for (VertexWeight& place : region) place.weight *= fields.number(Field::mask, place.vertex);
   std::erase_if(region, [](const VertexWeight& place) { return !(place.weight > 0); });

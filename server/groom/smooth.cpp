@@ -146,12 +146,13 @@ template <class Value, class AnyShare>
 class SmoothedField {
  public:
   SmoothedField(const Smooth& command, Field field, const std::vector<VertexWeight>& region, const Neighbourhood& near,
-                const Surface& surface, const FieldSet& fields)
+                const Surface& surface, const FieldSet& fields, const Cancel& cancel)
       : command_(command),
         field_(field),
         region_(region),
         near_(near),
         fields_(fields),
+        cancel_(cancel),
         share_(strand_share(command.brush, field)),
         ring_(region, surface, command.passes > 1),
         now_(near.size()) {
@@ -165,6 +166,7 @@ class SmoothedField {
   std::size_t smooth(FieldDelta& delta) {
     const auto count = static_cast<std::uint32_t>(region_.size());
     for (int pass = 0; pass < command_.passes; ++pass) {
+      cancel_.check();
       for_each_run_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
         typename Ring<AnyShare>::Scratch scratch;
         for (std::uint32_t i = begin; i < end; ++i) next_[near_.number(i)] = smoothed(i, scratch);
@@ -199,6 +201,7 @@ class SmoothedField {
   const std::vector<VertexWeight>& region_;
   const Neighbourhood& near_;
   const FieldSet& fields_;
+  const Cancel& cancel_;
   const double share_;
   Ring<AnyShare> ring_;
   std::vector<Value> now_, next_;
@@ -206,8 +209,8 @@ class SmoothedField {
 
 }  // namespace
 
-Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields) {
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields);
+Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
   Evaluation done;
   if (region.empty() || command.t == 0) return done;
   const Neighbourhood near(region, surface);
@@ -216,12 +219,14 @@ Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fi
     if (std::count(command.fields.begin(), command.fields.end(), field) == 0 || fields.at_default(field)) continue;
     if (field == Field::direction)
       done.clamped +=
-          SmoothedField<glm::dvec2, TurnedShare>(command, field, region, near, surface, fields).smooth(done.delta);
+          SmoothedField<glm::dvec2, TurnedShare>(command, field, region, near, surface, fields, extras.cancel)
+              .smooth(done.delta);
     else if (shape_of(field).channels == 1)
-      done.clamped += SmoothedField<double, Share>(command, field, region, near, surface, fields).smooth(done.delta);
-    else
       done.clamped +=
-          SmoothedField<glm::dvec4, Share>(command, field, region, near, surface, fields).smooth(done.delta);
+          SmoothedField<double, Share>(command, field, region, near, surface, fields, extras.cancel).smooth(done.delta);
+    else
+      done.clamped += SmoothedField<glm::dvec4, Share>(command, field, region, near, surface, fields, extras.cancel)
+                          .smooth(done.delta);
   }
   return done;
 }

@@ -9,34 +9,29 @@
 
 namespace pelage {
 
-Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Attract& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Unify& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Part& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Length& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Attract& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Unify& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Part& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Length& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Trim& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
-Evaluation run(const Lift& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Lift& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Erase& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
-Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields);
-Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields);
+Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const ChangeMask& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 
-/// A tool that needs no more than the surface and the fields.
+/// What evaluate() asks of every tool of the list.
 template <class Tool>
-concept Plain = requires(const Tool& tool, const Surface& surface, const FieldSet& fields) {
-  { run(tool, surface, fields) } -> std::same_as<Evaluation>;
-};
-/// A tool that reads something beside them.
-template <class Tool>
-concept Informed = requires(const Tool& tool, const Surface& surface, const FieldSet& fields,
+concept Runnable = requires(const Tool& tool, const Surface& surface, const FieldSet& fields,
                             const ToolExtras& extras) {
   { run(tool, surface, fields, extras) } -> std::same_as<Evaluation>;
 };

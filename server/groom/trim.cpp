@@ -92,7 +92,7 @@ Evaluation run(const Trim& command, const Surface& surface, const FieldSet& fiel
   const LongestStrand longest(command, surface.mesh());
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
   FieldWriter writer(fields, Field::length);
-  for (const auto [v, weight] : region_of(command.stroke, brush, surface, fields)) {
+  for (const auto [v, weight] : region_of(command.stroke, brush, surface, fields, extras.cancel)) {
     const double now = fields.length()[v];
     const double cut = std::min(now, longest(strand_at(v, surface.mesh(), fields, extras.coat)));
     writer.put(v, now + weight * (cut - now));

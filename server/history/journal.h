@@ -87,4 +87,9 @@ class Journal {
   std::unique_ptr<Database> database_;
 };
 
+/// The failure (internal) where an entry does not fit those before it.
+inline Status damaged_journal() {
+  return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it");
+}
+
 }  // namespace pelage

@@ -1,4 +1,5 @@
 #include "protocol/json/encode.h"
+#include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 
@@ -26,8 +27,10 @@ void reply_answer(Response& response, const Result<CommandAnswer>& answer) {
 }
 
 void run_commands(Service& service, Scene& scene, const Request& request, Response& response) {
-  const auto options = options_of(request, {"dry_run"});
+  auto options = options_of(request, {"dry_run"});
   if (!options) return reply_problem(response, options.status());
+  const ClientSocket client(request);
+  options->cancel = Cancel([&client] { return client.gone(); });
   const auto commands = decode_commands(request.body);
   if (!commands) return reply_problem(response, commands.status());
   reply_answer(response, service.scenes.execute(scene, *commands, *options));
@@ -71,8 +74,10 @@ void move(Scene& scene, const Result<HistoryMove>& wanted, const Request& reques
 }
 
 void amend(Service& service, Scene& scene, const Request& request, Response& response) {
-  const auto options = options_of(request, {"dry_run"});
+  auto options = options_of(request, {"dry_run"});
   if (!options) return reply_problem(response, options.status());
+  const ClientSocket client(request);
+  options->cancel = Cancel([&client] { return client.gone(); });
   const auto wanted = decode_amend(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
   reply_answer(response, service.scenes.amend(scene, *wanted, *options));

@@ -138,7 +138,7 @@ std::optional<Refusal> refused_body(const Request& request) {
   return {};
 }
 
-bool is_public(const std::string& path) { return path == "/livez" || path == "/readyz"; }
+bool needs_no_token(const std::string& path) { return path == "/livez" || path == "/readyz"; }
 
 }  // namespace
 
@@ -179,7 +179,7 @@ std::optional<Refusal> Guard::refused_sender(const Request& request) const {
   if (!origin.empty() && origin != "http://" + host && origin != "https://" + host) {
     return refuse(403, Code::malformed, "Pages of other sites have no business here.");
   }
-  if (!token_.empty() && !is_public(request.path) && !has_token(request)) {
+  if (!token_.empty() && !needs_no_token(request.path) && !has_token(request)) {
     return refuse(401, Code::malformed, "A token is needed.", "Authorization: Bearer TOKEN");
   }
   return {};

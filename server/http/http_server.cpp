@@ -63,7 +63,9 @@ Refusal own_refusal(const Request& request, int http_status) {
   return {http_status, failure(Code::malformed, "The request is not what HTTP says.")};
 }
 
-bool is_public(const std::string& path) { return path == "/livez" || path == "/readyz" || path == "/metrics"; }
+bool is_answered_while_draining(const std::string& path) {
+  return path == "/livez" || path == "/readyz" || path == "/metrics";
+}
 
 }  // namespace
 
@@ -125,7 +127,7 @@ struct HttpServer::Impl {
       refuse(*refusal, request, response);
       return false;
     }
-    if (service.draining && !is_public(request.path)) {
+    if (service.draining && !is_answered_while_draining(request.path)) {
       refuse({503, failure(Code::unavailable, "The server is stopping.")}, request, response);
       return false;
     }

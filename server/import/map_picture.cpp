@@ -11,10 +11,11 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t signature = 0x31'50'41'4d'4c'45'50ULL;  // "PELMAP1"; no picture of raw_model.h begins with it
+constexpr std::uint64_t map_signature =
+    0x31'50'41'4d'4c'45'50ULL;  // "PELMAP1"; no picture of raw_model.h begins with it
 
 struct Header {
-  std::uint64_t mark = signature;
+  std::uint64_t mark = map_signature;
   std::int32_t width = 0, height = 0, bits = 0, unused = 0;
   double scale = 0;  // 0 for none
 };
@@ -39,7 +40,7 @@ void take(std::span<const std::byte> bytes, std::vector<float>& rgba, float max)
 bool is_good(const Header& header) {
   const auto is_side = [](std::int32_t pixels) { return pixels >= 1 && pixels <= limits::picture_pixels; };
   const bool known = header.bits == 8 || header.bits == 16 || header.bits == 32;
-  return header.mark == signature && is_side(header.width) && is_side(header.height) && known &&
+  return header.mark == map_signature && is_side(header.width) && is_side(header.height) && known &&
          std::isfinite(header.scale) && header.scale >= 0;
 }
 
@@ -57,7 +58,7 @@ Result<MapPicture> from_raw_image(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::string encode_map_picture(const MapPicture& picture) {
-  const Header header{signature, picture.width, picture.height, picture.bits, 0, picture.scale.value_or(0)};
+  const Header header{map_signature, picture.width, picture.height, picture.bits, 0, picture.scale.value_or(0)};
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
   bytes.reserve(sizeof header + picture.rgba.size() * static_cast<std::size_t>(picture.bits) / 8);
   if (picture.bits == 8)
@@ -72,7 +73,7 @@ std::string encode_map_picture(const MapPicture& picture) {
 Result<MapPicture> decode_map_picture(std::span<const std::byte> bytes) {
   Header header{0};
   if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
-  if (header.mark != signature) return from_raw_image(bytes);
+  if (header.mark != map_signature) return from_raw_image(bytes);
   if (!is_good(header)) return misfit();
   const std::size_t samples = 4 * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
   const auto sample_bytes = static_cast<std::size_t>(header.bits) / 8;

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t signature = 0x31'57'41'52'4c'45'50ULL;  // "PELRAW1"
+constexpr std::uint64_t raw_signature = 0x31'57'41'52'4c'45'50ULL;  // "PELRAW1"
 
 class Writer {
  public:
@@ -134,7 +134,7 @@ bool values_are_good(const RawModel& model) {
 
 std::string encode_raw_model(const RawModel& model) {
   Writer out;
-  out.value(signature);
+  out.value(raw_signature);
   out.value(static_cast<std::uint8_t>(model.is_32_bit));
   out.array(model.positions);
   out.array(model.face_sizes);
@@ -155,7 +155,7 @@ std::string encode_raw_model(const RawModel& model) {
 
 Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   Reader in(bytes);
-  const bool is_ours = in.value<std::uint64_t>() == signature;
+  const bool is_ours = in.value<std::uint64_t>() == raw_signature;
   if (!is_ours) return failure(Code::invalid, "The bytes are no raw model.");
   RawModel model = read_model(in);
   if (!in.at_end()) return failure(Code::invalid, "The raw model is cut off, or counts more than it holds.");

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_pixels = std::size_t{8192} * 8192;
+constexpr std::size_t max_texture_pixels = std::size_t{8192} * 8192;
 
 struct Texture {
   aiString path;
@@ -68,7 +68,7 @@ Result<int> MaterialReader::read_image(const char* path) {
   if (const auto known = images_.find(texture); known != images_.end()) return known->second;
   if (texture->mHeight != 0) return broken("a picture inside it is stored in an unknown way.");
   const std::span bytes(reinterpret_cast<const std::byte*>(texture->pcData), texture->mWidth);
-  Result<Image> image = decode_image(bytes, max_pixels);
+  Result<Image> image = decode_image(bytes, max_texture_pixels);
   if (!image.ok()) return image.status();
   model_.images.push_back({image->width, image->height, std::move(image->rgba)});
   return images_.emplace(texture, static_cast<int>(model_.images.size()) - 1).first->second;

@@ -1,6 +1,7 @@
 // From the bytes of a file to polygons. Runs in the confined worker only.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "protocol/base/status.h"
@@ -12,6 +13,9 @@ namespace pelage {
 /// Reads `bytes` as `format` and as nothing else. Refused (invalid) with the reason when they are broken, cut off,
 /// or ask for files or extensions that are not there. Opens no file.
 Result<RawModel> parse_model(ModelFormat format, std::string bytes);
+
+/// What a file does not say of a vertex.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // One for each reader.
 Result<RawModel> parse_obj(std::string text);

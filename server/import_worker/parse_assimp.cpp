@@ -20,8 +20,6 @@ namespace pelage {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 glm::dmat4 to_matrix(const aiMatrix4x4& m) {
   return glm::transpose(glm::dmat4(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4,  //
                                    m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4));

@@ -16,8 +16,6 @@ namespace pelage {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// A stream over bytes that somebody else owns.
 class BytesBuffer : public std::streambuf {
  public:

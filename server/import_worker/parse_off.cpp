@@ -10,8 +10,6 @@ namespace pelage {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// The next line that holds more than blanks and a comment; empty at the end.
 std::string_view take_full_line(std::string_view& text) {
   while (!text.empty()) {
@@ -59,7 +57,7 @@ Result<Header> read_header(std::string_view& text) {
   return header;
 }
 
-struct Vertex {
+struct OffVertex {
   glm::dvec3 position{0};
   glm::vec4 colour{1};
   glm::dvec2 uv{nan};
@@ -72,7 +70,7 @@ double take_number(std::string_view& line, bool& good) {
 }
 
 /// False when the line is not three numbers and what the header promises; colours are [0, 1] or bytes.
-bool read_vertex(std::string_view line, const Header& header, Vertex& vertex) {
+bool read_vertex(std::string_view line, const Header& header, OffVertex& vertex) {
   bool good = true;
   for (int i = 0; i < 3; ++i) vertex.position[i] = take_number(line, good);
   for (int i = 0; i < 3 && header.has_normal; ++i) take_number(line, good);
@@ -115,9 +113,9 @@ Result<RawModel> parse_off(const std::string& bytes) {
   const Result<Header> header = read_header(text);
   if (!header.ok()) return header.status();
   RawModel model;
-  std::vector<Vertex> vertices;
+  std::vector<OffVertex> vertices;
   for (std::uint32_t i = 0; i < header->vertices; ++i) {
-    Vertex vertex;
+    OffVertex vertex;
     if (!read_vertex(take_full_line(text), *header, vertex)) {
       return broken("vertex " + std::to_string(i) + " is cut off or no list of numbers.");
     }
@@ -131,7 +129,7 @@ Result<RawModel> parse_off(const std::string& bytes) {
   }
   if (model.corners.empty()) return broken("it has no faces.");
   for (std::uint32_t corner : model.corners) {
-    const Vertex vertex = corner == no_position ? Vertex() : vertices[corner];
+    const OffVertex vertex = corner == no_position ? OffVertex() : vertices[corner];
     if (header->has_colour) model.corner_colour.push_back(vertex.colour);
     if (header->has_texture) model.corner_uv.push_back(vertex.uv);
   }

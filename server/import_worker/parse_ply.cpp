@@ -132,8 +132,6 @@ Result<PlyHeader> take_ply_header(std::string_view& bytes) {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// The numbers of the body, one after the other. After the first that is not there, all are 0 and ok() is false.
 class Numbers {
  public:
@@ -197,14 +195,14 @@ double full_scale(PlyType type) {
   return type == PlyType::uint16 ? 65535 : 1;
 }
 
-struct Vertex {
+struct PlyVertex {
   glm::dvec3 position{nan};
   glm::dvec3 colour{nan};  // sRGB, [0, 1]
   glm::dvec2 uv{nan};
 };
 
 /// Where a vertex property goes; null when nobody wants it.
-double* place_of(Vertex& vertex, std::string_view name) {
+double* place_of(PlyVertex& vertex, std::string_view name) {
   struct Name {
     std::string_view name;
     double* place;
@@ -239,7 +237,7 @@ class BodyReader {
 
  private:
   bool read_vertex(const PlyElement& element) {
-    Vertex vertex;
+    PlyVertex vertex;
     for (const PlyProperty& property : element.properties) {
       if (property.is_list) {
         if (!skip_list(property)) return false;
@@ -291,13 +289,13 @@ class BodyReader {
 
   /// Last, because faces may come before vertices.
   void fill_corners() {
-    for (const Vertex& vertex : vertices_) model_.positions.push_back(vertex.position);
+    for (const PlyVertex& vertex : vertices_) model_.positions.push_back(vertex.position);
     const auto has = [&](auto known) { return std::any_of(vertices_.begin(), vertices_.end(), known); };
-    const bool colours = has([](const Vertex& v) { return !std::isnan(v.colour.x + v.colour.y + v.colour.z); });
-    const bool uvs = has([](const Vertex& v) { return !std::isnan(v.uv.x + v.uv.y); });
+    const bool colours = has([](const PlyVertex& v) { return !std::isnan(v.colour.x + v.colour.y + v.colour.z); });
+    const bool uvs = has([](const PlyVertex& v) { return !std::isnan(v.uv.x + v.uv.y); });
     for (std::uint32_t& corner : model_.corners) {
       if (corner >= vertices_.size()) corner = no_position;
-      const Vertex vertex = corner == no_position ? Vertex() : vertices_[corner];
+      const PlyVertex vertex = corner == no_position ? PlyVertex() : vertices_[corner];
       if (colours) model_.corner_colour.emplace_back(srgb_to_linear(glm::vec3(vertex.colour)), 1.0f);
       if (uvs) model_.corner_uv.push_back(vertex.uv);
     }
@@ -305,7 +303,7 @@ class BodyReader {
 
   Numbers numbers_;
   const PlyHeader& header_;
-  std::vector<Vertex> vertices_;
+  std::vector<PlyVertex> vertices_;
   RawModel model_;
 };
 

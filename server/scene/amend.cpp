@@ -36,10 +36,10 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   // Beside the scene: nothing has changed yet.
   Result<Replay> replay = begin_replay(amended->before);
   if (!replay) return replay.status();
-  if (Status refused = replay_step(*replay, request.commands, options.sources); !refused.ok()) return refused;
+  if (Status refused = replay_step(*replay, request.commands, options); !refused.ok()) return refused;
   for (auto later = amended + 1; later != steps.end(); ++later) {
-    if (Status refused = replay_step(*replay, later->commands, options.sources); !refused.ok())
-      return not_replayed(*later, refused);
+    if (Status refused = replay_step(*replay, later->commands, options); !refused.ok())
+      return refused.code == Code::unavailable ? refused : not_replayed(*later, refused);
   }
 
   if (!options.dry_run) {
@@ -61,8 +61,7 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
 }
 
 /// Evaluates one step on what those before it left. Its entry has a revision of its own, which its checkpoints name.
-Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
-                          const std::vector<GroomSource>& sources) const {
+Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands, const ExecuteOptions& options) const {
   const auto replayed_fields_at = [&](Revision revision) -> Result<FieldSet> {
     if (revision <= history_.revision()) return fields_at(revision);
     FieldSet then = replay.fields;
@@ -72,7 +71,7 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
     return then;
   };
   BatchPictures pictures(journal_);
-  const Past past{*replay.settings, replayed_fields_at, sources, pictures};
+  const Past past{*replay.settings, replayed_fields_at, options.sources, pictures};
   std::vector<Step> steps;
   std::vector<Command> resolved;
   for (std::size_t k = 0; k < commands.size(); ++k) {
@@ -91,7 +90,10 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands,
     return dear;
   }
   const Revision next = replay.entries.back().revision + 1;
-  Outcome outcome = evaluate_batch(steps, {}, model_->surface, replay.fields, *replay.settings, next);
+  Result<Outcome> evaluated =
+      evaluate_batch(steps, {}, model_->surface, replay.fields, *replay.settings, next, options.cancel);
+  if (!evaluated) return evaluated.status();
+  Outcome& outcome = *evaluated;
   std::move(outcome.results.begin(), outcome.results.end(), std::back_inserter(replay.results));
   if (!outcome.changed()) return {};
   replay.fields = std::move(outcome.fields);

@@ -60,21 +60,23 @@ bool erases_edit_layer(const Command& command) {
 /// What one image does to all sheets.
 Evaluation evaluate_image(const Command& image, const Surface& surface, const FieldSet& fields,
                           const SceneSettings& settings, const ToolExtras& extras) {
-  if (erases_edit_layer(image)) return erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers);
+  if (erases_edit_layer(image))
+    return erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers, extras.cancel);
   Evaluation done = evaluate(image, surface, fields, extras);
   done.delta = stored_in_edit_layer(done.delta, edit_layer_of(image), settings.layers, fields);
   return done;
 }
 
 /// All images of a command, one on what the other left; applied to the fields.
-Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings) {
+Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings,
+                           const Cancel& cancel) {
   Evaluation all;
   if (const auto* layer = std::get_if<ChangeEditLayer>(&step.command)) {
     all.delta = change_edit_layers(*layer, settings.layers, fields);
     fields.apply(all.delta);
     return all;
   }
-  const ToolExtras extras{settings.coat, step.baseline.get(), step.source.get(), step.picture.get()};
+  const ToolExtras extras{settings.coat, step.baseline.get(), step.source.get(), step.picture.get(), cancel};
   for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
     const Evaluation one = evaluate_image(image, surface, fields, settings, extras);
     fields.apply(one.delta);
@@ -117,8 +119,10 @@ CommandResult describe_change(const char* op, const FieldDelta& delta, const Fie
   return result;
 }
 
-Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
-                       const FieldSet& before, const SceneSettings& settings, Revision next) {
+namespace {
+
+Outcome evaluate_all(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
+                     const FieldSet& before, const SceneSettings& settings, Revision next, const Cancel& cancel) {
   Outcome outcome{before, {}, {}, {}, {}};
   FieldSet& fields = outcome.fields;
   SceneSettings set_so_far = settings;
@@ -126,7 +130,7 @@ Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, 
   fields.apply(start);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const auto begin = std::chrono::steady_clock::now();
-    const Evaluation evaluation = evaluate_images(steps[k], surface, fields, set_so_far);
+    const Evaluation evaluation = evaluate_images(steps[k], surface, fields, set_so_far, cancel);
     const FieldDelta change = k == 0 ? compose(start, evaluation.delta) : evaluation.delta;
     outcome.delta = compose(outcome.delta, change);
     outcome.results.push_back(describe_change(op_of(steps[k].command), change, fields));
@@ -141,6 +145,18 @@ Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, 
   }
   if (any_set) outcome.settings = std::make_shared<const SceneSettings>(std::move(set_so_far));
   return outcome;
+}
+
+}  // namespace
+
+Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
+                               const FieldSet& fields, const SceneSettings& settings, Revision next,
+                               const Cancel& cancel) {
+  try {
+    return evaluate_all(steps, start, surface, fields, settings, next, cancel);
+  } catch (const Cancelled&) {
+    return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
+  }
 }
 
 }  // namespace pelage

@@ -8,6 +8,7 @@
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
+#include "server/groom/cancel.h"
 #include "server/history/history.h"
 #include "server/import/map_picture.h"
 #include "server/surface/surface.h"
@@ -36,9 +37,11 @@ struct Step {
 Status in_batch(Status status, std::size_t command, std::size_t commands);
 
 /// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted
-/// from before that change has happened to `fields`. `next` is the revision that they lead to.
-Outcome evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
-                       const FieldSet& fields, const SceneSettings& settings, Revision next);
+/// from before that change has happened to `fields`. `next` is the revision that they lead to. Ends early (unavailable)
+/// once nobody waits.
+Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
+                               const FieldSet& fields, const SceneSettings& settings, Revision next,
+                               const Cancel& cancel);
 
 /// Refused (invalid, "/stroke/part") for a part of a stroke.
 Status check_whole(const Command& command);

@@ -7,12 +7,6 @@
 
 namespace pelage {
 
-namespace {
-
-Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
-
-}  // namespace
-
 Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name, std::optional<Revision> at,
                                              std::uint64_t copy_id) const {
   std::shared_ptr<const SceneModel> model;
@@ -49,7 +43,7 @@ Result<FieldSet> Scene::fields_at(Revision revision) const {
     if (fits) then.apply(delta);
   });
   if (!read.ok()) return read;
-  return fits ? Result<FieldSet>(std::move(then)) : damaged();
+  return fits ? Result<FieldSet>(std::move(then)) : damaged_journal();
 }
 
 Result<Comparison> Scene::compare(Revision from, Revision to) const {
@@ -78,7 +72,7 @@ Result<PastFields> Scene::past_fields(Revision revision) const {
   lock.lock();
   if (Status gone = admit({}); !gone.ok()) return gone;
   if (Status bad = check_revision(revision, "/overlay_from"); !bad.ok()) return bad;
-  return read.ok() ? damaged() : read;
+  return read.ok() ? damaged_journal() : read;
 }
 
 }  // namespace pelage

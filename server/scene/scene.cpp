@@ -23,8 +23,6 @@ namespace {
 
 std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_cast<std::uint32_t>(vertices)}}; }
 
-Status damaged() { return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it"); }
-
 /// A retarget with what it takes, and with the revision of that.
 Result<Step> with_source(Retarget command, const std::vector<GroomSource>& sources) {
   const auto source = std::find_if(sources.begin(), sources.end(), [&](const GroomSource& one) {
@@ -66,12 +64,12 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first, std::shared
   fields_ = FieldSet(fields_.size());
   history_ = new_history(first, settings ? *settings : first_settings(*model_));
   dirty_ = whole_range(fields_.size());
-  if (!fields_.accepts(first_groom)) return damaged();
+  if (!fields_.accepts(first_groom)) return damaged_journal();
   fields_.apply(first_groom);
   Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
-    if (!history_.accepts(entry) || !fields_.accepts(entry.delta)) return damaged();
+    if (!history_.accepts(entry) || !fields_.accepts(entry.delta)) return damaged_journal();
     fields_.apply(entry.delta);
-    if (fields_.hash() != entry.fields_hash) return damaged();
+    if (fields_.hash() != entry.fields_hash) return damaged_journal();
     history_.record(entry);
     return Status{};
   });
@@ -96,8 +94,10 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
   if (!start) return start.status();
-  Outcome outcome =
-      evaluate_batch(planned->whole, *start, model_->surface, fields_, history_.settings(), history_.revision() + 1);
+  Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, model_->surface, fields_, history_.settings(),
+                                             history_.revision() + 1, options.cancel);
+  if (!evaluated) return evaluated.status();
+  Outcome& outcome = *evaluated;
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
 

@@ -71,6 +71,7 @@ struct ExecuteOptions {
   std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
   bool dry_run = false;                   // answer what it would do; nothing changes
   std::vector<GroomSource> sources = {};  // what retargets take (SceneStore::execute and amend find them)
+  Cancel cancel = {};                     // evaluation ends (unavailable) once nobody waits; nothing changes
 };
 
 struct Undo {
@@ -208,8 +209,7 @@ class Scene {
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
   Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
   Result<Replay> begin_replay(Revision before) const;
-  Status replay_step(Replay& replay, const std::vector<Command>& commands,
-                     const std::vector<GroomSource>& sources) const;
+  Status replay_step(Replay& replay, const std::vector<Command>& commands, const ExecuteOptions& options) const;
   History new_history(Revision first, SceneSettings settings) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;

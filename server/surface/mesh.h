@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "protocol/commands/answers.h"
 
 namespace pelage {
+
+inline bool is_finite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 /// 8-bit sRGB colour with straight alpha, rows from the top, 4 * width * height bytes.
 struct RawImage {

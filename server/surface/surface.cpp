@@ -68,8 +68,6 @@ Scene make_scene(RTCDevice device, const Mesh& mesh) {
   return scene;
 }
 
-bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
   const glm::uvec3 t = mesh.triangles[triangle];
   return {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])};

@@ -97,8 +97,6 @@ struct PositionHash {
   }
 };
 
-bool is_finite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 double largest_coordinate(glm::dvec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 bool is_face(const RawModel& raw, const Polygons::Face& face) {

@@ -10,7 +10,8 @@ namespace pelage::trade {
 
 namespace {
 
-constexpr double near = 1.35, far = 4;  // sizes from the middle; the model's sphere fills the picture at 1.7
+constexpr double near_distance = 1.35,
+                 far_distance = 4;  // sizes from the middle; the model's sphere fills the picture at 1.7
 
 constexpr const char* white = R"({"op":"set_coat","coat":{"ramp":[{"at":0,"colour":"#efeae2"}]}})";
 constexpr const char* dark = R"({"op":"set_coat","coat":{"ramp":[{"at":0,"colour":"#221c18"}]}})";
@@ -44,7 +45,7 @@ struct Sight {
 
 Case case_of(const Sight& s, const std::string& words = {}) {
   const bool patch = std::string_view(s.model) == "plane";
-  const double distance = s.is_near ? (patch ? 0.9 : near) : far;
+  const double distance = s.is_near ? (patch ? 0.9 : near_distance) : far_distance;
   return {
       .name = fmt::format("{}{}, {} coat, lit from {}, {}", patch ? "patch" : s.model, words,
                           s.is_white ? "white" : "dark", s.front ? "the front" : "behind", s.is_near ? "near" : "far"),
@@ -78,8 +79,8 @@ std::vector<Case> built_in_cases(bool quick) {
 
 std::vector<Case> cases_of(const std::string& id, const std::string& name) {
   const glm::dvec3 side = from(20, 35);
-  return {{.name = name + ", near", .id = id, .towards = side * near, .swept = true},
-          {.name = name + ", far", .id = id, .towards = side * far, .swept = false}};
+  return {{.name = name + ", near", .id = id, .towards = side * near_distance, .swept = true},
+          {.name = name + ", far", .id = id, .towards = side * far_distance, .swept = false}};
 }
 
 }  // namespace pelage::trade

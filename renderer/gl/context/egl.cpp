@@ -36,7 +36,7 @@ void get(const Egl& egl, Function& function, const char* name) {
 }
 
 /// The library stays open for the life of the process: drivers do not survive being unloaded.
-Result<Egl> open_library() {
+Result<Egl> open_egl_library() {
   void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   if (!library) return failure(Code::unavailable, "libEGL.so.1 cannot be opened");
   Egl egl;
@@ -120,7 +120,7 @@ class EglContext final : public Context {
 }  // namespace
 
 Result<std::unique_ptr<Context>> open_egl(EglPlatform platform) {
-  const Result<Egl> egl = open_library();
+  const Result<Egl> egl = open_egl_library();
   if (!egl) return egl.status();
   std::string tried;
   for (const NamedDisplay& named : displays_of(*egl, platform)) {

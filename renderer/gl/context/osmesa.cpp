@@ -21,7 +21,7 @@ struct OsMesa {
   decltype(&OSMesaGetProcAddress) get = nullptr;
 };
 
-Result<OsMesa> open_library() {
+Result<OsMesa> open_osmesa_library() {
   void* library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
   if (!library) return failure(Code::unavailable, "libOSMesa.so.8 cannot be opened");
   OsMesa mesa;
@@ -75,7 +75,7 @@ class OsMesaContext final : public Context {
 }  // namespace
 
 Result<std::unique_ptr<Context>> open_osmesa() {
-  const Result<OsMesa> mesa = open_library();
+  const Result<OsMesa> mesa = open_osmesa_library();
   if (!mesa) return mesa.status();
   auto context = std::make_unique<OsMesaContext>(*mesa);
   const Status status = context->open();

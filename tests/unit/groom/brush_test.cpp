@@ -133,7 +133,7 @@ TEST_F(BrushTest, CoverageIsTheLargestWeightOfAnyDab) {
     painted.weigh(dab, weights);
     for (const VertexWeight w : weights) expected[w.vertex] = std::max(expected[w.vertex], w.weight);
   }
-  const std::vector<VertexWeight> covered = region_of(stroke, brush, sphere_, FieldSet(expected.size()));
+  const std::vector<VertexWeight> covered = region_of(stroke, brush, sphere_, FieldSet(expected.size()), {});
   ASSERT_GT(covered.size(), 10u);
   for (const VertexWeight w : covered) EXPECT_EQ(w.weight, expected[w.vertex]);
 }
@@ -180,9 +180,9 @@ TEST_F(BrushTest, TheSurfaceShapeDoesNotReachAnotherSheet) {
   const Stroke stroke = stroke_through(torus, {inside});
   Brush brush{.radius = 0.3, .falloff = Falloff::constant, .front_faces_only = false};
   const FieldSet fields(torus.mesh().positions.size());
-  const std::size_t volume = region_of(stroke, brush, torus, fields).size();
+  const std::size_t volume = region_of(stroke, brush, torus, fields, {}).size();
   brush.falloff_shape = FalloffShape::surface;
-  const std::vector<VertexWeight> surface = region_of(stroke, brush, torus, fields);
+  const std::vector<VertexWeight> surface = region_of(stroke, brush, torus, fields, {});
   EXPECT_LT(surface.size(), volume);
   EXPECT_GT(surface.size(), 20u);
 }
@@ -193,7 +193,7 @@ TEST_F(BrushTest, PressureScalesRadiusAndStrengthByTheirShares) {
   const Dab dab = BrushStroke(stroke, {.radius = 0.2, .pressure_to_radius = 0.5}, sphere_).covering_dabs().front();
   EXPECT_NEAR(dab.radius, 0.15, 1e-12);
   const Brush brush{.radius = 0.2, .falloff = Falloff::constant, .strength = 0.8, .pressure_to_strength = 0.25};
-  EXPECT_NEAR(region_of(stroke, brush, sphere_, FieldSet(sphere_.mesh().positions.size()))[0].weight, 0.7, 1e-12);
+  EXPECT_NEAR(region_of(stroke, brush, sphere_, FieldSet(sphere_.mesh().positions.size()), {})[0].weight, 0.7, 1e-12);
 }
 
 TEST_F(BrushTest, FalloffPointsReplaceTheCurve) {
@@ -209,22 +209,22 @@ TEST_F(BrushTest, TheCutOffAngleTakesFacesThatTurnAway) {
   const Stroke stroke = stroke_through(sphere_, {{0, 0, 0.288}});
   const FieldSet fields(sphere_.mesh().positions.size());
   Brush brush{.radius = 2, .falloff = Falloff::constant, .cut_off_degrees = 30};
-  for (const VertexWeight w : region_of(stroke, brush, sphere_, fields))
+  for (const VertexWeight w : region_of(stroke, brush, sphere_, fields, {}))
     EXPECT_GT(sphere_.mesh().normals[w.vertex].z, 0.8f);
-  const std::size_t narrow = region_of(stroke, brush, sphere_, fields).size();
+  const std::size_t narrow = region_of(stroke, brush, sphere_, fields, {}).size();
   brush.cut_off_degrees = 180;
-  EXPECT_GT(region_of(stroke, brush, sphere_, fields).size(), 4 * narrow);
+  EXPECT_GT(region_of(stroke, brush, sphere_, fields, {}).size(), 4 * narrow);
 }
 
 TEST_F(BrushTest, TheMaskScalesEveryWeight) {
   FieldSet fields(sphere_.mesh().positions.size());
   fields.set(Field::mask, 5, {0.25f, 0, 0, 0});
   fields.set(Field::mask, 6, {0, 0, 0, 0});
-  const std::vector<VertexWeight> region = region_of({}, {.strength = 0.8}, sphere_, fields);
+  const std::vector<VertexWeight> region = region_of({}, {.strength = 0.8}, sphere_, fields, {});
   EXPECT_EQ(region.size(), fields.size() - 1);
   EXPECT_NEAR(region[5].weight, 0.2, 1e-12);
   EXPECT_EQ(region[6].vertex, 7u);
-  EXPECT_EQ(region_of({}, {.strength = 0.8}, sphere_, fields, Masked::no).size(), fields.size());
+  EXPECT_EQ(region_of({}, {.strength = 0.8}, sphere_, fields, {}, Masked::no).size(), fields.size());
 }
 
 }  // namespace

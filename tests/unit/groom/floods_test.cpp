@@ -31,7 +31,7 @@ class FloodsTest : public ::testing::Test {
   /// Smoothed lengths by the definition.
   std::vector<double> plainly_smoothed(const Smooth& command, const FieldSet& fields) const {
     std::vector<double> now(fields.length().begin(), fields.length().end());
-    const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface_, fields);
+    const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface_, fields, {});
     for (int pass = 0; pass < command.passes; ++pass) {
       std::vector<double> next = now;
       for (const auto [v, weight] : region) {
