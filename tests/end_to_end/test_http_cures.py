@@ -168,6 +168,15 @@ class Connections(ServedTest):
             self.assertFalse(answer.will_close)
         connection.close()
 
+    def test_a_command_whose_client_has_gone_changes_nothing(self):
+        scene = self.server.new_scene("torus", 50000)
+        self.assertEqual(scene.run(flood([1, 0, 0])).json["revision"], 1)
+        smooth = {"op": "smooth", "flood": True, "passes": 1200, "fields": ["direction"]}  # about a second, within the limit
+        with self.assertRaises(TimeoutError):
+            self.server.post(f"{scene.path}/commands", smooth, timeout=0.1)
+        # This waits for the one before it, which ends now.
+        self.assertEqual(scene.run(flood([0, 1, 0])).json["revision"], 2)
+
     def test_two_servers_do_not_share_a_port(self):
         second = subprocess.run([BIN / "pelaged", "--listen", f"127.0.0.1:{self.server.port}", "--data",
                                  self.server.folder / "other"], capture_output=True, timeout=60)

@@ -10,10 +10,10 @@
 namespace pelage {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double full_pi = std::numbers::pi;
 
 glm::dvec3 random_direction(Random& random) {
-  const double y = 2 * random.uniform() - 1, around = 2 * pi * random.uniform(), h = std::sqrt(1 - y * y);
+  const double y = 2 * random.uniform() - 1, around = 2 * full_pi * random.uniform(), h = std::sqrt(1 - y * y);
   return {h * std::cos(around), y, h * std::sin(around)};
 }
 
@@ -42,7 +42,7 @@ TEST(SphericalHarmonics, ConstantLightIsOneForEveryNormal) {
   for (int i = 0; i < 100; ++i) EXPECT_NEAR(evaluate(light, random_direction(random)).y, 1, 1e-3);
 }
 
-/// science.md 4: the clamped cosine takes the bands times pi, 2 pi / 3 and pi / 4; over pi here.
+/// science.md 4: the clamped cosine takes the bands times full_pi, 2 full_pi / 3 and full_pi / 4; over full_pi here.
 TEST(SphericalHarmonics, ConvolutionHasTheFactorsOfTheClampedCosine) {
   const double factors[] = {1, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25, 0.25, 0.25};
   for (std::size_t i = 0; i < 9; ++i) {
@@ -59,8 +59,9 @@ TEST(SphericalHarmonics, IrradianceIsTheCosineIntegral) {
   for (int i = 0; i < 10; ++i) {
     const glm::dvec3 normal = random_direction(random);
     const auto reflected = [&](glm::dvec3 d) { return radiance(d) * std::max(0.0, glm::dot(normal, d)); };
-    const double integral = project(reflected)[0].x * 4 * pi * harmonic_scale::constant;  // c0 = Y0 times the integral
-    EXPECT_NEAR(evaluate(light, normal).x, integral / pi, 3e-3);
+    const double integral =
+        project(reflected)[0].x * 4 * full_pi * harmonic_scale::constant;  // c0 = Y0 times the integral
+    EXPECT_NEAR(evaluate(light, normal).x, integral / full_pi, 3e-3);
   }
 }
 
@@ -69,7 +70,8 @@ TEST(SphericalHarmonics, ALobeLightsTheSideThatFacesIt) {
   const glm::dvec3 towards = glm::normalize(glm::dvec3(0.3, 0.5, -0.8));
   const std::array<double, 9> basis = harmonics_basis(towards);
   SphericalHarmonics radiance{};
-  for (std::size_t i = 0; i < 9; ++i) radiance[i] = glm::dvec3(pi * basis[i]);  // irradiance pi on what faces it
+  for (std::size_t i = 0; i < 9; ++i)
+    radiance[i] = glm::dvec3(full_pi * basis[i]);  // irradiance full_pi on what faces it
   const SphericalHarmonics light = irradiance_of(radiance);
   EXPECT_NEAR(evaluate(light, towards).x, 0.25 + 0.5 + 0.3125, 1e-12);
   EXPECT_NEAR(evaluate(light, -towards).x, 0.25 - 0.5 + 0.3125, 1e-12);

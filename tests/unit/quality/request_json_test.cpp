@@ -7,7 +7,7 @@
 namespace pelage {
 namespace {
 
-void expect_refusal(const std::string& text, const std::string& pointer) {
+void expect_request_refused(const std::string& text, const std::string& pointer) {
   const auto decoded = decode_frame_request(text);
   ASSERT_FALSE(decoded.ok()) << text;
   EXPECT_EQ(decoded.status().code, Code::invalid) << text;
@@ -16,16 +16,16 @@ void expect_refusal(const std::string& text, const std::string& pointer) {
 }
 
 TEST(DialJson, OneGoalAtMost) {
-  expect_refusal(R"({"budget_ms": 40, "quality": "draft"})", "/budget_ms");
-  expect_refusal(R"({"max_error": 0.1, "quality": "draft"})", "/max_error");
-  expect_refusal(R"({"budget_ms": 40, "max_error": 0.1})", "/max_error");
+  expect_request_refused(R"({"budget_ms": 40, "quality": "draft"})", "/budget_ms");
+  expect_request_refused(R"({"max_error": 0.1, "quality": "draft"})", "/max_error");
+  expect_request_refused(R"({"budget_ms": 40, "max_error": 0.1})", "/max_error");
 }
 
 TEST(DialJson, Ranges) {
   for (const char* budget : {"0.99", "600001", "-1"})
-    expect_refusal(std::string(R"({"budget_ms": )") + budget + "}", "/budget_ms");
+    expect_request_refused(std::string(R"({"budget_ms": )") + budget + "}", "/budget_ms");
   for (const char* error : {"0", "1.01", "-1"})
-    expect_refusal(std::string(R"({"max_error": )") + error + "}", "/max_error");
+    expect_request_refused(std::string(R"({"max_error": )") + error + "}", "/max_error");
   EXPECT_TRUE(decode_frame_request(R"({"budget_ms": 1})").ok());
   EXPECT_TRUE(decode_frame_request(R"({"budget_ms": 600000})").ok());
   EXPECT_TRUE(decode_frame_request(R"({"max_error": 1})").ok());

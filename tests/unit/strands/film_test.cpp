@@ -11,8 +11,8 @@
 namespace pelage {
 namespace {
 
-const std::vector<Aov> all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
-                                Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
+const std::vector<Aov> film_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
+                                 Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
 
 FilmSample hit(float brightness) {
   FilmSample s;
@@ -35,7 +35,7 @@ glm::vec4 pixel_of(const Film& film, Aov aov, int x = 0, int y = 0) {
 }
 
 TEST(Film, AovsOfAPixelThatIsHalfCovered) {
-  Film film(1, 1, all_aovs, false);
+  Film film(1, 1, film_aovs, false);
   film.add(0, 0, hit(2));
   FilmSample ground;
   ground.alpha = 0.5f;
@@ -61,9 +61,9 @@ TEST(Film, AovsOfAPixelThatIsHalfCovered) {
 }
 
 TEST(Film, PixelsThatSawNothing) {
-  Film film(2, 1, all_aovs, true);
+  Film film(2, 1, film_aovs, true);
   film.add(0, 0, {});
-  for (const Aov aov : all_aovs) {
+  for (const Aov aov : film_aovs) {
     for (const int x : {0, 1}) {
       const glm::vec4 found = pixel_of(film, aov, x);
       float expected = aov == Aov::shadow ? 1.0f : 0.0f;
@@ -81,12 +81,12 @@ TEST(Film, TakesTheMemoryItSays) {
   EXPECT_EQ(Film::bytes(10, 7, beauty, true), 70u * 4 * (1 + 4 + 1 + 1 + 2 + 9));
   EXPECT_EQ(Film::bytes(10, 7, alpha, false), 70u * 4 * (1 + 4));
   EXPECT_EQ(Film::bytes(10, 7, depth, true), 70u * 4 * (1 + 1 + 2));
-  EXPECT_EQ(Film::bytes(10, 7, all_aovs, true), 70u * 4 * (1 + 4 + 1 + 1 + 2 + 15 + 2));
-  EXPECT_EQ(Film::bytes(8192, 8192, all_aovs, true), std::size_t{8192} * 8192 * 104);
+  EXPECT_EQ(Film::bytes(10, 7, film_aovs, true), 70u * 4 * (1 + 4 + 1 + 1 + 2 + 15 + 2));
+  EXPECT_EQ(Film::bytes(8192, 8192, film_aovs, true), std::size_t{8192} * 8192 * 104);
 }
 
 TEST(Film, MeansOfManySamplesDoNotDrift) {
-  Film film(1, 1, all_aovs, false);
+  Film film(1, 1, film_aovs, false);
   glm::dvec2 sum(0);
   constexpr std::uint32_t count = 65536;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -132,7 +132,7 @@ TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
 }
 
 TEST(Film, NoiseOfWhatIsNotKnown) {
-  Film film(20, 20, all_aovs, false);
+  Film film(20, 20, film_aovs, false);
   ASSERT_EQ(film.tile_count(), 4);
   EXPECT_TRUE(std::isinf(film.noise(0, 0)));
   for (int i = 0; i < 4; ++i) {

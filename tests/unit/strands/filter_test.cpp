@@ -14,9 +14,9 @@ namespace {
 constexpr int side = 96;
 const std::vector<Aov> beauty{Aov::beauty};
 
-using Look = std::function<FilmSample(int x, int y, Sampler& sampler)>;
+using PixelLook = std::function<FilmSample(int x, int y, Sampler& sampler)>;
 
-Film film_of(const Look& look, int samples, int width = side) {
+Film film_of(const PixelLook& look, int samples, int width = side) {
   Film film(width, side, beauty, true);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -115,7 +115,7 @@ FilmSample deep(int, int, Sampler& sampler) {
   return s;
 }
 
-double mean_of(const FloatImage& image) {
+double mean_of_image(const FloatImage& image) {
   double sum = 0;
   for (std::size_t i = 1; i < image.rgba.size(); i += 4) sum += double(image.rgba[i]);
   return sum;
@@ -124,8 +124,8 @@ double mean_of(const FloatImage& image) {
 TEST(Filter, FavoursNoLightForBeingCommon) {
   for (const int samples : {1, 2}) {
     const Film film = film_of(deep, samples);
-    const double before = mean_of(film.aov(Aov::beauty, false));
-    EXPECT_NEAR(mean_of(film.aov(Aov::beauty, true)) / before, 1, 0.015) << samples;
+    const double before = mean_of_image(film.aov(Aov::beauty, false));
+    EXPECT_NEAR(mean_of_image(film.aov(Aov::beauty, true)) / before, 1, 0.015) << samples;
   }
 }
 

@@ -9,7 +9,7 @@ namespace pelage::plain {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double turning_pi = 3.14159265358979323846;
 
 void set_direction(Fur& fur, Vertex v, dvec2 direction) { fur.of(Field::direction)[v] = dvec4(direction, 0, 0); }
 
@@ -29,7 +29,7 @@ void comb_vertex(const Comb& command, const Body& body, Fur& fur, Vertex v, dvec
 
 /// 1 inside the cone, a smooth step down over its soft share.
 double in_cone(const Blow& blow, dvec3 axis, dvec3 heading) {
-  const double angle = 2 * std::atan2(glm::length(axis - heading), glm::length(axis + heading)) * 180 / pi;
+  const double angle = 2 * std::atan2(glm::length(axis - heading), glm::length(axis + heading)) * 180 / turning_pi;
   const double soft = blow.cone_degrees * blow.softness;
   if (angle >= blow.cone_degrees) return angle == 0 || (soft == 0 && angle == blow.cone_degrees) ? 1 : 0;
   if (angle <= blow.cone_degrees - soft) return 1;
@@ -47,13 +47,13 @@ void pull_out(const Attract& command, Fur& fur, Vertex v, double added) {
 
 void attract_vertex(const Attract& command, const Body& body, Fur& fur, Vertex v, dvec3 pull, double w) {
   const dvec2 before = fur.direction(v);
-  const double lean = glm::length(before) * pi / 2;
+  const double lean = glm::length(before) * turning_pi / 2;
   const dvec3 sideways = unit(body.in_space(v, before));
   const dvec3 tip = std::cos(lean) * body.normals[v] + std::sin(lean) * sideways;
   const double share = 1 - std::pow(1 - w, command.duration);
   const dvec2 across = body.in_frame(v, pull);
   const double up = glm::dot(pull, body.normals[v]);
-  const double goal = std::min(1.0, std::atan2(glm::length(across), up) / (pi / 2));
+  const double goal = std::min(1.0, std::atan2(glm::length(across), up) / (turning_pi / 2));
   if (glm::length(across) >= 1e-6)
     set_direction(fur, v, turned_to(body, v, before, pull, goal, share));
   else if (up > 0)
@@ -147,7 +147,7 @@ void apply(const Curl& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     const dvec2 d = fur.direction(v);
-    const double turn = command.turn_degrees * pi / 180 * region[v] * (command.brush.invert ? -1 : 1);
+    const double turn = command.turn_degrees * turning_pi / 180 * region[v] * (command.brush.invert ? -1 : 1);
     const double heading = std::atan2(d.y, d.x) + turn;  // seen from outside tangent to bitangent is counter-clockwise
     set_direction(fur, v, glm::length(d) * dvec2(std::cos(heading), std::sin(heading)));
     double& curl = fur.of(Field::curl)[v].x;

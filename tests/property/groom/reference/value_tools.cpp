@@ -11,7 +11,7 @@ namespace pelage::plain {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double value_pi = 3.14159265358979323846;
 
 /// A random number in [-1, 1] that belongs to the place whose 32-bit coordinates these are.
 double number_at(glm::vec3 p, std::uint64_t seed) {
@@ -64,7 +64,7 @@ void disturb(const Noise& command, const Body& body, Field field, double amount,
 
 /// The strand's place at a share of its length, for a strand of length 1: across and up (science.md 2).
 dvec2 lean_place(const Coat& coat, double inclination, double s) {
-  const double tip = inclination * pi / 2, a0 = coat.root_share * tip, a = tip - a0;
+  const double tip = inclination * value_pi / 2, a0 = coat.root_share * tip, a = tip - a0;
   if (a < 1e-7) return s * dvec2(std::sin(a0), std::cos(a0));
   const double chord = s * std::sin(a * s / 2) / (a * s / 2);
   if (coat.lean_curve == LeanCurve::arc) return chord * dvec2(std::sin(a0 + a * s / 2), std::cos(a0 + a * s / 2));
