@@ -8,8 +8,8 @@ namespace {
 
 class CancelTest : public StoreTest {
  protected:
-  /// Somebody waits for as many questions.
-  struct Patience {
+  /// A client that waits for as many questions.
+  struct Waiting {
     int left = std::numeric_limits<int>::max();
     int asked = 0;
     ExecuteOptions options() {
@@ -32,21 +32,21 @@ TEST_F(CancelTest, WhereverItEndsNothingChanges) {
   execute(*scene, {comb_at(*scene, 5)});
   const FieldsHash before = hash(*scene);
   const std::string log = encode(scene->log());
-  Patience counted;
+  Waiting counted;
   ExecuteOptions dry = counted.options();
   dry.dry_run = true;
   ASSERT_TRUE(scene->execute(commands(*scene), dry).ok());
   ASSERT_GT(counted.asked, 15);  // dabs, passes and images, not only commands
   for (int left = 0; left < counted.asked; ++left) {
-    Patience patience{left};
-    const Result<CommandAnswer> answer = scene->execute(commands(*scene), patience.options());
+    Waiting waiting{left};
+    const Result<CommandAnswer> answer = scene->execute(commands(*scene), waiting.options());
     ASSERT_FALSE(answer.ok()) << left;
     EXPECT_EQ(answer.status().code, Code::unavailable);
-    EXPECT_EQ(patience.asked, left + 1) << "went on after nobody waited";
+    EXPECT_EQ(waiting.asked, left + 1) << "went on after nobody waited";
     EXPECT_EQ(hash(*scene), before);
     EXPECT_EQ(encode(scene->log()), log);
   }
-  Patience enough{counted.asked};
+  Waiting enough{counted.asked};
   EXPECT_TRUE(scene->execute(commands(*scene), enough.options()).ok());
 }
 
@@ -55,8 +55,8 @@ TEST_F(CancelTest, AnAmendmentEndsToo) {
   execute(*scene, {comb_at(*scene, 5)});
   execute(*scene, commands(*scene));
   const FieldsHash before = hash(*scene);
-  Patience patience{10};
-  const Result<CommandAnswer> answer = scene->amend({1, {comb_at(*scene, 9)}}, patience.options());
+  Waiting waiting{10};
+  const Result<CommandAnswer> answer = scene->amend({1, {comb_at(*scene, 9)}}, waiting.options());
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.status().code, Code::unavailable);
   EXPECT_EQ(hash(*scene), before);
