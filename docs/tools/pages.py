@@ -59,7 +59,7 @@ fur on the flank, cut to a height of 0.012 sizes. Nothing grows: fur that ends b
 Raises fur that lies; inverted it lays it down. It keeps the heading: fur that stands upright has none and stays.""", "Lift"),
     "erase": page("Erase", """
 Takes fields back to the first groom, to a [checkpoint](checkpoint.md) or to a revision of this model, as far as the brush
-reaches; with a [layer](edit_layer.md) and neither of them, takes away what the layer adds. The mask stays unless it is named. Below: tangled fur, taken back to the first groom on the flank.""", "Erase"),
+reaches; with an [edit layer](edit_layer.md) and neither of them, takes away what the layer adds. The mask stays unless it is named. Below: tangled fur, taken back to the first groom on the flank.""", "Erase"),
     "clump": page("Clump", """
 Turns fur to the line of the stroke and raises the field `clump`, which gathers tips to locks. Inverted it opens them.
 Below: five strokes down the flank.""", "Clump"),
@@ -95,8 +95,8 @@ Below: a wind from below that brushes over the shoulder, and a stick over the ha
 Gives a revision a name, for [erase](erase.md) to go back to. A name that is known moves. Below: fur is brushed and the
 revision named, then noise tangles it, and a brush takes the flank back to what was named. A dry run of a whole recipe cannot
 go back to a checkpoint that the recipe itself makes.""", "Checkpoint"),
-    "edit_layer": page("Layers of edits", """
-An edit layer keeps changes apart from the groom below. Every tool names its `layer`; it works on what is seen, and the layer
+    "edit_layer": page("Edit layers", """
+An edit layer keeps changes apart from the groom below. A tool that names its `edit_layer` works on what is seen, and the layer
 takes what makes the rest add up to that. What is seen is the groom and, from the lowest layer up, weight times what each
 adds, held in each field's range, so the order of edit layers matters only where a range ends. The mask lies outside of edit layers.
 `set` weighs (half, twice, the opposite), mutes and renames, `move` reorders, `merge_down` merges into the layer below or the
