@@ -111,15 +111,15 @@ PATCHES = [dabbed("density", 0.04, 0.07, (140, 290), (165, 300), falloff="sphere
 
 FIGURES = [
     {"name": "per_pixel", "title": "Light at the vertices, light in each pixel (GPU fur, figure 1)",
-     "text": "`lengyel` is the baseline of the paper: it lights vertices. Strands have no sides there.",
+     "text": "`lengyel`, the baseline of the paper, lights vertices, so its strands have no sides.",
      "pictures": [picture(name, TORUS, look(shading=name), fur_of=fur(0.05, 0.5), quality=SIMPLE)
                   for name in ("lengyel", "kajiya")]},
-    {"name": "lodged", "title": "Fur that was lodged, and a pattern (GPU fur, figure 2)",
+    {"name": "lodged", "title": "Lodged fur, and a pattern (GPU fur, figure 2)",
      "text": "`lodge` presses patches of strands to one side. The zebra's stripes need no texture coordinates.",
      "pictures": [picture("lodged", TORUS, coat(lodge=0.5), fur_of=fur(0.05, 0.4), quality=SIMPLE),
                   picture("zebra", glmark("horse"), look_file("zebra"), studio(), fur_of=fur(0.012, 0.85))]},
     {"name": "single_hairs", "title": "Shadows of single hairs (GPU fur, figure 6)",
-     "text": "Sparse fur on a plane: the shadow maps of the shells hold each strand.",
+     "text": "Sparse fur on a plane. The shadow maps of the shells hold each strand.",
      "pictures": [picture(title, PLANE, coat(count=250, clump=0, width_root=0.002, width_tip=0.001, tile=0.2),
                           look(ambient=0.3, skin=[0.75, 0.7, 0.62]), lights({**ONE_LIGHT, "self_shadow_maps": maps}),
                           fur_of=fur(0.05, 0.35), camera=CLOSE, quality={**FINE, "shadow_maps": maps, "shadow_resolution": 2048})
@@ -130,46 +130,47 @@ FIGURES = [
                           quality={**FINE, "self_shadow": shadow, "shadow_maps": maps})
                   for title, shadow, maps in (("none", False, False), ("estimate", True, False), ("maps", True, True))]},
     {"name": "cast_shadow", "title": "Shadow of the body on itself (GPU fur, figure 8)",
-     "text": "No shadow, a hard one from the depth map, a soft one with the shadow width (the paper's), and the penumbra of a light of 8 degrees.",
+     "text": "`cast_shadow` of a light 8 degrees wide. `soft` is the paper's shadow width; `penumbra` is closest to traced "
+             "strands.",
      "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "angle_degrees": 8, "cast_shadow": kind}),
                           fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft", "penumbra")]},
-    {"name": "light_maps", "title": "The three maps of a soft shadow (GPU fur, figure 9)",
-     "text": "What the light sees from above: the depth map (nearer is lighter), the inverted occlusion map (white where skin that faces "
-             "the light is hidden from it), the shadow-width map (that one reduced and enlarged again); and the knot with hard and soft "
-             "shadow, seen from the front.",
+    {"name": "light_maps", "title": "The maps of a soft shadow (GPU fur, figure 9)",
+     "text": "What the light sees from above: depth (nearer is lighter), inverted occlusion (white where skin is hidden from "
+             "the light), shadow width; and the two shadows.",
      "pictures": [picture(title, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "cast_shadow": kind}), overlay=overlay,
                           fur_of=fur(0.015, 0.6), quality={**FINE, "shadow_resolution": 512})
                   for title, kind, overlay in (("depth", "soft", "light_depth"), ("inverted occlusion", "soft", "light_occlusion"),
                                                ("shadow width", "soft", "shadow_width"), ("hard", "hard", "none"),
                                                ("soft", "soft", "none"))]},
-    {"name": "curve_shadows", "title": "Shadows of guided curves",
-     "text": "Thirteen curves over short fur: without shadow maps, with a hard shadow, with a soft one that fades the further it falls.",
+    {"name": "curve_shadows", "title": "Shadows of guide curves",
+     "text": "Thirteen curves over short fur. The soft shadow fades the further it falls.",
      "pictures": [picture(title, builtin("sphere", 3000), WHISKERS, coat(clump=0.1), fur_of=fur(0.008, 0.6),
                           *([lights({"direction": [-0.25, -1, -0.25], "intensity": 1.7, "cast_shadow": kind})]),
                           camera=eye([1.2, 2.6, 2.6], [0.1, 0.35, 0.35], 24))
                   for title, kind in (("none", "none"), ("hard", "hard"), ("soft", "soft"))]},
-    {"name": "curves", "title": "Both lean curves, light and strong (fur modelling, 5.1)",
+    {"name": "curves", "title": "Two lean curves (fur modelling, 5.1)",
      "text": "The arc, and y = K sqrt(x), whose tail goes on rising when the lean is strong.",
      "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),
                           fur_of=fur(0.08, lean), quality=SIMPLE)
                   for lean in (0.35, 0.95) for curve in ("arc", "root")]},
-    {"name": "fields", "title": "Fields as colours and as short lines (fur modelling)",
-     "text": "The way the fur leans as hue and as short lines, and its length.",
+    {"name": "fields", "title": "Fields over the picture",
+     "text": "Overlays: direction as hue, direction as short lines, length.",
      "pictures": [picture(title, CREATURE, studio(), overlay=overlay, quality=SIMPLE)
                   for title, overlay in (("direction", "direction"), ("short lines", "strokes"), ("length", "length"))]},
     {"name": "attract", "title": "A stick that pulls (fur modelling)",
-     "text": "A stick above the back pulls for ten seconds. Fur turns to it and grows, up to three times.",
+     "text": "[attract](tools/attract.md) for ten seconds, as fur and as short lines. Fur turns to the stick and grows, up to "
+             "three times.",
      "pictures": [picture(f"{title}, {kind}", CREATURE, studio(), tool, camera=BACK, overlay=overlay, quality=SIMPLE)
                   for kind, overlay in (("fur", "none"), ("short lines", "strokes"))
                   for title, tool in (("before", None), ("after", PULL))]},
     {"name": "difference", "title": "What a step has changed",
-     "text": "A stick pulls, and a picture of the difference to the revision before (docs/history.md): grey where nothing has changed, yellow most.",
+     "text": "The overlay `difference` ([history](history.md)): grey where nothing has changed, yellow most.",
      "pictures": [picture(title, CREATURE, studio(), tool, camera=BACK, quality=SIMPLE, **overlay)
                   for title, tool, overlay in (("before", None, {}), ("after", PULL, {}),
                                                ("difference", PULL, {"overlay": "difference", "overlay_from": 1}))]},
     {"name": "painted", "title": "Painted fields",
-     "text": "Strokes on the picture before: spots in two colours, a thinned and a bare patch, a wet one; the density and the wetness "
-             "as overlays; and, near by, density, water, clump and curl each on one half of a plane.",
+     "text": "Spots in two colours, a thinned, a bare and a wet patch, painted with [paint](tools/paint.md); two overlays; and "
+             "four fields near by, each on one half of a plane.",
      "pictures": [*(picture(title, PAINTED_CREATURE, studio(*commands), camera=FLANK, overlay=overlay, quality=FINE)
                     for title, commands, overlay in (("before", [], "none"), ("spots", SPOTS, "none"),
                                                      ("thinned, bare and wet", [*SPOTS, *PATCHES], "none"),
@@ -177,19 +178,23 @@ FIGURES = [
                   *(picture(title, builtin("plane", 8000), studio(), half(field, value), fur_of=fur(0.035, 0.45), camera=NEAR)
                     for title, field, value in (("half the strands", "density", 0.5), ("wet", "wetness", 1), ("clump", "clump", 0.8),
                                                 ("curl", "curl", 0.06)))]},
-    {"name": "stages", "title": "From layers to fur",
-     "text": "4, 8 and 16 shells everywhere; then as many as each place needs, how many those are, and with fins and guard hairs.",
+    {"name": "stages", "title": "From shells to fur",
+     "text": "More shells give firmer fur. `adaptive` takes as many as each place needs. Fins and guard hairs add strands at "
+             "the silhouette.",
      "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)
                   for title, quality, overlay in (
                       ("4 shells", {"shells": 4, "shell_policy": "uniform"}, "none"),
                       ("8 shells", {"shells": 8, "shell_policy": "uniform"}, "none"),
                       ("16 shells", {"shells": 16, "shell_policy": "uniform"}, "none"),
-                      ("adaptive, up to 32", {"shells": 32}, "none"), ("how many", {"shells": 32}, "shell_count"),
+                      ("adaptive, up to 32", {"shells": 32, "shell_policy": "adaptive"}, "none"),
+                      ("how many", {"shells": 32, "shell_policy": "adaptive"}, "shell_count"),
                       ("fins and guard hairs", {"shells": 32, "fins": True, "guard_hairs": 20000}, "none"))]},
-    {"name": "tufts", "title": "Tufts", "text": "Clumps larger than the tile, anchored on the body: none, some, all; small and large.",
+    {"name": "tufts", "title": "Tufts",
+     "text": "Clumps larger than the tile, anchored on the body.",
      "pictures": [picture(title, CREATURE, coat(tufts={"gather": gather, "size": size}), studio())
                   for title, gather, size in (("none", 0, 0.05), ("gather .4", 0.4, 0.05), ("gather 1, small", 1, 0.04))]},
-    {"name": "forms", "title": "Forms of fur", "text": "One coat on one sphere, a setting at a time.",
+    {"name": "forms", "title": "Forms of fur",
+     "text": "One coat on one sphere, a [setting](fur.md#coat) at a time.",
      "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.05, 0.45), quality=SIMPLE,
                           camera=eye([0.9, 1.4, 3.4], [0.25, 0.35, 0.5], 22))
                   for name, settings in (("straight", {"bend": 0, "clump": 0}), ("bent", {"bend": 1.2, "clump": 0}),
@@ -199,7 +204,8 @@ FIGURES = [
                                          ("wet", {"wetness": 1, "clump": 0.8, "fine_clump": 0.8}), ("lodged", {"lodge": 0.5}),
                                          ("undercoat", {"undercoat": {"share": 0.6, "length": 0.45, "tint": 0.8,
                                                                       "colour": [0.7, 0.62, 0.5]}}))]},
-    {"name": "looks", "title": "Looks to start from", "text": "Files in clients/looks.",
+    {"name": "looks", "title": "Looks to start from",
+     "text": "The files of `clients/looks`.",
      "pictures": [picture(name.replace("_", " "), model, look_file(name), studio(), fur_of=fur(length, lean))
                   for name, model, length, lean in (("shorthair_cat", glmark("cat"), 0.018, 0.75),
                                                     ("rabbit", glmark("bunny"), 0.035, 0.5), ("fox", CREATURE, 0.042, 0.72),
@@ -207,13 +213,15 @@ FIGURES = [
                                                     ("bear", CREATURE, 0.055, 0.6), ("zebra", glmark("horse"), 0.012, 0.85),
                                                     ("leopard", glmark("cat"), 0.016, 0.8),
                                                     ("toy_plush", glmark("bunny"), 0.022, 0.3))]},
-    {"name": "shading", "title": "Shading models", "text": "One interface, six models by name (docs/fur.md).",
+    {"name": "shading", "title": "Shading models",
+     "text": "`shading` of `set_look`.",
      "pictures": [picture(name, CREATURE, look(shading=name), studio())
                   for name in ("lengyel", "kajiya", "kajiya_kay", "scheuermann", "marschner", "energy_conserving")]},
-    {"name": "eye", "title": "The eye", "text": "Cornea, iris marched through its layers, limbal ring, caustic, lids (docs/eyes.md); bare skin, whiskers, lashes.",
+    {"name": "eye", "title": "The eye",
+     "text": "Cornea, iris, lids ([eyes](eyes.md)); bare skin, whiskers and lashes around it.",
      "pictures": [picture("face", CREATURE, studio(), camera=FACE, quality={**FINE, "eye_steps": 16})]},
     {"name": "special", "title": "Hard cases",
-     "text": "A sleek horse; white fur lit from behind; an agouti fox; an ear's fringe in front of the flank; a parting in fur of 30 mm.",
+     "text": "A sleek horse, white fur lit from behind, an agouti fox, an ear in front of the flank, a parting.",
      "pictures": [picture("sleek horse", glmark("horse"),
                           coat(root_share=0.6, clump=0.2, clump_size=0.008,
                                ramp=[{"at": 0, "colour": "#4a2c1a"}, {"at": 0.6, "colour": "#8a5530"}, {"at": 1, "colour": "#a8703f"}]),
@@ -232,12 +240,7 @@ FIGURES = [
                                         for side in (-1, 1) for z in (-0.4, 0, 0.4)]},
                           fur_of=fur(0.03, 0.3), camera=eye([0.05, 0.35, 0.75], [0, 0, 0.05], 30))]},
     {"name": "animals", "title": "Four animals",
-     "text": "Plush, agouti, sleek and white, with the settings and a light like those of reference pictures made of strands; "
-             "interactive and detailed. Models by others (docs/models.md); they are skipped where the files are missing. "
-             "Plainly the same animals. What still tells them apart: the front of an ear that is back-facing from the light is "
-             "all shade with a hard border; tufts are longer and softer, single strands do not stand out; dark stars where the "
-             "first direction field has nowhere to go, as in the reference; the sleek coat is dimmer on the lit side; the ground "
-             "takes only one light's shadow.",
+     "text": "Four coats as shells, with the settings and light of reference pictures made of strands.",
      "pictures": [picture(f"{title}, {tier}", model, look(colour_source="coat", **shade), studio(*REFERENCE_LIGHT),
                           coat(length_spread=0.3, fine_clump_size=0.008, width_root=0.00044, width_tip=0.00015, **settings),
                           fur_of={**fur(length, lean), "form": "even"}, quality=tier)
@@ -259,14 +262,14 @@ FIGURES = [
                         "ramp": [{"at": 0, "colour": [0.75, 0.72, 0.68]}, {"at": 0.5, "colour": [0.85, 0.83, 0.80]}, {"at": 1, "colour": [0.92, 0.91, 0.90]}]},
                        {"specular": 0.1}))
                   for tier in ("interactive", "detailed")]},
-    {"name": "recipes", "title": "Four reference animals, groomed by scripts",
-     "text": "`clients/recipes/{koala_plush,cat_fox,spot_sleek,koala_white}.json` on models by others (docs/models.md), as traced "
-             "strands: fur laid to the ends of limbs and ears, eyes, bare skin, markings, lights with a size.",
+    {"name": "recipes", "title": "Four portraits",
+     "text": "[Recipes](recipes.md#four-portraits) as traced strands: fur laid to the ends of limbs and ears, eyes, bare skin, "
+             "markings.",
      "pictures": [picture(name.replace("_", " "), shared(model, **options), {"recipe": name}, quality="reference", background="studio")
                   for name, model, options in (("koala_plush", "koala_low.obj", {}), ("cat_fox", "cat.obj", {"front": "-x"}),
                                                ("spot_sleek", "spot.obj", {"front": "-z"}), ("koala_white", "koala_low.obj", {}))]},
     {"name": "methods", "title": "Shells beside strands",
-     "text": "Six grooms as interactive and detailed shells and as traced strands. docs/strands.md says what differs and why.",
+     "text": "Six grooms in three qualities. [strands](strands.md) says what differs.",
      "pictures": [picture(f"{title}, {tier}", model, *steps, studio(), fur_of=fur(length, lean), quality=tier)
                   for title, model, length, lean, steps in (
                       ("creature", CREATURE, 0.03, 0.45, []),
@@ -282,22 +285,30 @@ FIGURES = [
      "pictures": [picture(f"{title}, {tier}", CREATURE, studio(), camera=camera, quality=tier)
                   for title, camera in (("face", FACE), ("flank", eye([-1.6, 0.9, 0.6], [-0.2, 0.65, -0.1], 14)))
                   for tier in ("detailed", "reference")]},
-    {"name": "transport", "title": "Light through fur, by count and colour, and along paths",
-     "text": "Left by the strands that a ray to the light crosses (`transmittance`), right along paths of up to 32 bounces (`paths`).",
+    {"name": "transport", "title": "Light through fur",
+     "text": "`transmittance` fades light with each strand that it crosses; `paths` follow it over up to 32 bounces.",
      "pictures": [picture(f"{title}, {transport}", builtin("sphere", 4000), coat(ramp=[{"at": 0, "colour": colour}], colour_spread=0.05), studio(),
                           fur_of=fur(0.05, 0.5), quality={"method": "strands", "trace": {"transport": transport, "passes": 48,
                                                                                         **({"bounces": 32} if transport == "paths" else {})}})
                   for title, colour in (("white", [0.85, 0.83, 0.8]), ("red", [0.5, 0.16, 0.05]), ("black", [0.02, 0.02, 0.022]))
                   for transport in ("transmittance", "paths")]},
     {"name": "lights", "title": "Lights with a size",
-     "text": "A directional light of half angle 0 and 15 degrees, and a rectangle near the body.",
+     "text": "A directional light of half angle 0 and 15 degrees, and a rectangle near the body, on traced strands.",
      "pictures": [picture(title, TORUS, lights(light), studio(), fur_of=fur(0.05, 0.5), quality="reference")
                   for title, light in (("0 degrees", {**ONE_LIGHT, "angle_degrees": 0}), ("15 degrees", {**ONE_LIGHT, "angle_degrees": 15}),
                                       ("rectangle", {"kind": "area", "position": [0.4, 0.9, 0.9], "direction": [-0.3, -0.7, -0.7],
                                                      "width": 0.6, "height": 0.6, "intensity": 0.5}))]},
-    {"name": "passes", "title": "A progressive picture, pass by pass",
-     "text": "The first traced picture and later ones; up to 64 passes a filter is guided by direction, depth and colour. Last: 16 passes without it.",
+    {"name": "passes", "title": "A progressive rendering, pass by pass",
+     "text": "Pictures of fewer than 64 passes are filtered; the last one is not.",
      "pictures": [picture(title, CREATURE, studio(), quality={"method": "strands", "trace": trace})
                   for title, trace in (*((f"{n} passes", {"passes": n}) for n in (1, 4, 16, 64, 128)),
                                        ("16 passes, not filtered", {"passes": 16, "filter": False}))]},
 ]
+
+# The sections of the page, each with the names of its figures.
+SECTIONS = [("Animals", ["looks", "recipes", "animals", "special", "eye"]),
+            ("Coats", ["forms", "tufts", "lodged"]),
+            ("Grooming", ["painted", "attract", "fields", "difference"]),
+            ("Light and shading", ["shading", "self_shadow", "cast_shadow", "single_hairs", "curve_shadows", "lights"]),
+            ("Quality", ["stages", "methods", "close_strands", "passes", "transport"]),
+            ("Figures of the papers", ["per_pixel", "light_maps", "curves"])]

@@ -1,6 +1,7 @@
 """Makes every picture of docs/gallery.md, and the page itself, with the programs of build/release.
 
 usage: docs/gallery/make.py [NAME...]     (all figures, or those whose name begins with one of the given ones)
+       docs/gallery/make.py --page        (the page alone)
 Needs deploy/packages.sh demo and a build: deploy/demo.sh makes both.
 """
 import http.client
@@ -12,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from figures import FIGURES
+from figures import FIGURES, SECTIONS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = pathlib.Path(os.environ.get("PELAGE_BIN", ROOT / "build" / "release" / "bin"))
@@ -85,21 +86,34 @@ def make_picture(server, picture, name):
         subprocess.run(["oiiotool", "--nosoftwareattrib", file.name, "--compression", "jpeg:88", "-o", FOLDER / f"{name}.jpg"], check=True)
 
 
+def section_of(figure):
+    """A figure as Markdown: three pictures a row, or four where that leaves none over."""
+    titles = [p["title"] for p in figure["pictures"]]
+    lines, columns = [f"### {figure['title']}", "", figure["text"], ""], 4 if len(titles) % 4 == 0 else 3
+    for row in range(0, len(titles), columns):
+        part = titles[row:row + columns]
+        lines += ["| " + " | ".join(part) + " |", "|" + "---|" * len(part)]
+        lines += ["| " + " | ".join(f"![](gallery/{figure['name']}-{row + i}.jpg)" for i in range(len(part))) + " |", ""]
+    return lines
+
+
 def write_page():
-    lines = ["# Gallery", "", "Made by `docs/gallery/make.py`: each picture is a scene, commands and a frame, as any client would send them.", ""]
-    for figure in FIGURES:
-        lines += [f"## {figure['title']}", "", figure["text"], ""]
-        titles = [p["title"] for p in figure["pictures"]]
-        for row in range(0, len(titles), 3):
-            part = titles[row:row + 3]
-            lines += ["| " + " | ".join(part) + " |", "|" + "---|" * len(part)]
-            lines += ["| " + " | ".join(f"![](gallery/{figure['name']}-{row + i}.jpg)" for i in range(len(part))) + " |", ""]
+    figures = {figure["name"]: figure for figure in FIGURES}
+    assert sorted(figures) == sorted(name for _, names in SECTIONS for name in names)
+    lines = ["# Gallery", "", "Each picture is a scene, commands and a frame, as any client would send them; `docs/gallery/make.py` makes them again.",
+             "Figures whose model is not on this machine are skipped then.", ""]
+    for title, names in SECTIONS:
+        lines += [f"## {title}", ""]
+        for name in names:
+            lines += section_of(figures[name])
     (ROOT / "docs" / "gallery.md").write_text("\n".join(lines), encoding="utf-8")
 
 
 def main():
     wanted = tuple(sys.argv[1:]) or ("",)
     write_page()
+    if "--page" in wanted:
+        return
     with Server() as server:
         for figure in FIGURES:
             if not figure["name"].startswith(wanted):
