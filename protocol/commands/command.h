@@ -21,34 +21,42 @@ namespace pelage {
 
 struct SetCoat {
   static constexpr const char* op = "set_coat";
+  static constexpr Inputs inputs = Inputs::none;
   Coat coat;
 };
 struct SetLook {
   static constexpr const char* op = "set_look";
+  static constexpr Inputs inputs = Inputs::none;
   Look look;
 };
 struct SetLights {
   static constexpr const char* op = "set_lights";
+  static constexpr Inputs inputs = Inputs::none;
   std::vector<Light> lights;
 };  // at most 8
 struct SetEnvironment {
   static constexpr const char* op = "set_environment";
+  static constexpr Inputs inputs = Inputs::none;
   Environment environment;
 };
 struct SetGround {
   static constexpr const char* op = "set_ground";
+  static constexpr Inputs inputs = Inputs::none;
   Ground ground;
 };
 struct SetEyes {
   static constexpr const char* op = "set_eyes";
+  static constexpr Inputs inputs = Inputs::placed;
   std::vector<Eye> eyes;
 };  // at most 8
 struct SetCurves {
   static constexpr const char* op = "set_curves";
+  static constexpr Inputs inputs = Inputs::placed;
   std::vector<CurveGroup> groups;
 };  // at most 16, and 4096 curves in all
 struct SetSkin {
   static constexpr const char* op = "set_skin";
+  static constexpr Inputs inputs = Inputs::placed;
   std::vector<SkinRegion> regions;
 };  // at most 64
 
@@ -56,6 +64,7 @@ struct SetSkin {
 /// hex digits that its upload answered with; "" takes it off again.
 struct SetSkinTexture {
   static constexpr const char* op = "set_skin_texture";
+  static constexpr Inputs inputs = Inputs::none;
   std::string picture;
 };
 
@@ -75,10 +84,12 @@ struct NamedAttractor {
 };
 struct SetBlowers {
   static constexpr const char* op = "set_blowers";
+  static constexpr Inputs inputs = Inputs::placed;
   std::vector<NamedBlower> blowers;
 };  // at most 64, names differ
 struct SetAttractors {
   static constexpr const char* op = "set_attractors";
+  static constexpr Inputs inputs = Inputs::placed;
   std::vector<NamedAttractor> attractors;
 };  // at most 64, names differ
 
@@ -90,12 +101,14 @@ struct Symmetry {
 };
 struct SetSymmetry {
   static constexpr const char* op = "set_symmetry";
+  static constexpr Inputs inputs = Inputs::placed;
   Symmetry symmetry;
 };
 
 /// Gives the present revision a name, for `erase` and for comparing.
 struct Checkpoint {
   static constexpr const char* op = "checkpoint";
+  static constexpr Inputs inputs = Inputs::none;
   std::string name;                       // 1 to 200 bytes; one that is known moves here
   std::optional<std::uint64_t> revision;  // set when it is resolved
 };

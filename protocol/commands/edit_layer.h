@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "protocol/commands/inputs.h"
+
 namespace pelage {
 
 /// Changes that are kept apart from the groom below them: what is seen is the groom and, edit layer by edit layer,
@@ -20,6 +22,7 @@ struct EditLayer {
 enum class EditLayerAction { add, set, move, merge_down, remove };
 struct ChangeEditLayer {
   static constexpr const char* op = "edit_layer";
+  static constexpr Inputs inputs = Inputs::none;
   EditLayerAction action = EditLayerAction::add;
   std::string name = {};              // 1 to 200 bytes
   std::optional<double> weight = {};  // of add and set

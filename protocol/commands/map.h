@@ -7,6 +7,7 @@
 
 #include "protocol/commands/answers.h"
 #include "protocol/commands/field.h"
+#include "protocol/commands/inputs.h"
 #include "protocol/commands/stroke.h"
 
 namespace pelage {
@@ -23,6 +24,8 @@ enum class MapFormat { png, png16, exr, exr_half };
 /// Puts the fields in place of what a picture holds for them. Needs a model with texture coordinates.
 struct ApplyMap {
   static constexpr const char* op = "map";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices;
   std::string picture;          // 32 hex digits, the name that its upload answered with; required
   Field field = Field::length;  // direction with uv_tangent, fast_fur and vector
   MapEncoding encoding = MapEncoding::automatic;

@@ -1,6 +1,7 @@
 // The tools, one row for each. The names on the wire, the decoder, the log and the evaluation follow from this list.
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
 #include <variant>
 
@@ -13,6 +14,7 @@ template <class... Commands>
 struct CommandList {
   template <class C>
   static constexpr bool holds = (std::is_same_v<C, Commands> || ...);
+  static constexpr std::size_t count = sizeof...(Commands);
 };
 
 /// Commands that change the fields.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "protocol/commands/field.h"
+#include "protocol/commands/inputs.h"
 #include "protocol/commands/stroke.h"
 
 namespace pelage {
@@ -18,6 +19,9 @@ namespace pelage {
 /// Turns fur the way the stroke moves (science.md 3). As a flood it needs a direction.
 struct Comb {
   static constexpr const char* op = "comb";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -30,6 +34,9 @@ struct Comb {
 /// Wind from a source, inside a cone; a stroke restricts it to what its brush covers.
 struct Blow {
   static constexpr const char* op = "blow";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
@@ -47,6 +54,9 @@ struct Blow {
 /// A stick that pulls fur to it and stretches it (fur modelling 5.2); a stroke restricts it to what its brush covers.
 struct Attract {
   static constexpr const char* op = "attract";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
@@ -73,6 +83,9 @@ struct Key {
 /// Spreads keys over the surface with Gaussian weights of the distance (fur modelling 5.1).
 struct Interpolate {
   static constexpr const char* op = "interpolate";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::own;
+  static constexpr Opposite opposite = Opposite::no;
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
@@ -86,6 +99,9 @@ struct Interpolate {
 /// Lays the fur of the whole body along curves that are drawn on it.
 struct Flow {
   static constexpr const char* op = "flow";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::own;
+  static constexpr Opposite opposite = Opposite::no;
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
@@ -101,6 +117,9 @@ struct Flow {
 /// V' = (1 - t) V + t sum w_j V_j over neighbours, w_j the inverse distance, normalised (fur modelling 5.1).
 struct Smooth {
   static constexpr const char* op = "smooth";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::own;
+  static constexpr Opposite opposite = Opposite::no;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -114,6 +133,9 @@ struct Smooth {
 /// Adds seeded noise (fur modelling 5.1: disturb).
 struct Noise {
   static constexpr const char* op = "noise";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -128,6 +150,9 @@ struct Noise {
 /// Blends to a value, or to the mean under the brush (fur modelling 5.1).
 struct Unify {
   static constexpr const char* op = "unify";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::no;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -143,6 +168,9 @@ struct Unify {
 /// A line that fur leans away from on both sides.
 struct Part {
   static constexpr const char* op = "part";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices_x_samples;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};  // the line; required
   Brush brush = {};
   std::string edit_layer = {};
@@ -152,6 +180,9 @@ struct Part {
 enum class LengthMode { set, add, scale, average, jitter, min, max };
 struct Length {
   static constexpr const char* op = "length";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -173,6 +204,9 @@ struct TrimSphere {
 /// Cuts fur by a plane, by a sphere, or to a height over the skin.
 struct Trim {
   static constexpr const char* op = "trim";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::no;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -184,6 +218,9 @@ struct Trim {
 /// Raises fur; inverted it lays it down. Fur that stands upright has no heading to be laid along and stays.
 struct Lift {
   static constexpr const char* op = "lift";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -194,6 +231,9 @@ struct Lift {
 /// takes away what the edit layer adds.
 struct Erase {
   static constexpr const char* op = "erase";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::no;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -206,6 +246,9 @@ struct Erase {
 /// Gathers fur to the middle of the brush, and tips to locks.
 struct Clump {
   static constexpr const char* op = "clump";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices_x_samples;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};  // required
   Brush brush = {};
   std::string edit_layer = {};
@@ -216,6 +259,9 @@ struct Clump {
 /// Curls fur, and turns its heading.
 struct Curl {
   static constexpr const char* op = "curl";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -227,6 +273,9 @@ struct Curl {
 /// Paints a field: value or colour.
 struct Paint {
   static constexpr const char* op = "paint";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices;
+  static constexpr Opposite opposite = Opposite::yes;
   std::optional<Stroke> stroke = {};
   bool flood = false;
   Brush brush = {};
@@ -242,6 +291,8 @@ enum class Alignment { box, none };
 /// Lengths stay shares of the size; without alignment they stay as long as they are in the models' unit.
 struct Retarget {
   static constexpr const char* op = "retarget";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::own;
   std::string scene = {};                      // id of the source, on the same server
   std::optional<std::uint64_t> revision = {};  // of the source's model; set when it is resolved
   Alignment align = Alignment::box;
@@ -282,6 +333,8 @@ struct MaskPicture {
 /// Chooses where tools work. Brushes paint it with `paint`.
 struct ChangeMask {
   static constexpr const char* op = "mask";
+  static constexpr Inputs inputs = Inputs::placed;
+  static constexpr Work work = Work::own;
   MaskAction action = MaskAction::select;
   std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskPicture> shape = {};  // of select
   MaskCombine combine = MaskCombine::replace;                                                  // of select

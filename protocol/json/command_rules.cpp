@@ -28,13 +28,6 @@ void check_view(const Value& value, const Tool& tool) {
   }
 }
 
-bool has_opposite(const Command& command) {
-  const auto is_any_of = [&]<class... Tools>(std::variant<Tools...>*) {
-    return (std::holds_alternative<Tools>(command) || ...);
-  };
-  return !is_any_of(static_cast<std::variant<Smooth, Unify, Erase, Trim, Interpolate, Flow>*>(nullptr));
-}
-
 bool is_colour(Field field) { return shape_of(field).channels == 4; }
 bool are_colours(const std::vector<Field>& fields) {
   return !fields.empty() && std::all_of(fields.begin(), fields.end(), is_colour);
@@ -42,13 +35,11 @@ bool are_colours(const std::vector<Field>& fields) {
 
 /// Whether all that the tool changes differs from root to tip.
 template <class Tool>
-bool changes_colours_only(const Tool&) {
+bool changes_colours_only(const Tool& tool) {
+  if constexpr (requires { tool.field; }) return is_colour(tool.field);
+  if constexpr (requires { tool.fields; }) return are_colours(tool.fields);
   return false;
 }
-bool changes_colours_only(const Paint& paint) { return is_colour(paint.field); }
-bool changes_colours_only(const Smooth& smooth) { return are_colours(smooth.fields); }
-bool changes_colours_only(const Noise& noise) { return are_colours(noise.fields); }
-bool changes_colours_only(const Erase& erase) { return are_colours(erase.fields); }
 bool changes_colours_only(const Unify& unify) {
   return are_colours(unify.mean) && !unify.direction && !unify.inclination && !unify.length;
 }
@@ -73,7 +64,8 @@ template <class Tool>
 void check_brush(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.brush; }) {
     const Brush& brush = tool.brush;
-    if (brush.invert && !has_opposite(tool)) value.refuse_below("brush/invert", "The tool has no opposite.", "false");
+    if (brush.invert && Tool::opposite == Opposite::no)
+      value.refuse_below("brush/invert", "The tool has no opposite.", "false");
     if (brush.strand_to <= brush.strand_from)
       value.refuse_below("brush/strand_to", "The part of the strand ends before it begins.", "above strand_from");
     if ((brush.strand_from > 0 || brush.strand_to < 1) && !changes_colours_only(tool)) {
@@ -120,14 +112,6 @@ void check(const Value& value, const Unify& unify) {
   if ((has(Field::direction) && (unify.direction || unify.inclination)) || (has(Field::length) && unify.length))
     value.refuse_below("mean", "A field goes to its mean or to a value.", "fields without a value");
 }
-
-template <class Tool>
-void require_stroke(const Value& value, const Tool& tool) {
-  if (!tool.stroke) value.refuse_below("stroke", "The tool needs a stroke.", "required");
-}
-
-void check(const Value& value, const Part& part) { require_stroke(value, part); }
-void check(const Value& value, const Clump& clump) { require_stroke(value, clump); }
 
 void check(const Value& value, const Length& length) {
   const bool jitter = length.mode == LengthMode::jitter;

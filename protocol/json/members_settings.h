@@ -71,4 +71,85 @@ void members(V& v, Visited<V, SetSkinTexture>& c) {
   v.picture(required("picture"), c.picture, "", "own");
 }
 
+template <class V>
+void members(V& v, Visited<V, NamedBlower>& c) {
+  v.type("NamedBlower");
+  v.label(required("name"), c.name);
+  wind_members(v, c.blow, "source");
+}
+
+template <class V>
+void members(V& v, Visited<V, NamedAttractor>& c) {
+  v.type("NamedAttractor");
+  v.label(required("name"), c.name);
+  stick_members(v, c.attract, "point");
+}
+
+template <class V>
+void members(V& v, Visited<V, SetBlowers>& c) {
+  v.type("SetBlowers", "Places all winds that stay, for blow to use by their names, which differ.");
+  v.objects(required("blowers"), c.blowers, {0, limits::blowers});
+}
+
+template <class V>
+void members(V& v, Visited<V, SetAttractors>& c) {
+  v.type("SetAttractors", "Places all sticks that stay, for attract to use by their names, which differ.");
+  v.objects(required("attractors"), c.attractors, {0, limits::blowers});
+}
+
+template <class V>
+void members(V& v, Visited<V, Plane>& c) {
+  v.type("Plane");
+  v.position("point", c.point);
+  v.direction("normal", c.normal);
+}
+
+template <class V>
+void members(V& v, Visited<V, Symmetry>& c) {
+  v.type("Symmetry", "Mirror planes, all their combinations, and a rotation about an axis by equal steps.");
+  v.objects(required("planes"), c.planes, {0, limits::symmetry_planes});
+  v.position("axis_point", c.axis_point);
+  v.direction("axis", c.axis);
+  v.integer("count", c.count, {1, limits::symmetry_images}, "Of equal steps in a whole turn; 1 is no rotation.");
+}
+
+template <class V>
+void members(V& v, Visited<V, SetSymmetry>& c) {
+  v.type("SetSymmetry",
+         "From now on each tool with a place works on all its images too, as one undo step. Places on the surface are "
+         "mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.");
+  v.object(required("symmetry"), c.symmetry);
+}
+
+template <class V>
+void members(V& v, Visited<V, Checkpoint>& c) {
+  v.type("Checkpoint", "Gives this revision a name, or an earlier one; a name that is known moves.");
+  v.label(required("name"), c.name);
+  v.counter("revision", c.revision, "The one that this command makes unless given.");
+}
+
+template <class V>
+void members(V& v, Visited<V, ChangeEditLayer>& c) {
+  v.type("ChangeEditLayer",
+         "Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the lowest "
+         "layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is merged may "
+         "be muted; the layer that is merged into comes to weight 1.");
+  v.name("action", c.action, json_names::edit_layer_actions);
+  v.label(required("name"), c.name);
+  const bool add = c.action == EditLayerAction::add, set = c.action == EditLayerAction::set;
+  if (v.takes(add || set)) {
+    v.number(
+        "weight", c.weight, edit_layer_weight,
+        "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change edit layers of at "
+        "least .05 "
+        "or at most -.05.");
+    v.boolean("muted", c.muted, "Of add and set.");
+  }
+  if (v.takes(set)) v.text(sparse("rename"), c.rename, "Of set: the new name.");
+  if (v.takes(add || c.action == EditLayerAction::move)) {
+    v.text("above", c.above,
+           "Of add, else on top, and move, where it is required: the layer that it comes to lie on, or \"\" for none.");
+  }
+}
+
 }  // namespace pelage::json_parts

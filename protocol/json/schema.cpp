@@ -49,6 +49,12 @@ Json number_schema(const char* type, Range range) {
 Json list_schema(Json items, Count count) {
   return {{"type", "array"}, {"items", std::move(items)}, {"minItems", count.min}, {"maxItems", count.max}};
 }
+/// A tool that can flood takes a stroke or floods, never both.
+Json stroke_or_flood() {
+  const Json stroke = {{"required", {"stroke"}}, {"properties", {{"flood", {{"const", false}}}}}};
+  const Json flood = {{"required", {"flood"}}, {"properties", {{"flood", {{"const", true}}}, {"stroke", false}}}};
+  return {stroke, flood};
+}
 Json text_schema(std::size_t min) {
   Json schema = {{"type", "string"}};
   if (min > 0) schema["minLength"] = min;
@@ -217,6 +223,7 @@ class MemberSchemas {
     if (*words_) schema["description"] = words_;
     schema["type"] = "object";
     if (op) properties["op"] = {{"const", op}}, required.push_back("op");
+    if (properties.contains("flood")) schema["oneOf"] = stroke_or_flood();
     schema["properties"] = std::move(properties);
     if (!required.empty()) schema["required"] = std::move(required);
     schema["additionalProperties"] = false;

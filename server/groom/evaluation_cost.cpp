@@ -92,12 +92,14 @@ struct ToolWork {
       visits += spread(command.distance) + region + nearest_visits * steps_of(curve);
     return {visits, "/curves"};
   }
-  EvaluationCost operator()(const Part&) const { return {region * samples, "/stroke/samples"}; }
-  EvaluationCost operator()(const Clump&) const { return {region * samples, "/stroke/samples"}; }
   EvaluationCost operator()(const Retarget&) const { return {vertices() * nearest_visits, "/scene"}; }
-  template <class Other>
-  EvaluationCost operator()(const Other& other) const {
-    if constexpr (requires { other.edit_layer; }) return {region, ""};
+  template <ToolCommand Tool>
+  requires(Tool::work != Work::own) EvaluationCost operator()(const Tool&) const {
+    if (Tool::work == Work::vertices_x_samples) return {region * samples, "/stroke/samples"};
+    return {region, ""};
+  }
+  template <SettingCommand Setting>
+  EvaluationCost operator()(const Setting&) const {
     return {0, ""};
   }
 };

@@ -20,6 +20,9 @@ class Mover {
       }
       if (tool.brush.units == RadiusUnits::world) tool.brush.radius = map_.length(tool.brush.radius);
     }
+    if constexpr (requires { tool.turn_degrees; }) {
+      if (map_.mirrors()) tool.turn_degrees = -tool.turn_degrees;
+    }
     return move_parts(tool) || moved;
   }
 
@@ -103,10 +106,6 @@ class Mover {
     if (auto* height = std::get_if<double>(&trim.shape)) scale(*height, trim.units);
     return false;
   }
-  bool move_parts(Curl& curl) const {
-    if (map_.mirrors()) curl.turn_degrees = -curl.turn_degrees;
-    return false;
-  }
   bool move_parts(ChangeMask& mask) const {
     if (auto* box = std::get_if<MaskBox>(&mask.shape)) {
       const glm::dvec3 a = map_.place(box->min), b = map_.place(box->max);
@@ -151,8 +150,8 @@ class Mover {
     }
     return false;
   }
-  template <class Tool>
-  bool move_parts(Tool&) const {
+  template <Unplaced Other>
+  bool move_parts(Other&) const {
     return false;
   }
 

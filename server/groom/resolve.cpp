@@ -105,6 +105,7 @@ struct CheckTool {
     return failure(Code::invalid, "fur cannot be so long", std::move(pointer), "at most 10 sizes of the model");
   }
 
+  Status operator()(const Comb&) const { return {}; }  // a direction is as good anywhere
   Status operator()(const Blow& blow) const {
     if (Status far = place(blow.source, "/source"); !far.ok()) return far;
     return length(blow.fall, blow.units, "/fall");
@@ -233,7 +234,7 @@ struct CheckTool {
     return failure(Code::invalid, "the model has no texture coordinates to read a picture by", std::move(pointer),
                    "a model with texture coordinates; docs/maps.md says which have some");
   }
-  template <class Other>
+  template <Unplaced Other>
   Status operator()(const Other&) const {
     return {};
   }

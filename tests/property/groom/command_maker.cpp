@@ -138,7 +138,8 @@ Command CommandMaker::command(std::size_t number) {
   std::visit(
       [&](auto& tool) {
         using Tool = std::decay_t<decltype(tool)>;
-        if constexpr (requires { make(tool); }) {
+        constexpr bool needs_more = std::is_same_v<Tool, ApplyMap> || std::is_same_v<Tool, Retarget>;
+        if constexpr (ToolCommand<Tool> && !needs_more) {
           if constexpr (requires { tool.brush; }) tool = brushed<Tool>();
           make(tool);
         }

@@ -8,8 +8,8 @@
 
 namespace pelage::testing_commands {
 
-/// The first 17 commands of `Command` are the tools.
-inline constexpr std::size_t tool_count = 17;
+/// The first commands of `Command` are the tools; the last two of them, map and retarget, need more than a surface.
+inline constexpr std::size_t tool_count = Tools::count - 2;
 
 /// The tool of this number, with its defaults.
 Command empty_tool(std::size_t tool);

@@ -19,6 +19,9 @@ class Mover {
       if (tool.stroke) move(*tool.stroke);
     }
     if constexpr (requires { tool.units; }) move_lengths(tool), tool.units = Units::world;
+    if constexpr (requires { tool.turn_degrees; }) {
+      if (glm::determinant(motion_.turn) < 0) tool.turn_degrees = -tool.turn_degrees;
+    }
     move_parts(tool);
   }
 
@@ -84,9 +87,6 @@ class Mover {
   void move_parts(Blow& blow) const { place(blow.source), turn(blow.direction); }
   void move_parts(Attract& attract) const { place(attract.point); }
   void move_parts(Unify& unify) const { turn(unify.direction); }
-  void move_parts(Curl& curl) const {
-    if (glm::determinant(motion_.turn) < 0) curl.turn_degrees = -curl.turn_degrees;
-  }
   void move_parts(Interpolate& command) const {
     for (Key& key : command.keys) place(key.position), turn(key.direction);
   }
@@ -103,8 +103,12 @@ class Mover {
     if (auto* sphere = std::get_if<MaskSphere>(&mask.shape)) place(sphere->centre);
     if (auto* part = std::get_if<MaskPart>(&mask.shape)) place(part->position);
   }
+  void move_parts(Noise&) const {}
+  void move_parts(Length&) const {}
   template <class Other>
-  void move_parts(Other&) const {}
+  void move_parts(Other&) const {
+    static_assert(Unplaced<Other> || SettingCommand<Other>, "what this tool has in the model is not moved");
+  }
 
   const Motion& motion_;
   const Mesh &from_, &to_;
