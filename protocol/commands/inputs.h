@@ -19,6 +19,12 @@ enum class Work {
 /// Whether `invert` means anything.
 enum class Opposite { no, yes };
 
+/// A tool that does nothing without a stroke says `static constexpr bool needs_stroke = true`.
+template <class Tool>
+concept NeedsStroke = requires {
+  requires Tool::needs_stroke;
+};
+
 template <class Command>
 concept Placed = Command::inputs == Inputs::placed;
 template <class Command>

@@ -171,6 +171,7 @@ struct Part {
   static constexpr Inputs inputs = Inputs::none;
   static constexpr Work work = Work::vertices_x_samples;
   static constexpr Opposite opposite = Opposite::yes;
+  static constexpr bool needs_stroke = true;
   std::optional<Stroke> stroke = {};  // the line; required
   Brush brush = {};
   std::string edit_layer = {};
@@ -249,6 +250,7 @@ struct Clump {
   static constexpr Inputs inputs = Inputs::none;
   static constexpr Work work = Work::vertices_x_samples;
   static constexpr Opposite opposite = Opposite::yes;
+  static constexpr bool needs_stroke = true;
   std::optional<Stroke> stroke = {};  // required
   Brush brush = {};
   std::string edit_layer = {};

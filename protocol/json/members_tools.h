@@ -15,8 +15,8 @@ void layer_member(V& v, Tool& c) {
 
 /// Where a tool works.
 template <class V, class Tool>
-void place_members(V& v, Tool& c, MemberName stroke = "stroke") {
-  v.object(stroke, c.stroke);
+void place_members(V& v, Tool& c) {
+  v.object(NeedsStroke<Tool> ? required("stroke") : "stroke", c.stroke);
   v.object("brush", c.brush);
   layer_member(v, c);
 }
@@ -160,7 +160,7 @@ void members(V& v, Visited<V, Unify>& c) {
 template <class V>
 void members(V& v, Visited<V, Part>& c) {
   v.type("Part", "A line that fur leans away from on both sides; inverted fur leans to it.");
-  place_members(v, c, required("stroke"));
+  place_members(v, c);
   v.number("lean", c.lean, share, "Inclination that the fur tends to: 0 upright, 1 lying.");
 }
 
@@ -226,7 +226,7 @@ void members(V& v, Visited<V, Erase>& c) {
 template <class V>
 void members(V& v, Visited<V, Clump>& c) {
   v.type("Clump", "Turns fur to the line of the stroke and gathers its tips; inverted it opens them.");
-  place_members(v, c, required("stroke"));
+  place_members(v, c);
   v.number("gather", c.gather, share, "How far fur turns.");
   v.number("amount", c.amount, share, "What the field clump tends to.");
 }

@@ -126,7 +126,7 @@ Tool CommandMaker::brushed() {
   if constexpr (requires { tool.flood; }) tool.flood = chance(0.3);
   if constexpr (requires { tool.flood; }) {
     if (tool.flood) tool.stroke.reset();
-  } else if constexpr (!std::is_same_v<Tool, Part> && !std::is_same_v<Tool, Clump>) {
+  } else if constexpr (!NeedsStroke<Tool>) {
     if (chance(0.4)) tool.stroke.reset();
   }
   if (!tool.stroke && tool.brush.units == RadiusUnits::pixels) tool.brush.units = RadiusUnits::relative;

@@ -26,8 +26,6 @@ inline void fit(Unify& unify) {
   if (unify.length) drop(Field::length);
   if (!unify.direction && !unify.inclination && !unify.length && unify.mean.empty()) unify.inclination = 0.5;
 }
-inline void fit(Part& part) { part.stroke = random_stroke(); }
-inline void fit(Clump& clump) { clump.stroke = random_stroke(); }
 inline void fit(Length& length) {
   if (length.mode != LengthMode::add) length.value = std::abs(length.value);
   if (length.mode == LengthMode::jitter) length.value = number(0, 1);

@@ -137,8 +137,8 @@ class MemberMaker {
     out = made<T>();
   }
   template <class T>
-  void object(MemberName, std::optional<T>& out, const char* = "") {
-    if (coin()) out = made<T>();
+  void object(MemberName name, std::optional<T>& out, const char* = "") {
+    if (name.presence == Presence::required || coin()) out = made<T>();
   }
   template <class T>
   void objects(MemberName, std::vector<T>& out, Count count, const char* = "") {
