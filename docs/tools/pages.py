@@ -49,6 +49,10 @@ straight down in the middle of the flank.""", "Unify"),
     "part": page("Part", """
 The stroke is a line, and fur leans away from it on both sides. Inverted fur leans to it, and a crest stands.""", "Part",
                  camera=ABOVE),
+    "whorl": page("Whorl", """
+Turns fur round the nearest place of the stroke. One sample makes a whorl, the cowlick of a forehead or a hip; a line makes
+two currents that pass each other. `turn_degrees` is the way from outwards, counter-clockwise seen from outside: at 0 fur
+points out, at 90 it circles, at 180 it points in. Inverted it turns the other way. Below: a whorl on the flank.""", "Whorl"),
     "length": page("Length", """
 Sets, adds, scales, averages, jitters or bounds the length of fur. Lengths are shares of the model's size, or its own unit
 with `units`. Inverted it adds and scales the other way.""", "Length"),

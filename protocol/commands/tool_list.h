@@ -27,6 +27,7 @@ using Tools = CommandList<Comb,         //
                           Noise,        //
                           Unify,        //
                           Part,         //
+                          Whorl,        //
                           Length,       //
                           Trim,         //
                           Lift,         //

@@ -178,6 +178,21 @@ struct Part {
   double lean = 0.7;  // [0, 1]
 };
 
+/// Turns fur round the nearest place of the stroke: one sample is a cowlick, a line two currents that pass each other.
+struct Whorl {
+  static constexpr const char* op = "whorl";
+  static constexpr Inputs inputs = Inputs::none;
+  static constexpr Work work = Work::vertices_x_samples;
+  static constexpr Opposite opposite = Opposite::yes;
+  static constexpr bool needs_stroke = true;
+  std::optional<Stroke> stroke = {};  // the middle; required
+  Brush brush = {};
+  std::string edit_layer = {};
+  double turn_degrees =
+      70;             // from outwards, counter-clockwise seen from outside: 90 circles, 180 points in; [-180, 180]
+  double lean = 0.8;  // inclination that fur tends to, [0, 1]
+};
+
 enum class LengthMode { set, add, scale, average, jitter, min, max };
 struct Length {
   static constexpr const char* op = "length";

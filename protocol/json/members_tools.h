@@ -165,6 +165,15 @@ void members(V& v, Visited<V, Part>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, Whorl>& c) {
+  v.type("Whorl", "Turns fur round the nearest place of the stroke: a cowlick. Inverted it turns the other way.");
+  place_members(v, c);
+  v.number("turn_degrees", c.turn_degrees, {-180, 180},
+           "From outwards, counter-clockwise seen from outside: 0 points out, 90 circles, 180 points in.");
+  v.number("lean", c.lean, share, "Inclination that the fur tends to: 0 upright, 1 lying.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Length>& c) {
   v.type("Length", "Changes how long fur is.");
   place_members(v, c), flood_member(v, c);

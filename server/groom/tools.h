@@ -18,6 +18,7 @@ Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fi
 Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Unify& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Part& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
+Evaluation run(const Whorl& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Length& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Trim& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Lift& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);

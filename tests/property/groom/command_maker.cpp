@@ -234,6 +234,11 @@ void CommandMaker::make(Unify& unify) {
 
 void CommandMaker::make(Part& part) { part.lean = extreme({0, 1}, 0, 1); }
 
+void CommandMaker::make(Whorl& whorl) {
+  whorl.turn_degrees = extreme({-180, 0, 180}, -180, 180);
+  whorl.lean = extreme({0, 1}, 0, 1);
+}
+
 void CommandMaker::make(Length& length) {
   length.mode = one_of({LengthMode::set, LengthMode::add, LengthMode::scale, LengthMode::average, LengthMode::jitter,
                         LengthMode::min, LengthMode::max});

@@ -65,6 +65,7 @@ class CommandMaker {
   void make(Noise& noise);
   void make(Unify& unify);
   void make(Part& part);
+  void make(Whorl& whorl);
   void make(Length& length);
   void make(Trim& trim);
   void make(Lift& lift);

@@ -9,6 +9,7 @@ void apply(const Comb& command, const Stage& stage, Fur& fur);
 void apply(const Blow& command, const Stage& stage, Fur& fur);
 void apply(const Attract& command, const Stage& stage, Fur& fur);
 void apply(const Part& command, const Stage& stage, Fur& fur);
+void apply(const Whorl& command, const Stage& stage, Fur& fur);
 void apply(const Lift& command, const Stage& stage, Fur& fur);
 void apply(const Clump& command, const Stage& stage, Fur& fur);
 void apply(const Curl& command, const Stage& stage, Fur& fur);

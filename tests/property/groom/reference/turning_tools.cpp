@@ -120,6 +120,21 @@ void apply(const Part& command, const Stage& stage, Fur& fur) {
   }
 }
 
+void apply(const Whorl& command, const Stage& stage, Fur& fur) {
+  if (command.stroke->samples.empty()) return;
+  const Body& body = stage.body;
+  const std::vector<double> region = region_of(command.stroke, command.brush, body, fur);
+  for (Vertex v = 0; v < body.size(); ++v) {
+    const dvec2 out =
+        body.in_frame(v, unit(body.positions[v] - nearest_of_path(*command.stroke, body, body.positions[v])));
+    if (glm::length(out) < 1e-6) continue;
+    const double heading =
+        std::atan2(out.y, out.x) + command.turn_degrees * turning_pi / 180 * (command.brush.invert ? -1 : 1);
+    const dvec2 goal = command.lean * dvec2(std::cos(heading), std::sin(heading));
+    set_direction(fur, v, (1 - region[v]) * fur.direction(v) + region[v] * goal);
+  }
+}
+
 void apply(const Lift& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
