@@ -1,8 +1,9 @@
 // Query parameters become the JSON document that they stand for, so that one decoder refuses what is wrong with them.
-#include <array>
 #include <sstream>
+#include <vector>
 
 #include "protocol/json/decode.h"
+#include "protocol/json/members_frame.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/nearest.h"
 #include "protocol/json/parse.h"
@@ -12,103 +13,71 @@ namespace pelage {
 
 namespace {
 
+using json_parts::Backdrop, json_parts::MemberName, json_parts::members;
 using nlohmann::json;
 
 enum class Kind { text, number, list, names, boolean };  // lists and names have commas
 
 /// A parameter, and the JSON pointer of what it stands for.
 struct Parameter {
-  std::string_view name;
-  const char* pointer;
+  std::string name, pointer;
   Kind kind;
 };
 
-constexpr auto frame_parameters = std::to_array<Parameter>({
-    {"width", "/width", Kind::number},
-    {"height", "/height", Kind::number},
-    {"camera", "/camera/auto", Kind::text},
-    {"position", "/camera/position", Kind::list},
-    {"target", "/camera/target", Kind::list},
-    {"up", "/camera/up", Kind::list},
-    {"fov_degrees", "/camera/fov_degrees", Kind::number},
-    {"quality", "/quality", Kind::text},
-    {"shells", "/quality/shells", Kind::number},
-    {"steps", "/quality/steps", Kind::number},
-    {"scale", "/quality/scale", Kind::number},
-    {"min_radius", "/quality/min_radius", Kind::number},
-    {"eye_steps", "/quality/eye_steps", Kind::number},
-    {"self_shadow", "/quality/self_shadow", Kind::boolean},
-    {"shadow_maps", "/quality/shadow_maps", Kind::boolean},
-    {"shadow_resolution", "/quality/shadow_resolution", Kind::number},
-    {"shell_policy", "/quality/shell_policy", Kind::text},
-    {"order", "/quality/order", Kind::text},
-    {"fins", "/quality/fins", Kind::boolean},
-    {"guard_hairs", "/quality/guard_hairs", Kind::number},
-    {"method", "/quality/method", Kind::text},
-    {"budget_ms", "/budget_ms", Kind::number},
-    {"max_error", "/max_error", Kind::number},
-    {"background", "/background", Kind::text},
-    {"exposure", "/exposure", Kind::number},
-    {"tone_map", "/tone_map", Kind::text},
-    {"view", "/view", Kind::text},
-    {"format", "/format", Kind::text},
-    {"jpeg_quality", "/jpeg_quality", Kind::number},
-    {"exr_type", "/exr_type", Kind::text},
-    {"aovs", "/aovs", Kind::names},
-    {"overlay", "/overlay", Kind::text},
-    {"overlay_from", "/overlay_from", Kind::number},
-    {"colour_source", "/look/colour_source", Kind::text},
-});
+/// Collects the parameters that a request in an address has: its members, and those of its camera and its knobs.
+class QueryMembers {
+ public:
+  static constexpr bool reads = true;
 
-constexpr auto tracing_parameters = std::to_array<Parameter>({
-    {"passes", "/passes", Kind::number},
-    {"transport", "/transport", Kind::text},
-    {"scattering", "/scattering", Kind::text},
-    {"bounces", "/bounces", Kind::number},
-    {"strands", "/strands", Kind::number},
-    {"noise", "/noise", Kind::number},
-    {"seconds", "/seconds", Kind::number},
-    {"filter", "/filter", Kind::boolean},
-    {"seed", "/seed", Kind::number},
-});
+  std::vector<Parameter> parameters;
 
-constexpr auto import_parameters = std::to_array<Parameter>({
-    {"format", "/format", Kind::text},
-    {"up", "/up", Kind::text},
-    {"front", "/front", Kind::text},
-    {"length", "/length", Kind::number},
-    {"inclination", "/inclination", Kind::number},
-    {"form", "/form", Kind::text},
-    {"fur_patches", "/fur_patches", Kind::text},
-});
+  void type(const char*, const char* = "") {}
+  bool takes(bool) { return true; }
+  bool shows(bool) { return true; }
+  void number(MemberName name, const auto&, Range, const char* = "") { add(name, Kind::number); }
+  void integer(MemberName name, const auto&, Range, const char* = "") { add(name, Kind::number); }
+  void counter(MemberName name, const auto&, const char* = "") { add(name, Kind::number); }
+  void seed(MemberName name, const auto&, const char* = "") { add(name, Kind::number); }
+  void boolean(MemberName name, const auto&, const char* = "") { add(name, Kind::boolean); }
+  void text(MemberName name, const auto&, const char* = "") { add(name, Kind::text); }
+  void name(MemberName name, const auto&, const auto&, const char* = "") { add(name, Kind::text); }
+  void names(MemberName name, const auto&, const auto&, std::size_t, const char*, const char* = "") {
+    add(name, Kind::names);
+  }
+  void object(MemberName name, const std::optional<Look>&, const char* = "") {
+    parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
+  }
+  void object(MemberName, const Tracing&, const char* = "") {}  // strands are traced for POST alone
+  void special(MemberName name, const Camera&, const char* = "") {
+    const std::string at = std::string("/") + name.text;
+    parameters.push_back({name.text, at + "/auto", Kind::text});
+    for (const char* place : {"position", "target", "up"}) parameters.push_back({place, at + "/" + place, Kind::list});
+    parameters.push_back({"fov_degrees", at + "/fov_degrees", Kind::number});
+  }
+  void special(MemberName name, const Knobs& knobs, const char* = "") {
+    add(name, Kind::text);
+    QueryMembers single;
+    members(single, knobs);
+    for (Parameter& knob : single.parameters)
+      parameters.push_back({std::move(knob.name), std::string("/") + name.text + knob.pointer, knob.kind});
+  }
+  void special(MemberName name, const Backdrop<true>&, const char* = "") { add(name, Kind::text); }
+  void special(MemberName, const std::optional<Tracing>&, const char* = "") {}
 
-constexpr auto environment_parameters = std::to_array<Parameter>({
-    {"intensity", "/intensity", Kind::number},
-    {"turn_degrees", "/turn_degrees", Kind::number},
-});
+ private:
+  void add(MemberName name, Kind kind) { parameters.push_back({name.text, std::string("/") + name.text, kind}); }
+};
 
-constexpr auto compare_parameters = std::to_array<Parameter>({
-    {"from", "/from", Kind::number},
-    {"to", "/to", Kind::number},
-});
-
-constexpr auto map_parameters = std::to_array<Parameter>({
-    {"field", "/field", Kind::text},
-    {"format", "/format", Kind::text},
-    {"encoding", "/encoding", Kind::text},
-    {"size", "/size", Kind::number},
-    {"dilate", "/dilate", Kind::number},
-    {"scale", "/scale", Kind::number},
-    {"units", "/units", Kind::text},
-});
-
-constexpr auto map_upload_parameters = std::to_array<Parameter>({
-    {"field", "/field", Kind::text},
-    {"encoding", "/encoding", Kind::text},
-    {"scale", "/scale", Kind::number},
-    {"units", "/units", Kind::text},
-    {"strength", "/strength", Kind::number},
-});
+template <class T>
+const std::vector<Parameter>& parameters_of() {
+  static const std::vector<Parameter> all = [] {
+    QueryMembers visitor;
+    const T defaults{};
+    members(visitor, defaults);
+    return std::move(visitor.parameters);
+  }();
+  return all;
+}
 
 json names_of(const std::string& text) {
   json names = json::array();
@@ -141,16 +110,15 @@ Status place(json& document, const Parameter& parameter, const std::string& text
     return failure(Code::invalid, "A tier and single knobs exclude each other.", "/quality", "a tier or knobs");
   }
   if (document.contains(pointer)) {
-    return failure(Code::malformed, "The parameter \"" + std::string(parameter.name) + "\" is given twice.",
-                   parameter.pointer, "each name once");
+    return failure(Code::malformed, "The parameter \"" + parameter.name + "\" is given twice.", parameter.pointer,
+                   "each name once");
   }
   document[pointer] = value_of(text, parameter.kind);
   return {};
 }
 
 /// The document that the parameters stand for.
-template <std::size_t N>
-Result<json> document_of(const Query& query, const std::array<Parameter, N>& parameters) {
+Result<json> document_of(const Query& query, const std::vector<Parameter>& parameters) {
   json document = json::object();
   for (const auto& [name, text] : query) {
     const Parameter* found = nullptr;
@@ -169,9 +137,9 @@ Result<json> document_of(const Query& query, const std::array<Parameter, N>& par
   return document;
 }
 
-template <class T, std::size_t N>
-Result<T> decode_query(const Query& query, const std::array<Parameter, N>& parameters) {
-  const auto document = document_of(query, parameters);
+template <class T>
+Result<T> decode_query(const Query& query) {
+  const auto document = document_of(query, parameters_of<T>());
   if (!document) return document.status();
   Status first_failure;
   T result = json_parts::read<T>(Value(*document, "", first_failure));
@@ -181,30 +149,24 @@ Result<T> decode_query(const Query& query, const std::array<Parameter, N>& param
 
 }  // namespace
 
-Result<FrameRequest> decode_frame_query(const Query& query) {
-  return decode_query<FrameRequest>(query, frame_parameters);
-}
+Result<FrameRequest> decode_frame_query(const Query& query) { return decode_query<FrameRequest>(query); }
 
-Result<Tracing> decode_tracing_query(const Query& query) { return decode_query<Tracing>(query, tracing_parameters); }
+Result<Tracing> decode_tracing_query(const Query& query) { return decode_query<Tracing>(query); }
 
-Result<ImportOptions> decode_import_query(const Query& query) {
-  return decode_query<ImportOptions>(query, import_parameters);
-}
+Result<ImportOptions> decode_import_query(const Query& query) { return decode_query<ImportOptions>(query); }
 
-Result<MapRequest> decode_map_query(const Query& query) { return decode_query<MapRequest>(query, map_parameters); }
+Result<MapRequest> decode_map_query(const Query& query) { return decode_query<MapRequest>(query); }
 
-Result<MapUpload> decode_map_upload_query(const Query& query) {
-  return decode_query<MapUpload>(query, map_upload_parameters);
-}
+Result<MapUpload> decode_map_upload_query(const Query& query) { return decode_query<MapUpload>(query); }
 
 Result<Environment> decode_environment_query(const Query& query) {
-  const auto upload = decode_query<json_parts::EnvironmentUpload>(query, environment_parameters);
+  const auto upload = decode_query<json_parts::EnvironmentUpload>(query);
   if (!upload) return upload.status();
   return upload->environment;
 }
 
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query) {
-  const auto revisions = decode_query<json_parts::Revisions>(query, compare_parameters);
+  const auto revisions = decode_query<json_parts::Revisions>(query);
   if (!revisions) return revisions.status();
   return std::pair(revisions->from, revisions->to);
 }

@@ -146,17 +146,20 @@ void members(V& v, Visited<V, EnvironmentUpload>& c) {
 
 /// What requests for maps and uploads of maps have in common.
 template <class V, class Map>
-void map_members(V& v, Map& c) {
+void map_members(V& v, Map& c, const char* scale_words) {
   v.name(required("field"), c.field, json_names::fields);
   v.name("encoding", c.encoding, json_names::map_encodings);
-  v.number("scale", c.scale, width_in_units, "What 1 in the picture stands for, in the field's unit.");
+  v.number("scale", c.scale, width_in_units, scale_words);
   v.name("units", c.units, json_names::units, "Of a scale of lengths.");
 }
 
 template <class V>
 void members(V& v, Visited<V, MapRequest>& c) {
   v.type("MapRequest");
-  map_members(v, c);
+  map_members(
+      v, c,
+      "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length. Unless "
+      "given the field's largest value for PNG, 1 for EXR.");
   v.name("format", c.format, json_names::map_formats, "8 or 16 bits, or an EXR of floats or halfs.");
   v.integer("size", c.size, {1, limits::map_pixels}, "Pixels of a side. Above 4096 one map is made at a time.");
   v.integer("dilate", c.dilate, {0, limits::map_dilation}, "Pixels by which islands grow over their seams.");
@@ -165,7 +168,8 @@ void members(V& v, Visited<V, MapRequest>& c) {
 template <class V>
 void members(V& v, Visited<V, MapUpload>& c) {
   v.type("MapUpload");
-  map_members(v, c);
+  map_members(v, c,
+              "What 1 in the picture stands for. With neither it nor `units`: what the file says of itself, else 1.");
   v.number("strength", c.strength, share, "How far the field goes to the picture's.");
 }
 

@@ -301,6 +301,8 @@ nlohmann::ordered_json request_schemas() {
   describe<NewScene>(all), describe<Batch>(all), describe<AmendRequest>(all), describe<BranchRequest>(all);
   describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all);
   describe<FrameRequest>(all), describe<PickRequest>(all);
+  describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
+  describe<MapRequest>(all), describe<MapUpload>(all);
   return all;
 }
 

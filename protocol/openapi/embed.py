@@ -20,11 +20,30 @@ def merged(contract, schemas):
     return contract
 
 
+def parameters_of(contract, entry):
+    """Query parameters for the members of a schema: {members: NAME, but: [those that the address has elsewhere]}."""
+    schema = contract["components"]["schemas"][entry["members"]]
+    for name in schema["properties"]:
+        if name not in entry.get("but", []):
+            required = {"required": True} if name in schema.get("required", []) else {}
+            to = f"#/components/schemas/{entry['members']}/properties/{name}"
+            yield {"name": name, "in": "query", **required, "schema": {"$ref": to}}
+
+
+def with_parameters(contract):
+    for methods in contract["paths"].values():
+        for method in methods.values():
+            if "parameters" in method:
+                method["parameters"] = [one for entry in method["parameters"] for one in
+                                        (parameters_of(contract, entry) if "members" in entry else [entry])]
+    return contract
+
+
 def main(source, schemas, target, document):
     with open(source, encoding="utf-8") as file:
         contract = yaml.safe_load(file)
     with open(schemas, encoding="utf-8") as file:
-        text = json.dumps(merged(contract, json.load(file)), ensure_ascii=True, separators=(",", ":"))
+        text = json.dumps(with_parameters(merged(contract, json.load(file))), ensure_ascii=True, separators=(",", ":"))
     with open(document, "w", encoding="utf-8") as file:
         file.write(text)
     pieces = [text[i:i + PIECE] for i in range(0, len(text), PIECE)]

@@ -88,7 +88,7 @@ class Document(unittest.TestCase):
         tracing = SCHEMAS["Tracing"]["properties"]
         self.assertEqual((tracing["passes"]["maximum"], tracing["strands"]["maximum"]), (limits["trace_passes"], limits["strands"]))
         self.assertEqual(SCHEMAS["Pixels"]["maximum"], limits["frame_pixels"])
-        of_map = {p.get("name"): p.get("schema") for p in CONTRACT["paths"]["/v1/scenes/{id}/maps/{field}"]["get"]["parameters"]}
+        of_map = SCHEMAS["MapRequest"]["properties"]
         self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
         self.assertEqual(SCHEMAS["StoredPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
         self.assertEqual(SCHEMAS["NewScene"]["properties"]["name"]["maxLength"], limits["name_bytes"])
