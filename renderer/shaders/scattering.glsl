@@ -10,11 +10,11 @@ layout(std140, binding = 3) uniform ScatteringBlock {
   vec4 tilt_sine;    // for each lobe: R, TT, TRT, the rest
   vec4 tilt_cosine;
   vec4 centre;       // theta_h of the peak
-  vec4 variance;
+  vec4 over_variance;
   vec4 normaliser;
 } scattering;
 
-layout(binding = 3) uniform sampler3D azimuthal_table;  // |phi|, cos theta, absorption; R, TT, TRT, the rest
+layout(binding = 3) uniform sampler3D azimuthal_table;  // azimuth coordinate, cos theta, absorption; R, TT, TRT, the rest
 
 const int model_lengyel = 0, model_kajiya = 1, model_energy_conserving = 2;
 const int model_scheuermann = 3, model_kajiya_kay = 4, model_marschner = 5;
@@ -64,18 +64,12 @@ vec3 scatter_scheuermann(vec3 tangent, vec3 normal, vec3 to_light, vec3 to_camer
   return (scattering.weights.x * wrapped + scattering.weights.z * second) * colour + shine * scattering.weights.y * first;
 }
 
-// exp(-x) I0(x), Abramowitz and Stegun 9.8.1 and 9.8.2.
-float scaled_bessel_i0(float x) {
-  float t = x / 3.75;
-  if (t < 1.0) {
-    float u = t * t;
-    float tail = 1.2067492 + u * (0.2659732 + u * (0.0360768 + u * 0.0045813));
-    return exp(-x) * (1.0 + u * (3.5156229 + u * (3.0899424 + u * tail)));
-  }
-  float u = 1.0 / t;
-  float head = 0.39894228 + u * (0.01328592 + u * (0.00225319 - u * 0.00157565));
-  float tail = 0.00916281 + u * (-0.02057706 + u * (0.02635537 + u * (-0.01647633 + u * 0.00392377)));
-  return (head + u * u * u * u * tail) * inversesqrt(x);
+// exp(-x) I0(x) for x >= 0, within 4e-4 of itself: its square's inverse is 1 + 2 x near 0 and 2 pi x far out, and a ratio of
+// polynomials between (a least squares fit of ours). No branch and no exponential, unlike Abramowitz and Stegun 9.8.1.
+vec4 scaled_bessel_i0(vec4 x) {
+  vec4 over = 1.0 + x * (2.37362723 + x * (2.65343988 + x * (1.1803919 + x * 1.1000664)));
+  vec4 under = 1.0 + x * (0.38860871 + x * (0.23850039 + x * 0.17503195));
+  return inversesqrt(over / under);
 }
 
 // Mp of d'Eon 2011 for each lobe. Sines of the inclinations are about the axis from tip to root.
@@ -84,9 +78,8 @@ vec4 longitudinal_lobes(float sine_light, float sine_view) {
   vec4 tilted_sine = sine_view * scattering.tilt_cosine + cosine_view * scattering.tilt_sine;
   vec4 tilted_cosine = abs(cosine_view * scattering.tilt_cosine - sine_view * scattering.tilt_sine);
   vec4 apart = cosine_light - tilted_cosine, sum = sine_light + tilted_sine;
-  vec4 fall = exp(-(apart * apart + sum * sum) / (2.0 * scattering.variance)) * scattering.normaliser;
-  vec4 x = cosine_light * tilted_cosine / scattering.variance;
-  return fall * vec4(scaled_bessel_i0(x.x), scaled_bessel_i0(x.y), scaled_bessel_i0(x.z), scaled_bessel_i0(x.w));
+  vec4 fall = exp(-0.5 * (apart * apart + sum * sum) * scattering.over_variance) * scattering.normaliser;
+  return fall * scaled_bessel_i0(cosine_light * tilted_cosine * scattering.over_variance);
 }
 
 // M of Marschner 2003 over cos^2 theta_d for each lobe, and cos theta_d.
@@ -94,15 +87,17 @@ vec4 marschner_longitudinal(float sine_light, float sine_view, out float cos_dif
   float light = atan(sine_light, sine_to(sine_light)), view = atan(sine_view, sine_to(sine_view));
   vec4 apart = 0.5 * (light + view) - scattering.centre;
   cos_difference = cos(0.5 * (light - view));
-  return exp(-apart * apart / (2.0 * scattering.variance)) * scattering.normaliser /
+  return exp(-0.5 * apart * apart * scattering.over_variance) * scattering.normaliser /
          max(cos_difference * cos_difference, 1e-3);
 }
 
-// |phi| between light and view around the strand. Along the strand there is none: the middle of the range then.
+// |phi| between light and view around the strand as azimuth_coordinate of scattering_table.h has it, by the perimeter of a
+// square: no arc tangent. Along the strand there is none: the middle of the range then.
 float azimuth_between(vec3 tangent, vec3 to_light, vec3 to_camera) {
   vec3 view = to_camera - tangent * dot(tangent, to_camera), light = to_light - tangent * dot(tangent, to_light);
   float x = dot(view, light), y = abs(dot(tangent, cross(view, light)));
-  return x * x + y * y > 1e-20 ? atan(y, x) : 1.57079633;
+  float perimeter = abs(x) + y;
+  return perimeter > 1e-10 ? 0.5 - 0.5 * x / perimeter : 0.5;
 }
 
 vec3 absorption_coordinates(vec3 colour) {
@@ -112,7 +107,7 @@ vec3 absorption_coordinates(vec3 colour) {
 
 // Average over the fibre's width of Ap Np, for each lobe. The first and last texels lie on the ends of each range.
 vec4 azimuthal_lobes(float azimuth, float cos_theta, float absorption) {
-  vec3 at = clamp(vec3(azimuth / 3.14159265, cos_theta, absorption), 0.0, 1.0);
+  vec3 at = clamp(vec3(azimuth, cos_theta, absorption), 0.0, 1.0);
   vec3 size = vec3(textureSize(azimuthal_table, 0));
   return textureLod(azimuthal_table, (at * (size - 1.0) + 0.5) / size, 0.0);
 }

@@ -93,7 +93,7 @@ double scaled_bessel_i0(double x) {
   return sum / std::sqrt(2 * pi * x);
 }
 
-float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-7; scattering.glsl has the same
+float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-7
   const float t = x / 3.75f;
   if (t < 1) {
     const float u = t * t;

@@ -22,6 +22,11 @@ double absorption_at(double coordinate) {
   return coordinate > 0 ? root * root : opaque;
 }
 
+double azimuth_at(double coordinate) {
+  const double along = 1 - 2 * coordinate;
+  return std::atan2(1 - std::abs(along), along);
+}
+
 struct Between {
   int first = 0;
   double share = 0;  // of the node after it
@@ -42,7 +47,7 @@ void fill_inclination(const AzimuthalAverage& average, int j, ScatteringTable& t
     passed.push_back(average.passed(cos_theta, absorption_at(fraction(k, table.absorptions))));
   }
   for (int i = 0; i < table.azimuths; ++i) {
-    const double azimuth = std::numbers::pi * fraction(i, table.azimuths);
+    const double azimuth = azimuth_at(fraction(i, table.azimuths));
     const AzimuthalAverage::NodeValues spread = average.spread(exits, azimuth);
     for (int k = 0; k < table.absorptions; ++k) {
       const LobeValues lobes = average.sum(spread, passed[static_cast<std::size_t>(k)], cos_theta, azimuth);
@@ -54,11 +59,16 @@ void fill_inclination(const AzimuthalAverage& average, int j, ScatteringTable& t
 
 }  // namespace
 
+double azimuth_coordinate(double azimuth) {
+  const double along = std::cos(azimuth), across = std::abs(std::sin(azimuth));
+  return 0.5 - 0.5 * along / (std::abs(along) + across);
+}
+
 double absorption_coordinate(double sigma_a) { return std::exp(-3 * std::sqrt(sigma_a)); }
 
 LobeValues ScatteringTable::at(double cos_theta, double azimuth, double absorption) const {
   assert(!empty());
-  const Between i = between(std::abs(azimuth) / std::numbers::pi, azimuths);
+  const Between i = between(azimuth_coordinate(azimuth), azimuths);
   const Between j = between(cos_theta, inclinations), k = between(absorption, absorptions);
   LobeValues sum{};
   for (int corner = 0; corner < 8; ++corner) {
@@ -88,7 +98,7 @@ void fill_energy_conserving(const FibreLobes& lobes, ScatteringBlock& block) {
     const double v = lobes.variance[p];
     block.tilt_sine[i] = static_cast<float>(std::sin(lobes.tilt[p]));
     block.tilt_cosine[i] = static_cast<float>(std::cos(lobes.tilt[p]));
-    block.variance[i] = static_cast<float>(v);
+    block.over_variance[i] = static_cast<float>(1 / v);
     block.normaliser[i] = static_cast<float>(1 / (-v * std::expm1(-2 / v)));
   }
 }
@@ -98,7 +108,7 @@ void fill_marschner(const MarschnerLobes& lobes, ScatteringBlock& block) {
     const auto i = static_cast<glm::length_t>(p);
     const double width = lobes.width[p];
     block.centre[i] = static_cast<float>(lobes.centre[p]);
-    block.variance[i] = static_cast<float>(width * width);
+    block.over_variance[i] = static_cast<float>(1 / (width * width));
     block.normaliser[i] = static_cast<float>(1 / (2 * width * std::sqrt(2 * std::numbers::pi)));
   }
 }
@@ -119,7 +129,7 @@ ScatteringBlock scattering_block(const Look& look) {
                               3 / colour_polynomial(fibre.azimuthal_roughness));
   block.shifts = glm::vec4(fibre.primary_shift, fibre.secondary_shift, 0, 0);
   block.absorption = given_absorption(fibre);
-  block.variance = glm::vec4(1);
+  block.over_variance = glm::vec4(1);
   if (look.shading == ShadingModel::energy_conserving) fill_energy_conserving(energy_conserving_lobes(fibre), block);
   if (look.shading == ShadingModel::marschner) fill_marschner(marschner_lobes(fibre), block);
   return block;

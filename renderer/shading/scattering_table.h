@@ -12,8 +12,8 @@ namespace pelage {
 /// Averages of Ap Np over the fibre's width. Values are 4 floats, one for each lobe (R, TT, TRT, the rest), at
 /// ((k inclinations + j) azimuths + i) 4: the layout of a 3D texture of that width, height and depth. On each axis the
 /// first and the last node lie on the ends of the range, evenly spaced between:
-///   i: |phi| in [0, pi];  j: cos theta in [0, 1], of the eye (energy_conserving) or theta_d (marschner);
-///   k: absorption coordinate exp(-3 sqrt(sigma_a)) in [0, 1].
+///   i: azimuth_coordinate(|phi|) in [0, 1];  j: cos theta in [0, 1], of the eye (energy_conserving) or theta_d
+///   (marschner); k: absorption coordinate exp(-3 sqrt(sigma_a)) in [0, 1].
 struct ScatteringTable {
   int azimuths = 0;
   int inclinations = 0;
@@ -29,6 +29,9 @@ struct ScatteringTable {
 /// not on colours, nor on anything along the strand.
 ScatteringTable make_scattering_table(const Look& look);
 
+/// The first axis of the table for |phi| in [0, pi]: (1 - cos / (|cos| + sin)) / 2, half the perimeter of a square.
+double azimuth_coordinate(double azimuth);
+
 /// The third axis of the table, for sigma_a >= 0.
 double absorption_coordinate(double sigma_a);
 
@@ -43,9 +46,9 @@ struct ScatteringBlock {
   glm::vec4 absorption;  // absorption coordinates where they are given; 0
   glm::vec4 tilt_sine;   // for each lobe: energy_conserving
   glm::vec4 tilt_cosine;
-  glm::vec4 centre;      // for each lobe: theta_h of the peak, radians; marschner
-  glm::vec4 variance;    // for each lobe: along the strand
-  glm::vec4 normaliser;  // for each lobe: what the exponential is multiplied with; 0 for a lobe that is not there
+  glm::vec4 centre;         // for each lobe: theta_h of the peak, radians; marschner
+  glm::vec4 over_variance;  // for each lobe: 1 over the variance along the strand
+  glm::vec4 normaliser;     // for each lobe: what the exponential is multiplied with; 0 for a lobe that is not there
 };
 static_assert(sizeof(ScatteringBlock) == 10 * 16);
 

@@ -451,7 +451,8 @@ TEST(Extremes, TablesAndBlocksStayFinite) {
       for (const float value : table.values) ASSERT_TRUE(std::isfinite(value) && value >= 0);
       const ScatteringBlock block = scattering_block(look);
       for (int i = 0; i < 4; ++i) {
-        EXPECT_TRUE(std::isfinite(block.normaliser[i]) && block.variance[i] > 0 && std::isfinite(block.absorption[i]));
+        EXPECT_TRUE(std::isfinite(block.normaliser[i]) && block.over_variance[i] > 0 &&
+                    std::isfinite(block.absorption[i]));
       }
     }
   }
