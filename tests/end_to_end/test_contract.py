@@ -1,7 +1,11 @@
 """The contract that the build makes, the server and limits.h say the same."""
 
 import json
+import os
+import pathlib
 import re
+import subprocess
+import tempfile
 import unittest
 
 import jsonschema
@@ -61,6 +65,19 @@ class Document(unittest.TestCase):
                 if schema.get("type") in ("number", "integer"):
                     self.assertIn("minimum", schema, f"{name}.{key}")
                     self.assertIn("maximum", schema, f"{name}.{key}")
+
+    def test_random_requests_are_described_and_nothing_else_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "requests"
+            subprocess.run([BIN / "property_json", "--gtest_filter=DescribedRequests.*"], check=True, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL, env={**os.environ, "PELAGE_REQUESTS": str(file)})
+            requests = [line.split(" ", 1) for line in file.read_text(encoding="utf-8").splitlines()]
+        self.assertGreaterEqual(len(requests), 500)
+        for schema, text in requests:
+            document = json.loads(text)
+            error = jsonschema.exceptions.best_match(named(schema).iter_errors(document))
+            self.assertIsNone(error, f"{schema} {text[:2000]}")
+            self.assertFalse(named(schema).is_valid({**document, "undescribed": 1}), schema)
 
     def test_limits_are_those_of_the_header(self):
         text = (REPOSITORY / "protocol" / "base" / "limits.h").read_text()

@@ -1,0 +1,44 @@
+// Random requests for the schemas of the contract: tests/end_to_end/test_contract.py names a file and validates them.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+#include "tests/property/json/generators.h"
+
+namespace pelage::testing {
+namespace {
+
+/// Adds a line with the schema's name and the document, where a file is named.
+void hand_over(const char* schema, const std::string& document) {
+  const char* file = std::getenv("PELAGE_REQUESTS");
+  if (file == nullptr) return;
+  std::ofstream(file, std::ios::app) << schema << ' ' << nlohmann::json::parse(document).dump() << '\n';
+}
+
+/// Whether the decoder refuses a member that no description has.
+template <class Decode>
+bool refuses_more(Decode decode, const std::string& document) {
+  nlohmann::json more = nlohmann::json::parse(document);
+  more["undescribed"] = 1;
+  return !decode(more.dump()).ok();
+}
+
+RC_GTEST_PROP(DescribedRequests, TakeTheMembersOfTheSchemaAndNoOthers, ()) {
+  const std::string one = encode(command()), frame = encode(frame_request()), scene = encode(new_scene());
+  const std::string branch = encode(branch_request()), amend = encode(amend_request());
+  hand_over("Command", one), hand_over("FrameRequest", frame), hand_over("NewScene", scene);
+  hand_over("BranchRequest", branch), hand_over("AmendRequest", amend);
+  RC_ASSERT(refuses_more([](const std::string& text) { return decode_commands(text); }, one));
+  RC_ASSERT(refuses_more([](const std::string& text) { return decode_frame_request(text); }, frame));
+  RC_ASSERT(refuses_more([](const std::string& text) { return decode_new_scene(text); }, scene));
+  RC_ASSERT(refuses_more([](const std::string& text) { return decode_branch(text); }, branch));
+  RC_ASSERT(refuses_more([](const std::string& text) { return decode_amend(text); }, amend));
+}
+
+}  // namespace
+}  // namespace pelage::testing
