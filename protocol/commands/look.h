@@ -42,7 +42,7 @@ struct FibreOptics {
 
 /// Weights of GPU fur eq 1 and what goes with them.
 struct Look {
-  ShadingModel shading = ShadingModel::kajiya;
+  ShadingModel shading = ShadingModel::energy_conserving;
   FibreOptics fibre;
   ColourSource colour_source = ColourSource::automatic;
   double ambient = 0.38;                 // ka, [0, 4]

@@ -33,7 +33,11 @@ class Needs : public WithRenderer {
  protected:
   void SetUp() override {
     WithRenderer::SetUp();
-    if (renderer) scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
+    if (!renderer) return;
+    scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
+    const Status plain =
+        carry_out(R"({"op": "set_look", "look": {"shading": "kajiya"}})", *scene_, *store_);  // no table
+    EXPECT_TRUE(plain.ok()) << plain.message;
   }
 
   static FrameRequest request(const std::string& members) {

@@ -171,6 +171,7 @@ Expected expected_light(const FurFrame& frame, const FibreShading& shading, cons
 FurFrame lit_frame() {
   FurFrame frame;
   frame.width = frame.height = side;
+  frame.look.shading = ShadingModel::kajiya;  // the default of lighting.glsl
   frame.look.back_attenuation = 0.7, frame.look.self_shadow = 0.8, frame.look.ambient_floor = 0.2;
   frame.environment = {
       .sky = {1, 0.5f, 0.2f}, .horizon = {0.2f, 0.4f, 0.6f}, .ground = {0.3f, 0.1f, 0}, .harmonics = {}};

@@ -151,7 +151,7 @@ TEST_P(PaintedFrames, ColoursCoverTheCoats) {
   const glm::dvec3 blue = mean_colour(drawn(model));
   EXPECT_GT(half.b - half.r, plain.b - plain.r + 10);
   EXPECT_GT(blue.b - blue.r, half.b - half.r + 10);
-  model.settings.look.specular = 0;
+  model.settings.look.shading = ShadingModel::kajiya, model.settings.look.specular = 0;  // no white highlight
   EXPECT_LT(mean_colour(drawn(model)).r, 2) << "the coat's colour, or the undercoat's, shows through";
 }
 
@@ -189,6 +189,7 @@ TEST_P(PaintedFrames, WaterDarkensAsTheCoatsOwn) {
 
 TEST_P(PaintedFrames, WaterShines) {
   FurredModel model = ball();
+  model.settings.look.shading = ShadingModel::kajiya;  // the highlight alone
   model.settings.look.ambient = 0, model.settings.look.diffuse = 0, model.settings.look.specular_exponent = 8;
   const double dry = lightness(drawn(model));
   flood(model, Field::wetness, 1.0f);

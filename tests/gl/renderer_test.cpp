@@ -226,7 +226,8 @@ TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   // skin, coarse depth, fur back-facing and facing in each part of the depth, and the picture; 4 shells of depth and 8
   // of fur on each side of the parts that it reaches. The model and the coat are bound for skin and each side of a
   // part.
-  const FurredModel model = furred({Builtin::sphere, 300});
+  FurredModel model = furred({Builtin::sphere, 300});
+  model.settings.look.shading = ShadingModel::kajiya;  // no table
   FrameRequest request = small_frame();
   request.knobs.shells = 8;
   request.knobs.shell_policy = ShellPolicy::uniform;

@@ -56,6 +56,7 @@ const glm::dvec3 along{1, 0, 0}, above{0, 1, 0};
 
 TEST(Kajiya, IsEquationOne) {
   Look look;
+  look.shading = ShadingModel::kajiya;
   look.diffuse = 0.7;
   look.specular = 0.4;
   look.diffuse_exponent = 3;
