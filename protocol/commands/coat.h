@@ -70,6 +70,7 @@ struct Coat {
   double wetness = 0;              // [0, 1]: tighter clumps, darker and shinier (renderer/coat/strand_tile.h)
   double length_spread = 0.3;      // share of the length that is random, [0, 1]
   double colour_spread = 0.12;     // change of lightness from strand to strand, [0, 1]
+  double warmth_spread = 0;        // change of hue from strand to strand, to red and to blue, [0, 1]
   double root_share = 0.3;         // angle at the root over angle at the tip: 0 plush, .6 sleek, [0, 1]
   LeanCurve lean_curve = LeanCurve::arc;
   std::vector<RampStop> ramp{{0.0, {0.100f, 0.060f, 0.035f}},

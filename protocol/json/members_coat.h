@@ -95,6 +95,9 @@ void members(V& v, Visited<V, Coat>& c) {
   v.number("wetness", c.wetness, share,
            "Tighter clumps, darker (absorption up to 1.8 times) and shinier fur (highlight up to twice as strong).");
   v.number("length_spread", c.length_spread, share, "Share of the length that is random.");
+  v.number("warmth_spread", c.warmth_spread, share,
+           "Change of hue from strand to strand, to red and to blue, at the same lightness: 1 is up to twice the one "
+           "over the other.");
   v.number("colour_spread", c.colour_spread, share, "Change of lightness from strand to strand.");
   v.number("root_share", c.root_share, share, "Angle at the root over angle at the tip: 0 plush, .6 sleek.");
   v.name("lean_curve", c.lean_curve, json_names::lean_curves, "arc, or root: y = K sqrt(x).");

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "protocol/base/colour_space.h"
 #include "protocol/base/random.h"
 #include "renderer/coat/clump.h"
 
@@ -81,7 +82,7 @@ void add_kind(const Coat& coat, Random& random, Strand& strand) {
 std::vector<Strand> make_strands(const Coat& coat) {
   assert(coat.count >= 1 && coat.tile > 0 && coat.clump_size > 0);
   const Clumps clumps(coat);
-  Random random(coat.seed), forms(coat.seed, 4), kinds(coat.seed, 5);
+  Random random(coat.seed), forms(coat.seed, 4), kinds(coat.seed, 5), hues(coat.seed, 6);
   std::vector<Strand> strands;
   strands.reserve(static_cast<std::size_t>(coat.count));
   for (int i = 0; i < coat.count; ++i) {
@@ -102,6 +103,7 @@ std::vector<Strand> make_strands(const Coat& coat) {
     const double lighter = glm::mix(random.uniform(-1, 1), clump.lightness, same_lightness);
     strand.lightness = std::exp2(2 * coat.colour_spread * lighter);
     strand.number = random.uniform();
+    strand.warmth = std::exp2(coat.warmth_spread * hues.uniform(-1, 1));
     add_forms(coat, clumps, clump, forms, strand);
     add_kind(coat, kinds, strand);
     strands.push_back(strand);
@@ -140,9 +142,15 @@ glm::vec3 ramp_colour(const Coat& coat, double q) {
   return wet_colour(coat, glm::mix(last.colour, next->colour, share));
 }
 
+glm::vec3 strand_tint(const Strand& strand) {
+  if (strand.warmth == 1) return glm::vec3(static_cast<float>(strand.lightness));
+  const double root = std::sqrt(strand.warmth);
+  const glm::vec3 tint(root, 1, 1 / root);
+  return tint * static_cast<float>(strand.lightness / double{luminance(tint)});
+}
+
 glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q) {
-  const glm::vec3 colour = glm::mix(ramp_colour(coat, q), wet_colour(coat, strand.own_colour), strand.own_share);
-  return colour * static_cast<float>(strand.lightness);
+  return glm::mix(ramp_colour(coat, q), wet_colour(coat, strand.own_colour), strand.own_share) * strand_tint(strand);
 }
 
 bool same_strands(const Coat& a, const Coat& b) {

@@ -27,6 +27,7 @@ struct Strand {
   double length_share = 1;   // of the field's length, (0, 1]
   double width = 1;          // factor on the coat's
   double lightness = 1;      // factor on the ramp's colour
+  double warmth = 1;         // red over blue, before its lightness is put right
   glm::vec3 own_colour{0};   // linear; of odd hairs and of the undercoat
   float own_share = 0;       // how far it replaces the ramp's, [0, 1]
   double number = 0;         // uniform in [0, 1): kept while below the density
@@ -40,6 +41,9 @@ glm::dvec2 free_offset(const Coat& coat, const Strand& strand, double q);
 
 /// Offset from the root at `q` in [0, 1] along the strand, sizes.
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q);
+
+/// What a strand's colour is multiplied by: its lightness, and its warmth at the same lightness of grey.
+glm::vec3 strand_tint(const Strand& strand);
 
 /// The coat's ramp at `q` in [0, 1], linear colour; wet coats are darker.
 glm::vec3 ramp_colour(const Coat& coat, double q);

@@ -55,8 +55,7 @@ TileStrands::TileStrands(const Coat& coat, int segments) : segments_(segments), 
 
 glm::vec3 TileStrands::colour(std::uint32_t i, int k) const {
   const Strand& strand = strands_[i];
-  const glm::vec3 mixed = glm::mix(ramp_[static_cast<std::size_t>(k)], own_colours_[i], strand.own_share);
-  return mixed * static_cast<float>(strand.lightness);
+  return glm::mix(ramp_[static_cast<std::size_t>(k)], own_colours_[i], strand.own_share) * strand_tint(strand);
 }
 
 float TileStrands::radius(std::uint32_t i, int k) const {
@@ -86,7 +85,7 @@ float TileStrands::mean_luminance(float s) const {
 }
 
 std::uint64_t TileStrands::hash() const {
-  static_assert(sizeof(Strand) == 20 * sizeof(double), "hashed as it is in memory");
+  static_assert(sizeof(Strand) == 21 * sizeof(double), "hashed as it is in memory");
   Hash hash;
   hash.add_values(std::span<const Strand>(strands_));
   hash.add_values(std::span<const glm::vec3>(own_colours_));

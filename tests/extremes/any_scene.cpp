@@ -64,6 +64,7 @@ std::string any_coat() {
                      {"wetness", share},
                      {"length_spread", share},
                      {"colour_spread", share},
+                     {"warmth_spread", share},
                      {"root_share", share},
                      {"lean_curve", {"\"arc\"", "\"root\""}},
                      {"seed", seeds},

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 
@@ -198,6 +199,22 @@ TEST(Forms, OneFormLeavesTheOthersAsTheyWere) {
     EXPECT_EQ(before[i].lightness, after[i].lightness);
     EXPECT_EQ(before[i].number, after[i].number);
   }
+}
+
+TEST(Forms, WarmthTurnsHuesAndKeepsTheLightOfGrey) {
+  Coat coat;
+  coat.colour_spread = 0, coat.warmth_spread = 1;
+  const std::vector<Strand> before = make_strands(Coat()), strands = make_strands(coat);
+  double least = 1, most = 1;
+  for (std::size_t i = 0; i < strands.size(); ++i) {
+    const glm::vec3 tint = strand_tint(strands[i]);
+    EXPECT_NEAR(luminance(tint), 1, 1e-5);
+    least = std::min(least, double{tint.r / tint.b}), most = std::max(most, double{tint.r / tint.b});
+    EXPECT_EQ(strands[i].number, before[i].number);
+  }
+  EXPECT_NEAR(least, 0.5, 1e-3);
+  EXPECT_NEAR(most, 2, 4e-3);
+  EXPECT_EQ(strand_tint(before[0]), glm::vec3(static_cast<float>(before[0].lightness)));
 }
 
 TEST(Forms, RootsStayAndLengthsAreShares) {
