@@ -6,8 +6,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-restrict -Wno-stringop-overread -Wno-array-bounds -Wno-stringop-overflow
                       -Wno-maybe-uninitialized)
 endif()
-if(CMAKE_UNITY_BUILD)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-subobject-linkage)  # for headers; what is in the batch is one file's own
+elseif(CMAKE_UNITY_BUILD)
+  add_compile_options(-Wno-shadow)  # names of files beside it; `dev` compiles file by file
 endif()
 # The same bits on every run: no contraction that depends on the optimiser's mood.
 add_compile_options(-ffp-contract=off)

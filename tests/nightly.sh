@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long for each change: all tests with the whole matrix of extremes on both drivers, benchmarks that run,
-# the soak, many fuzzed scenes, and ten minutes of the fuzzer. usage: tests/nightly.sh [SEED]
+# the soak, many fuzzed scenes, all suites under the sanitizers, and ten minutes of the fuzzer. usage: tests/nightly.sh [SEED]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,8 +15,4 @@ ctest --preset tests -j "$jobs" --no-tests=error
 python3 tests/count.py build/tests/results
 tests/extremes/fuzz.sh 1000 "$seed"
 
-cmake --preset asan -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
-cmake --build --preset asan -j "$jobs" --target fuzz_json
-corpus=$(mktemp -d)
-trap 'rm -rf "$corpus"' EXIT
-build/asan/bin/fuzz_json -max_total_time=600 -max_len=4096 -seed="$seed" "$corpus" tests/fuzz/corpus
+tests/sanitizers.sh 600
