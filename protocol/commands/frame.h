@@ -54,7 +54,7 @@ enum class Aov {
   normal,      // of the skin below, unit
   tangent,     // of the fur from root to tip, unit; 0 where the skin is bare
   albedo,      // linear
-  direct,      // light of lights without the ambient part, linear
+  direct,      // what lights add, without the ambient part, linear
   shadow,      // share of that light that shadows leave, [0, 1]; 1 where none comes
   shell_count  // fragments of shells that were shaded, mean over the pixel; of strands the samples that were taken
 };

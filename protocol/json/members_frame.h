@@ -69,8 +69,8 @@ void members(V& v, Visited<V, Knobs>& c) {
   }
   v.integer(
       "eye_steps", c.eye_steps, {0, 64},
-      "Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more a march through its "
-      "layers.");
+      "Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray marching "
+      "through the iris.");
   v.integer(
       "guard_hairs", c.guard_hairs, {0, 100000},
       "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near silhouettes; of "

@@ -101,8 +101,7 @@ void members(V& v, Visited<V, Ground>& c) {
   v.type("Ground", "A level ground that catches shadow. It darkens the background and shows nothing else.");
   v.boolean("visible", c.visible);
   v.number("height", c.height, coordinate, "The model's y; its lowest point when absent.");
-  v.number("shadow", c.shadow, share,
-           "Share of the missing light of lights with a cast shadow, in frames with `shadow_maps`.");
+  v.number("shadow", c.shadow, share, "How dark cast shadows get on it, in frames with `shadow_maps`.");
   v.number("contact", c.contact, share, "How dark it gets under the model.");
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/coat/colour_above.h"
 #include "renderer/light/environment.h"
 #include "renderer/shading/fibre_shading.h"
@@ -11,6 +12,7 @@
 #include "renderer/upload/frame_block.h"
 #include "renderer/upload/shadow_block.h"
 #include "tests/gl/backends.h"
+#include "tests/gl/expected_light.h"
 #include "tests/gl/grid.h"
 
 namespace pelage {
@@ -24,11 +26,6 @@ namespace {
 
 constexpr int side = 32, cases = side * side;
 constexpr int asked_light = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
-
-struct Case {
-  glm::vec3 place, normal, tangent, to_camera, colour;
-  float height, above, strand;
-};
 
 std::vector<Case> random_cases() {
   std::mt19937 random(5);
@@ -73,100 +70,6 @@ class Lighting : public OnBackend {
     return answers(gl(), side);
   }
 };
-
-/// Share that a strand of that colour stops of the light: 1 - t^(1 - f_c), f_c = .82 sqrt(C), t = exp(-2 w p).
-glm::dvec3 stopped(const Look& look, const glm::dvec3& colour, double part = 1) {
-  glm::dvec3 share;
-  for (int k = 0; k < 3; ++k)
-    share[k] = 1 - std::exp(-2 * look.self_shadow * part * (1 - 0.82 * std::sqrt(std::clamp(colour[k], 0.0, 1.0))));
-  return share;
-}
-
-/// Strands met by chance: the sum over n of e^-N N^n / n! (1 - stopped)^n.
-glm::dvec3 let_through(const Look& look, double strands, const glm::dvec3& colour) {
-  return glm::exp(-strands * stopped(look, colour));
-}
-
-/// What gets from all around to a place under so many strands, about.
-double from_all_around(double a) {
-  return (1 + a) / (1 + (std::numbers::pi / 2 + 1) * a + 1.21 * a * a + 0.5 * a * a * a);
-}
-
-/// The way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, over the height of what is
-/// above.
-double way_out(const Case& c, const glm::dvec3& direction) {
-  const double facing = glm::dot(glm::dvec3(c.normal), direction), below = 0.1 * (1 - double(c.height)) + 0.005;
-  return (std::sqrt(facing * facing + 2 * below) - facing) / below;
-}
-
-double strands_crossed(const Case& c, const glm::dvec3& direction) {
-  const double along = glm::dot(glm::dvec3(c.tangent), direction);
-  return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way_out(c, direction);
-}
-
-/// Those that a ray crosses but for what the eye's ray, which meets none, shares with it: less the further they part,
-/// seen along the strands, in sixths of a strand's width.
-double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3& to_light) {
-  const glm::dvec3 tangent(c.tangent), to_camera(c.to_camera);
-  const double to_cameras = strands_crossed(c, to_camera), to_lights = strands_crossed(c, to_light);
-  const double width = (coat.width_root + coat.width_tip) / 2,
-               by_width = coat.count * width * width / (coat.tile * coat.tile);
-  const double widths = double(c.above) / by_width * std::max(glm::dot(tangent, glm::dvec3(c.normal)), 0.15);
-  const double apart =
-      glm::length(glm::cross(tangent, to_camera * way_out(c, to_camera) - to_light * way_out(c, to_light)));
-  const double x = 6 * widths * apart;
-  const double shared = (1 + x / 6) / (1 + 2 * x / 3 + x * x / 6);
-  return std::max(to_lights - std::sqrt(to_cameras * to_lights) * shared, 0.0);
-}
-
-struct Arriving {
-  glm::dvec3 to_light{0}, radiance{0};
-};
-
-Arriving arriving_from(const FurLight& light, const glm::dvec3& place) {
-  if (light.kind == LightKind::directional) return {-glm::dvec3(light.direction), glm::dvec3(light.radiance)};
-  const glm::dvec3 apart = glm::dvec3(light.position) - place;
-  Arriving found{glm::normalize(apart), glm::dvec3(light.radiance) / glm::dot(apart, apart)};
-  if (light.kind == LightKind::spot) {
-    const double inside = glm::dot(-found.to_light, glm::dvec3(light.direction));
-    const double edge = double(light.cone), full = double(light.soft_cone);
-    found.radiance *= std::clamp((inside - edge) / (full - edge), 0.0, 1.0);
-  }
-  if (light.kind == LightKind::area)
-    found.radiance *= std::max(-glm::dot(found.to_light, glm::dvec3(light.direction)), 0.0);
-  return found;
-}
-
-struct Expected {
-  glm::dvec3 light{0};
-  glm::dvec3 direct{0}, unshadowed{0};  // of lights
-};
-
-/// c = ka g C E + sum of [scattered] t B L, with t of the colour of the fur above; g = (1-e) o + e, where o goes from s
-/// to what reaches the place as the self-shadow takes the place of the height.
-Expected expected_light(const FurFrame& frame, const FibreShading& shading, const Case& c) {
-  const Look& look = frame.look;
-  const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));
-  const glm::dvec3 colour(c.colour), normal(c.normal);
-  const std::size_t slice = std::min<std::size_t>(static_cast<std::size_t>(c.height * slice_count), slice_count - 1);
-  const glm::dvec3 crossed = colour * glm::dvec3(colour_above(frame.coat)[slice]);
-  const glm::dvec3 above = double(c.above) * stopped(look, crossed, 0.6);
-  const glm::dvec3 reached{from_all_around(above.r), from_all_around(above.g), from_all_around(above.b)};
-  const glm::dvec3 open = glm::mix(glm::dvec3(double(c.height)), reached, std::min(look.self_shadow, 1.0));
-  const glm::dvec3 g = (1 - look.ambient_floor) * open + look.ambient_floor;
-  Expected sum;
-  for (const FurLight& light : frame.lights) {
-    const Arriving from = arriving_from(light, glm::dvec3(c.place));
-    const double facing = glm::dot(normal, from.to_light);
-    const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_camera)};
-    const double behind = light_behind(look.shading, facing, look.back_attenuation);
-    const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
-    sum.direct += whole * let_through(look, strands_to_light(frame.coat, c, from.to_light), crossed);
-    sum.unshadowed += whole;
-  }
-  sum.light = sum.direct + look.ambient * g * colour * glm::max(evaluate(around, normal), 0.0);
-  return sum;
-}
 
 FurFrame lit_frame() {
   FurFrame frame;
@@ -251,12 +154,11 @@ TEST_P(Lighting, KeepsTheLightOfLightsApart) {
   const std::vector<Case> of = random_cases();
   const std::vector<glm::vec4> kept = on_gpu(direct, frame, of, "#define AOVS\n");
   const std::vector<glm::vec4> whole = on_gpu(unshadowed, frame, of, "#define AOVS\n");
-  const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const Expected expected = expected_light(frame, shading, of[i]);
     ASSERT_LT(apart(kept[i], expected.direct), 1e-4);
-    ASSERT_NEAR(kept[i].a, glm::dot(expected.direct, luminance), 1e-4);
-    ASSERT_NEAR(whole[i].r, glm::dot(expected.unshadowed, luminance), 1e-4);
+    ASSERT_NEAR(kept[i].a, luminance(expected.direct), 1e-4);
+    ASSERT_NEAR(whole[i].r, luminance(expected.unshadowed), 1e-4);
   }
 }
 

@@ -150,7 +150,7 @@ float sent_back(float above, float thick, float slant, float rising) {
   return exp(-above / rising) * (1.0 - exp(-thick * (slant + 1.0 / rising)));
 }
 
-// Subsurface texture mapping (character rendering; Francois et al. 2006): a march through the shells of the iris.
+// Subsurface texture mapping (character rendering; Francois et al. 2006): ray marching through the iris.
 // Height says where tissue is; it scatters once, and what lies deeper is darker and more saturated. Below it is the pigment.
 vec3 marched_iris(vec2 top, vec2 bottom, float slant, IrisLight lights, float sky) {
   const float density = 7.0;  // optical depth of the whole relief
