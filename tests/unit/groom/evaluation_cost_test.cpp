@@ -1,8 +1,6 @@
 #include "server/groom/evaluation_cost.h"
 
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "protocol/base/limits.h"
 #include "server/groom/evaluate.h"
@@ -76,28 +74,6 @@ TEST_F(EvaluationCostTest, SumsCommandsAndNamesTheFieldAndTheLimit) {
   EXPECT_EQ(refused.code, Code::invalid);
   EXPECT_EQ(refused.pointer, "/stroke/samples");
   EXPECT_NE(refused.limit.find(std::to_string(static_cast<long long>(limits::evaluation_visits))), std::string::npos);
-}
-
-TEST_F(EvaluationCostTest, DISABLED_Calibrate) {
-  const auto time = [](const char* name, const Command& command, const Surface& surface) {
-    const FieldSet fields(surface.mesh().positions.size());
-    const auto begin = std::chrono::steady_clock::now();
-    (void)evaluate(command, surface, fields);
-    const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const double n = evaluation_cost(command, {}, surface).visits;
-    std::printf("%-24s %8zu vertices %12.4g visits %8.4f s %8.2f ns/visit\n", name, surface.mesh().positions.size(), n,
-                s, s / n * 1e9);
-  };
-  for (const int triangles : {5000, 50000}) {
-    const Surface s = make_surface(Builtin::sphere, triangles);
-    time("comb volume", round(s, 500, FalloffShape::volume), s);
-    time("comb surface", round(s, 500), s);
-    time("smooth", Smooth{.flood = true, .passes = 20}, s);
-    Interpolate keys{.keys = std::vector<Key>(2)};
-    for (Key& key : keys.keys) key.length = 0.01;
-    time("keys", keys, s);
-    std::fflush(stdout);
-  }
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // What the models without a fibre are made of.
+#include "renderer/shading/empirical.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "protocol/base/random.h"
-#include "renderer/shading/empirical.h"
 
 namespace pelage {
 namespace {
