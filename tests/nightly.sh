@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What takes too long for each change: all tests with the whole matrix of extremes on both drivers, benchmarks that run,
+# What takes too long for each change: all tests with all cases on OSMesa, benchmarks that run,
 # the soak, many fuzzed scenes, all suites under the sanitizers, and ten minutes of the fuzzer. usage: tests/nightly.sh [SEED]
 set -euo pipefail
 cd "$(dirname "$0")/.."

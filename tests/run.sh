@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and passes all of them but the nightly ones. OSMesa, whose pictures have the bytes
-# of EGL's, draws an eighth of the matrix of extremes: of 0 to 7 the one of this day, or N.
+# Installs what the tests need, builds and passes all of them but the nightly ones. Of the cases on OSMesa, whose pictures
+# have the bytes of EGL's, an eighth runs: of 0 to 7 the one of this day, or N.
 # Then the sanitizers and 30 s of the fuzzer.
 # usage: tests/run.sh [--eighth N] [ctest arguments]
 set -euo pipefail
@@ -18,7 +18,7 @@ echo "build: optimised, with tests, in build/tests"
 cmake --preset tests -DPELAGE_BENCH=OFF -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
 cmake --build --preset tests -j "$jobs"
 echo "build: done after $((SECONDS - started)) s"
-echo "extremes on OSMesa: eighth $eighth (tests/run.sh --eighth $eighth draws it again)"
+echo "cases on OSMesa: eighth $eighth (tests/run.sh --eighth $eighth runs it again)"
 rm -rf build/tests/results
 passed=yes no_skips=()
 [ "${CI:-}" != true ] || no_skips=(--no-skips)

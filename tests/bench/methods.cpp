@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/compare/compare.h"
 #include "renderer/image/image.h"
 #include "tests/bench/measure.h"
@@ -65,7 +66,7 @@ const std::array<Place, 12>& places() {
 double luminance_of(const FloatImage& image) {
   double light = 0, alpha = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    light += 0.2126 * image.rgba[i] + 0.7152 * image.rgba[i + 1] + 0.0722 * image.rgba[i + 2];
+    light += luminance(glm::dvec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]));
     alpha += image.rgba[i + 3];
   }
   return light / alpha;

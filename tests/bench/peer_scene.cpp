@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/compare/compare.h"
 #include "renderer/image/float_image.h"
 #include "tests/bench/peer_torus.h"
@@ -144,7 +145,7 @@ Fit print_runs(const std::string& name, const std::vector<Run>& runs) {
 double mean_luminance(const FloatImage& image) {
   double sum = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-    sum += 0.2126 * image.rgba[i] + 0.7152 * image.rgba[i + 1] + 0.0722 * image.rgba[i + 2];
+    sum += luminance(glm::dvec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]));
   return sum / (0.25 * static_cast<double>(image.rgba.size()));
 }
 

@@ -32,17 +32,6 @@ class Matrix : public ::testing::TestWithParam<std::tuple<Backend, std::string>>
   Renderer* renderer_ = nullptr;
 };
 
-/// The rows that a driver draws: EGL all, OSMesa, whose pictures have the same bytes, an eighth of each area where
-/// PELAGE_OSMESA_EIGHTH says which of 0 to 7. CI says another one each day.
-Rows rows_on(Backend backend, const std::string& area) {
-  const Rows all = rows_of(area);
-  const char* eighth = std::getenv("PELAGE_OSMESA_EIGHTH");
-  if (backend != Backend::osmesa || !eighth) return all;
-  Rows some;
-  for (auto row = static_cast<std::size_t>(std::atoi(eighth)); row < all.size(); row += 8) some.push_back(all[row]);
-  return some;
-}
-
 Status outcome_of(const Row& row, SceneStore& store, BothWays& ways, std::string& complaint) {
   const Result<std::shared_ptr<Scene>> scene = scene_of(row, store);
   if (!scene) return scene.status();
@@ -63,7 +52,7 @@ TEST_P(Matrix, IsDrawnFiniteOrRefused) {
   const auto& [backend, area] = GetParam();
   FreshStore store("pelage_matrix_" + area + std::to_string(static_cast<int>(backend)));
   BothWays ways(*renderer_);
-  const Rows rows = rows_on(backend, area);
+  const Rows rows = rows_of(area);
   ASSERT_FALSE(rows.empty());
   std::size_t refused = 0;
   for (const Row& row : rows) {

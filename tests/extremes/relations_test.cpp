@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "protocol/base/colour_space.h"
 #include "protocol/base/random.h"
 #include "server/builtin/builtin.h"
 #include "tests/extremes/both_ways.h"
@@ -168,10 +169,7 @@ TEST_P(Relations, LightIsAdditive) {
   EXPECT_NEAR(together, apart, 0.03 * apart);
 }
 
-double linear(std::uint8_t value) {
-  const double v = value / 255.0;
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
+double linear(std::uint8_t value) { return linear_from_srgb(value / 255.0); }
 
 // What a background shows is its own light times one less alpha: with that taken away the same fur is left.
 TEST_P(Relations, AnotherBackgroundLeavesTheFur) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/colour_space.h"
 #include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
@@ -18,10 +19,7 @@ class Resolve : public WithRenderer {
   FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.04});
 };
 
-double linear(std::uint16_t srgb) {
-  const double v = srgb / 65535.0;
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
+double linear(std::uint16_t srgb) { return linear_from_srgb(srgb / 65535.0); }
 
 double filmic(double x) {
   x *= 0.72;

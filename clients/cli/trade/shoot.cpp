@@ -35,7 +35,7 @@ void measure(Shot& shot) {
       ++shot.non_finite;
       continue;
     }
-    sum += 0.2126 * double{p[0]} + 0.7152 * double{p[1]} + 0.0722 * double{p[2]};  // Rec. 709
+    sum += luminance(glm::dvec3(p[0], p[1], p[2]));
     shot.coverage += double{p[3]};
   }
   shot.luminance = shot.coverage > 0 ? sum / shot.coverage : 0;

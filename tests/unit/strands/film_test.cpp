@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "protocol/base/colour_space.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {
@@ -102,7 +103,7 @@ TEST(Film, MeansOfManySamplesDoNotDrift) {
 
 double shown(double linear) {
   const double x = 0.72 * linear, film = std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
-  return film < 0.0031308 ? 12.92 * film : 1.055 * std::pow(film, 1 / 2.4) - 0.055;
+  return srgb_from_linear(film);
 }
 
 /// Samples about `mean` with a long tail: the mean of -log(u) is 1.
