@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and passes all of them but the nightly ones. Of the cases on OSMesa, whose pictures
-# have the bytes of EGL's, an eighth runs: of 0 to 7 the one of this day, or N.
+# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases on OSMesa,
+# whose pictures have the bytes of EGL's, an eighth runs: of 0 to 7 the one of this day, or N.
 # Then the sanitizers and 30 s of the fuzzer.
 # usage: tests/run.sh [--eighth N] [ctest arguments]
 set -euo pipefail
