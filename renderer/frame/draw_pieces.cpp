@@ -10,11 +10,11 @@ namespace pelage {
 
 namespace {
 
-/// Pixels that are drawn without asking how long they take: a frame of a tablet's size is one piece.
-double first_piece(const Knobs& knobs) {
-  constexpr double aov_pixels = 16e6, sorted_pixels = 2e6;  // pixels times shells
-  const double work = knobs.order == FragmentOrder::sorted ? sorted_pixels : aov_pixels;
-  return work / knobs.shells;
+/// The pieces of an area, by what a fast software GL takes: a small frame is one piece.
+Pieces pieces_of(const FurFrame& frame, const Area& area) {
+  constexpr double sorted_ms = 1e-3, ordered_ms = 1e-4;  // of a fragment
+  return {area, static_cast<double>(frame.knobs.shells),
+          frame.knobs.order == FragmentOrder::sorted ? sorted_ms : ordered_ms};
 }
 
 }  // namespace
@@ -43,16 +43,17 @@ Result<Renderer::Prepared> Renderer::draw_part(const FurFrame& frame, const std:
 Result<Renderer::Prepared> Renderer::draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                                     const Pause& pause, DrawTimes& times) {
   const std::optional<Area> part = shown ? std::optional(changed_area(frame, *shown)) : std::nullopt;
-  Pieces pieces(part.value_or(area_of(view_.drawn)), first_piece(frame.knobs));
+  Pieces pieces = pieces_of(frame, part.value_or(area_of(view_.drawn)));
   Area piece = pieces.next();
   if (!pause || pieces.done()) return draw_part(frame, part, times);
   prepare_alone(frame, part, times);  // shadow maps, which the pieces share
   for (;; piece = pieces.next()) {
     if (!let_in(pause)) return failure(Code::conflict, "the drawing was given up");
     const Stopwatch passed;
+    const auto before = times.counters.fragments;
     if (const Result<Prepared> drawn = draw_part(frame, piece, times); !drawn) return drawn.status();
     if (pieces.done()) break;
-    pieces.took(passed.milliseconds());
+    pieces.took(passed.milliseconds(), static_cast<double>(times.counters.fragments - before));
   }
   return prepare_alone(frame, part, times);  // for what is drawn beside light
 }

@@ -7,8 +7,10 @@ namespace pelage {
 
 namespace {
 
-constexpr double min_pixels = 32 * 32;            // below it a piece costs its triangles, not its pixels
-constexpr double max_growth = 2, max_shrink = 8;  // from one piece to the next: dense fur may follow empty pixels
+constexpr double min_pixels = 48 * 48;   // below it a piece costs its triangles, not its pixels
+constexpr double min_fragments = 10000;  // below it the time of a piece says nothing about a fragment's
+constexpr double max_growth = 2;         // from one piece to the next
+constexpr double forgetting = 0.9;       // of the densest piece, with each that is less dense
 
 }  // namespace
 
@@ -25,9 +27,11 @@ Area Pieces::next() {
   return piece;
 }
 
-void Pieces::took(double milliseconds) {
-  const double fitting = last_ * target_ms / std::max(milliseconds, 1e-3);
-  max_ = std::max(min_pixels, std::clamp(fitting, max_ / max_shrink, max_ * max_growth));
+void Pieces::took(double milliseconds, double fragments) {
+  if (fragments < min_fragments) return;
+  fragments_ = std::max(forgetting * fragments_, fragments / last_);
+  const double fragment_ms = std::max(milliseconds, 1e-3) / fragments;
+  max_ = std::clamp(target_ms / (fragments_ * fragment_ms), min_pixels, std::max(min_pixels, max_growth * max_));
 }
 
 }  // namespace pelage

@@ -12,22 +12,25 @@ namespace pelage {
 /// drawing up. The drawing's model has to be as it was when it answers true.
 using Pause = std::function<bool()>;
 
-/// Cuts an area into pieces while they are worked on: the time that one takes says how large the next may be.
+/// Cuts an area into pieces while they are worked on. How long a piece takes is foreseen from its pixels, the
+/// fragments that a pixel of fur had lately, and the time of a fragment: an empty piece says nothing about the next.
 class Pieces {
  public:
-  static constexpr double target_ms = 60;
+  static constexpr double target_ms = 150;
 
-  /// `first_pixels`: at most so many in the first piece, above 0.
-  Pieces(const Area& whole, double first_pixels) : open_{whole}, max_(first_pixels) {}
+  /// `fragments`: expected in a pixel full of fur, above 0; `fragment_ms`: time of one, until one was measured.
+  Pieces(const Area& whole, double fragments, double fragment_ms)
+      : open_{whole}, fragments_(fragments), max_(target_ms / (fragments * fragment_ms)) {}
 
   bool done() const { return open_.empty(); }
   /// The next piece, where not done. Together the pieces hold each pixel of the whole once.
   Area next();
-  /// How long the last piece took, milliseconds.
-  void took(double milliseconds);
+  /// How long the last piece took, milliseconds, and how many fragments it drew.
+  void took(double milliseconds, double fragments);
 
  private:
   std::vector<Area> open_;  // the next one last
+  double fragments_;        // of a pixel of fur
   double max_;              // pixels of a piece
   double last_ = 0;         // pixels of the last piece
 };

@@ -1,4 +1,8 @@
 // A long frame is drawn in pieces, with the bits of a whole one, and others may be drawn in between.
+#include "renderer/frame/pieces.h"
+
+#include <algorithm>
+
 #include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
@@ -87,6 +91,28 @@ TEST_P(FramesInPieces, ASmallFrameIsOne) {
   int pauses = 0;
   EXPECT_TRUE(renderer->draw(frame_of(model, small_frame()), nullptr, [&] { return ++pauses > 0; }).ok());
   EXPECT_EQ(pauses, 0);
+}
+
+TEST(Pieces, OfEmptySpaceSayNothingAboutFur) {
+  Pieces pieces({0, 0, 1024, 1024}, 16, 1e-3);
+  const double first = pieces.next().pixels();
+  while (!pieces.done()) {
+    pieces.took(0.1, 0);
+    ASSERT_LE(pieces.next().pixels(), first);
+  }
+}
+
+TEST(Pieces, ShrinkWhereFurIsSlowAndGrowWhereItIsQuick) {
+  Pieces pieces({0, 0, 1024, 1024}, 16, 1e-3);
+  const double first = pieces.next().pixels();
+  pieces.took(4 * Pieces::target_ms, 16 * first);
+  const double slow = pieces.next().pixels();
+  EXPECT_LE(slow, first / 4);
+  double quick = 0;
+  for (double last = slow; quick <= slow && !pieces.done();
+       last = pieces.next().pixels(), quick = std::max(quick, last))
+    pieces.took(Pieces::target_ms / 100, 16 * last);
+  EXPECT_GT(quick, slow);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, FramesInPieces, both_backends(), name_of);
