@@ -12,6 +12,7 @@
 #include "renderer/gl/wait.h"
 #include "renderer/passes/draw/draw.h"
 #include "renderer/pattern/pattern.h"
+#include "renderer/shaders/constants.h"
 #include "renderer/upload/skin_block.h"
 
 namespace pelage {
@@ -19,7 +20,6 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_cached_coats = 3;  // 90 MB each
-constexpr GLuint skin_binding = 5;           // as in bare_skin.glsl
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
@@ -27,8 +27,10 @@ bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + light_of(frame, model.has_colours()) +
-         shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
-         "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
+         shape_of(frame.coat, model) +
+         (max_lod(frame.knobs.shells, frame.knobs.shell_policy) > 0 ? "#define SHELL_LOD\n" : "") +
+         (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
+         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
@@ -190,7 +192,7 @@ void Renderer::prepare_colours(const FurFrame& frame, ModelBuffers& model) {
 
 void Renderer::bind_blocks(const FurFrame& frame, const FrameBlock& block) {
   gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
-  gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
+  gl_.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_block_.id());
   if (!frame.skin.empty()) {
     const SkinBlock skin = make_skin_block(frame.skin);
     gl_.NamedBufferData(skin_block_.id(), sizeof(SkinBlock), &skin, GL_STREAM_DRAW);
@@ -224,7 +226,6 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, view_.drawn, {});
-  fur_.mark_sets(gl_, scene.drawing(frame), view_.drawn.framebuffer());
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
   if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");

@@ -1,14 +1,14 @@
 // A strand that grows from the model, read from the buffers of renderer/upload/model_buffers.h: the same places as those
 // that shells interpolate. After frame.glsl and lean.glsl.
+#include "constants.glsl"
 #include "unit.glsl"
 
-layout(std430, binding = 0) readonly buffer VertexBuffer { float values[]; } vertex_buffer;
-layout(std430, binding = 1) readonly buffer GroomBuffer { float values[]; } groom_buffer;
+layout(std430, binding = vertex_storage) readonly buffer VertexBuffer { float values[]; } vertex_buffer;
+layout(std430, binding = groom_storage) readonly buffer GroomBuffer { float values[]; } groom_buffer;
 #ifdef PATTERN
-layout(std430, binding = 2) readonly buffer VariationBuffer { vec4 values[]; } variation_buffer;
+layout(std430, binding = variation_storage) readonly buffer VariationBuffer { vec4 values[]; } variation_buffer;
 #endif
 
-const int vertex_floats = 21;  // as RenderVertex
 
 vec2 vertex_vec2(uint vertex, int at) {
   int i = int(vertex) * vertex_floats + at;

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -16,8 +17,6 @@ extern const char* const coverage_frag;
 }  // namespace shaders
 
 namespace {
-
-constexpr GLuint covered_unit = 14;  // as in covering.glsl
 
 enum class GatherRule { mean, straight, unit, light_share, middle };  // numbers of gather.frag
 
@@ -125,7 +124,6 @@ void AovsPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& 
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   clear_target(gl, target, {});
-  body.fur.mark_sets(gl, drawing, target.framebuffer());
   FurPass::bind(gl, drawing);
   if (distance) {
     distance_programs(gl, drawing.variant).skin.use();
@@ -166,7 +164,7 @@ void AovsPass::gather(const Gl& gl, Aov aov, GLuint drawn, float scale, const Re
   program.use();
   program.set("scale", scale);
   program.set("rule", static_cast<int>(rule_of(aov)));
-  gl.BindTextureUnit(0, drawn);
+  gl.BindTextureUnit(source_unit, drawn);
   gl.BindVertexArray(nothing_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

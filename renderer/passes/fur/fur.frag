@@ -12,7 +12,7 @@
 #include "aovs.glsl"
 #endif
 
-layout(early_fragment_tests) in;  // nothing here writes depth, and most pixels belong to other sets
+layout(early_fragment_tests) in;  // nothing here writes depth
 
 #ifdef PATTERN
 in vec3 root;
@@ -37,7 +37,7 @@ in vec2 vertex_share;
 #endif
 #endif
 
-uniform int step_count;  // texture steps inside the slab
+uniform int step_count;  // texture steps inside a shell's slab where every shell is drawn
 
 #ifdef PAINT_COLOUR
 const float mean_level = 7.0;  // whose texels hold the mean of many strands
@@ -46,8 +46,6 @@ float lightness_over(vec3 strand, vec3 mean) {
   return clamp(luminance(strand) / max(luminance(mean), 1e-4), 0.5, 1.6);
 }
 #endif
-
-const float min_opacity = 0.002;  // over the whole height: half a step of 255
 
 // Premultiplied.
 vec4 lit(Slab slab, vec3 normal) {
@@ -111,8 +109,8 @@ void main() {
 #ifdef AOVS
   write_aovs(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 1.0, 0.0);
 #endif
-  float thickness = 1.0 / float(shell_count);
-  Slab slab = march(step_count, 0.0, density_share, shell_height(), thickness);
+  float thickness = shell_thickness();
+  Slab slab = march(steps_in_slab(step_count), 0.0, density_share, shell_height(), thickness);
   if (!(slab.opacity > min_opacity * thickness) || !in_part()) discard;
   put_fragment(lit(slab, normal));
 }

@@ -15,7 +15,7 @@ layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
 layout(location = 8) in float weight;   // of the patch that the piece belongs to
-layout(location = 9) in float shell_lod_level;
+layout(location = 9) in float shell_lod;  // how often the number of shells may be halved
 #ifdef PATTERN
 layout(location = 10) in vec4 variation;  // factor on length, addition to inclination, factor on lightness, turn of hue
 #endif
@@ -25,7 +25,15 @@ layout(location = 10) in vec4 variation;  // factor on length, addition to incli
 uniform int shell_count;
 uniform int shell;
 uniform int shell_side;   // 1 on front-facing triangles, -1 on those back-facing
+#ifdef SHELL_LOD
+uniform int max_shell_lod;  // 0: every shell is drawn everywhere
+#endif
 uniform float push;       // how much further from the camera the depth is written, in lengths of the fur
+
+#ifdef SHELL_LOD
+out float slab_middle, slab_thickness;  // over the height of the fur
+#include "shell_lod.glsl"
+#endif
 
 out vec3 place;
 #ifdef SHADOW_MAPS
@@ -59,13 +67,19 @@ out vec2 vertex_share;
 #endif
 out float density_share; // of the optical depth that this piece draws
 out float length_share;  // of the fur, over nominal_length
-out float wanted_level;  // how often the number of shells may be halved
 
 // Fur of no length is no fur, or it would lie as a fog on bare skin.
 float grown(float fur_length) { return smoothstep(0.0, 0.002, fur_length); }
 
 void main() {
+#ifdef SHELL_LOD
+  float slab_end = slab_begin(shell + 1, shell_lod);
+  slab_thickness = (slab_end - slab_begin(shell, shell_lod)) / float(shell_count);
+  slab_middle = slab_end / float(shell_count) - 0.5 * slab_thickness;
+  float s = slab_middle;
+#else
   float s = (float(shell) + 0.5) / float(shell_count);
+#endif
   bool root_curve = frame.tile.z > 0.5;
   float inclination = min(length(groom.xy), 1.0), fur_length = groom.z;
   vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
@@ -105,7 +119,6 @@ void main() {
   float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   density_share = weight * grown(groom.z);
-  wanted_level = shell_lod_level;
   length_share = fur_length / nominal_length;
   tile_u = tile_axis;
 #ifdef LENGYEL

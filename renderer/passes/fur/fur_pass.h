@@ -32,9 +32,6 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Before anything else, in each target that fur is drawn into: which set of shells each pixel gets, as its stencil.
-  /// Leaves the depth cleared. Nothing is drawn where all pixels get the same set.
-  void mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer);
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
   /// The skin in open light, as if nothing grew on it: no fur and no map darkens it. The frame's block is bound.
   void draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
@@ -49,11 +46,10 @@ class FurPass {
   /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
   void draw_depth(const Gl& gl, const FurDrawing& drawing);
 
-  /// One shell of one set of shells: the triangles, from which side of the slab the ray comes (1 or -1), and what of it
-  /// is drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
-  static constexpr int every_pixel = -1;
+  /// One of `shells` shells: how often they may be halved, texture steps in a slab, the triangles, from which side of
+  /// the slab the ray comes (1 or -1), and what of it is drawn.
   struct Shell {
-    int set, shell, shells, steps;  // texture steps in the slab
+    int shell, shells, max_lod, steps;
     ModelBuffers::DrawList list;
     int side;
     DepthRange range{};
@@ -69,7 +65,7 @@ class FurPass {
   /// The programs that shade: a scene pays only for the variant that it needs.
   struct Shading {
     Shading(const Gl& gl, const std::string& defines);
-    Program skin, solid, mark, fur;
+    Program skin, solid, fur;
   };
   void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 
