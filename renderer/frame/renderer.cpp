@@ -29,8 +29,7 @@ std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + light_of(frame, model.has_colours()) +
          shape_of(frame.coat, model) +
          (max_lod(frame.knobs.shells, frame.knobs.shell_policy) > 0 ? "#define SHELL_LOD\n" : "") +
-         (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") + "#define SHADING_MODEL " +
-         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
+         "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
@@ -175,7 +174,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);
-  const FurDrawing shaped{frame.knobs, shape, model, lists, coat};
+  const FurDrawing shaped{frame, shape, model, lists, coat};
   if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
     gl_.Finish();
     times.shadow += making.milliseconds();
@@ -202,14 +201,13 @@ void Renderer::bind_blocks(const FurFrame& frame, const FrameBlock& block) {
 }
 
 void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs) {
-  const std::string variant = scene.variant + outputs;
-  const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
+  const FurDrawing drawing = scene.drawing(frame).with(outputs);
   fur_.draw_skin(gl_, drawing);
   fur_.draw_dense(gl_, drawing);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
   draw_fur(frame, drawing);
   if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-  if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
+  if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
 }
 
 void Renderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
@@ -236,12 +234,11 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
 Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   fur_.draw_skin(gl_, scene.drawing(frame));
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
-  const std::string variant = scene.variant + "#define SORTED\n";
-  const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
+  const FurDrawing drawing = scene.drawing(frame).with("#define SORTED\n");
   return sorted_.draw(gl_, view_.drawn, scene.part.value_or(area_of(view_.drawn)), frame.knobs.shells, [&] {
     draw_fur(frame, drawing);
     if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-    if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
+    if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
   });
 }
 

@@ -32,14 +32,13 @@ Strand strand_at(uint vertex, float s, float stretch) {
   int at = 3 * int(vertex);
   vec2 direction = vec2(groom_buffer.values[at], groom_buffer.values[at + 1]);
   float fur_length = groom_buffer.values[at + 2], inclination = min(length(direction), 1.0);
-  vec2 heading = inclination > 1e-6 ? direction / inclination : vec2(1.0, 0.0);
   vec4 varied = vec4(1.0, 0.0, 1.0, 0.0);
 #ifdef PATTERN
   varied = variation_buffer.values[vertex];
   fur_length *= varied.x;
   inclination = clamp(inclination + varied.y, 0.0, 1.0);
 #endif
-  vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
+  vec3 lean = lean_along(direction, normal, tangent);
   vec3 curve = lean_point(frame.tile.z > 0.5, inclination, frame.counts.w, s);
   vec3 root = vertex_vec3(vertex, 0);
   return Strand(root, root + fur_length * stretch * (curve.x * lean + curve.y * normal), normal,

@@ -55,10 +55,8 @@ StrandDepths::StrandDepths(const StrandRoots& roots, const Coat& coat, const glm
 const StrandDepths::Strand& StrandDepths::strand(std::uint32_t vertex) {
   Strand& strand = strands_[vertex];
   if (strand.known) return strand;
-  const glm::vec3 groom = roots_.grooms[vertex], normal = roots_.normals[vertex], tangent = roots_.tangents[vertex];
-  const float across = glm::length(glm::vec2(groom)), inclination = std::min(across, 1.0f);
-  const glm::vec2 heading = inclination > 1e-6f ? glm::vec2(groom) / across : glm::vec2(1, 0);
-  const glm::vec3 lean = tangent * heading.x + glm::cross(normal, tangent) * heading.y;
+  const glm::vec3 groom = roots_.grooms[vertex], normal = roots_.normals[vertex];
+  const auto [inclination, lean] = lean_of(glm::vec2(groom), normal, roots_.tangents[vertex]);
   const float up_rate = glm::dot(glm::vec3(along_), normal), lean_rate = glm::dot(glm::vec3(along_), lean);
   strand.distances[0] = glm::dot(along_, glm::vec4(roots_.positions[vertex], 1));
   for (int i = 1; i <= pieces; ++i) {

@@ -10,6 +10,8 @@ namespace pelage {
 namespace shaders {
 extern const char* const fur_vert;
 extern const char* const fur_frag;
+extern const char* const lengyel_vert;
+extern const char* const lengyel_frag;
 extern const char* const solid_frag;
 extern const char* const skin_vert;
 extern const char* const skin_frag;
@@ -25,12 +27,13 @@ constexpr float solid_push = 0.25f;
 
 }  // namespace
 
-FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
+FurPass::Shading::Shading(const Gl& gl, const std::string& defines, bool at_vertices)
     : skin(gl, shaders::skin_vert, shaders::skin_frag, defines),
       solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
-      fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
+      fur(gl, at_vertices ? shaders::lengyel_vert : shaders::fur_vert,
+          at_vertices ? shaders::lengyel_frag : shaders::fur_frag, defines) {}
 
-FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
+FurPass::FurPass(const Gl& gl) { shading_of(gl, "", false); }
 
 namespace {
 
@@ -59,8 +62,12 @@ const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
   return place->second;
 }
 
-const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
-  const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const FurDrawing& drawing) {
+  return shading_of(gl, drawing.variant, drawing.frame.look.shading == ShadingModel::lengyel);
+}
+
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant, bool at_vertices) {
+  const auto [place, made] = shadings_.try_emplace(variant, gl, variant, at_vertices);
   if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
   return place->second;
 }
@@ -74,7 +81,7 @@ void FurPass::bind(const Gl& gl, const FurDrawing& drawing) {
 
 void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
   bind(gl, drawing);
-  const Shading& shading = shading_of(gl, drawing.variant);
+  const Shading& shading = shading_of(gl, drawing);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   shading.skin.use();
@@ -106,7 +113,7 @@ void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
 }
 
 void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
-  const Program& solid = shading_of(gl, drawing.variant).solid;
+  const Program& solid = shading_of(gl, drawing).solid;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   solid.use();
   solid.set("push", solid_push);
@@ -116,16 +123,16 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
 }
 
 void FurPass::draw_back_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
-  draw_fur(gl, drawing, back_facing_shells(drawing.knobs, part));
+  draw_fur(gl, drawing, back_facing_shells(drawing.frame.knobs, part));
 }
 
 void FurPass::draw_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
-  draw_fur(gl, drawing, facing_shells(drawing.knobs, part));
+  draw_fur(gl, drawing, facing_shells(drawing.frame.knobs, part));
 }
 
 void FurPass::draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells) {
   bind(gl, drawing);
-  const Program& fur = shading_of(gl, drawing.variant).fur;
+  const Program& fur = shading_of(gl, drawing).fur;
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
