@@ -3,6 +3,15 @@
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 
+# renderer/shaders/constants.h of constants.glsl, made when CMake runs, which it does again when the shader changes.
+set(PELAGE_CONSTANTS ${CMAKE_SOURCE_DIR}/renderer/shaders/constants.glsl)
+set(PELAGE_CONSTANTS_PROGRAM ${CMAKE_CURRENT_LIST_DIR}/shared_constants.py)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PELAGE_CONSTANTS} ${PELAGE_CONSTANTS_PROGRAM})
+execute_process(COMMAND ${Python3_EXECUTABLE} ${PELAGE_CONSTANTS_PROGRAM} ${PELAGE_CONSTANTS}
+                        ${CMAKE_BINARY_DIR}/generated/renderer/shaders/constants.h
+                COMMAND_ERROR_IS_FATAL ANY)
+include_directories(${CMAKE_BINARY_DIR}/generated)
+
 function(pelage_shaders TARGET)
   file(GLOB SHARED CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/*.glsl)
   foreach(SHADER ${ARGN})

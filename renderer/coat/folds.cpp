@@ -20,12 +20,9 @@ double height_of(int k) { return static_cast<double>(k + 1) / heights; }
 
 /// How a strand moves its root's shell at a height, for a factor on its inclination.
 glm::dvec3 shift_of(const FurredSurface& fur, std::uint32_t vertex, double factor, double height) {
-  const glm::dvec2 direction(fur.direction[vertex]);
-  const double inclination = glm::length(direction);
-  const LeanPoint point = lean_point(fur.curve, std::min(factor * inclination, 1.0), fur.root_share, height);
   const glm::dvec3 normal(fur.normals[vertex]), tangent(fur.tangents[vertex]);
-  const glm::dvec2 heading = inclination > 1e-6 ? direction / inclination : glm::dvec2(1, 0);
-  const glm::dvec3 lean = heading.x * tangent + heading.y * glm::cross(normal, tangent);
+  const auto [inclination, lean] = lean_of(glm::dvec2(fur.direction[vertex]), normal, tangent);
+  const LeanPoint point = lean_point(fur.curve, std::min(factor * inclination, 1.0), fur.root_share, height);
   return static_cast<double>(fur.length[vertex]) * (point.across * lean + point.up * normal);
 }
 

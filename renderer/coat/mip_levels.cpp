@@ -10,6 +10,7 @@
 #include "protocol/base/parallel.h"
 #include "renderer/coat/strand_cover.h"
 #include "renderer/coat/strand_tile.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -31,7 +32,7 @@ float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; 
 /// How much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of clumps
 /// that are drawn together, as water does it, one sees the outside.
 float seen_from_outside(const Coat& coat) {
-  return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, 0.85 * coat.wetness));
+  return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, water_gathers * coat.wetness));
 }
 
 Stack halve(const Stack& stack, int texels, float outside) {

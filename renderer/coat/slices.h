@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "protocol/commands/coat.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
-
-inline constexpr int slice_count = 32;        // N0: shells that the depth was baked as
-inline constexpr int slice_texels = 512;      // a side of the finest level
-inline constexpr int slice_levels = 8;        // 512 ... 4
-inline constexpr double stored_depth = 6;     // optical depth (natural log) of a stored 255, before `depth_scale`
-inline constexpr double stored_light = 4;     // strands over a texel for which the stored light is 1/e
-inline constexpr double stored_slope = 0.06;  // sideways per height, in sizes, of a stored +-1
 
 /// One level: `texels * texels * slice_count` texels of 4 bytes, x fastest, then y, then the slice.
 ///  shape: the strand's slope (x, y; unnormalised mean, .5 is upright), exp(-n / stored_light) where n strands lie

@@ -9,6 +9,7 @@
 #include "protocol/base/colour_space.h"
 #include "protocol/base/random.h"
 #include "renderer/coat/clump.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -28,7 +29,8 @@ glm::dvec2 root_place(const Coat& coat, int index, Random& random) {
 /// Clumps of the coat: what is not used is not made. Water draws strands together.
 struct Clumps {
   explicit Clumps(const Coat& coat)
-      : gather(glm::mix(coat.clump, 1.0, 0.85 * coat.wetness)), coarse(coat.tile, coat.clump_size, coat.seed, 1) {
+      : gather(glm::mix(coat.clump, 1.0, water_gathers * coat.wetness)),
+        coarse(coat.tile, coat.clump_size, coat.seed, 1) {
     if (coat.fine_clump > 0) fine.emplace(coat.tile, coat.fine_clump_size, coat.seed, 2);
     if (coat.lodge > 0) lodged.emplace(coat.tile, coat.lodge_size, coat.seed, 3);
   }
@@ -125,7 +127,7 @@ glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
   const double rise = q * std::sqrt(q);
   // Wet strands meet early and then go on together.
   const double early = glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
-  const double gather = glm::mix(coat.clump, 1.0, 0.85 * coat.wetness) * early;
+  const double gather = glm::mix(coat.clump, 1.0, water_gathers * coat.wetness) * early;
   const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);
   return to_lock + (strand.clump - to_lock) * gather + free_offset(coat, strand, q);
 }

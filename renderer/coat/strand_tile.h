@@ -7,11 +7,9 @@
 
 #include "protocol/commands/coat.h"
 #include "protocol/commands/look.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
-
-/// The length of fur that bend, curl, wave, mess and lodging are made for, in sizes.
-inline constexpr double nominal_length = 0.03;
 
 /// One strand. Places are in sizes on the tile, before the lean; they may leave [0, tile) and are taken modulo the
 /// tile.
@@ -58,13 +56,13 @@ bool same_strands(const Coat& a, const Coat& b);
 
 /// Factor on a fibre's absorption, 1 to 1.8: light that water keeps inside crosses more pigment. A colour c is then
 /// c^factor, which darkens it and makes it more saturated.
-inline double wet_absorption(const Coat& coat) { return 1 + 0.8 * coat.wetness; }
+inline double wet_absorption(const Coat& coat) { return 1 + water_darkens * coat.wetness; }
 
 /// Factor on the weight of the highlight, 1 to 2: a film of water is smoother than the scales under it.
-inline double wet_shine(const Coat& coat) { return 1 + coat.wetness; }
+inline double wet_shine(const Coat& coat) { return 1 + water_shines * coat.wetness; }
 
 /// Factor on the exponent of the highlight (one over the square of its width), 1 to 3.
-inline double wet_sharpness(const Coat& coat) { return 1 + 2 * coat.wetness; }
+inline double wet_sharpness(const Coat& coat) { return 1 + water_sharpens * coat.wetness; }
 
 /// Factor on a fibre's roughness along it, .5 to 1: water fills the steps between its scales.
 inline double wet_roughness(const Coat& coat) { return 1 - 0.5 * coat.wetness; }

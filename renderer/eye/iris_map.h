@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/shaders/constants.h"
+
 namespace pelage {
 
 inline constexpr int iris_map_width = 1024;  // around the axis; the left edge joins the right one
-inline constexpr int iris_map_height = 256;  // rows from the pupil to the limbus
 
 /// RGBA, 8 bits. Red: how much light the tissue scatters. Green: its height. Blue: how much of the inner colour it has.
 /// Alpha: vessels in the sclera, rows from the limbus to the back of the eye. Deterministic.

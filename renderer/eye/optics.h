@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -50,9 +51,7 @@ double luminance_at(const FurEye& eye, const FurFrame& frame);
 
 // Light that a cornea gathers on the iris behind it.
 
-inline constexpr int caustic_texels = 48;     // across the iris, from -iris_radius to iris_radius
-inline constexpr int caustic_angles = 20;     // of the light to the axis, from 0 to caustic_reach
-inline constexpr double caustic_reach = 2.0;  // radians
+inline constexpr int caustic_texels = 48;  // across the iris, from -iris_radius to iris_radius
 
 /// For each angle, row by row, the irradiance on the plane of the iris over that of a surface which faces the light.
 /// The light comes from +X. What comes through the cornea and reaches the iris is all there: the sum over texels times

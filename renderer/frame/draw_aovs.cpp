@@ -13,7 +13,6 @@ void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, c
   set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
   gl_.DepthMask(GL_TRUE);
   target.clear(gl_);
-  fur_.mark_sets(gl_, scene.drawing(frame), target.framebuffer());
   draw_body(frame, scene, "#define AOVS\n");
 }
 

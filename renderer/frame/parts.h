@@ -80,7 +80,7 @@ struct Renderer::Prepared {
   FrameBlock block;
   std::optional<Area> part;  // that is drawn; all where there is none
 
-  FurDrawing drawing(const FurFrame& frame) const { return {frame.knobs, variant, model, lists, coat}; }
+  FurDrawing drawing(const FurFrame& frame) const { return {frame, variant, model, lists, coat}; }
 };
 
 Status no_memory();

@@ -12,6 +12,7 @@
 #include "renderer/gl/wait.h"
 #include "renderer/passes/draw/draw.h"
 #include "renderer/pattern/pattern.h"
+#include "renderer/shaders/constants.h"
 #include "renderer/upload/skin_block.h"
 
 namespace pelage {
@@ -19,7 +20,6 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_cached_coats = 3;  // 90 MB each
-constexpr GLuint skin_binding = 5;           // as in bare_skin.glsl
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
@@ -27,7 +27,8 @@ bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
          (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + light_of(frame, model.has_colours()) +
-         shape_of(frame.coat, model) + (frame.look.shading == ShadingModel::lengyel ? "#define LENGYEL\n" : "") +
+         shape_of(frame.coat, model) +
+         (max_lod(frame.knobs.shells, frame.knobs.shell_policy) > 0 ? "#define SHELL_LOD\n" : "") +
          "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
@@ -173,7 +174,7 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);
-  const FurDrawing shaped{frame.knobs, shape, model, lists, coat};
+  const FurDrawing shaped{frame, shape, model, lists, coat};
   if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
     gl_.Finish();
     times.shadow += making.milliseconds();
@@ -190,7 +191,7 @@ void Renderer::prepare_colours(const FurFrame& frame, ModelBuffers& model) {
 
 void Renderer::bind_blocks(const FurFrame& frame, const FrameBlock& block) {
   gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
-  gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_.id());
+  gl_.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_block_.id());
   if (!frame.skin.empty()) {
     const SkinBlock skin = make_skin_block(frame.skin);
     gl_.NamedBufferData(skin_block_.id(), sizeof(SkinBlock), &skin, GL_STREAM_DRAW);
@@ -200,14 +201,13 @@ void Renderer::bind_blocks(const FurFrame& frame, const FrameBlock& block) {
 }
 
 void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs) {
-  const std::string variant = scene.variant + outputs;
-  const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
+  const FurDrawing drawing = scene.drawing(frame).with(outputs);
   fur_.draw_skin(gl_, drawing);
   fur_.draw_dense(gl_, drawing);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
   draw_fur(frame, drawing);
   if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-  if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
+  if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
 }
 
 void Renderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
@@ -224,7 +224,6 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
   const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
   clear_target(gl_, view_.drawn, {});
-  fur_.mark_sets(gl_, scene.drawing(frame), view_.drawn.framebuffer());
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
   if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");
@@ -235,12 +234,11 @@ Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
 Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   fur_.draw_skin(gl_, scene.drawing(frame));
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
-  const std::string variant = scene.variant + "#define SORTED\n";
-  const FurDrawing drawing{frame.knobs, variant, scene.model, scene.lists, scene.coat};
+  const FurDrawing drawing = scene.drawing(frame).with("#define SORTED\n");
   return sorted_.draw(gl_, view_.drawn, scene.part.value_or(area_of(view_.drawn)), frame.knobs.shells, [&] {
     draw_fur(frame, drawing);
     if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-    if (!frame.curves.empty()) curves_.draw(gl_, frame, variant);
+    if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
   });
 }
 

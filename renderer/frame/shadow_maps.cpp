@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
 namespace {
 
 constexpr float half_diagonal = 0.5f;  // of every model's box, sizes
-constexpr GLuint curves_unit = 12;     // as in shadow.glsl
 
 bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
 bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShadow::soft; }
@@ -129,7 +129,7 @@ void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView
   seen.world_to_clip = view.world_to_clip;
   seen.viewpoint = {view.viewpoint, view.texel};
   gl.NamedBufferSubData(view_block_.id(), 0, sizeof(FrameBlock), &seen);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, view_block_.id());
 }
 
 void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
@@ -182,11 +182,11 @@ std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame
 }
 
 void ShadowMaps::bind(const Gl& gl) const {
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 2, shadow_block_.id());
-  gl.BindTextureUnit(4, shell_maps_.id());
-  gl.BindTextureUnit(5, depth_.id());
-  gl.BindTextureUnit(6, width_.id());
-  if (curves_) gl.BindTextureUnit(curves_unit, curves_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, shadow_binding, shadow_block_.id());
+  gl.BindTextureUnit(shell_maps_unit, shell_maps_.id());
+  gl.BindTextureUnit(depth_maps_unit, depth_.id());
+  gl.BindTextureUnit(width_maps_unit, width_.id());
+  if (curves_) gl.BindTextureUnit(curve_maps_unit, curves_.id());
 }
 
 }  // namespace pelage

@@ -10,7 +10,7 @@
 #include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/sorted/fragment_lists.h"
-#include "renderer/visibility/set_cells.h"
+#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 

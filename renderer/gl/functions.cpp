@@ -16,10 +16,9 @@ std::size_t stored_bytes(GLenum format) {
     case GL_R16F: return 2;
     case GL_RGBA16:
     case GL_RGBA16F:
-    case GL_RG32F:
-    case GL_DEPTH32F_STENCIL8: return 8;
+    case GL_RG32F: return 8;
     case GL_RGBA32F: return 16;
-    default: return 4;  // GL_RGBA8, GL_SRGB8_ALPHA8, GL_R32F
+    default: return 4;  // GL_RGBA8, GL_SRGB8_ALPHA8, GL_R32F, GL_DEPTH_COMPONENT32F
   }
 }
 
@@ -112,10 +111,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(BlendFunc, "glBlendFunc");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
   get(ClearNamedBufferData, "glClearNamedBufferData");
-  get(ClearNamedFramebufferfi, "glClearNamedFramebufferfi");
   get(ClearNamedFramebufferfv, "glClearNamedFramebufferfv");
-  get(StencilFunc, "glStencilFunc");
-  get(StencilOp, "glStencilOp");
   get(ClientWaitSync, "glClientWaitSync");
   get(ClipControl, "glClipControl");
   get(ColorMask, "glColorMask");

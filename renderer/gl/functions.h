@@ -31,7 +31,6 @@ struct Gl {
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
   PFNGLCLEARNAMEDBUFFERDATAPROC ClearNamedBufferData = nullptr;
-  PFNGLCLEARNAMEDFRAMEBUFFERFIPROC ClearNamedFramebufferfi = nullptr;
   PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
   PFNGLCLIENTWAITSYNCPROC ClientWaitSync = nullptr;
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
@@ -82,8 +81,6 @@ struct Gl {
   PFNGLREADPIXELSPROC ReadPixels = nullptr;
   PFNGLSCISSORPROC Scissor = nullptr;
   PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
-  PFNGLSTENCILFUNCPROC StencilFunc = nullptr;
-  PFNGLSTENCILOPPROC StencilOp = nullptr;
   PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLUNIFORM1FPROC Uniform1f = nullptr;

@@ -10,9 +10,8 @@ RenderTarget::RenderTarget(const Gl& gl, GLenum colour, int width, int height, b
   gl.NamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
   if (depth) {
     depth_buffer_ = Renderbuffer(gl);
-    gl.NamedRenderbufferStorage(depth_buffer_.id(), GL_DEPTH32F_STENCIL8, width, height);
-    gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                                    depth_buffer_.id());
+    gl.NamedRenderbufferStorage(depth_buffer_.id(), GL_DEPTH_COMPONENT32F, width, height);
+    gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_buffer_.id());
   }
   complete_ = gl.GetError() == GL_NO_ERROR &&
               gl.CheckNamedFramebufferStatus(framebuffer_.id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;

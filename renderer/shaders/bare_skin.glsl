@@ -1,5 +1,6 @@
 // Bare skin: regions with a look of their own (protocol/commands/skin.h). After frame.glsl and lighting.glsl. Layout
 // std140; renderer/upload/skin_block.h mirrors it. renderer/skin has the shapes in double, for the length of the fur.
+#include "constants.glsl"
 struct SkinRegion {
   vec4 across, up, along;  // rows to the unit ball; w: softness, 1 / least radius, cosine of whole facing
   vec4 centre;             // w: scatter
@@ -8,10 +9,10 @@ struct SkinRegion {
   vec4 finish;             // roughness, wetness, height and size of the bumps
 };
 
-layout(std140, binding = 5) uniform SkinBlock {
+layout(std140, binding = skin_binding) uniform SkinBlock {
   uvec4 count;
-  vec4 balls[64];          // around all that a region colours: centre, square of the radius
-  SkinRegion regions[64];
+  vec4 balls[max_skin_regions];          // around all that a region colours: centre, square of the radius
+  SkinRegion regions[max_skin_regions];
 } bare_skin;
 
 struct Bare {

@@ -1,5 +1,6 @@
 // The model's own colour and how it drives fur and skin.
-layout(binding = 2) uniform sampler2DArray base_images;  // linear after decoding from sRGB
+#include "constants.glsl"
+layout(binding = skin_images_unit) uniform sampler2DArray base_images;  // linear after decoding from sRGB
 
 // Colours of vertices may come out negative where a sample lies outside its triangle.
 vec3 model_colour(vec3 colour, vec3 uv) {

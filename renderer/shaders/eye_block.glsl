@@ -1,4 +1,5 @@
 // Eyes, each in its own frame: the ball has radius 1, +Z is the axis. renderer/passes/eye/eye_pass.h mirrors it.
+#include "constants.glsl"
 struct Eye {
   vec4 right;       // unit, in the model's coordinates; w: radius, sizes
   vec4 up;          // w: radius of the iris
@@ -15,9 +16,9 @@ struct Eye {
   vec4 lid;         // colour
 };
 
-layout(std140, binding = 4) uniform EyeBlock {
+layout(std140, binding = eye_binding) uniform EyeBlock {
   vec4 surroundings;  // colour that the cornea reflects, linear
-  Eye eyes[8];
+  Eye eyes[max_eyes];
 };
 
 const float lid_radius = 1.07;

@@ -1,6 +1,7 @@
 // Lists of fragments, one for each pixel of an area of the picture (Yang et al. 2010). Places count from 1; 0 ends a
 // list. renderer/passes/sorted mirrors the layout.
-layout(std430, binding = 7) coherent buffer FragmentLists {
+#include "constants.glsl"
+layout(std430, binding = fragment_lists_storage) coherent buffer FragmentLists {
   uint count;      // of fragments; over `capacity` the lists are not whole
   uint capacity;
   int left, top;   // of the area, pixels
@@ -10,8 +11,8 @@ layout(std430, binding = 7) coherent buffer FragmentLists {
   uint padding;
   uint firsts[];   // of each pixel
 } lists;
-layout(std430, binding = 8) coherent buffer FragmentLinks { uvec2 links[]; };  // bits of the depth; the next place
-layout(std430, binding = 9) coherent buffer FragmentColours { vec4 fragment_colours[]; };  // premultiplied
+layout(std430, binding = fragment_links_storage) coherent buffer FragmentLinks { uvec2 links[]; };  // bits of the depth; the next place
+layout(std430, binding = fragment_colours_storage) coherent buffer FragmentColours { vec4 fragment_colours[]; };  // premultiplied
 
 const uint in_order = 0x80000000u;  // set in `firsts` once a list is sorted
 const uint max_steps = 60000u;     // of a loop: llvmpipe ends loops after 65,535 steps, in silence

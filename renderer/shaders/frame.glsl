@@ -1,3 +1,4 @@
+#include "constants.glsl"
 #include "luminance.glsl"
 
 // What every pass of a frame knows. Layout std140; renderer/upload/frame_block.h mirrors it.
@@ -7,7 +8,7 @@ struct Light {
   vec4 radiance;   // w: cosine at which a spot begins to fade
 };
 
-layout(std140, binding = 0) uniform FrameBlock {
+layout(std140, binding = frame_binding) uniform FrameBlock {
   mat4 world_to_clip;
   vec4 viewpoint;          // w: size of a pixel at distance 1
   vec4 half_picture; // pixels to the right and down that a unit of clip space is
@@ -16,16 +17,10 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 skin;         // rgb; w: 1 where the fur takes the model's colours
   vec4 counts;       // shells, strands met on a strand's width across upright ones, lights, root share
   vec4 tile;         // 1 / side, size of a pixel that reads the finest texels, lean curve (0 arc, 1 root), largest ramp lightness
-  vec4 depth_scale[8];  // for each level: along the stack, at 60, 30 and 75 degrees
-  vec4 depth_above[8];  // 32 values: strands over each slice that a ray at 45 degrees crosses
-  vec4 colour_above[32];  // of the fur over each slice, over the colour there
+  vec4 depth_scale[slice_levels];  // for each level: along the stack, at 60, 30 and 75 degrees
+  vec4 depth_above[slice_count / 4];  // four each: strands over each slice that a ray at 45 degrees crosses
+  vec4 colour_above[slice_count];  // of the fur over each slice, over the colour there
   vec4 ramp_root;    // colour at the root
-  Light lights[8];
+  Light lights[max_lights];
   vec4 environment[9];  // irradiance over pi as spherical harmonics
 } frame;
-
-const int slice_count = 32;
-const float stored_depth = 6.0;
-const float stored_slope = 0.06;
-const float stored_light = 4.0;
-const float nominal_length = 0.03;

@@ -1,4 +1,5 @@
-layout(binding = 0) uniform sampler2D drawn;
+#include "constants.glsl"
+layout(binding = source_unit) uniform sampler2D drawn;
 
 uniform float scale;  // drawn size over picture size
 

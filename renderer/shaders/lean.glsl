@@ -29,13 +29,19 @@ vec3 lean_point(bool root_curve, float inclination, float root_share, float s) {
   return root_curve ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s);
 }
 
+// Unit, along the skin: where fur leans whose direction field has this value; lean_of of protocol/base/lean_curve.h.
+vec3 lean_along(vec2 direction, vec3 normal, vec3 tangent) {
+  float inclination = min(length(direction), 1.0);
+  vec2 heading = inclination > 1e-6 ? direction / inclination : vec2(1.0, 0.0);
+  return tangent * heading.x + cross(normal, tangent) * heading.y;
+}
+
 // How high fur stops the light that comes to other parts of the body, over its height: its hull.
 const float hull_height = 0.6;
 
 // From the root to a height at or above the hull.
 vec3 hull_offset(vec3 groom, vec3 normal, vec3 tangent, bool root_curve, float root_share, float height) {
   float inclination = min(length(groom.xy), 1.0);
-  vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
   vec3 curve = lean_point(root_curve, inclination, root_share, max(height, hull_height));
-  return groom.z * (curve.x * (tangent * heading.x + cross(normal, tangent) * heading.y) + curve.y * normal);
+  return groom.z * (curve.x * lean_along(groom.xy, normal, tangent) + curve.y * normal);
 }

@@ -1,4 +1,5 @@
 // Light on fur: what arrives, what gets through, and what a fibre sends to the camera.
+#include "constants.glsl"
 
 #ifdef SHADOW_MAPS
 #include "shadow.glsl"
@@ -21,10 +22,10 @@ void light_at(int i, vec3 place, out vec3 to_light, out vec3 radiance) {
   radiance = light.radiance.rgb;
 #else
   vec3 apart = light.position.xyz - place;
-  float square = max(dot(apart, apart), 1e-8);
+  float square = max(dot(apart, apart), min_light_square);
   bool point = light.direction.w > 0.5;
   to_light = point ? apart * inversesqrt(square) : -light.direction.xyz;
-  radiance = light.radiance.rgb * (point ? min(1.0 / square, 1e8) : 1.0);
+  radiance = light.radiance.rgb * (point ? min(1.0 / square, max_light_falloff) : 1.0);
   float inside = dot(-to_light, light.direction.xyz), edge = light.position.w;
   radiance *= clamp((inside - edge) / max(light.radiance.w - edge, 1e-6), 0.0, 1.0);
 #endif

@@ -1,7 +1,8 @@
 // Painted fields (protocol/commands/field.h) where a fragment lies; renderer/upload has the buffers and the block. Before
 // what reads them. What no tool has touched is not defined and costs nothing.
+#include "constants.glsl"
 #ifdef PAINT
-layout(std140, binding = 6) uniform PaintBlock {
+layout(std140, binding = paint_binding) uniform PaintBlock {
   vec4 coat;   // the coat's own wetness, curl and turns of the curl; how far clump_map reaches, tiles
 } paint_block;
 

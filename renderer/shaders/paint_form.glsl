@@ -1,4 +1,5 @@
 // What paint does to strands in the slices: fewer, drawn together, curled. Part of slab.glsl.
+#include "constants.glsl"
 #ifdef PAINT
 const float finest_shared = 3.0;  // the level from which on texels hold several strands
 
@@ -25,9 +26,7 @@ float strand_share(vec2 at, int slice, float sharp) {
   return kept / all;
 }
 
-layout(binding = 15) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it; its pull
-
-const float max_gathered = 0.8, water_gathers = 0.85;
+layout(binding = clump_unit) uniform sampler2D clump_map;  // to the middle of the clump; how far inside of it; its pull
 
 vec2 clump_middle = vec2(0.0);  // from here, tiles
 float clump_gather = 0.0;       // at the tip
@@ -37,7 +36,7 @@ vec2 clump_shift = vec2(0.0);   // to the root of the strand that is here, tiles
 // the clump there is none. What is finer than pixels stays. Answers the factor on the optical depth.
 float gather_to_clump(float s) {
   float own = paint_block.coat.x, water = min(own + amounts.z, 1.0) - own;  // what `own` draws together is in the tile
-  float gather = max_gathered * min(forms.y + water_gathers * water, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
+  float gather = max_clump_gather * min(forms.y + water_gathers * water, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));
   if (gather <= 0.0) return 1.0;
   vec4 clump = textureLod(clump_map, tile, 0.0);
   clump_middle = (clump.rg * 2.0 - 1.0) * paint_block.coat.w;
@@ -62,7 +61,7 @@ float curl_angle(float s) {
 // Sizes: added to the coat's own, as far as a coat may curl.
 float curl_radius() {
   float own = paint_block.coat.y;
-  return max(min(own + forms.x, 0.5) - own, 0.0) * nominal_length;
+  return max(min(own + forms.x, max_curl) - own, 0.0) * nominal_length;
 }
 
 // Offset of a strand at height s from its root, sizes; it grows out of the root as in renderer/coat/strand_tile.cpp.

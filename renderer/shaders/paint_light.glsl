@@ -1,4 +1,5 @@
 // What paint does to colours and highlights. After lighting.glsl, which has the numbers that are set here.
+#include "constants.glsl"
 #include "paint.glsl"
 
 #ifdef PAINT_COLOUR
@@ -20,8 +21,8 @@ float wetter(float rise) {
 
 vec3 colour_wetted(vec3 colour) {
   if (amounts.z <= 0.0) return colour;
-  shine = wetter(1.0);
-  sharpness = wetter(2.0);
-  return pow(max(colour, 0.0), vec3(wetter(0.8)));
+  shine = wetter(water_shines);
+  sharpness = wetter(water_sharpens);
+  return pow(max(colour, 0.0), vec3(wetter(water_darkens)));
 }
 #endif

@@ -1,11 +1,12 @@
 // The painted fields of vertices that are read from storage, as those that strands grow from.
+#include "constants.glsl"
 #include "paint_vertex.glsl"
 
 #ifdef PAINT
-layout(std430, binding = 10) readonly buffer PaintBuffer { vec4 values[]; } paint_buffer;
+layout(std430, binding = paint_storage) readonly buffer PaintBuffer { vec4 values[]; } paint_buffer;
 #endif
 #ifdef PAINT_COLOUR
-layout(std430, binding = 11) readonly buffer PaintColourBuffer { vec4 values[]; } paint_colour_buffer;
+layout(std430, binding = paint_colours_storage) readonly buffer PaintColourBuffer { vec4 values[]; } paint_colour_buffer;
 #endif
 
 // Of three vertices by their weights.

@@ -1,14 +1,15 @@
+#include "constants.glsl"
 #include "luminance.glsl"
 
 // Markings over the body: shares of three colours, read from a volume about the surface (renderer/pattern/pattern_volume.h)
 // and mixed as with_weights in renderer/pattern/pattern.cpp does.
-layout(std140, binding = 1) uniform PatternColours {
+layout(std140, binding = pattern_binding) uniform PatternColours {
   vec4 colour, inner_colour, belly_colour;
   vec4 origin;  // of the volume; w: 1 / the largest luminance of the ramp
   vec4 scale;   // 1 / its extent
 } pattern;
 
-layout(binding = 8) uniform sampler3D pattern_volume;
+layout(binding = pattern_unit) uniform sampler3D pattern_volume;
 
 vec3 with_weights(vec3 weights, vec3 base) {
   float shade = 0.36 + 0.84 * luminance(base) * pattern.origin.w;

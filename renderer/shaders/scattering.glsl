@@ -1,7 +1,8 @@
 // Every shading model (science.md 4), as renderer/shading has them in double; tests/gl compares both on a grid.
 // The caller binds ScatteringBlock of renderer/shading/scattering_table.h and, for the two fibre models, the table of
 // scattering_table.h as a 3D texture of RGBA32F, linear, clamped to its edges.
-layout(std140, binding = 3) uniform ScatteringBlock {
+#include "constants.glsl"
+layout(std140, binding = scattering_binding) uniform ScatteringBlock {
   ivec4 model;       // by number; 1 where the absorption is given
   vec4 weights;      // diffuse, specular, secondary specular, shift spread
   vec4 exponents;    // diffuse, specular, secondary; colour to absorption coordinate
@@ -14,10 +15,7 @@ layout(std140, binding = 3) uniform ScatteringBlock {
   vec4 normaliser;
 } scattering;
 
-layout(binding = 3) uniform sampler3D azimuthal_table;  // azimuth coordinate, cos theta, absorption; R, TT, TRT, the rest
-
-const int model_lengyel = 0, model_kajiya = 1, model_energy_conserving = 2;
-const int model_scheuermann = 3, model_kajiya_kay = 4, model_marschner = 5;
+layout(binding = scattering_unit) uniform sampler3D azimuthal_table;  // azimuth coordinate, cos theta, absorption; R, TT, TRT, the rest
 
 #ifdef PAINT
 float shine = 1.0, sharpness = 1.0;  // factors on the highlight's weight and exponent that painted water sets

@@ -1,20 +1,19 @@
 // Shadows from maps: the light that the shells above let through (GPU fur 3.1), and the shadow that one part of the body
 // casts on another (GPU fur 4). Layout std140; renderer/upload/shadow_block.h mirrors it.
-layout(std140, binding = 2) uniform ShadowBlock {
-  mat4 to_light[8];
-  vec4 axis[8];   // linear depth: dot(xyz, place) + w, sizes
-  vec4 slots[8];  // slot of the shell maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
+#include "constants.glsl"
+layout(std140, binding = shadow_binding) uniform ShadowBlock {
+  mat4 to_light[max_lights];
+  vec4 axis[max_lights];   // linear depth: dot(xyz, place) + w, sizes
+  vec4 slots[max_lights];  // slot of the shell maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
                   // 1 soft, 2 penumbra), its scale or the light's spread (-1: casts none)
 } shadow;
 
-layout(binding = 4) uniform sampler2DArray shell_maps;   // for each slot 17 boundaries of shells, the skin first
-layout(binding = 5) uniform sampler2DArray depth_maps;  // linear depth of the skin, or of the fur's hull (penumbra), sizes
-layout(binding = 6) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge; and
+layout(binding = shell_maps_unit) uniform sampler2DArray shell_maps;   // for each slot 17 boundaries of shells, the skin first
+layout(binding = depth_maps_unit) uniform sampler2DArray depth_maps;  // linear depth of the skin, or of the fur's hull (penumbra), sizes
+layout(binding = width_maps_unit) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge; and
                                                         // its mean times the depth of what casts it
 
-const float shadow_shells = 16.0;
-const float own_part = 0.5 / 32.0;  // of the height: what lies nearer is the strand itself, which does not shade itself
-const float cast_bias = 0.006;   // sizes
+const float own_part = 0.5 / float(slice_count);  // of the height: what lies nearer is the strand itself, which does not shade itself
 const float shadow_width = 0.03; // sizes from the edge of a shadow to where its map is white
 
 const int search_taps = 8, penumbra_taps = 16;
@@ -33,7 +32,7 @@ float depth_below(int i, vec3 place, vec2 at) {
 }
 
 #ifdef CURVE_SHADOWS
-layout(binding = 12) uniform sampler2DArray curve_maps;  // light that guided curves let through; a: depth of the nearest
+layout(binding = curve_maps_unit) uniform sampler2DArray curve_maps;  // light that guided curves let through; a: depth of the nearest
 
 const float curve_bias = 0.001;  // sizes
 const float penumbra = 0.09;     // width of a soft light's over the distance that it falls, as on the ground
@@ -144,10 +143,11 @@ float shell_depth(int i, vec3 place, vec4 open, float height, float facing, floa
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
   vec2 at = place_on_map(i, place);
-  float height_in_shells = min(height + own_part, 1.0) * shadow_shells, low = min(floor(height_in_shells), shadow_shells - 1.0);
-  float first = slot * (shadow_shells + 1.0);
+  const float shells = float(shadow_shells);
+  float height_in_shells = min(height + own_part, 1.0) * shells, low = min(floor(height_in_shells), shells - 1.0);
+  float first = slot * (shells + 1.0);
   float kept = mix(texture(shell_maps, vec3(at, first + low)).r,
-                   texture(shell_maps, vec3(at, first + min(low + 1.0, shadow_shells))).r, height_in_shells - low);
+                   texture(shell_maps, vec3(at, first + min(low + 1.0, shells))).r, height_in_shells - low);
   vec3 shown = is_penumbra(i) ? open.xyz : place;
   float below = depth_below(i, shown, place_on_map(i, shown));
   return mix(-log(max(kept, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));

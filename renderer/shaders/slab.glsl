@@ -1,6 +1,7 @@
 // What a ray meets inside one shell's slab.
-layout(binding = 0) uniform sampler2DArray shapes;   // slope, light from above, optical depth
-layout(binding = 1) uniform sampler2DArray colours;  // strand colour (square root), number
+#include "constants.glsl"
+layout(binding = shapes_unit) uniform sampler2DArray shapes;   // slope, light from above, optical depth
+layout(binding = colours_unit) uniform sampler2DArray colours;  // strand colour (square root), number
 
 uniform int shell_count;
 uniform int shell;
@@ -17,7 +18,20 @@ in float slant;
 
 bool in_part() { return gl_FragCoord.w > part_begin && gl_FragCoord.w <= part_end; }
 
+// Of the slab's middle, and from its lower to its upper end, over the height of the fur.
+#ifdef SHELL_LOD
+in float slab_middle, slab_thickness;
+float shell_height() { return slab_middle; }
+float shell_thickness() { return slab_thickness; }
+int steps_in_slab(int step_count) {  // as close as if every shell were drawn
+  const int max_steps = 16;
+  return clamp(int(ceil(float(step_count * shell_count) * slab_thickness - 0.01)), 1, max_steps);
+}
+#else
 float shell_height() { return (float(shell) + 0.5) / float(shell_count); }
+float shell_thickness() { return 1.0 / float(shell_count); }
+int steps_in_slab(int step_count) { return step_count; }
+#endif
 
 vec2 tile_per_height;  // how the place on the tile moves along the ray for a unit of height, in tiles
 
@@ -55,6 +69,8 @@ void shift_to_strand(vec3 normal, vec3 tile_u) {
 
 #include "paint.glsl"
 #include "paint_form.glsl"
+
+const float min_opacity = 0.002;  // over the whole height: half a step of 255
 
 // All but the first weighted by opacity; light to the fourth: what dark strands let through.
 struct Slab {

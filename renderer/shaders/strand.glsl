@@ -1,14 +1,14 @@
 // A strand that grows from the model, read from the buffers of renderer/upload/model_buffers.h: the same places as those
 // that shells interpolate. After frame.glsl and lean.glsl.
+#include "constants.glsl"
 #include "unit.glsl"
 
-layout(std430, binding = 0) readonly buffer VertexBuffer { float values[]; } vertex_buffer;
-layout(std430, binding = 1) readonly buffer GroomBuffer { float values[]; } groom_buffer;
+layout(std430, binding = vertex_storage) readonly buffer VertexBuffer { float values[]; } vertex_buffer;
+layout(std430, binding = groom_storage) readonly buffer GroomBuffer { float values[]; } groom_buffer;
 #ifdef PATTERN
-layout(std430, binding = 2) readonly buffer VariationBuffer { vec4 values[]; } variation_buffer;
+layout(std430, binding = variation_storage) readonly buffer VariationBuffer { vec4 values[]; } variation_buffer;
 #endif
 
-const int vertex_floats = 21;  // as RenderVertex
 
 vec2 vertex_vec2(uint vertex, int at) {
   int i = int(vertex) * vertex_floats + at;
@@ -32,14 +32,13 @@ Strand strand_at(uint vertex, float s, float stretch) {
   int at = 3 * int(vertex);
   vec2 direction = vec2(groom_buffer.values[at], groom_buffer.values[at + 1]);
   float fur_length = groom_buffer.values[at + 2], inclination = min(length(direction), 1.0);
-  vec2 heading = inclination > 1e-6 ? direction / inclination : vec2(1.0, 0.0);
   vec4 varied = vec4(1.0, 0.0, 1.0, 0.0);
 #ifdef PATTERN
   varied = variation_buffer.values[vertex];
   fur_length *= varied.x;
   inclination = clamp(inclination + varied.y, 0.0, 1.0);
 #endif
-  vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
+  vec3 lean = lean_along(direction, normal, tangent);
   vec3 curve = lean_point(frame.tile.z > 0.5, inclination, frame.counts.w, s);
   vec3 root = vertex_vec3(vertex, 0);
   return Strand(root, root + fur_length * stretch * (curve.x * lean + curve.y * normal), normal,

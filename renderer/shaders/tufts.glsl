@@ -1,11 +1,12 @@
 // Tufts (renderer/pattern/tufts.h): at height s strands have gone a part of the way to the middle of their tuft. So the
 // strand that a ray meets grows further out, and past the border of a tuft there is none.
-layout(std140, binding = 7) uniform TuftBlock {
+#include "constants.glsl"
+layout(std140, binding = tuft_binding) uniform TuftBlock {
   vec4 origin;  // of the volume; w: gathered at the tip
   vec4 scale;   // 1 / its extent; w: the longest pull
 } tufts;
 
-layout(binding = 13) uniform sampler3D tuft_volume;
+layout(binding = tuft_unit) uniform sampler3D tuft_volume;
 
 in vec3 tuft_root;
 in float tuft_length;  // of the fur, sizes

@@ -5,10 +5,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/shaders/constants.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/shading/marschner.h"
 
 namespace pelage {
+
+static_assert(static_cast<int>(ShadingModel::lengyel) == model_lengyel);
+static_assert(static_cast<int>(ShadingModel::kajiya) == model_kajiya);
+static_assert(static_cast<int>(ShadingModel::energy_conserving) == model_energy_conserving);
+static_assert(static_cast<int>(ShadingModel::scheuermann) == model_scheuermann);
+static_assert(static_cast<int>(ShadingModel::kajiya_kay) == model_kajiya_kay);
+static_assert(static_cast<int>(ShadingModel::marschner) == model_marschner);
 
 namespace {
 

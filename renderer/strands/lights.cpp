@@ -7,12 +7,13 @@
 
 #include "protocol/base/colour_space.h"
 #include "renderer/light/environment.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr float nearest_square = 1e-8f, largest_fall = 1e8f;  // as light_at in lighting.glsl
+constexpr auto min_square = static_cast<float>(min_light_square), max_falloff = static_cast<float>(max_light_falloff);
 
 struct Axes {
   glm::vec3 right, up;
@@ -45,10 +46,10 @@ float cone_share(const FurLight& light, glm::vec3 to_light) {
 /// light_at of lighting.glsl, for light from `from`.
 LightSample from_point(const FurLight& light, glm::vec3 from, glm::vec3 place) {
   const glm::vec3 apart = from - place;
-  const float square = std::max(glm::dot(apart, apart), nearest_square);
+  const float square = std::max(glm::dot(apart, apart), min_square);
   const float distance = std::sqrt(square);
   const glm::vec3 towards = apart / distance;
-  const glm::vec3 radiance = light.radiance * std::min(1 / square, largest_fall) * cone_share(light, towards);
+  const glm::vec3 radiance = light.radiance * std::min(1 / square, max_falloff) * cone_share(light, towards);
   const float length = glm::length(towards);  // less than 1 only right at the light
   return {length > 0 ? towards / length : -light.direction, distance, radiance};
 }

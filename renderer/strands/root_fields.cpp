@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/lean_curve.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/skin/bare.h"
 
@@ -62,14 +63,11 @@ FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, s
 
 /// The curve of a strand at a corner, as in fur.vert.
 void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
-  const glm::vec2 direction = corner.fur.direction;
-  float inclination = std::min(glm::length(direction), 1.0f);
-  const glm::vec2 heading = inclination > 1e-6f ? direction / inclination : glm::vec2(1, 0);
+  auto [inclination, lean] = lean_of(corner.fur.direction, corner.normal, tangent);
   if (pattern) {
     corner.fur.length *= pattern_length(*pattern, corner.place);
     inclination = glm::clamp(inclination + pattern_lean(*pattern, corner.place), 0.0f, 1.0f);
   }
-  const glm::vec3 lean = tangent * heading.x + glm::cross(corner.normal, tangent) * heading.y;
   const LeanRow row = leans.row(inclination);
   for (std::size_t k = 0; k < row.size(); ++k) {
     corner.curve[k] = corner.fur.length * (row[k].place.x * lean + row[k].place.y * corner.normal);

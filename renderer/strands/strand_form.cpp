@@ -6,14 +6,13 @@
 #include <numbers>
 
 #include "renderer/pattern/tufts.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr float max_gathered = 0.8f, water_gathers = 0.85f;  // as in paint_form.glsl
 constexpr float turn = 2 * std::numbers::pi_v<float>;
-constexpr double max_curl = 0.5;
 constexpr std::size_t max_knots = 64;
 
 /// Strands of one place curl together; between places the phase changes slowly (curl_angle in paint_form.glsl).
@@ -55,7 +54,8 @@ StrandForm::StrandForm(const Coat& coat, const TileStrands& tile)
 StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& root) const {
   const auto own = static_cast<float>(coat_.wetness);  // what that draws together is in the tile
   const float water = std::min(own + root.wetness, 1.0f) - own;
-  const float gather = max_gathered * std::min(root.clump + water_gathers * water, 1.0f);
+  const auto gathers = static_cast<float>(water_gathers);
+  const float gather = static_cast<float>(max_clump_gather) * std::min(root.clump + gathers * water, 1.0f);
   if (gather <= 0) return {};
   const StrandClump clump = clumps_.nearest(strand.root);
   return {glm::vec3(clump.centre - strand.root, 0), gather * glm::mix(0.5f, 1.0f, static_cast<float>(clump.pull))};

@@ -5,11 +5,15 @@
 #include <cmath>
 
 #include "protocol/base/colour_space.h"
+#include "protocol/base/limits.h"
 #include "renderer/coat/colour_above.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/light/environment.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
+
+static_assert(max_lights == limits::lights && max_eyes == limits::eyes && max_skin_regions == limits::skin_regions);
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -20,7 +21,7 @@ struct FrameBlock {
   std::array<glm::vec4, slice_count / 4> depth_above{};
   std::array<glm::vec4, slice_count> colour_above{};
   glm::vec4 ramp_root{0};
-  std::array<LightBlock, 8> lights{};
+  std::array<LightBlock, max_lights> lights{};
   std::array<glm::vec4, 9> environment{};
 };
 static_assert(sizeof(FrameBlock) == 64 + 16 * (7 + 8 + 8 + 32 + 1 + 24 + 9));

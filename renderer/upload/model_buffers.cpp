@@ -7,6 +7,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "renderer/shaders/constants.h"
 #include "renderer/skin/bare.h"
 
 namespace pelage {
@@ -68,7 +69,7 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
     : vertex_array_(gl),
       fixed_(gl),
       groom_(gl),
-      level_(gl),
+      lod_(gl),
       variation_(gl),
       elements_(gl),
       paint_(gl),
@@ -117,7 +118,7 @@ void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& verti
   for (const RenderVertex& vertex : vertices) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);
   }
-  lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), levels_.resize(vertices.size());
+  lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), lods_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
   for (const glm::uvec3& t : model.triangles) {
     const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
@@ -130,7 +131,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   const GLuint id = vertex_array_.id();
   gl.VertexArrayVertexBuffer(id, 0, fixed_.id(), 0, sizeof(RenderVertex));
   gl.VertexArrayVertexBuffer(id, 1, groom_.id(), 0, sizeof(glm::vec3));
-  gl.VertexArrayVertexBuffer(id, 2, level_.id(), 0, sizeof(float));
+  gl.VertexArrayVertexBuffer(id, 2, lod_.id(), 0, sizeof(float));
   gl.VertexArrayVertexBuffer(id, 3, variation_.id(), 0, sizeof(glm::vec4));
   gl.VertexArrayElementBuffer(id, elements_.id());
   const auto add = [&](Attribute attribute, GLint size, std::size_t offset, GLuint buffer) {
@@ -147,7 +148,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   add(Attribute::colour, 3, offsetof(RenderVertex, colour), 0);
   add(Attribute::weight, 1, offsetof(RenderVertex, weight), 0);
   add(Attribute::groom, 3, 0, 1);
-  add(Attribute::level, 1, 0, 2);
+  add(Attribute::shell_lod, 1, 0, 2);
   add(Attribute::variation, 4, 0, 3);
 }
 
@@ -235,17 +236,17 @@ void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> value
 }
 
 void ModelBuffers::bind_storage(const Gl& gl) const {
-  static_assert(sizeof(RenderVertex) == 21 * sizeof(float), "strand.glsl reads vertices as 21 floats");
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, fixed_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, groom_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, variation_.id());
+  static_assert(sizeof(RenderVertex) == vertex_floats * sizeof(float));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, vertex_storage, fixed_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, groom_storage, groom_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, variation_storage, variation_.id());
   paint_.bind_storage(gl);
 }
 
 ModelBuffers::DrawLists ModelBuffers::lists_of_skin() const {
   const auto count = static_cast<GLsizei>(3 * triangles_.size());
   const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}, {}};
+  return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}};
 }
 
 ModelBuffers::DrawLists ModelBuffers::skin_lists(const Gl& gl) {
@@ -264,17 +265,6 @@ ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vec
   return list;
 }
 
-float height_of(int shell, int shells) { return (static_cast<float>(shell) + 0.5f) / static_cast<float>(shells); }
-
-void order_shells(ModelBuffers::DepthPart& part) {
-  const auto lower = [](const ModelBuffers::ShellList& a, const ModelBuffers::ShellList& b) {
-    return height_of(a.shell, a.shells) < height_of(b.shell, b.shells);
-  };
-  std::stable_sort(part.facing.begin(), part.facing.end(), lower);
-  std::stable_sort(part.back_facing.begin(), part.back_facing.end(), lower);
-  std::reverse(part.back_facing.begin(), part.back_facing.end());
-}
-
 }  // namespace
 
 std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists& lists, const Coat& coat,
@@ -284,36 +274,36 @@ std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists
   StrandDepths strands({positions_, normals_, tangents_, groom_values_}, coat, view.to_clip);
   std::vector<DepthPart> parts;
   for (int part = 0; part < depths.count(); ++part) parts.push_back({depths.range(part), {}, {}});
-  const auto add = [&](const std::vector<glm::uvec3>& triangles, int set, std::vector<ShellList> DepthPart::*side) {
-    const int shells = shells_of_set(view.shells, set);
-    const DrawList whole = parts.size() == 1 ? append(triangles, elements) : DrawList{};
-    for (int shell = 0; shell < shells; ++shell) {
-      if (parts.size() == 1) {  // all shells have one list
-        (parts[0].*side).push_back({set, shell, shells, whole});
+  const int highest = max_lod(view.shells, view.policy);
+  const std::span<const float> lods = highest > 0 ? std::span<const float>(lods_) : std::span<const float>();
+  const auto add = [&](const ShellLists::OfLods& triangles, std::vector<ShellList> DepthPart::*side) {
+    std::array<DrawList, max_shell_lod + 1> whole;  // of all shells that go at the same level
+    for (std::size_t lod = 0; parts.size() == 1 && lod < whole.size(); ++lod)
+      whole[lod] = append(triangles[lod], elements);
+    for (int shell = 0; shell < view.shells; ++shell) {
+      const auto lod = static_cast<std::size_t>(std::min(gone_from(shell) - 1, highest));
+      if (parts.size() == 1) {
+        (parts[0].*side).push_back({shell, whole[lod]});
         continue;
       }
-      const auto reached = in_parts(depths, strands, triangles, height_of(shell, shells));
+      const auto reached = in_parts(depths, strands, triangles[lod], {shell, view.shells, lods});
       for (std::size_t part = 0; part < parts.size(); ++part) {
-        if (!reached[part].empty())
-          (parts[part].*side).push_back({set, shell, shells, append(reached[part], elements)});
+        if (!reached[part].empty()) (parts[part].*side).push_back({shell, append(reached[part], elements)});
       }
     }
   };
-  for (int set = 0; set < sets_of(view.shells, view.policy); ++set) {
-    add(lists.back_facing[static_cast<std::size_t>(set)], set, &DepthPart::back_facing);
-    add(lists.facing[static_cast<std::size_t>(set)], set, &DepthPart::facing);
-  }
-  for (DepthPart& part : parts) order_shells(part);
+  add(lists.back_facing, &DepthPart::back_facing);
+  add(lists.facing, &DepthPart::facing);
+  for (DepthPart& part : parts) std::reverse(part.back_facing.begin(), part.back_facing.end());
   return parts;
 }
 
 ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
-  for (std::size_t i = 0; i < levels_.size(); ++i)
-    levels_[i] = shell_lod_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
-  gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
-                     GL_STREAM_DRAW);
+  for (std::size_t i = 0; i < lods_.size(); ++i)
+    lods_[i] = shell_lod(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
+  gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
   const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  const ShellMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
+  const ShellMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, lods_, cells};
   const ShellLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements;
@@ -327,7 +317,6 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, c
     result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)), elements);
   }
   result.shown = append(shown_triangles(mesh, view), elements);
-  for (std::size_t set = 0; set < max_shell_lods; ++set) result.marks[set] = append(lists.marks[set], elements);
   result.parts = parts_of_fur(lists, coat, view, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);

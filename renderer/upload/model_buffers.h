@@ -27,7 +27,7 @@ enum class Attribute : GLuint {
   colour,
   groom,
   weight,
-  level,
+  shell_lod,
   variation,
   painted_numbers,  // and the one after it
   painted_colours = painted_numbers + 2
@@ -74,9 +74,8 @@ class ModelBuffers {
   struct DrawList {
     GLsizei first = 0, count = 0;
   };
-  /// One shell of one set, of the `shells` that the set has.
   struct ShellList {
-    int set = 0, shell = 0, shells = 1;
+    int shell = 0;
     DrawList list;
   };
   /// In the order of blending: back-facing outside in, then facing inside out.
@@ -85,11 +84,10 @@ class ModelBuffers {
     std::vector<ShellList> back_facing, facing;
   };
   struct DrawLists {
-    DrawList all;                                // every triangle
-    DrawList bare, furred;                       // those in the view's part that bare skin may touch, and the others
-    DrawList shown;                              // those whose fur is drawn
-    std::array<DrawList, max_shell_lods> marks;  // as ShellLists
-    std::vector<DepthPart> parts;                // of the fur, far to near
+    DrawList all;                  // every triangle
+    DrawList bare, furred;         // those in the view's part that bare skin may touch, and the others
+    DrawList shown;                // those whose fur is drawn
+    std::vector<DepthPart> parts;  // of the fur, far to near
   };
   /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
   DrawLists skin_lists(const Gl& gl);
@@ -118,7 +116,7 @@ class ModelBuffers {
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 
   VertexArray vertex_array_;
-  Buffer fixed_, groom_, level_, variation_, elements_;
+  Buffer fixed_, groom_, lod_, variation_, elements_;
   PaintBuffers paint_;
   Texture images_;
   std::uint64_t original_ = 0;
@@ -137,7 +135,7 @@ class ModelBuffers {
   std::size_t bare_count_ = 0;
   std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
-  std::vector<float> levels_;      // of the last view
+  std::vector<float> lods_;        // of the last view
 };
 
 }  // namespace pelage

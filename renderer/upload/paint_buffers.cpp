@@ -1,13 +1,13 @@
 #include "renderer/upload/paint_buffers.h"
 
+#include "renderer/shaders/constants.h"
 #include "renderer/upload/model_buffers.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr GLuint numbers_slot = 4, colours_slot = 5;          // of the vertex array
-constexpr GLuint numbers_storage = 10, colours_storage = 11;  // as in paint_storage.glsl
+constexpr GLuint numbers_slot = 4, colours_slot = 5;  // of the vertex array
 
 struct Pair {
   glm::vec4 first{0}, second{0};
@@ -90,8 +90,8 @@ std::string PaintBuffers::defines() const {
 }
 
 void PaintBuffers::bind_storage(const Gl& gl) const {
-  if (touched_.fur) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, numbers_storage, numbers_.id());
-  if (touched_.colours) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, colours_storage, colours_.id());
+  if (touched_.fur) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, paint_storage, numbers_.id());
+  if (touched_.colours) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, paint_colours_storage, colours_.id());
 }
 
 }  // namespace pelage

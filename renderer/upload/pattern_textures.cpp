@@ -4,13 +4,12 @@
 
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/surface_volume.h"
+#include "renderer/shaders/constants.h"
 #include "renderer/upload/textures.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr GLuint pattern_binding = 1, pattern_texture_unit = 8;  // as in pattern.glsl
 
 struct PatternColours {
   glm::vec4 colour, inner_colour, belly_colour, origin, scale;
@@ -29,7 +28,7 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
     model.send_variation(gl, variation);
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, pattern_binding, uniforms_.id());
-  gl.BindTextureUnit(pattern_texture_unit, volume_.id());
+  gl.BindTextureUnit(pattern_unit, volume_.id());
 }
 
 void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const ModelBuffers& model) {

@@ -1,13 +1,12 @@
 #include "renderer/upload/scattering_textures.h"
 
 #include "renderer/coat/strand_tile.h"
+#include "renderer/shaders/constants.h"
 #include "renderer/shading/scattering_table.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr GLuint block_binding = 3, table_unit = 3;  // as in scattering.glsl
 
 Texture send_table(const Gl& gl, const ScatteringTable& table) {
   Texture texture(gl, GLenum{GL_TEXTURE_3D});
@@ -33,8 +32,8 @@ void ScatteringTextures::prepare(const Gl& gl, const FurFrame& frame) {
     const ScatteringTable table = make_scattering_table(look);
     table_ = table.empty() ? Texture() : send_table(gl, table);
   }
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, block_binding, block_.id());
-  if (table_) gl.BindTextureUnit(table_unit, table_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, scattering_binding, block_.id());
+  if (table_) gl.BindTextureUnit(scattering_unit, table_.id());
 }
 
 }  // namespace pelage

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -23,12 +24,12 @@ struct LightView {
 std::optional<LightView> view_of_light(const FurLight& light, float radius, int resolution);
 
 struct ShadowBlock {
-  std::array<glm::mat4, 8> to_light{};
-  std::array<glm::vec4, 8> axis{};
+  std::array<glm::mat4, max_lights> to_light{};
+  std::array<glm::vec4, max_lights> axis{};
   // Slot of the shell maps or -1; slot of the depth map or -1; the cast shadow's edge: 0 hard, 1 soft, 2 a penumbra;
   // the soft one's scale, the penumbra's half width over the distance to what casts it times that to the light, -1 for
   // none.
-  std::array<glm::vec4, 8> slots{};
+  std::array<glm::vec4, max_lights> slots{};
 };
 static_assert(sizeof(ShadowBlock) == 8 * (64 + 16 + 16));
 

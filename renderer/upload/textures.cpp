@@ -1,6 +1,7 @@
 #include "renderer/upload/textures.h"
 
 #include "renderer/coat/strand_tile.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -48,8 +49,6 @@ CoatTextures::CoatTextures(const Gl& gl, const Coat& coat, UploadCount& count)
 
 namespace {
 
-constexpr GLuint clump_binding = 6, clump_texture_unit = 15;  // as in paint.glsl and paint_form.glsl
-
 Texture send(const Gl& gl, const ClumpMap& map) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D});
   gl.TextureStorage2D(texture.id(), 1, GL_RGBA8, ClumpMap::side, ClumpMap::side);
@@ -71,8 +70,8 @@ void PaintTextures::prepare(const Gl& gl, const Coat& coat) {
     gl.NamedBufferData(uniforms_.id(), sizeof block, &block, GL_STATIC_DRAW);
     coat_ = coat;
   }
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, clump_binding, uniforms_.id());
-  gl.BindTextureUnit(clump_texture_unit, clumps_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, paint_binding, uniforms_.id());
+  gl.BindTextureUnit(clump_unit, clumps_.id());
 }
 
 }  // namespace pelage

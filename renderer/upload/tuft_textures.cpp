@@ -1,12 +1,11 @@
 #include "renderer/upload/tuft_textures.h"
 
+#include "renderer/shaders/constants.h"
 #include "renderer/upload/textures.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr GLuint tuft_binding = 7, tuft_texture_unit = 13;  // as in tufts.glsl
 
 struct TuftBlock {
   glm::vec4 origin;  // of the volume; w: gathered at the tip
@@ -21,7 +20,7 @@ void TuftTextures::prepare(const Gl& gl, std::uint64_t model_id, const Tufts& tu
     send(gl, tufts, model);
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, tuft_binding, uniforms_.id());
-  gl.BindTextureUnit(tuft_texture_unit, volume_.id());
+  gl.BindTextureUnit(tuft_unit, volume_.id());
 }
 
 void TuftTextures::send(const Gl& gl, const Tufts& tufts, const ModelBuffers& model) {

@@ -23,10 +23,8 @@ class StrandBoxes {
     const glm::vec3 root = mesh_.positions[vertex];
     const float length = stretch_ * groom.z;
     if (coat_.variation.lean > 0) return balls_.of(root, length);
-    const float inclination = std::min(glm::length(glm::vec2(groom)), 1.0f);
-    const glm::vec2 heading = inclination > 1e-6f ? glm::vec2(groom) / glm::length(glm::vec2(groom)) : glm::vec2(1, 0);
-    const glm::vec3 normal = mesh_.normals[vertex], tangent = mesh_.tangents[vertex];
-    const glm::vec3 lean = tangent * heading.x + glm::cross(normal, tangent) * heading.y;
+    const glm::vec3 normal = mesh_.normals[vertex];
+    const auto [inclination, lean] = lean_of(glm::vec2(groom), normal, mesh_.tangents[vertex]);
     ClipBox box = balls_.of(root, bend_of_a_part * length);
     for (int i = 1; i <= parts; ++i) {
       const LeanPoint at = lean_point(coat_.lean_curve, inclination, coat_.root_share, static_cast<double>(i) / parts);

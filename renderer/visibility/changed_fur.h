@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/visibility/set_cells.h"
+#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "protocol/base/lean_curve.h"
+#include "renderer/visibility/shell_lod.h"
 
 namespace pelage {
 
@@ -54,10 +55,8 @@ StrandDepths::StrandDepths(const StrandRoots& roots, const Coat& coat, const glm
 const StrandDepths::Strand& StrandDepths::strand(std::uint32_t vertex) {
   Strand& strand = strands_[vertex];
   if (strand.known) return strand;
-  const glm::vec3 groom = roots_.grooms[vertex], normal = roots_.normals[vertex], tangent = roots_.tangents[vertex];
-  const float across = glm::length(glm::vec2(groom)), inclination = std::min(across, 1.0f);
-  const glm::vec2 heading = inclination > 1e-6f ? glm::vec2(groom) / across : glm::vec2(1, 0);
-  const glm::vec3 lean = tangent * heading.x + glm::cross(normal, tangent) * heading.y;
+  const glm::vec3 groom = roots_.grooms[vertex], normal = roots_.normals[vertex];
+  const auto [inclination, lean] = lean_of(glm::vec2(groom), normal, roots_.tangents[vertex]);
   const float up_rate = glm::dot(glm::vec3(along_), normal), lean_rate = glm::dot(glm::vec3(along_), lean);
   strand.distances[0] = glm::dot(along_, glm::vec4(roots_.positions[vertex], 1));
   for (int i = 1; i <= pieces; ++i) {
@@ -70,15 +69,15 @@ const StrandDepths::Strand& StrandDepths::strand(std::uint32_t vertex) {
   return strand;
 }
 
-glm::vec2 StrandDepths::of(const glm::uvec3& triangle, float height) {
+glm::vec2 StrandDepths::of(const glm::uvec3& triangle, glm::vec3 heights) {
   const float longer = static_cast<float>(coat_.variation.length);
-  // Other lengths move a place along its strand, other leans anywhere at its height.
-  const float varied = coat_.variation.lean > 0 ? 2 * (1 + longer) * height : longer * height;
-  const float place = height * pieces;
-  const auto piece = static_cast<std::size_t>(std::min(place, pieces - 1.0f));
   glm::vec2 range(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
   for (int corner = 0; corner < 3; ++corner) {
     const Strand& at = strand(triangle[corner]);
+    const float height = heights[corner], place = height * pieces;
+    const auto piece = static_cast<std::size_t>(std::min(place, pieces - 1.0f));
+    // Other lengths move a place along its strand, other leans anywhere at its height.
+    const float varied = coat_.variation.lean > 0 ? 2 * (1 + longer) * height : longer * height;
     const float distance = glm::mix(at.distances[piece], at.distances[piece + 1], place - static_cast<float>(piece));
     const float margin = at.length * (bend_of_piece * (1 + longer) + varied) + rounding * (1 + std::abs(distance));
     range = {std::min(range.x, distance - margin), std::max(range.y, distance + margin)};
@@ -86,11 +85,19 @@ glm::vec2 StrandDepths::of(const glm::uvec3& triangle, float height) {
   return range;
 }
 
+glm::vec3 ShellHeights::over(const glm::uvec3& triangle) const {
+  const auto middle = [&](float lod) {
+    return 0.5f * (slab_begin(shell, shells, lod) + slab_begin(shell + 1, shells, lod)) / static_cast<float>(shells);
+  };
+  if (lods.empty()) return glm::vec3(middle(0));
+  return {middle(lods[triangle.x]), middle(lods[triangle.y]), middle(lods[triangle.z])};
+}
+
 std::vector<std::vector<glm::uvec3>> in_parts(const DepthParts& parts, StrandDepths& strands,
-                                              std::span<const glm::uvec3> triangles, float height) {
+                                              std::span<const glm::uvec3> triangles, const ShellHeights& heights) {
   std::vector<std::vector<glm::uvec3>> result(static_cast<std::size_t>(parts.count()));
   for (const glm::uvec3& triangle : triangles) {
-    const glm::vec2 range = strands.of(triangle, height);
+    const glm::vec2 range = strands.of(triangle, heights.over(triangle));
     for (int part = parts.at(range.y); part <= parts.at(range.x); ++part)
       result[static_cast<std::size_t>(part)].push_back(triangle);
   }

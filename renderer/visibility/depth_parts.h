@@ -57,8 +57,8 @@ class StrandDepths {
  public:
   StrandDepths(const StrandRoots& roots, const Coat& coat, const glm::mat4& to_clip);
 
-  /// Least and largest distance along the view of a triangle's shell at a height in [0, 1].
-  glm::vec2 of(const glm::uvec3& triangle, float height);
+  /// Least and largest distance along the view of a triangle's shell, at heights in [0, 1] over its corners.
+  glm::vec2 of(const glm::uvec3& triangle, glm::vec3 heights);
 
  private:
   static constexpr int pieces = 4;               // of a strand
@@ -76,8 +76,18 @@ class StrandDepths {
   std::vector<Strand> strands_;
 };
 
-/// For each part the triangles whose shell at a height may be there.
+/// One of `shells` shells; where vertices have levels of detail it lies there as they say
+/// (renderer/visibility/shell_lod.h).
+struct ShellHeights {
+  int shell, shells;
+  std::span<const float> lods;  // of vertices; none where all are 0
+
+  /// Of the middle of the shell's slab over the corners of a triangle, in [0, 1].
+  glm::vec3 over(const glm::uvec3& triangle) const;
+};
+
+/// For each part the triangles whose shell may be there.
 std::vector<std::vector<glm::uvec3>> in_parts(const DepthParts& parts, StrandDepths& strands,
-                                              std::span<const glm::uvec3> triangles, float height);
+                                              std::span<const glm::uvec3> triangles, const ShellHeights& heights);
 
 }  // namespace pelage

@@ -13,7 +13,6 @@ constexpr float full_bending = 1.5f;  // of the normal over the length of the fu
 constexpr float max_bending = 1e3f;   // more is the same
 constexpr float shells_per_pixel = 1.0f;
 constexpr float past_skin = 2.0f;  // of the tangent below: with 1 a fifth more fragments bring .001 of FLIP
-constexpr int max_steps = 16;      // in a slab
 
 float cosine_to_camera(const ShellMesh& mesh, std::size_t triangle, glm::vec3 viewpoint) {
   const glm::vec3 to_camera = viewpoint - mesh.centroids[triangle], normal = mesh.normals[triangle];
@@ -26,26 +25,31 @@ float tangent_past_skin(float bending) { return past_skin / std::sqrt(std::max(b
 
 }  // namespace
 
-int shells_of_set(int shells, int set) {
-  const int part = 1 << set;
-  return std::max(std::min(shells, min_shells), (shells + part - 1) / part);
+int max_lod(int shells, ShellPolicy policy) {
+  int lod = 0;
+  while (policy == ShellPolicy::adaptive && lod < max_shell_lod && shells >> (lod + 1) >= min_shells) ++lod;
+  return lod;
 }
 
-int sets_of(int shells, ShellPolicy policy) {
-  int sets = 1;
-  while (policy == ShellPolicy::adaptive && sets < max_shell_lods &&
-         shells_of_set(shells, sets) < shells_of_set(shells, sets - 1))
-    ++sets;
-  return sets;
+int gone_from(int shell) {
+  int lod = 1;
+  while (lod <= max_shell_lod && shell % (1 << lod) == 0) ++lod;
+  return lod;
 }
 
-int steps_of_set(const Knobs& knobs, int set) {
-  const int own = shells_of_set(knobs.shells, set);
-  return std::min(max_steps, (knobs.steps * knobs.shells + own - 1) / own);
+float slab_begin(int shell, int shells, float lod) {
+  float height = static_cast<float>(shell);
+  for (int halving = 0; halving < max_shell_lod; ++halving) {
+    const int step = 1 << halving;
+    if ((shell & step) == 0) continue;
+    height += static_cast<float>(step) * std::clamp(lod - static_cast<float>(halving), 0.0f, 1.0f);
+    shell += step;
+  }
+  return std::min(height, static_cast<float>(shells));
 }
 
-float shell_lod_level(const ShellView& view, const ShellVertex& vertex) {
-  const float highest = static_cast<float>(sets_of(view.shells, view.policy) - 1);
+float shell_lod(const ShellView& view, const ShellVertex& vertex) {
+  const float highest = static_cast<float>(max_lod(view.shells, view.policy));
   if (highest == 0) return 0;
   const glm::vec3 to_camera = view.viewpoint - vertex.position;
   const float distance = std::max(glm::length(to_camera), 1e-6f);
@@ -73,59 +77,18 @@ std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<co
   return sum;
 }
 
-namespace {
-
-constexpr float near_silhouette = -0.25f;  // cosine: what turns away further has fur that is front-facing in front
-
-struct Asked {
-  int first, last;  // sets
-};
-
-/// The sets that pixels of a triangle may ask for.
-Asked asked_sets(const ShellMesh& mesh, const glm::uvec3& t, int sets) {
-  constexpr float reach = 0.5f + dithered_levels / 2;  // of a set, in levels
-  const auto [low, high] = std::minmax({mesh.levels[t.x], mesh.levels[t.y], mesh.levels[t.z]});
-  return {std::max(0, static_cast<int>(std::ceil(low - reach))),
-          std::min(sets - 1, static_cast<int>(std::floor(high + reach)))};
-}
-
-struct Seen {
-  glm::uvec3 triangle;
-  CellBox box;
-  bool faces;
-};
-
-}  // namespace
-
 ShellLists sort_triangles(const ShellMesh& mesh, const ShellView& view) {
-  const int sets = sets_of(view.shells, view.policy);
+  const int highest = max_lod(view.shells, view.policy);
   ShellLists lists;
-  SetCells cells;
-  std::vector<Seen> seen;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const float cosine = cosine_to_camera(mesh, i, view.viewpoint);
     if (cosine <= view.furthest) continue;
     const glm::uvec3 t = mesh.triangles[i];
-    const CellBox box = cells_of(mesh, t);
-    if (!touch(box, view.part)) continue;
-    if (sets == 1) {
-      (cosine >= 0 ? lists.facing : lists.back_facing)[0].push_back(t);
-      continue;
-    }
-    seen.push_back({t, box, cosine >= 0});
-    if (cosine < 0 && cosine > near_silhouette) cells.show(box, 0);
-    if (cosine < 0) continue;
-    const Asked asked = asked_sets(mesh, t, sets);
-    for (int set = asked.first; set <= asked.last; ++set) {
-      lists.marks[static_cast<std::size_t>(set)].push_back(t);
-      cells.show(box, set);
-    }
-  }
-  for (int set = 0; set < sets; ++set) {
-    for (const Seen& each : seen) {
-      if (cells.may_show(each.box, set))
-        (each.faces ? lists.facing : lists.back_facing)[static_cast<std::size_t>(set)].push_back(each.triangle);
-    }
+    if (!touch(cells_of(mesh, t), view.part)) continue;
+    ShellLists::OfLods& side = cosine >= 0 ? lists.facing : lists.back_facing;
+    const float lowest = highest == 0 ? 0 : std::min({mesh.lods[t.x], mesh.lods[t.y], mesh.lods[t.z]});
+    for (int lod = std::min(highest, static_cast<int>(lowest)); lod <= highest; ++lod)
+      side[static_cast<std::size_t>(lod)].push_back(t);
   }
   return lists;
 }

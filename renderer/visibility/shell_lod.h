@@ -1,10 +1,9 @@
-// How many shells each pixel of a view gets: non-uniform shells (fur modelling 2; science.md 1).
+// How many shells each place of a view gets: non-uniform shells (fur modelling 2; science.md 1).
 //
-// There are up to three sets of shells: all of the shells, half and a quarter of them. A vertex's level says how often
-// their number may be halved. Before anything else the outer hull of the fur is drawn, which leaves in each pixel the
-// set that the level there asks for; each set is then drawn in its own pixels alone. So a ray meets one set, whatever
-// places of the skin it passes: the opacity stays true and no crack opens. Where one set passes into the next, pixels
-// are dithered, and nothing pops when the camera moves.
+// A vertex's level of detail says how often the number of shells may be halved there. From level 0 to 1 the shells of
+// odd numbers get thinner and those below them thicker, until they are gone; from 1 to 2 every second one of the others
+// goes the same way. At any level the slabs fill the height of the fur, so the opacity stays true, no crack opens and
+// nothing pops. A shell is drawn on the triangles where it has not gone.
 #pragma once
 
 #include <array>
@@ -14,21 +13,22 @@
 #include <vector>
 
 #include "protocol/commands/frame.h"
-#include "renderer/visibility/set_cells.h"
+#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 
-inline constexpr int max_shell_lods = 3;
-inline constexpr int min_shells = 8;  // of a set: each slice of the coat is then seen in a step of its own
+inline constexpr int max_shell_lod = 2;
+inline constexpr int min_shells = 8;  // that are left: each slice of the coat is then seen in a step of its own
 
-/// Shells of a set when set 0 has `shells`: half as many in each set after it, but no fewer than min_shells.
-int shells_of_set(int shells, int set);
+/// How often `shells` may be halved so that min_shells are left, in [0, max_shell_lod].
+int max_lod(int shells, ShellPolicy policy);
 
-/// LODs that differ, in [1, max_shell_lods].
-int sets_of(int shells, ShellPolicy policy);
+/// Level from which on a shell is gone; beyond max_shell_lod for those that stay.
+int gone_from(int shell);
 
-/// Texture steps in a slab of a set: as many over the height of the fur as with all shells, at most 16 a slab.
-int steps_of_set(const Knobs& knobs, int set);
+/// Where the slab of a shell begins at a level in [0, max_shell_lod], in shells from the skin; those of one after the
+/// last end at `shells`. renderer/shaders/shell_lod.glsl has the same.
+float slab_begin(int shell, int shells, float lod);
 
 /// Cosine between view and normal: fur on triangles turned further away lies behind the skin that is front-facing, but
 /// for long fur on thin parts.
@@ -52,30 +52,27 @@ struct ShellVertex {
   float length = 0, curvature = 0;
 };
 
-/// How often the number of shells may be halved at a vertex, in [0, sets_of - 1]: shells follow the tangent of the
-/// angle between view and fur and the bending of the skin over the fur's length, as a thick shell goes straight on;
-/// they need not lie closer than a pixel. Continuous in all of its arguments but the number of shells.
-float shell_lod_level(const ShellView& view, const ShellVertex& vertex);
+/// Level of detail at a vertex, in [0, max_lod]: shells follow the tangent of the angle between view and fur and the
+/// bending of the skin over the fur's length, as a thick shell goes straight on; they need not lie closer than a pixel.
+/// Continuous in all of its arguments but the number of shells.
+float shell_lod(const ShellView& view, const ShellVertex& vertex);
 
 /// Mean over the edges at each vertex of the change of the normal over the edge's length, 1 / sizes.
 std::vector<float> curvatures(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                               std::span<const glm::uvec3> triangles);
 
-/// Change of level over which pixels of two sets are mixed.
-inline constexpr float dithered_levels = 0.25f;
-
-/// Triangles as seen from an eye, as indices of vertices; for each set those that may show in its pixels.
+/// Triangles as seen from a viewpoint, as indices of vertices: at [lod] those on which shells that are gone from the
+/// next level on are still drawn. The last of a view's levels has all, and the shells that stay.
 struct ShellLists {
-  using OfSets = std::array<std::vector<glm::uvec3>, max_shell_lods>;
-  OfSets facing, back_facing;  // back-facing only near silhouettes: further away they lie behind the skin
-  OfSets marks;                // those of the facing ones that may ask for a set; none when a frame has one set only
+  using OfLods = std::array<std::vector<glm::uvec3>, max_shell_lod + 1>;
+  OfLods facing, back_facing;  // back-facing only near silhouettes: further away they lie behind the skin
 };
 
 struct ShellMesh {
   std::span<const glm::uvec3> triangles;
   std::span<const glm::vec3> centroids, normals;  // of triangles; normals of any length
   std::span<const glm::vec3> positions;           // of vertices
-  std::span<const float> lengths, levels;
+  std::span<const float> lengths, lods;
   std::span<const CellBox> cells;  // that the fur of a vertex may reach
 };
 

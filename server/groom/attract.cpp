@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "protocol/base/lean_curve.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/region.h"
 #include "server/groom/tools.h"
@@ -13,11 +14,9 @@ namespace {
 
 /// The tip's tangent, unit: its angle from the normal is the inclination times a right angle.
 glm::dvec3 tip_tangent(glm::dvec2 direction, const VertexFrame& frame) {
-  const double inclination = glm::length(direction);
-  if (inclination == 0) return frame.normal;
+  const auto [inclination, lean] = lean_of(direction, frame.normal, frame.tangent);
   const double angle = inclination * glm::half_pi<double>();
-  const glm::dvec2 heading = direction / inclination;
-  return std::cos(angle) * frame.normal + std::sin(angle) * (heading.x * frame.tangent + heading.y * frame.bitangent);
+  return std::cos(angle) * frame.normal + std::sin(angle) * lean;
 }
 
 /// The turning part: as comb does, towards the inclination at which the tip points along the pull.

@@ -25,10 +25,7 @@ struct UnitStrand {
 
 UnitStrand strand_at(std::uint32_t v, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
   const VertexFrame frame = frame_at(mesh, v);
-  const glm::dvec2 direction(fields.direction()[v]);
-  const double inclination = std::min(glm::length(direction), 1.0);
-  const glm::dvec2 heading = inclination > 0 ? direction / inclination : glm::dvec2(0);
-  const glm::dvec3 along = heading.x * frame.tangent + heading.y * frame.bitangent;
+  const auto [inclination, along] = lean_of(glm::dvec2(fields.direction()[v]), frame.normal, frame.tangent);
   UnitStrand strand;
   strand.root = glm::dvec3(mesh.positions[v]);
   for (int k = 0; k < places; ++k) {

@@ -40,8 +40,8 @@ AovTarget::AovTarget(const Gl& gl, std::span<const Aov> aovs, int width, int hei
     gl.NamedFramebufferTexture(framebuffer_.id(), buffers[place], texture.id(), 0);
     textures_[place] = std::move(texture);
   }
-  gl.NamedRenderbufferStorage(depth_.id(), GL_DEPTH32F_STENCIL8, width, height);
-  gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  gl.NamedRenderbufferStorage(depth_.id(), GL_DEPTH_COMPONENT32F, width, height);
+  gl.NamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
   gl.NamedFramebufferDrawBuffers(framebuffer_.id(), static_cast<GLsizei>(places), buffers.data());
   complete_ = gl.GetError() == GL_NO_ERROR &&
               gl.CheckNamedFramebufferStatus(framebuffer_.id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -60,7 +60,8 @@ void AovTarget::clear(const Gl& gl) const {
     if (textures_[place])
       gl.ClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, static_cast<GLint>(place), nothing.data());
   }
-  gl.ClearNamedFramebufferfi(framebuffer_.id(), GL_DEPTH_STENCIL, 0, 0, 0);
+  const float far_away = 0;
+  gl.ClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_away);
 }
 
 }  // namespace pelage

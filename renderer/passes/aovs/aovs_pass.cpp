@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -16,8 +17,6 @@ extern const char* const coverage_frag;
 }  // namespace shaders
 
 namespace {
-
-constexpr GLuint covered_unit = 14;  // as in covering.glsl
 
 enum class GatherRule { mean, straight, unit, light_share, middle };  // numbers of gather.frag
 
@@ -55,8 +54,8 @@ const AovsPass::DistancePrograms& AovsPass::distance_programs(const Gl& gl, cons
 // away.
 std::vector<AovsPass::Piece> AovsPass::pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
                                                       const FurDrawing& drawing) {
-  const auto variant = [&](bool crossing) {
-    return drawing.variant + (crossing ? "#define COVERING\n#define CROSSING\n" : "#define COVERING\n");
+  const auto defines = [](bool crossing) {
+    return std::string(crossing ? "#define COVERING\n#define CROSSING\n" : "#define COVERING\n");
   };
   std::vector<Piece> pieces;
   const auto add_shells = [&](const std::vector<FurPass::Shell>& shells) {
@@ -72,21 +71,19 @@ std::vector<AovsPass::Piece> AovsPass::pieces_inwards(const Gl& gl, const BodyPa
     }
   };
   const auto add_strips = [&](const auto& draw) {
-    pieces.push_back([&drawing, variant, draw](bool crossing) {
-      const std::string with = variant(crossing);
-      draw(FurDrawing{drawing.knobs, with, drawing.model, drawing.lists, drawing.coat});
-    });
+    pieces.push_back([&drawing, defines, draw](bool crossing) { draw(drawing.with(defines(crossing))); });
   };
   if (!frame.curves.empty())
-    pieces.push_back([&, variant](bool crossing) { body.curves.draw_plain(gl, frame, variant(crossing)); });
+    pieces.push_back(
+        [&, defines](bool crossing) { body.curves.draw_plain(gl, frame, drawing.with(defines(crossing)).variant); });
   if (frame.knobs.guard_hairs > 0)
     add_strips([&](const FurDrawing& with) { body.fins.draw_plain_hairs(gl, frame, with); });
   for (auto part = drawing.lists.parts.rbegin(); part != drawing.lists.parts.rend(); ++part) {
-    add_shells(FurPass::facing_shells(drawing.knobs, *part));
+    add_shells(FurPass::facing_shells(drawing.frame.knobs, *part));
     if (frame.knobs.fins)
       add_strips(
           [&, range = part->range](const FurDrawing& with) { body.fins.draw_plain_fins(gl, frame, with, range); });
-    add_shells(FurPass::back_facing_shells(drawing.knobs, *part));
+    add_shells(FurPass::back_facing_shells(drawing.frame.knobs, *part));
   }
   return pieces;
 }
@@ -125,7 +122,6 @@ void AovsPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& 
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   clear_target(gl, target, {});
-  body.fur.mark_sets(gl, drawing, target.framebuffer());
   FurPass::bind(gl, drawing);
   if (distance) {
     distance_programs(gl, drawing.variant).skin.use();
@@ -166,7 +162,7 @@ void AovsPass::gather(const Gl& gl, Aov aov, GLuint drawn, float scale, const Re
   program.use();
   program.set("scale", scale);
   program.set("rule", static_cast<int>(rule_of(aov)));
-  gl.BindTextureUnit(0, drawn);
+  gl.BindTextureUnit(source_unit, drawn);
   gl.BindVertexArray(nothing_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -22,7 +22,7 @@ void main() {
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif
-  float own = march(step_count, 0.0, density_share, shell_height(), 1.0 / float(shell_count)).opacity;
-  if (own * float(shell_count) < 0.002) discard;  // as fur.frag does
+  float own = march(steps_in_slab(step_count), 0.0, density_share, shell_height(), shell_thickness()).opacity;
+  if (own < min_opacity * shell_thickness()) discard;
   result = covering(own);
 }

@@ -7,9 +7,9 @@ struct CurveStyle {
   vec4 tip;
   vec4 normal;  // of the skin at the root; random number
 };
-layout(std430, binding = 4) readonly buffer CurvePoints { vec4 points[]; };  // place, height in the fur
-layout(std430, binding = 5) readonly buffer CurveStyles { CurveStyle styles[]; };
-layout(std430, binding = 6) readonly buffer CurveNumbers { uint numbers[]; };
+layout(std430, binding = curve_points_storage) readonly buffer CurvePoints { vec4 points[]; };  // place, height in the fur
+layout(std430, binding = curve_styles_storage) readonly buffer CurveStyles { CurveStyle styles[]; };
+layout(std430, binding = curve_numbers_storage) readonly buffer CurveNumbers { uint numbers[]; };
 
 uniform int first;     // of the numbers to draw
 uniform int segments;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -15,7 +16,6 @@ extern const char* const curve_shadow_frag;
 
 namespace {
 
-constexpr GLuint points_binding = 4, styles_binding = 5, numbers_binding = 6;  // as curve.vert
 constexpr float nowhere = 1e30f;  // depth of the nearest curve where there is none, sizes
 
 template <class T>
@@ -55,9 +55,9 @@ CurveOrder CurvesPass::bind(const Gl& gl, const FurFrame& frame, glm::vec3 viewp
   CurveOrder order = order_strips(strips_, viewpoint);
   send(gl, numbers_, order.curves, GL_STREAM_DRAW);
   gl.BindVertexArray(array_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, points_binding, points_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, styles_binding, styles_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, numbers_binding, numbers_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, curve_points_storage, points_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, curve_styles_storage, styles_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, curve_numbers_storage, numbers_.id());
   return order;
 }
 

@@ -19,7 +19,8 @@ void set_draw_state(const Gl& gl, GLuint framebuffer, int width, int height) {
 
 void clear_target(const Gl& gl, const RenderTarget& target, const std::array<float, 4>& colour) {
   gl.ClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, colour.data());
-  if (target.has_depth()) gl.ClearNamedFramebufferfi(target.framebuffer(), GL_DEPTH_STENCIL, 0, 0, 0);
+  const float far_away = 0;
+  if (target.has_depth()) gl.ClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &far_away);
 }
 
 void draw_list(const Gl& gl, const ModelBuffers::DrawList& list) {

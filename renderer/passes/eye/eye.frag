@@ -10,8 +10,8 @@
 // x^p for x in [0, 1] as an exponential of a logarithm that stays finite.
 float power(float x, float p) { return exp2(p * log2(max(x, 1e-12))); }
 
-layout(binding = 9) uniform sampler2DArray tissues;   // renderer/eye/iris_map.h
-layout(binding = 10) uniform sampler2DArray caustics;  // renderer/eye/optics.h
+layout(binding = tissues_unit) uniform sampler2DArray tissues;   // renderer/eye/iris_map.h
+layout(binding = caustics_unit) uniform sampler2DArray caustics;  // renderer/eye/optics.h
 
 uniform int steps;
 
@@ -21,9 +21,7 @@ flat in int number;
 
 layout(location = 0) out vec4 result;  // premultiplied
 
-const int caustic_angles = 20;
-const float caustic_reach = 2.0;
-const float rows = 256.0;           // of the map of the iris
+const float rows = float(iris_map_height);
 const float max_value = 6e4;             // half floats end at 65504
 const float forward_scatter = 0.2;  // Henyey and Greenstein's g
 
@@ -115,7 +113,6 @@ float phase(float cosine) {
   return pow(turned * turned / (1.0 + g * g - 2.0 * g * cosine), 1.5);
 }
 
-const int max_lights = 8;
 struct IrisLight {
   vec3 arriving[max_lights];  // irradiance on the iris
   float rising[max_lights];   // cosine of the light inside

@@ -7,6 +7,7 @@
 #include "protocol/base/limits.h"
 #include "renderer/eye/iris_map.h"
 #include "renderer/eye/optics.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -105,10 +106,10 @@ void EyePass::draw(const Gl& gl, const FurFrame& frame, const std::string& outpu
     block.eyes[k] = make_eye_entry(frame.eyes[k], frame, caustics_of(gl, shape_of(frame.eyes[k])));
   }
   gl.NamedBufferSubData(block_.id(), 0, sizeof(EyeBlock), &block);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 4, block_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, eye_binding, block_.id());
   gl.BindVertexArray(nothing_.id());
-  gl.BindTextureUnit(9, tissues_.id());
-  gl.BindTextureUnit(10, caustics_.id());
+  gl.BindTextureUnit(tissues_unit, tissues_.id());
+  gl.BindTextureUnit(caustics_unit, caustics_.id());
   gl.Enable(GL_BLEND);  // for the softened silhouette
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.Enable(GL_CULL_FACE);  // one side of the box, the far one: a camera inside the box still sees it

@@ -12,6 +12,7 @@
 #include "renderer/eye/optics.h"
 #include "renderer/gl/program.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -22,7 +23,7 @@ struct EyeEntry {
 
 struct EyeBlock {
   glm::vec4 surroundings{0};
-  std::array<EyeEntry, 8> eyes{};
+  std::array<EyeEntry, max_eyes> eyes{};
 };
 static_assert(sizeof(EyeBlock) == 16 * (1 + 8 * 13));
 

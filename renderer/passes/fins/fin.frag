@@ -14,7 +14,7 @@
 #include "covering.glsl"
 #endif
 
-layout(binding = 11) uniform sampler2D side_view;  // colour times opacity, opacity
+layout(binding = side_view_unit) uniform sampler2D side_view;  // colour times opacity, opacity
 
 in float along;
 in float strength;

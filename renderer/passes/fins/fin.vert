@@ -9,7 +9,7 @@ struct FinEdge {
   float width;
   float padding;
 };
-layout(std430, binding = 3) readonly buffer Fins { FinEdge fins[]; };
+layout(std430, binding = pass_storage) readonly buffer Fins { FinEdge fins[]; };
 
 uniform int segments;
 uniform float limit;       // cosine to the camera from which on a fin fades in

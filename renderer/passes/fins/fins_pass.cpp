@@ -10,6 +10,7 @@
 #include "renderer/coat/side_view.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -148,7 +149,6 @@ namespace {
 
 constexpr int fin_segments = 6, hair_segments = 10;
 constexpr int side_view_levels = 8;
-constexpr GLuint side_view_unit = 11;  // as fin.frag
 
 StripMesh mesh_of(const ModelBuffers& model) {
   return {model.positions(), model.normals(), model.triangles(), model.welded()};
@@ -158,7 +158,7 @@ template <class Strip>
 void send(const Gl& gl, const Buffer& buffer, const std::vector<Strip>& strips) {
   gl.NamedBufferData(buffer.id(), static_cast<GLsizeiptr>(strips.size() * sizeof(Strip)), strips.data(),
                      GL_STREAM_DRAW);
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, buffer.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, pass_storage, buffer.id());
 }
 
 }  // namespace
@@ -200,8 +200,8 @@ void FinsPass::bind(const Gl& gl, const FurDrawing& drawing) const {
   gl.VertexArrayElementBuffer(array_.id(), elements_.id());
   gl.BindVertexArray(array_.id());
   drawing.model.bind_storage(gl);
-  gl.BindTextureUnit(1, drawing.coat.colours());
-  gl.BindTextureUnit(2, drawing.model.base_images());
+  gl.BindTextureUnit(colours_unit, drawing.coat.colours());
+  gl.BindTextureUnit(skin_images_unit, drawing.model.base_images());
 }
 
 void FinsPass::draw_fins(const Gl& gl, const FurFrame& frame, const FurDrawing& drawing, const DepthRange& range) {

@@ -14,7 +14,7 @@
 #include "covering.glsl"
 #endif
 
-layout(binding = 1) uniform sampler2DArray colours;  // as fur.frag
+layout(binding = colours_unit) uniform sampler2DArray colours;  // as fur.frag
 
 uniform float min_opacity;
 

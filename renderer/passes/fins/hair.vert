@@ -10,7 +10,7 @@ struct HairRoot {
   uint bits;
   vec3 weights;
 };
-layout(std430, binding = 3) readonly buffer Hairs { HairRoot hairs[]; };
+layout(std430, binding = pass_storage) readonly buffer Hairs { HairRoot hairs[]; };
 
 uniform int first;         // of the hairs to draw
 uniform int segments;

@@ -3,14 +3,16 @@
 #include <algorithm>
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
 namespace shaders {
 extern const char* const fur_vert;
 extern const char* const fur_frag;
+extern const char* const lengyel_vert;
+extern const char* const lengyel_frag;
 extern const char* const solid_frag;
-extern const char* const mark_frag;
 extern const char* const skin_vert;
 extern const char* const skin_frag;
 }  // namespace shaders
@@ -25,23 +27,22 @@ constexpr float solid_push = 0.25f;
 
 }  // namespace
 
-FurPass::Shading::Shading(const Gl& gl, const std::string& defines)
+FurPass::Shading::Shading(const Gl& gl, const std::string& defines, bool at_vertices)
     : skin(gl, shaders::skin_vert, shaders::skin_frag, defines),
       solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
-      mark(gl, shaders::fur_vert, shaders::mark_frag, defines),
-      fur(gl, shaders::fur_vert, shaders::fur_frag, defines) {}
+      fur(gl, at_vertices ? shaders::lengyel_vert : shaders::fur_vert,
+          at_vertices ? shaders::lengyel_frag : shaders::fur_frag, defines) {}
 
-FurPass::FurPass(const Gl& gl) { shading_of(gl, ""); }
+FurPass::FurPass(const Gl& gl) { shading_of(gl, "", false); }
 
 namespace {
 
 std::vector<FurPass::Shell> shells_of(const Knobs& knobs, const std::vector<ModelBuffers::ShellList>& lists,
                                       const DepthRange& range, int side) {
-  const bool one_set = sets_of(knobs.shells, knobs.shell_policy) == 1;
+  const int lod = max_lod(knobs.shells, knobs.shell_policy);
   std::vector<FurPass::Shell> result;
   for (const ModelBuffers::ShellList& each : lists)
-    result.push_back({one_set ? FurPass::every_pixel : each.set, each.shell, each.shells, steps_of_set(knobs, each.set),
-                      each.list, side, range});
+    result.push_back({each.shell, knobs.shells, lod, knobs.steps, each.list, side, range});
   return result;
 }
 
@@ -61,24 +62,26 @@ const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
   return place->second;
 }
 
-const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant) {
-  const auto [place, made] = shadings_.try_emplace(variant, gl, variant);
-  if (made)
-    failure_ +=
-        place->second.skin.log() + place->second.solid.log() + place->second.mark.log() + place->second.fur.log();
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const FurDrawing& drawing) {
+  return shading_of(gl, drawing.variant, drawing.frame.look.shading == ShadingModel::lengyel);
+}
+
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant, bool at_vertices) {
+  const auto [place, made] = shadings_.try_emplace(variant, gl, variant, at_vertices);
+  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
   return place->second;
 }
 
 void FurPass::bind(const Gl& gl, const FurDrawing& drawing) {
   gl.BindVertexArray(drawing.model.vertex_array());
-  gl.BindTextureUnit(0, drawing.coat.shapes());
-  gl.BindTextureUnit(1, drawing.coat.colours());
-  gl.BindTextureUnit(2, drawing.model.base_images());
+  gl.BindTextureUnit(shapes_unit, drawing.coat.shapes());
+  gl.BindTextureUnit(colours_unit, drawing.coat.colours());
+  gl.BindTextureUnit(skin_images_unit, drawing.model.base_images());
 }
 
 void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
   bind(gl, drawing);
-  const Shading& shading = shading_of(gl, drawing.variant);
+  const Shading& shading = shading_of(gl, drawing);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   shading.skin.use();
@@ -92,7 +95,7 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
 void FurPass::draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
                              const std::string& variant) {
   gl.BindVertexArray(model.vertex_array());
-  gl.BindTextureUnit(2, model.base_images());
+  gl.BindTextureUnit(skin_images_unit, model.base_images());
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   const std::string defines = variant + "#define NO_FUR\n";
@@ -109,56 +112,27 @@ void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
   draw_dense(gl, drawing);
 }
 
-void FurPass::mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer) {
-  const int sets = sets_of(drawing.knobs.shells, drawing.knobs.shell_policy);
-  if (sets == 1) return;
-  bind(gl, drawing);
-  const Program& mark = shading_of(gl, drawing.variant).mark;
-  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  gl.DepthMask(GL_TRUE);
-  gl.Enable(GL_STENCIL_TEST);
-  gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  mark.use();
-  mark.set("push", 0.0f);
-  mark.set("shell_count", drawing.knobs.shells);
-  mark.set("shell", drawing.knobs.shells - 1);
-  mark.set("shell_side", 1);
-  mark.set("dithered_levels", dithered_levels);
-  for (int set = 0; set < sets; ++set) {
-    const ModelBuffers::DrawList& list = drawing.lists.marks[static_cast<std::size_t>(set)];
-    if (list.count == 0) continue;
-    gl.StencilFunc(GL_ALWAYS, set, 0xff);
-    mark.set("shell_lod", set);
-    draw_list(gl, list);
-  }
-  gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  gl.Disable(GL_STENCIL_TEST);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const float far_away = 0;
-  gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far_away);
-}
-
 void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
-  const Program& solid = shading_of(gl, drawing.variant).solid;
+  const Program& solid = shading_of(gl, drawing).solid;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    draw_shell(gl, solid, {every_pixel, shell, solid_shells, 1, drawing.lists.shown, 1, {}});
+    draw_shell(gl, solid, {shell, solid_shells, 0, 1, drawing.lists.shown, 1, {}});
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void FurPass::draw_back_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
-  draw_fur(gl, drawing, back_facing_shells(drawing.knobs, part));
+  draw_fur(gl, drawing, back_facing_shells(drawing.frame.knobs, part));
 }
 
 void FurPass::draw_facing(const Gl& gl, const FurDrawing& drawing, const ModelBuffers::DepthPart& part) {
-  draw_fur(gl, drawing, facing_shells(drawing.knobs, part));
+  draw_fur(gl, drawing, facing_shells(drawing.frame.knobs, part));
 }
 
 void FurPass::draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells) {
   bind(gl, drawing);
-  const Program& fur = shading_of(gl, drawing.variant).fur;
+  const Program& fur = shading_of(gl, drawing).fur;
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -171,18 +145,14 @@ void FurPass::draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vecto
 
 void FurPass::draw_shell(const Gl& gl, const Program& program, const Shell& shell) {
   if (shell.list.count == 0) return;
-  if (shell.set != every_pixel) {
-    gl.Enable(GL_STENCIL_TEST);
-    gl.StencilFunc(GL_EQUAL, shell.set, 0xff);
-  }
   program.set("shell_count", shell.shells);
   program.set("shell", shell.shell);
+  program.set("max_shell_lod", shell.max_lod);  // is there with SHELL_LOD alone
   program.set("shell_side", shell.side);
   program.set("step_count", shell.steps);
   program.set("part_begin", shell.range.inverse_begin());
   program.set("part_end", shell.range.inverse_end());
   draw_list(gl, shell.list);
-  gl.Disable(GL_STENCIL_TEST);
 }
 
 }  // namespace pelage

@@ -8,6 +8,7 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
+#include "renderer/input/fur_scene.h"
 #include "renderer/upload/frame_block.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/textures.h"
@@ -16,11 +17,14 @@ namespace pelage {
 
 /// What is drawn of a frame: the parts that every pass over the fur needs.
 struct FurDrawing {
-  const Knobs& knobs;
-  const std::string& variant;  // #define lines of what the frame uses (SHADOW_MAPS: the maps are bound)
+  const FurFrame& frame;
+  std::string variant;  // #define lines of what the frame uses (SHADOW_MAPS: the maps are bound)
   const ModelBuffers& model;
   const ModelBuffers::DrawLists& lists;  // of the frame's view
   const CoatTextures& coat;
+
+  /// The same with more #define lines.
+  FurDrawing with(const std::string& defines) const { return {frame, variant + defines, model, lists, coat}; }
 };
 
 /// Reads a model's buffers and a coat's textures, writes premultiplied linear light and reversed depth. Before each
@@ -32,9 +36,6 @@ class FurPass {
   /// "" when the programs of all variants so far were built.
   std::string failure() const { return failure_; }
 
-  /// Before anything else, in each target that fur is drawn into: which set of shells each pixel gets, as its stencil.
-  /// Leaves the depth cleared. Nothing is drawn where all pixels get the same set.
-  void mark_sets(const Gl& gl, const FurDrawing& drawing, GLuint framebuffer);
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
   /// The skin in open light, as if nothing grew on it: no fur and no map darkens it. The frame's block is bound.
   void draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
@@ -49,11 +50,10 @@ class FurPass {
   /// Depth of the skin and of dense fur, no colour: what hides fur that lies behind.
   void draw_depth(const Gl& gl, const FurDrawing& drawing);
 
-  /// One shell of one set of shells: the triangles, from which side of the slab the ray comes (1 or -1), and what of it
-  /// is drawn. It is drawn where the stencil is `set`, or everywhere when that is every_pixel.
-  static constexpr int every_pixel = -1;
+  /// One of `shells` shells: how often they may be halved, texture steps in a slab, the triangles, from which side of
+  /// the slab the ray comes (1 or -1), and what of it is drawn.
   struct Shell {
-    int set, shell, shells, steps;  // texture steps in the slab
+    int shell, shells, max_lod, steps;
     ModelBuffers::DrawList list;
     int side;
     DepthRange range{};
@@ -68,13 +68,15 @@ class FurPass {
  private:
   /// The programs that shade: a scene pays only for the variant that it needs.
   struct Shading {
-    Shading(const Gl& gl, const std::string& defines);
-    Program skin, solid, mark, fur;
+    Shading(const Gl& gl, const std::string& defines, bool at_vertices);
+    Program skin, solid, fur;
   };
   void draw_fur(const Gl& gl, const FurDrawing& drawing, const std::vector<Shell>& shells);
 
   const Program& skin_of(const Gl& gl, const std::string& defines);
-  const Shading& shading_of(const Gl& gl, const std::string& variant);
+  const Shading& shading_of(const Gl& gl, const FurDrawing& drawing);
+  /// A variant has one shading model: at_vertices that of the baseline.
+  const Shading& shading_of(const Gl& gl, const std::string& variant, bool at_vertices);
 
   std::map<std::string, Shading> shadings_;  // by variant, made when first used
   std::map<std::string, Program> skins_;     // beside those of the shadings, by all of their defines

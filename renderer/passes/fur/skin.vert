@@ -29,10 +29,8 @@ out vec3 root_tangent;  // of the fur where it leaves the skin; 0 where there is
 
 vec3 fur_at_root() {
   float inclination = min(length(groom.xy), 1.0);
-  vec2 heading = inclination > 1e-6 ? groom.xy / inclination : vec2(1.0, 0.0);
   float angle = frame.counts.w * inclination * 1.57079632679;
-  vec3 lean = tangent * heading.x + cross(normal, tangent) * heading.y;
-  return groom.z > 0.0 ? lean * sin(angle) + normal * cos(angle) : vec3(0.0);
+  return groom.z > 0.0 ? lean_along(groom.xy, normal, tangent) * sin(angle) + normal * cos(angle) : vec3(0.0);
 }
 #endif
 

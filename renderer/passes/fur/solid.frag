@@ -6,5 +6,5 @@
 // counts fully where it shares a place with others, or their overlap would have holes.
 void main() {
   look_around();
-  if (march(1, 2.0, 1.0, shell_height(), 1.0 / float(shell_count)).opacity < 0.93) discard;
+  if (march(1, 2.0, 1.0, shell_height(), shell_thickness()).opacity < 0.93) discard;
 }

@@ -11,7 +11,7 @@ uniform float lowest;     // depth of the ground on the contact map, sizes
 uniform float shadow_strength;
 uniform float contact_strength;
 
-layout(binding = 7) uniform sampler2D contact_depth;  // depth of the skin seen from below, sizes
+layout(binding = contact_unit) uniform sampler2D contact_depth;  // depth of the skin seen from below, sizes
 
 layout(location = 0) out vec4 result;
 

@@ -1,6 +1,7 @@
 #include "renderer/passes/ground/ground_pass.h"
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -36,7 +37,7 @@ void GroundPass::prepare(const Gl& gl, const FurFrame& frame, const ModelBuffers
   FrameBlock seen;
   seen.world_to_clip = from_below_.world_to_clip;
   gl.NamedBufferData(view_block_.id(), sizeof(FrameBlock), &seen, GL_STREAM_DRAW);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_.id());
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, view_block_.id());
   gl.BindVertexArray(model.vertex_array());
   depth.draw_depth(gl, triangles, from_below_, contact_);
 }
@@ -46,7 +47,7 @@ void GroundPass::draw(const Gl& gl, const FurFrame& frame, const std::string& va
   if (frame.camera.position.y <= ground.height) return;
   const Program& program = program_of(gl, variant);
   gl.BindVertexArray(nothing_.id());
-  gl.BindTextureUnit(7, contact_.texture());
+  gl.BindTextureUnit(contact_unit, contact_.texture());
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   program.use();

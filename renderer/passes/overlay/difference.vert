@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec3 position;
 
-layout(std430, binding = 3) readonly buffer ShareBuffer { float values[]; } share_buffer;  // [0, 1]
+layout(std430, binding = pass_storage) readonly buffer ShareBuffer { float values[]; } share_buffer;  // [0, 1]
 
 out float share;
 

@@ -1,6 +1,7 @@
 #version 450 core
+#include "constants.glsl"
 // A map that a light sees, as grey, sRGB with straight alpha.
-layout(binding = 0) uniform sampler2D map;
+layout(binding = source_unit) uniform sampler2D map;
 
 uniform vec3 square;  // its left and top edge and its side, pixels
 uniform float black;

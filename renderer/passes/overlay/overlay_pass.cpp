@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -20,9 +21,8 @@ extern const char* const map_frag;
 
 namespace {
 
-constexpr float strength = 0.6f;      // of colours over the frame
-constexpr GLuint shares_binding = 3;  // as in difference.vert
-constexpr float full_shells = 2.0f;   // times the shells: what the end of the ramp stands for
+constexpr float strength = 0.6f;     // of colours over the frame
+constexpr float full_shells = 2.0f;  // times the shells: what the end of the ramp stands for
 
 enum class FieldKind { direction, strokes, length, density, wetness, mask };  // numbers of field.frag
 
@@ -101,7 +101,7 @@ RenderTarget OverlayPass::draw_difference(const Gl& gl, const FurFrame& frame, c
   for (const std::uint32_t vertex : model.welded()) shares.push_back(frame.difference[vertex]);
   gl.NamedBufferData(comparison_->shares.id(), static_cast<GLsizeiptr>(shares.size() * sizeof(float)), shares.data(),
                      GL_STREAM_DRAW);
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, shares_binding, comparison_->shares.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, pass_storage, comparison_->shares.id());
   comparison_->program.use();
   comparison_->program.set("strength", strength);
   draw_list(gl, triangles);
@@ -142,7 +142,7 @@ void OverlayPass::draw_whole(const Gl& gl, const RenderTarget& target, GLuint so
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   gl.Viewport(0, 0, target.width(), target.height());
   gl.Disable(GL_DEPTH_TEST);
-  gl.BindTextureUnit(0, source);
+  gl.BindTextureUnit(source_unit, source);
   gl.BindVertexArray(nothing_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -1,7 +1,8 @@
 #version 450 core
+#include "constants.glsl"
 // Short lines along the fur: one in each cell of the picture, thick at the root, thin at the tip; the longer the more the
 // fur leans, and a dot where it stands upright or points at the eye.
-layout(binding = 0) uniform sampler2D field;  // lean (right, up), whether there is fur, whether there is skin
+layout(binding = source_unit) uniform sampler2D field;  // lean (right, up), whether there is fur, whether there is skin
 
 layout(location = 0) out vec4 result;
 

@@ -1,4 +1,5 @@
 #version 450 core
+#include "constants.glsl"
 // From premultiplied linear light to the picture: size, exposure, tone map, background, sRGB.
 #include "gather.glsl"
 
@@ -12,7 +13,7 @@ uniform float background_b;
 uniform vec3 picture_size;  // pixels; the third is the largest value of a channel
 #endif
 #ifdef OVERLAY
-layout(binding = 1) uniform sampler2D overlay;  // sRGB, straight alpha, of the picture's size
+layout(binding = overlay_unit) uniform sampler2D overlay;  // sRGB, straight alpha, of the picture's size
 #endif
 
 layout(location = 0) out vec4 result;

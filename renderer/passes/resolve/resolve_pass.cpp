@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "renderer/shaders/constants.h"
+
 namespace pelage {
 
 namespace shaders {
@@ -36,8 +38,8 @@ void ResolvePass::draw(const Gl& gl, const FurFrame& frame, const RenderTarget& 
   program.set("scale", static_cast<float>(drawn.height()) / static_cast<float>(picture.height()));
   if (frame.background == Background::studio)
     program.set("picture_size", glm::vec3(picture.width(), picture.height(), largest));
-  gl.BindTextureUnit(0, drawn.texture());
-  if (frame.overlay != Overlay::none) gl.BindTextureUnit(1, overlay);
+  gl.BindTextureUnit(source_unit, drawn.texture());
+  if (frame.overlay != Overlay::none) gl.BindTextureUnit(overlay_unit, overlay);
   gl.BindVertexArray(nothing_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

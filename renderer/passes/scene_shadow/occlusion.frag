@@ -8,7 +8,7 @@ uniform vec3 axis;
 uniform float offset;
 uniform float bias;  // sizes
 
-layout(binding = 5) uniform sampler2D light_depth;
+layout(binding = depth_maps_unit) uniform sampler2D light_depth;
 
 layout(location = 0) out vec2 occluded;
 

@@ -1,6 +1,7 @@
 #include "renderer/passes/scene_shadow/scene_shadow_pass.h"
 
 #include "renderer/passes/draw/draw.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -14,7 +15,7 @@ extern const char* const shadow_width_frag;
 
 namespace {
 
-constexpr float bias = 0.006f;   // sizes, as in shadow.glsl
+constexpr auto bias = static_cast<float>(cast_bias);
 constexpr float nowhere = 1e4f;  // depth where the light sees nothing, sizes
 
 }  // namespace
@@ -53,7 +54,7 @@ void SceneShadowPass::draw(const Gl& gl, const ModelBuffers::DrawList& triangles
   draw_occlusion(gl, triangles, light, targets);
   set_draw_state(gl, targets.width);
   gl.Disable(GL_DEPTH_TEST);
-  gl.BindTextureUnit(6, targets.occlusion.texture());
+  gl.BindTextureUnit(width_maps_unit, targets.occlusion.texture());
   width_.use();
   width_.set("ratio", targets.occlusion.width() / targets.width.width());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -66,7 +67,7 @@ void SceneShadowPass::draw_occlusion(const Gl& gl, const ModelBuffers::DrawList&
   gl.Disable(GL_DEPTH_TEST);
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_MAX);
-  gl.BindTextureUnit(5, targets.depth.texture());
+  gl.BindTextureUnit(depth_maps_unit, targets.depth.texture());
   occlusion_.use();
   occlusion_.set("axis", glm::vec3(light.axis));
   occlusion_.set("offset", light.axis.w);

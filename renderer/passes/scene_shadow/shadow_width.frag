@@ -1,7 +1,8 @@
 #version 450 core
+#include "constants.glsl"
 // The shadow-width map: the inverted occlusion map reduced. Sampling it linearly enlarges it again, and the grey near an
 // edge stands for the distance to it (GPU fur 4).
-layout(binding = 6) uniform sampler2D occlusion;
+layout(binding = width_maps_unit) uniform sampler2D occlusion;
 
 uniform int ratio;  // texels of the occlusion map along a side of one of this
 

@@ -19,5 +19,5 @@ void main() {
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif
-  kept = 1.0 - march(step_count, 0.0, density_share, shell_height(), 1.0 / float(shell_count)).opacity;
+  kept = 1.0 - march(step_count, 0.0, density_share, shell_height(), shell_thickness()).opacity;
 }

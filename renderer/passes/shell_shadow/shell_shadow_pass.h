@@ -6,11 +6,11 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/gl/render_target.h"
+#include "renderer/shaders/constants.h"
 #include "renderer/upload/model_buffers.h"
 
 namespace pelage {
 
-inline constexpr int shadow_shells = 16;                     // as in the paper
 inline constexpr int shadow_boundaries = shadow_shells + 1;  // the skin first, the open air last
 
 class ShellShadowPass {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "renderer/shaders/constants.h"
+
 namespace pelage {
 
 std::vector<Area> halves(const Area& area) {
@@ -34,8 +36,7 @@ std::vector<Area> cut(const Area& area, double max) {
 
 namespace {
 
-constexpr GLuint first_binding = 7;  // as fragment_lists.glsl, and the two after it
-constexpr GLint binding_count = 3;
+constexpr GLint buffer_count = 3;
 constexpr std::size_t colour_bytes = 16, link_bytes = 8;
 
 GLint limit(const Gl& gl, GLenum name) {
@@ -47,8 +48,8 @@ GLint limit(const Gl& gl, GLenum name) {
 }  // namespace
 
 bool FragmentLists::possible(const Gl& gl) {
-  return limit(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= binding_count &&
-         limit(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS) >= static_cast<GLint>(first_binding) + binding_count;
+  return limit(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= buffer_count &&
+         limit(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS) >= fragment_lists_storage + buffer_count;
 }
 
 FragmentLists::FragmentLists(const Gl& gl, std::size_t bytes) : firsts_(gl), links_(gl), colours_(gl) {
@@ -72,9 +73,9 @@ void FragmentLists::begin(const Gl& gl, const Area& area) const {
   gl.ClearNamedBufferData(firsts_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   const Header header{.capacity = capacity_, .left = area.left, .top = area.top, .width = area.width};
   gl.NamedBufferSubData(firsts_.id(), 0, sizeof(header), &header);
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, first_binding, firsts_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, first_binding + 1, links_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, first_binding + 2, colours_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, fragment_lists_storage, firsts_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, fragment_links_storage, links_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, fragment_colours_storage, colours_.id());
 }
 
 FragmentLists::Header FragmentLists::header(const Gl& gl) const {

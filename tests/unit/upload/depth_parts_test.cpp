@@ -84,7 +84,7 @@ TEST(DepthParts, StrandsStayWithinTheirDepths) {
     to_clip[3][3] = static_cast<float>(i % 4 ? 1 : number(1, 1e5));
     StrandDepths depths({positions, normals, tangents, grooms}, coat, to_clip);
     const double height = number(0, 1);
-    const glm::vec2 range = depths.of({0, 1, 2}, static_cast<float>(height));
+    const glm::vec2 range = depths.of({0, 1, 2}, glm::vec3(static_cast<float>(height)));
     const double leaning = std::clamp(inclination + coat.variation.lean * number(-1, 1), 0.0, 1.0);
     const LeanPoint at = lean_point(coat.lean_curve, leaning, coat.root_share, height);
     const glm::vec3 lean =

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/visibility/set_cells.h"
+#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 namespace {
@@ -14,39 +14,40 @@ const ShellView view{{0, 0, 10}, 0.0005f, 32, ShellPolicy::adaptive};
 
 glm::vec3 tilted(float degrees) { return {std::sin(glm::radians(degrees)), 0, std::cos(glm::radians(degrees))}; }
 
-TEST(ShellLods, MoreLayersTowardsTheSilhouette) {
+TEST(ShellLods, MoreShellsTowardsTheSilhouette) {
   float last = 3;
   for (float degrees = 0; degrees <= 90; degrees += 1) {
-    const float level = shell_lod_level(view, {{0, 0, 0}, tilted(degrees), 0.2f, 0});
+    const float level = shell_lod(view, {{0, 0, 0}, tilted(degrees), 0.2f, 0});
     EXPECT_LE(level, last) << degrees;
     EXPECT_LT(last - level, degrees == 0 ? 2.0f : 0.15f) << "a jump at " << degrees;
     last = level;
   }
-  EXPECT_EQ(shell_lod_level(view, {{0, 0, 0}, tilted(0), 0.2f, 0}), 2);
+  EXPECT_EQ(shell_lod(view, {{0, 0, 0}, tilted(0), 0.2f, 0}), 2);
   EXPECT_EQ(last, 0);
 }
 
 TEST(ShellLods, FurThatIsSmallOnThePictureNeedsFew) {
   const glm::vec3 edge = tilted(89);
-  EXPECT_EQ(shell_lod_level(view, {{0, 0, 0}, edge, 0.2f, 0}), 0);           // 40 pixels
-  EXPECT_NEAR(shell_lod_level(view, {{0, 0, 0}, edge, 0.08f, 0}), 1, 0.01);  // 16 pixels
-  EXPECT_EQ(shell_lod_level(view, {{0, 0, 0}, edge, 0.02f, 0}), 2);          // 4 pixels
+  EXPECT_EQ(shell_lod(view, {{0, 0, 0}, edge, 0.2f, 0}), 0);           // 40 pixels
+  EXPECT_NEAR(shell_lod(view, {{0, 0, 0}, edge, 0.08f, 0}), 1, 0.01);  // 16 pixels
+  EXPECT_EQ(shell_lod(view, {{0, 0, 0}, edge, 0.02f, 0}), 2);          // 4 pixels
 }
 
 TEST(ShellLods, BentSkinNeedsMore) {
-  const auto level = [](float curvature) { return shell_lod_level(view, {{0, 0, 0}, tilted(0), 0.2f, curvature}); };
+  const auto level = [](float curvature) { return shell_lod(view, {{0, 0, 0}, tilted(0), 0.2f, curvature}); };
   EXPECT_EQ(level(0), 2);
   EXPECT_LT(level(5), level(4));
   EXPECT_EQ(level(100), 0);
 }
 
-TEST(ShellLods, UniformAndFewShellsAreOneSet) {
+TEST(ShellLods, UniformAndFewShellsAreNotHalved) {
   ShellView few = view, uniform = view;
   few.shells = min_shells, uniform.policy = ShellPolicy::uniform;
-  EXPECT_EQ(shell_lod_level(few, {{0, 0, 0}, tilted(0), 0.1f, 0}), 0);
-  EXPECT_EQ(shell_lod_level(uniform, {{0, 0, 0}, tilted(0), 0.1f, 0}), 0);
-  EXPECT_EQ(sets_of(min_shells, ShellPolicy::adaptive), 1);
-  EXPECT_EQ(sets_of(1024, ShellPolicy::uniform), 1);
+  EXPECT_EQ(shell_lod(few, {{0, 0, 0}, tilted(0), 0.1f, 0}), 0);
+  EXPECT_EQ(shell_lod(uniform, {{0, 0, 0}, tilted(0), 0.1f, 0}), 0);
+  EXPECT_EQ(max_lod(min_shells, ShellPolicy::adaptive), 0);
+  EXPECT_EQ(max_lod(1024, ShellPolicy::uniform), 0);
+  EXPECT_EQ(max_lod(1024, ShellPolicy::adaptive), max_shell_lod);
 }
 
 TEST(ShellLods, CurvatureOfASphereIsOneOverItsRadius) {
@@ -68,29 +69,41 @@ TEST(ShellLods, CurvatureOfASphereIsOneOverItsRadius) {
 TEST(ShellLods, ExtremesAreLevels) {
   for (const float length : {0.0f, 1e-20f, 10.0f, 1e20f}) {
     for (const glm::vec3 place : {glm::vec3(0, 0, 10), glm::vec3(0, 0, 1e6f), glm::vec3(0)}) {
-      const float level = shell_lod_level(view, {place, {0, 0, 1}, length, 1e6f});
-      EXPECT_TRUE(level >= 0 && level <= max_shell_lods - 1) << level;
+      const float level = shell_lod(view, {place, {0, 0, 1}, length, 1e6f});
+      EXPECT_TRUE(level >= 0 && level <= max_shell_lod) << level;
     }
   }
 }
 
-Knobs knobs(int shells, int steps) { return {.shells = shells, .steps = steps}; }
+TEST(ShellLods, AtLeastTheFewestAreLeft) {
+  for (int shells = 1; shells <= 64; ++shells) {
+    const int lod = max_lod(shells, ShellPolicy::adaptive);
+    int left = 0;
+    for (int shell = 0; shell < shells; ++shell) left += gone_from(shell) > lod;
+    EXPECT_GE(left, std::min(shells, min_shells)) << shells;
+    EXPECT_LT(lod < max_shell_lod ? shells >> (lod + 1) : 0, min_shells) << shells;
+  }
+}
 
-TEST(ShellLods, ShellsAndSteps) {
-  EXPECT_EQ(sets_of(32, ShellPolicy::adaptive), 3);
-  EXPECT_EQ(shells_of_set(32, 0), 32);
-  EXPECT_EQ(shells_of_set(32, 1), 16);
-  EXPECT_EQ(shells_of_set(32, 2), 8);
-  EXPECT_EQ(sets_of(16, ShellPolicy::adaptive), 2);
-  EXPECT_EQ(sets_of(12, ShellPolicy::adaptive), 2);
-  EXPECT_EQ(shells_of_set(12, 1), 8);
-  EXPECT_EQ(shells_of_set(1, 0), 1);
-  EXPECT_EQ(steps_of_set(knobs(32, 4), 0), 4);
-  EXPECT_EQ(steps_of_set(knobs(32, 4), 1), 8);
-  EXPECT_EQ(steps_of_set(knobs(32, 4), 2), 16);
-  EXPECT_EQ(steps_of_set(knobs(1, 1), 0), 1);
-  EXPECT_EQ(steps_of_set(knobs(32, 4), 2), 16);
-  EXPECT_EQ(steps_of_set(knobs(1024, 16), 2), 16);
+TEST(ShellLods, SlabsFillTheHeightAtAnyLevel) {
+  for (const int shells : {8, 16, 18, 19, 32, 1024}) {
+    for (float lod = 0; lod <= max_shell_lod; lod += 0.125f) {
+      EXPECT_EQ(slab_begin(0, shells, lod), 0);
+      EXPECT_EQ(slab_begin(shells, shells, lod), shells);
+      for (int shell = 0; shell < shells; ++shell) {
+        const float thickness = slab_begin(shell + 1, shells, lod) - slab_begin(shell, shells, lod);
+        if (lod >= static_cast<float>(gone_from(shell)))
+          EXPECT_EQ(thickness, 0) << shell << " of " << shells << " at " << lod;
+        else if (shells % 4 == 0)
+          EXPECT_GT(thickness, 0) << shell << " of " << shells << " at " << lod;
+        else  // the last ones have less room to move into
+          EXPECT_GE(thickness, 0) << shell << " of " << shells << " at " << lod;
+      }
+    }
+  }
+  EXPECT_EQ(slab_begin(3, 8, 0.25f), 3.25f);
+  EXPECT_EQ(slab_begin(3, 8, 1.5f), 4);
+  EXPECT_EQ(slab_begin(2, 8, 1.5f), 3);
 }
 
 /// Three triangles of three vertices each about `places`: one that is front-facing, one turned a little away, one far.
@@ -101,9 +114,9 @@ struct ThreeTriangles {
   std::vector<glm::vec3> positions = std::vector<glm::vec3>(9, glm::vec3(0));
   std::vector<float> lengths = std::vector<float>(9, 0.01f);
 
-  ShellLists sorted(std::array<float, 3> levels, int shells) const {
+  ShellLists sorted(std::array<float, 3> lods, int shells) const {
     std::vector<float> all;
-    for (int i = 0; i < 3; ++i) all.insert(all.end(), levels.begin(), levels.end());
+    for (int i = 0; i < 3; ++i) all.insert(all.end(), lods.begin(), lods.end());
     ShellView seen = view;
     seen.shells = shells;
     seen.to_clip[3] = {0, 0, 0, 10};  // straight on, from 10 away
@@ -112,45 +125,33 @@ struct ThreeTriangles {
   }
 };
 
-TEST(ShellLods, EverySetIsMarkedWhereItMayShow) {
+TEST(ShellLods, ShellsAreDrawnWhereTheyHaveNotGone) {
   const ThreeTriangles mesh;
-  const ShellLists all = mesh.sorted({0, 0.5f, 2}, 32);
-  for (const auto& marks : all.marks) EXPECT_EQ(marks.size(), 1u);  // corners from level 0 to 2
-  const ShellLists two = mesh.sorted({1, 0.6f, 1}, 32);
-  EXPECT_EQ(two.marks[0].size(), 1u);  // dithered from .375 to .625
-  EXPECT_EQ(two.marks[1].size(), 1u);
-  EXPECT_EQ(two.marks[2].size(), 0u);
-  EXPECT_EQ(mesh.sorted({1, 0.7f, 1}, 32).marks[0].size(), 0u);
-  EXPECT_EQ(mesh.sorted({0, 0, 0}, 8).marks[0].size(), 0u);
-  const std::vector<float> levels(9, 0.0f);
+  const auto counts = [&](std::array<float, 3> lods, int shells) {
+    const ShellLists lists = mesh.sorted(lods, shells);
+    std::array<std::size_t, 3> facing{}, back_facing{};
+    for (std::size_t i = 0; i < 3; ++i)
+      facing[i] = lists.facing[i].size(), back_facing[i] = lists.back_facing[i].size();
+    EXPECT_EQ(facing, back_facing);  // one of each is seen
+    return facing;
+  };
+  using Counts = std::array<std::size_t, 3>;
+  EXPECT_EQ(counts({0, 0.5f, 2}, 32), (Counts{1, 1, 1}));
+  EXPECT_EQ(counts({1, 1.5f, 2}, 32), (Counts{0, 1, 1}));
+  EXPECT_EQ(counts({2, 2, 2}, 32), (Counts{0, 0, 1}));
+  EXPECT_EQ(counts({1, 1, 1}, 16), (Counts{0, 1, 0}));  // halved once at most
+  EXPECT_EQ(counts({0, 0, 0}, 8), (Counts{1, 0, 0}));
+  const std::vector<float> lods(9, 0.0f);
   const std::vector<CellBox> cells(9);
   EXPECT_EQ(
-      shown_triangles({mesh.triangles, mesh.centroids, mesh.normals, mesh.positions, mesh.lengths, levels, cells}, view)
+      shown_triangles({mesh.triangles, mesh.centroids, mesh.normals, mesh.positions, mesh.lengths, lods, cells}, view)
           .size(),
       2u);
 }
 
-TEST(ShellLods, ASetIsDrawnWhereItMayBeAskedForAndNowhereElse) {
-  ThreeTriangles mesh;
-  const ShellLists together = mesh.sorted({2, 2, 2}, 32);
-  EXPECT_EQ(together.facing[2].size(), 1u);
-  EXPECT_EQ(together.facing[0].size(), 1u);  // the one that turns away leaves pixels without a mark beside it
-  EXPECT_EQ(together.back_facing[0].size(), 1u);
-  EXPECT_EQ(together.back_facing[2].size(), 1u);
-  EXPECT_EQ(together.facing[1].size() + together.back_facing[1].size(), 0u);
-  for (std::size_t i = 3; i < 6; ++i) mesh.positions[i] = {8, 0, 0};
-  const ShellLists apart = mesh.sorted({2, 2, 2}, 32);
-  EXPECT_EQ(apart.facing[0].size(), 0u);
-  EXPECT_EQ(apart.back_facing[2].size(), 0u);
-  EXPECT_EQ(apart.back_facing[0].size(), 1u);
-  const ShellLists one = mesh.sorted({0, 0, 0}, 8);
-  EXPECT_EQ(one.facing[0].size(), 1u);
-  EXPECT_EQ(one.back_facing[0].size(), 1u);
-}
-
 TEST(ShellLods, TrianglesOutsideThePictureAreNotDrawn) {
   for (const float side : {-1.0f, 1.0f}) {
-    for (const int shells : {8, 32}) {  // one set, and three
+    for (const int shells : {8, 32}) {  // never halved, and twice
       ThreeTriangles mesh;
       for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {12 * side, 0, 0};  // 10 is the border
       EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 0u) << shells;
@@ -163,21 +164,18 @@ TEST(ShellLods, TrianglesOutsideThePictureAreNotDrawn) {
   }
 }
 
-TEST(SetCells, WhatLiesBesideThePictureTouchesNothingOfIt) {
+TEST(PictureCells, WhatLiesBesideThePictureTouchesNothingOfIt) {
   const CellBox picture;
   for (const glm::vec2 away : {glm::vec2(-3, 0), glm::vec2(3, 0), glm::vec2(0, -3), glm::vec2(0, 3)}) {
     const CellBox box = cells_of(ClipBox{away - 0.5f, away + 0.5f});
     EXPECT_FALSE(touch(box, picture));
-    SetCells cells;
-    cells.show(box, 0);
-    EXPECT_FALSE(cells.may_show(picture, 0));
     EXPECT_TRUE(touch(cells_of(ClipBox{away - 2.1f, away + 2.1f}), picture));
   }
   EXPECT_EQ(cells_of(ClipBox{}), picture);
   EXPECT_EQ(cells_of(ClipBox{glm::vec2(-1e30f), glm::vec2(1e30f)}), (CellBox{-1, -1, cells_a_side, cells_a_side}));
 }
 
-TEST(SetCells, FurNearTheEyeMayBeEverywhere) {
+TEST(PictureCells, FurNearTheEyeMayBeEverywhere) {
   const glm::mat4 to_clip(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0);  // w = z
   const std::vector<glm::vec3> places = {{0, 0, 1}, {0, 0, 0.1f}, {0, 0, -1}, {1e20f, 0, 1e-20f}};
   const std::vector<CellBox> boxes = cells_of_fur(to_clip, places, std::vector<float>(4, 0.2f));

@@ -1,4 +1,4 @@
-#include "renderer/visibility/set_cells.h"
+#include "renderer/visibility/picture_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,30 +18,7 @@ int cell_of(float clip) { return static_cast<int>(std::floor(std::min(place_of(c
 /// That a box ending here reaches.
 int last_cell_of(float clip) { return static_cast<int>(std::ceil(place_of(clip))) - 1; }
 
-CellBox inside(const CellBox& box) {
-  return {std::max(box.left, 0), std::max(box.low, 0), std::min(box.right, cells_a_side - 1),
-          std::min(box.high, cells_a_side - 1)};
-}
-
 }  // namespace
-
-void SetCells::show(const CellBox& reached, int set) {
-  const CellBox box = inside(reached);
-  for (int y = box.low; y <= box.high; ++y) {
-    for (int x = box.left; x <= box.right; ++x)
-      sets_[static_cast<std::size_t>(y * cells_a_side + x)] |= static_cast<std::uint8_t>(1 << set);
-  }
-}
-
-bool SetCells::may_show(const CellBox& reached, int set) const {
-  const CellBox box = inside(reached);
-  for (int y = box.low; y <= box.high; ++y) {
-    for (int x = box.left; x <= box.right; ++x) {
-      if (sets_[static_cast<std::size_t>(y * cells_a_side + x)] >> set & 1) return true;
-    }
-  }
-  return false;
-}
 
 std::vector<CellBox> cells_of_fur(const glm::mat4& to_clip, std::span<const glm::vec3> positions,
                                   std::span<const float> lengths, float stretch) {

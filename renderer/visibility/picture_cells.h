@@ -1,8 +1,6 @@
-// Where on the picture each set of shells may show, so that a set's triangles are drawn only there.
+// Where on the picture fur may show, so that what does not reach a part of it is not drawn there.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -18,15 +16,6 @@ struct CellBox {
   int left = 0, low = 0, right = cells_a_side - 1, high = cells_a_side - 1;
 
   bool operator==(const CellBox&) const = default;
-};
-
-class SetCells {
- public:
-  void show(const CellBox& reached, int set);
-  bool may_show(const CellBox& reached, int set) const;
-
- private:
-  std::array<std::uint8_t, cells_a_side * cells_a_side> sets_{};  // a bit for each
 };
 
 /// A part of the picture in [-1, 1], from the left and from below; all of it at first.

@@ -1,0 +1,31 @@
+"""Writes the constants of a GLSL file as a C++ header. A line is `const int|float NAME = VALUE;  // comment`, or a comment.
+
+usage: shared_constants.py CONSTANTS.glsl HEADER.h
+"""
+import pathlib
+import re
+import sys
+
+TYPES = {"int": "int", "float": "double"}
+
+
+def main():
+    source, header = map(pathlib.Path, sys.argv[1:])
+    lines = []
+    for number, line in enumerate(source.read_text(encoding="utf-8").splitlines(), 1):
+        found = re.fullmatch(r"const (int|float) (\w+) = ([-+.\de]+);\s*(//.*)?", line)
+        if found:
+            kind, name, value, comment = found.groups()
+            lines.append(f"inline constexpr {TYPES[kind]} {name} = {value};  {comment or ''}".rstrip())
+        elif line and not line.startswith("//"):
+            sys.exit(f"{source}:{number}: neither a constant nor a comment: {line}")
+        else:
+            lines.append(line)
+    text = "#pragma once\n\nnamespace pelage {\n\n" + "\n".join(lines) + "\n\n}  // namespace pelage\n"
+    if header.is_file() and header.read_text(encoding="utf-8") == text:
+        return  # or all that includes it would be compiled again
+    header.parent.mkdir(parents=True, exist_ok=True)
+    header.write_text(text, encoding="utf-8")
+
+
+main()

@@ -1,0 +1,90 @@
+// Numbers that shaders and C++ share. The build makes renderer/shaders/constants.h of them (cmake/shared_constants.py): a
+// float is a double there. Lengths are in sizes.
+
+// Blocks of uniforms.
+const int frame_binding = 0;
+const int pattern_binding = 1;
+const int shadow_binding = 2;
+const int scattering_binding = 3;
+const int eye_binding = 4;
+const int skin_binding = 5;
+const int paint_binding = 6;
+const int tuft_binding = 7;
+
+// Storage buffers.
+const int vertex_storage = 0;
+const int groom_storage = 1;
+const int variation_storage = 2;
+const int pass_storage = 3;  // of the one pass that is drawing: fins, guard hairs, a difference
+const int curve_points_storage = 4;
+const int curve_styles_storage = 5;
+const int curve_numbers_storage = 6;
+const int fragment_lists_storage = 7;
+const int fragment_links_storage = 8;
+const int fragment_colours_storage = 9;
+const int paint_storage = 10;
+const int paint_colours_storage = 11;
+
+// Textures. What a pass over the whole target reads is bound as source_unit and overlay_unit.
+const int source_unit = 0;
+const int overlay_unit = 1;
+const int shapes_unit = 0;
+const int colours_unit = 1;
+const int skin_images_unit = 2;
+const int scattering_unit = 3;
+const int shell_maps_unit = 4;
+const int depth_maps_unit = 5;
+const int width_maps_unit = 6;
+const int contact_unit = 7;
+const int pattern_unit = 8;
+const int tissues_unit = 9;
+const int caustics_unit = 10;
+const int side_view_unit = 11;
+const int curve_maps_unit = 12;
+const int tuft_unit = 13;
+const int covered_unit = 14;
+const int clump_unit = 15;
+
+const int max_lights = 8;
+const int max_eyes = 8;
+const int max_skin_regions = 64;
+
+// The baked coat (renderer/coat/slices.h).
+const int slice_count = 32;          // N0: shells that the depth was baked as
+const int slice_texels = 512;        // a side of the finest level
+const int slice_levels = 8;          // 512 ... 4
+const float stored_depth = 6.0;      // optical depth (natural log) of a stored 255, before `depth_scale`
+const float stored_light = 4.0;      // strands over a texel for which the stored light is 1/e
+const float stored_slope = 0.06;     // sideways per height, in sizes, of a stored +-1
+const float nominal_length = 0.03;   // of the fur that a tile is made for
+
+// Shape of strands: what paint adds is what the coat's own settings would.
+const float max_clump_gather = 0.8;      // of the way to the middle of a clump, at the tip
+const float water_gathers = 0.85;    // of what is left of that way, where fur is soaked
+const float max_curl = 0.5;          // radius of a curl over nominal_length
+
+// Soaked fur over dry fur (renderer/coat/strand_tile.h): what is added to 1.
+const float water_darkens = 0.8;     // exponent of colours
+const float water_shines = 1.0;      // weight of highlights
+const float water_sharpens = 2.0;    // exponent of highlights
+
+// Light.
+const float min_light_square = 1e-8;   // of the distance to a light
+const float max_light_falloff = 1e8;   // 1 / distance^2
+const int shadow_shells = 16;          // of a shadow map (GPU fur 3.1)
+const float cast_bias = 0.006;         // depth that does not count as behind what casts a shadow
+
+// ShadingModel of protocol/commands/look.h.
+const int model_lengyel = 0;
+const int model_kajiya = 1;
+const int model_energy_conserving = 2;
+const int model_scheuermann = 3;
+const int model_kajiya_kay = 4;
+const int model_marschner = 5;
+
+// Eyes.
+const int iris_map_height = 256;     // rows from the pupil to the limbus
+const int caustic_angles = 20;       // of the light to the axis, from 0 to caustic_reach
+const float caustic_reach = 2.0;     // radians
+
+const int vertex_floats = 21;        // of a vertex in its buffer
