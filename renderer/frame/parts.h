@@ -3,23 +3,13 @@
 
 #include <time.h>
 
-#include <chrono>
 #include <optional>
 #include <string>
 
+#include "protocol/base/stopwatch.h"
 #include "renderer/frame/renderer.h"
 
 namespace pelage {
-
-class Stopwatch {
- public:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// CPU time of all threads of the process: what a software GL draws with.
 class CpuStopwatch {

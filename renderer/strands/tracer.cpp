@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "protocol/base/stopwatch.h"
 #include "renderer/strands/film.h"
 #include "renderer/strands/paths.h"
 #include "renderer/strands/trace_scene.h"
@@ -14,12 +15,6 @@
 namespace pelage {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 constexpr double min_width = 0.2;    // of a strand in the picture, pixels; thinner ones are thinned out and widened
 constexpr double widest = 1.0 / 60;  // of the fur's length that strands are widened to because they are thin, or twice
@@ -94,7 +89,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   if (Status refused = admit(frame.width, frame.height, aovs, frame.knobs.trace.filter); !refused.ok()) return refused;
   tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, aovs) -
                           Film::bytes(frame.width, frame.height, aovs, frame.knobs.trace.filter));
-  const Clock::time_point start = Clock::now();
+  const Stopwatch passed;
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
   const double expected = expected_strands(model, frame.coat);
   recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
@@ -106,7 +101,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   tracer.film.emplace(frame.width, frame.height, aovs, frame.knobs.trace.filter);
   tracer.active.assign(static_cast<std::size_t>(tracer.film->tile_count()), 1);
   tracer.report.strands = change->strands;
-  tracer.report.grow_ms = milliseconds_since(start);
+  tracer.report.grow_ms = passed.milliseconds();
   return {};
 }
 
@@ -153,14 +148,14 @@ void Tracer::Impl::judge() {
 Status Tracer::add_pass(const GoOn& go_on) {
   Impl& tracer = *impl_;
   if (tracer.report.end != TraceEnd::none) return {};
-  const Clock::time_point start = Clock::now();
+  const Stopwatch passed;
   std::vector<int> tiles;
   for (std::size_t i = 0; i < tracer.active.size(); ++i) {
     if (tracer.active[i]) tiles.push_back(static_cast<int>(i));
   }
   const bool whole =
       for_each_piece(tracer.workers, tiles.size(), [&](std::size_t i) { return tracer.trace_tile(tiles[i], go_on); });
-  tracer.report.trace_ms += milliseconds_since(start);
+  tracer.report.trace_ms += passed.milliseconds();
   if (!whole) return not_wanted();
   ++tracer.report.passes;
   tracer.judge();

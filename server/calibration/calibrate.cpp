@@ -1,17 +1,13 @@
 #include "server/calibration/calibrate.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "protocol/base/stopwatch.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::size_t count_views(const std::vector<CalibrationScene>& scenes) {
   std::size_t count = 0;
@@ -23,13 +19,13 @@ std::size_t count_views(const std::vector<CalibrationScene>& scenes) {
 
 Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Calibration& defaults,
                               const std::function<void(double)>& progress, const CalibrateOptions& options) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch passed;
   std::vector<Knobs> ladder;
   for (const CalibratedKnobs& row : defaults.ladder) ladder.push_back(row.knobs);
   const std::vector<CalibrationScene> scenes = calibration_scenes();
   const double count = static_cast<double>(count_views(scenes));
   std::vector<MeasuredView> views;
-  const auto out_of_time = [&] { return views.size() >= options.min_views && seconds_since(start) > options.seconds; };
+  const auto out_of_time = [&] { return views.size() >= options.min_views && passed.seconds() > options.seconds; };
   for (std::size_t i = 0; i < scenes.size() && !out_of_time(); ++i) {
     const MeasuredScene scene = make_measured_scene(scenes[i], i + 1);
     sync_scene(renderer, scene.view(), {});
@@ -39,7 +35,7 @@ Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Ca
                                                    ladder, {.truth_shells = 0, .repetitions = 2});
       if (!measured) return measured.status();
       views.push_back(std::move(measured).value());
-      const double by_time = seconds_since(start) / options.seconds;
+      const double by_time = passed.seconds() / options.seconds;
       progress(std::min(0.99, std::max(by_time, static_cast<double>(views.size()) / count)));
     }
     renderer.forget(scene.model.id);

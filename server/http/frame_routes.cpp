@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <chrono>
 #include <cmath>
 
 #include "protocol/base/limits.h"
+#include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
@@ -16,12 +16,9 @@ namespace {
 
 using httplib::Request;
 using httplib::Response;
-using Clock = std::chrono::steady_clock;
 
 constexpr double slice_seconds = 0.25;              // how soon a wait sees that the server stops or the client left
 constexpr std::int64_t large_pixels = 4096 * 4096;  // beyond it frames are drawn one at a time
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// `after`, `after_pass` and `wait` of the address.
 struct News {
@@ -86,9 +83,9 @@ Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, cons
   const auto pass = service.waiting.enter();
   if (!pass)
     return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", worker_threads / 4));
-  const auto start = Clock::now();
+  const Stopwatch passed;
   while (!service.draining && !client.gone()) {
-    const double left = news.wait_seconds - seconds_since(start);
+    const double left = news.wait_seconds - passed.seconds();
     if (left <= 0) break;
     if (scene->wait_newer(*news.after, std::min(left, slice_seconds), better_picture) > *news.after || better_picture())
       return {};
@@ -130,10 +127,10 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
     return reply_problem(response,
                          failure(Code::unavailable, "Another large frame is being drawn.", "", "one at a time"));
   }
-  const auto start = Clock::now();
+  const Stopwatch passed;
   auto frame = picture_of(service, scene, wanted, news, client);
   if (!frame) return reply_problem(response, frame.status());
-  service.metrics.count_frame(seconds_since(start));
+  service.metrics.count_frame(passed.seconds());
   response.status = 200;
   set_etag(response, frame->revision, frame->trace ? frame->trace->passes : 0);
   response.set_header("Pelage-Revision", std::to_string(frame->revision));

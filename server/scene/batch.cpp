@@ -1,8 +1,8 @@
 #include "server/scene/batch.h"
 
-#include <chrono>
 #include <string>
 
+#include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
@@ -11,10 +11,6 @@
 namespace pelage {
 
 namespace {
-
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
 
 std::string text_of(const SceneSettings& settings) { return encode(commands_of(settings)); }
 
@@ -129,7 +125,7 @@ Outcome evaluate_all(const std::vector<Step>& steps, const FieldDelta& start, co
   bool any_set = false;
   fields.apply(start);
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch passed;
     const Evaluation evaluation = evaluate_images(steps[k], surface, fields, set_so_far, cancel);
     const FieldDelta change = k == 0 ? compose(start, evaluation.delta) : evaluation.delta;
     outcome.delta = compose(outcome.delta, change);
@@ -138,7 +134,7 @@ Outcome evaluate_all(const std::vector<Step>& steps, const FieldDelta& start, co
     outcome.results.back().warnings = warnings_of(steps[k].command, surface);
     outcome.results.back().warnings.insert(outcome.results.back().warnings.end(), evaluation.warnings.begin(),
                                            evaluation.warnings.end());
-    outcome.results.back().milliseconds = milliseconds_since(begin);
+    outcome.results.back().milliseconds = passed.milliseconds();
     const bool setting = set(steps[k].command, set_so_far, next);
     any_set = any_set || setting;
     if (setting || !change.empty()) outcome.effective.push_back(k);

@@ -4,10 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+
+#include "protocol/base/stopwatch.h"
 
 namespace pelage::bench {
 
@@ -25,10 +26,9 @@ void Cost::lower_to(const Cost& other) { wall = std::min(wall, other.wall), cpu 
 
 Cost measure(const std::function<void()>& work) {
   const double cpu = cpu_milliseconds();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch passed;
   work();
-  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
-          cpu_milliseconds() - cpu};
+  return {passed.milliseconds(), cpu_milliseconds() - cpu};
 }
 
 std::vector<Cost> measure_alternating(const std::vector<std::function<void()>>& works, int repetitions) {

@@ -3,7 +3,6 @@
 #include "server/patches/patches.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include <span>
 
 #include "protocol/base/random.h"
+#include "protocol/base/stopwatch.h"
 #include "server/builtin/builtin.h"
 #include "server/surface/nearest.h"
 #include "tests/unit/surface/shared_models.h"
@@ -20,9 +20,9 @@ namespace pelage {
 namespace {
 
 double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch passed;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return passed.seconds();
 }
 
 glm::dvec3 corner(const Mesh& mesh, std::uint32_t triangle, int k) {

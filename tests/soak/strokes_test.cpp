@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "protocol/base/random.h"
+#include "protocol/base/stopwatch.h"
 #include "server/scene/scene_store.h"
 
 namespace pelage {
@@ -25,10 +25,6 @@ double resident_megabytes() {
   double all = 0, resident = 0;
   status >> all >> resident;
   return resident * 4096 / (1 << 20);
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Small strokes of the tools that an artist uses most, anywhere on the model.
@@ -100,7 +96,7 @@ class Soak : public ::testing::Test {
 
   void live(Scene& scene, int strokes) {
     Artist artist(scene, 1);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch passed;
     for (int done = 1; done <= strokes; ++done) {
       const auto answer = scene.execute({artist.stroke()});
       ASSERT_TRUE(answer.ok()) << answer.status().message << " " << answer.status().pointer;
@@ -111,7 +107,7 @@ class Soak : public ::testing::Test {
         }
       }
       if (done % std::max(1, strokes / 10) == 0)
-        std::printf("%d strokes, %.0f s, %.0f MB\n", done, seconds_since(start), resident_megabytes());
+        std::printf("%d strokes, %.0f s, %.0f MB\n", done, passed.seconds(), resident_megabytes());
     }
   }
 
