@@ -71,7 +71,7 @@ ExitCode run_steps(Session& session, const std::string& address, const std::vect
       if (i > 0) fmt::print(stderr, "pelage: {} steps before it are done, revision {}\n", i, totals.revision);
       return report_step(steps[i], answer.status());
     }
-    const auto result = decode_command_answer(answer->body);
+    const auto result = decode_answer<CommandAnswer>(answer->body);
     if (!result) return report_step(steps[i], result.status());
     add(totals, *result);
     if (options.json) fmt::print("{}\n", answer->body);
@@ -93,7 +93,7 @@ ExitCode try_steps(Session& session, const std::string& address, const std::vect
   const auto answer =
       Session::accepted(session.connection().post_json(address + "?dry_run=1", *batch, headers_of(options, 0)));
   if (!answer) return report(answer.status(), "a dry run of all steps of " + options.file + " as one batch");
-  const auto result = decode_command_answer(answer->body);
+  const auto result = decode_answer<CommandAnswer>(answer->body);
   if (!result) return report(result.status(), options.file);
   if (options.json) {
     fmt::print("{}\n", answer->body);
@@ -150,9 +150,9 @@ ExitCode show_log(Session& session) {
     fmt::print("{}{}", answer->body, options.lines ? "" : "\n");
     return done;
   }
-  const auto log = decode_log(answer->body);
+  const auto log = decode_answer<Log>(answer->body);
   if (!log) return report(log.status());
-  print(*log);
+  print(log->entries);
   return done;
 }
 
@@ -195,7 +195,7 @@ ExitCode branch_scene(Session& session) {
   if (!path) return report(path.status());
   const auto answer = Session::accepted(session.connection().post_json(*path + "/branch", request));
   if (!answer) return report(answer.status());
-  const auto summary = decode_scene_summary(answer->body);
+  const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());
   fmt::print("{}\n", options.json ? answer->body : summary->id);
   return done;

@@ -40,7 +40,7 @@ void print_progress(const Options& options, const HttpAnswer& answer, const Trac
 
 /// Writes the picture and says so.
 Result<TraceReport> take(const Options& options, const HttpAnswer& answer, double seconds) {
-  Result<TraceReport> trace = decode_trace_report(header(answer, "pelage-trace"));
+  Result<TraceReport> trace = decode_answer<TraceReport>(header(answer, "pelage-trace"));
   if (!trace) return trace;
   if (Status status = write_file(options.output, answer.body); !status.ok()) return status;
   print_progress(options, answer, *trace, seconds);
@@ -151,7 +151,7 @@ ExitCode pick_pixel(Session& session) {
   if (!path) return report(path.status());
   const auto answer = Session::accepted(session.connection().post_json(*path + "/pick", body));
   if (!answer) return report(answer.status());
-  const auto pick = decode_pick_answer(answer->body);
+  const auto pick = decode_answer<PickAnswer>(answer->body);
   if (!pick) return report(pick.status());
   if (options.json)
     fmt::print("{}\n", answer->body);
@@ -232,7 +232,7 @@ ExitCode put_picture(Session& session) {
   if (!path) return report(path.status());
   const auto answer = Session::accepted(session.connection().put_bytes(*path + "/pictures", *bytes));
   if (!answer) return report(answer.status(), options.file);
-  const auto kept = decode_picture_answer(answer->body);
+  const auto kept = decode_answer<PictureAnswer>(answer->body);
   if (!kept) return report(kept.status());
   fmt::print("{}\n", options.json ? answer->body : kept->picture);
   return done;

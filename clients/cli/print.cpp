@@ -19,8 +19,8 @@ void print(const SceneSummary& summary) {
   fmt::print("vertices    {} (of {} in the source)\n", report.vertices, report.source_vertices);
   fmt::print("triangles   {} (of {} faces in the source)\nparts       {}\n", report.triangles, report.source_faces,
              report.parts);
-  fmt::print("size        {:.6g}\nfrom        {}\nto          {}\n", report.size, text_of(report.min),
-             text_of(report.max));
+  fmt::print("size        {:.6g}\nfrom        {}\nto          {}\n", report.size, text_of(report.bounds.min),
+             text_of(report.bounds.max));
   for (const Repair& repair : report.repairs) fmt::print("repaired    {}: {}\n", repair.code, repair.count);
   for (const EditLayer& layer : summary.edit_layers)
     fmt::print("layer       {} (weight {:g}{})\n", layer.name, layer.weight, layer.muted ? ", muted" : "");

@@ -61,7 +61,7 @@ ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer)
     fmt::print("{}\n", answer->body);
     return done;
   }
-  const auto summary = decode_scene_summary(answer->body);
+  const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());
   print(*summary);
   return done;
@@ -74,7 +74,7 @@ ExitCode create_scene(Session& session) {
   if (const auto checked = decode_new_scene(request); !checked) return report(checked.status());
   const auto answer = Session::accepted(session.connection().post_json("/v1/scenes", request));
   if (!answer) return report(answer.status());
-  const auto summary = decode_scene_summary(answer->body);
+  const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());
   fmt::print("{}\n", session.options().json ? answer->body : summary->id);
   return done;
@@ -104,12 +104,12 @@ ExitCode load_skin_texture(Session& session) {
 ExitCode list_scenes(Session& session) {
   const auto answer = Session::accepted(session.connection().get("/v1/scenes"));
   if (!answer) return report(answer.status());
-  const auto scenes = decode_scene_list(answer->body);
+  const auto scenes = decode_answer<SceneList>(answer->body);
   if (!scenes) return report(scenes.status());
   if (session.options().json)
     fmt::print("{}\n", answer->body);
   else
-    print(*scenes);
+    print(scenes->scenes);
   return done;
 }
 

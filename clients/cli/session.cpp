@@ -81,11 +81,11 @@ Result<std::string> Session::scene_id(const std::string& wanted) {
   }
   const auto answer = accepted(connection_.get("/v1/scenes"));
   if (!answer) return answer.status();
-  const auto scenes = decode_scene_list(answer->body);
+  const auto scenes = decode_answer<SceneList>(answer->body);
   if (!scenes) return scenes.status();
   std::vector<std::string> ids;
   std::vector<std::string_view> names;
-  for (const SceneSummary& scene : *scenes) {
+  for (const SceneSummary& scene : scenes->scenes) {
     names.push_back(scene.name);
     if (scene.name == wanted) ids.push_back(scene.id);
   }
@@ -97,7 +97,7 @@ Result<std::string> Session::scene_id(const std::string& wanted) {
 
 ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context) {
   if (!answer) return report(answer.status(), context);
-  const auto result = decode_command_answer(answer->body);
+  const auto result = decode_answer<CommandAnswer>(answer->body);
   if (!result) return report(result.status());
   if (session.options().json)
     fmt::print("{}\n", answer->body);

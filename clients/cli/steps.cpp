@@ -19,7 +19,7 @@ constexpr std::size_t command_file_bytes = std::size_t{1} << 30;
 Result<ModelReport> model_at(Session& session, const std::string& path) {
   const auto answer = Session::accepted(session.connection().get(path));
   if (!answer) return answer.status();
-  const auto summary = decode_scene_summary(answer->body);
+  const auto summary = decode_answer<SceneSummary>(answer->body);
   return summary ? Result<ModelReport>(summary->report) : summary.status();
 }
 
@@ -28,7 +28,8 @@ Result<std::vector<RunStep>> steps_of_recipe(Session& session, const std::string
   const auto model = model_at(session, path);
   if (!model) return model.status();
   const auto read = [](const std::string& file) { return read_file(file, recipe_file_bytes); };
-  const auto expanded = expand_recipe({options.file, text, options.variables, model->min, model->max, read});
+  const auto expanded =
+      expand_recipe({options.file, text, options.variables, model->bounds.min, model->bounds.max, read});
   if (!expanded) return expanded.status();
   std::vector<RunStep> steps;
   for (const RecipeStep& step : *expanded) {

@@ -46,7 +46,7 @@ def bounds(low, high, low_open=False):
 
 # What stands in so many tables that its own words would only repeat themselves.
 KNOWN = {"Position": "3 numbers, the model's coordinates", "Direction": "3 numbers; only where they point counts",
-         "Colour": "`#rrggbb` (sRGB) or 3 linear numbers, 0 to 1", "Camera": "`auto`, or `eye`, `target`, `up`, `fov_degrees`"}
+         "Colour": "`#rrggbb` (sRGB) or 3 linear numbers, 0 to 1", "Camera": "`auto`, or `position`, `target`, `up`, `fov_degrees`"}
 
 
 def required_of(schema):

@@ -1,4 +1,4 @@
-// Every limit of the contract, once. openapi.yaml repeats them and tests/unit checks that both agree.
+// Every limit of the contract, once. Prose of the contract repeats some; tests/end_to_end/test_contract.py compares.
 #pragma once
 
 #include <cstddef>

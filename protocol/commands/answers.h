@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/commands/edit_layer.h"
@@ -21,6 +22,8 @@ struct FieldsHash {
   bool operator==(const FieldsHash&) const = default;
 };
 std::string to_hex(FieldsHash hash);
+/// The hash of 32 hex digits in lower case; nothing of any other text.
+std::optional<FieldsHash> hash_of_hex(std::string_view text);
 
 /// What a frame asked of the GL. `bytes` are those sent for it, changes of fields included.
 struct FrameCounters {
@@ -41,6 +44,7 @@ struct FieldChange {
   std::size_t changed = 0;
   double mean_change = 0;
   double max_change = 0;
+  bool operator==(const FieldChange&) const = default;
 };
 
 struct CommandResult {
@@ -52,17 +56,26 @@ struct CommandResult {
   double milliseconds = 0;
   std::vector<FieldChange> fields = {};
   std::vector<std::string> warnings = {};  // what was done but is hardly what was meant
+  bool operator==(const CommandResult&) const = default;
 };
 
 struct CommandAnswer {
   Revision revision = 0;
   FieldsHash fields_hash;
   std::vector<CommandResult> results;
+  bool operator==(const CommandAnswer&) const = default;
 };
 
 struct Repair {
   std::string code;  // "welded_vertices", "degenerate_faces", ...
   std::size_t count = 0;
+  bool operator==(const Repair&) const = default;
+};
+
+/// A box along the axes, in the model's own coordinates.
+struct Bounds {
+  glm::dvec3 min{0}, max{0};
+  bool operator==(const Bounds&) const = default;
 };
 
 /// What preparation made of a model.
@@ -71,10 +84,11 @@ struct ModelReport {
   std::size_t source_faces = 0;
   std::size_t vertices = 0;  // welded on equal positions
   std::size_t triangles = 0;
-  std::size_t parts = 0;      // connected
-  double size = 0;            // diagonal of the box, in the model's unit
-  glm::dvec3 min{0}, max{0};  // in the model's own coordinates
+  std::size_t parts = 0;  // connected
+  double size = 0;        // diagonal of the box, in the model's unit
+  Bounds bounds;
   std::vector<Repair> repairs;
+  bool operator==(const ModelReport&) const = default;
 };
 
 struct SceneSummary {
@@ -88,7 +102,16 @@ struct SceneSummary {
   std::size_t undo_steps = 0;  // that can be undone
   std::size_t redo_steps = 0;
   std::vector<EditLayer> edit_layers = {};  // from the lowest
+  bool operator==(const SceneSummary&) const = default;
 };
+
+struct SceneList {
+  std::vector<SceneSummary> scenes;
+  bool operator==(const SceneList&) const = default;
+};
+
+/// Of each painted field, from first_painted on; a colour is that of what covers.
+using PaintedValues = std::array<glm::dvec4, field_count - first_painted>;
 
 /// What lies under a pixel.
 struct PickAnswer {
@@ -101,8 +124,8 @@ struct PickAnswer {
   double inclination = 0;   // [0, 1]
   double length = 0;        // sizes
   double stretch = 0;
-  /// Of each painted field, from first_painted on; a colour is that of what covers.
-  std::array<glm::dvec4, field_count - first_painted> painted{};
+  PaintedValues painted{};
+  bool operator==(const PickAnswer&) const = default;
 };
 
 /// What two revisions of a scene differ in.
@@ -110,6 +133,7 @@ struct Comparison {
   Revision from = 0, to = 0;
   std::size_t touched = 0;  // vertices at which any field differs
   std::vector<FieldChange> fields;
+  bool operator==(const Comparison&) const = default;
 };
 
 /// Triangles of the model, and how many of them the fur's shells turn over above (science.md 1): fur of that length
@@ -117,15 +141,39 @@ struct Comparison {
 struct FoldCount {
   Revision revision = 0;
   std::size_t triangles = 0, folded = 0;
+  bool operator==(const FoldCount&) const = default;
 };
+
+/// What made a revision: a new step ("do" on the wire); a part that joins the last step; the ways through the steps;
+/// and commands that are listed by themselves but belong to the undo step of the entry before. Journals hold the
+/// numbers.
+enum class EntryKind { command, join, undo, redo, revert, replay };
 
 /// One line of the undo log.
 struct LogEntry {
   Revision revision = 0;
-  std::string kind;      // "do", "join", "undo", "redo", "revert", "replay"
+  std::string kind;      // the word of an EntryKind
   std::string commands;  // JSON text of the resolved commands, "" for undo and redo
   std::size_t touched = 0;
   bool in_effect = false;  // whether its commands are among those that lead to the present
+  bool operator==(const LogEntry&) const = default;
+};
+
+struct Log {
+  std::vector<LogEntry> entries;
+  bool operator==(const Log&) const = default;
+};
+
+/// A refusal as RFC 9457 has it.
+struct Problem {
+  std::string type;   // "urn:pelage:problem:" and a name, or "about:blank"
+  std::string title;  // of the type
+  int status = 500;   // of HTTP
+  std::string detail;
+  std::optional<std::string> pointer = {};  // JSON pointer of the bad field, "" for the whole body
+  std::string limit = {};                   // that was broken; "" for none
+  std::string nearest = {};                 // known name to an unknown one; "" for none
+  bool operator==(const Problem&) const = default;
 };
 
 }  // namespace pelage

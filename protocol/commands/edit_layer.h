@@ -14,6 +14,7 @@ struct EditLayer {
   std::string name = {};  // 1 to 200 bytes; names differ
   double weight = 1;      // [-4, 4]; below 0 the opposite of what was groomed
   bool muted = false;
+  bool operator==(const EditLayer&) const = default;
 };
 
 /// add: a new edit layer. set: changes the weight, the mute or the name. move: to another place among the edit layers.

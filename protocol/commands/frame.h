@@ -110,6 +110,7 @@ struct TraceReport {
   TraceEnd end = TraceEnd::none;
   double grow_ms = 0;  // growing and indexing strands
   double trace_ms = 0;
+  bool operator==(const TraceReport&) const = default;
 };
 
 struct FrameRequest {

@@ -64,6 +64,7 @@ struct MapAnswer {
   Units units = Units::relative;
   double covered = 0;       // share of the pixels that lie in triangles
   std::size_t outside = 0;  // triangles with a part outside [0, 1], drawn where a picture that repeats shows them
+  bool operator==(const MapAnswer&) const = default;
 };
 
 /// A picture that the server keeps for commands to name.
@@ -72,6 +73,7 @@ struct PictureAnswer {
   int width = 0, height = 0;         // pixels
   int bits = 8;                      // of a channel: 8, 16, or 32 for any float
   std::optional<double> scale = {};  // sizes, or the field's unit, where the picture says it of itself
+  bool operator==(const PictureAnswer&) const = default;
 };
 
 /// What `automatic` stands for.

@@ -32,6 +32,7 @@ struct FrameEstimate {
   double correction = 1;   // measured over predicted cost of this scene so far, which cost_ms has in it
   PlanEnd end = PlanEnd::asked;
   std::string calibration;  // its name
+  bool operator==(const FrameEstimate&) const = default;
 };
 
 inline constexpr std::size_t cost_terms = 16;   // renderer/quality/cost_model.h

@@ -1,24 +1,13 @@
 #include "protocol/json/decode.h"
 
+#include "protocol/json/decode_document.h"
 #include "protocol/json/members_scene.h"
-#include "protocol/json/parse.h"
-#include "protocol/json/read.h"
 
 namespace pelage {
 
 namespace {
 
 using namespace json_parts;
-
-template <class T>
-Result<T> decode_document(std::string_view text) {
-  const auto tree = parse_json(text);
-  if (!tree) return tree.status();
-  Status first_failure;
-  T result = read<T>(Value(*tree, "", first_failure));
-  if (!first_failure.ok()) return first_failure;
-  return result;
-}
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
@@ -28,9 +17,8 @@ Result<T> decode_optional_document(std::string_view text) {
   return is_blank(text) ? Result<T>(T{}) : decode_document<T>(text);
 }
 
-/// One command or a batch.
-template <>
-Result<Batch> decode_document(std::string_view text) {
+/// A command stands for a batch of one.
+Result<Batch> decode_batch(std::string_view text) {
   const auto tree = parse_json(text);
   if (!tree) return tree.status();
   Status first_failure;
@@ -48,7 +36,7 @@ Result<Batch> decode_document(std::string_view text) {
 }  // namespace
 
 Result<std::vector<Command>> decode_commands(std::string_view text) {
-  auto batch = decode_document<Batch>(text);
+  auto batch = decode_batch(text);
   if (!batch) return batch.status();
   return std::move(batch->commands);
 }

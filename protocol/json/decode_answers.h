@@ -1,24 +1,21 @@
-// What a client reads of the server's answers. Unknown members are passed over, so that an older client lives on.
+// What a client reads of the server's answers. Members and words that are new are passed over, and limits may have
+// grown, so that an older client lives on.
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/map.h"
+#include "protocol/commands/quality.h"
 
 namespace pelage {
 
-// All of these refuse (malformed) what is no such answer.
-Result<CommandAnswer> decode_command_answer(std::string_view text);
-Result<SceneSummary> decode_scene_summary(std::string_view text);
-Result<std::vector<SceneSummary>> decode_scene_list(std::string_view text);
-Result<PickAnswer> decode_pick_answer(std::string_view text);
-Result<PictureAnswer> decode_picture_answer(std::string_view text);
-Result<TraceReport> decode_trace_report(std::string_view text);
-Result<std::vector<LogEntry>> decode_log(std::string_view text);
+/// Refuses (malformed, with the pointer of the bad member) what is no such answer. T is a struct that encode.h makes an
+/// answer of.
+template <class T>
+Result<T> decode_answer(std::string_view text);
 
 /// The refusal in a problem document; its code follows the `type`. Malformed when it is no problem document.
 Status decode_problem(std::string_view text);

@@ -34,12 +34,15 @@ class QueryMembers {
   void type(const char*, const char* = "") {}
   bool takes(bool) { return true; }
   bool shows(bool) { return true; }
+  bool has(const char*, bool condition) { return condition; }
   void number(MemberName name, const auto&, Range, const char* = "") { add(name, Kind::number); }
   void integer(MemberName name, const auto&, Range, const char* = "") { add(name, Kind::number); }
   void counter(MemberName name, const auto&, const char* = "") { add(name, Kind::number); }
   void seed(MemberName name, const auto&, const char* = "") { add(name, Kind::number); }
   void boolean(MemberName name, const auto&, const char* = "") { add(name, Kind::boolean); }
   void text(MemberName name, const auto&, const char* = "") { add(name, Kind::text); }
+  void position(MemberName name, const auto&, const char* = "") { add(name, Kind::list); }
+  void direction(MemberName name, const auto&, const char* = "") { add(name, Kind::list); }
   void name(MemberName name, const auto&, const auto&, const char* = "") { add(name, Kind::text); }
   void names(MemberName name, const auto&, const auto&, std::size_t, const char*, const char* = "") {
     add(name, Kind::names);
@@ -48,23 +51,26 @@ class QueryMembers {
     parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
   }
   void object(MemberName, const Tracing&, const char* = "") {}  // strands are traced for POST alone
-  void special(MemberName name, const Camera&, const char* = "") {
-    const std::string at = std::string("/") + name.text;
-    parameters.push_back({name.text, at + "/auto", Kind::text});
-    for (const char* place : {"position", "target", "up"}) parameters.push_back({place, at + "/" + place, Kind::list});
-    parameters.push_back({"fov_degrees", at + "/fov_degrees", Kind::number});
+  void object(MemberName name, const Camera&, const char* = "") {
+    for (const Camera& form : {Camera{}, Camera{.automatic = AutoView::none}}) add_below(name, form);
   }
   void special(MemberName name, const Knobs& knobs, const char* = "") {
     add(name, Kind::text);
-    QueryMembers single;
-    members(single, knobs);
-    for (Parameter& knob : single.parameters)
-      parameters.push_back({std::move(knob.name), std::string("/") + name.text + knob.pointer, knob.kind});
+    add_below(name, knobs);
   }
   void special(MemberName name, const Backdrop<true>&, const char* = "") { add(name, Kind::text); }
   void special(MemberName, const std::optional<Tracing>&, const char* = "") {}
 
  private:
+  /// A camera's view is named as the camera itself.
+  void add_below(MemberName name, const auto& value) {
+    QueryMembers below;
+    members(below, value);
+    for (const Parameter& one : below.parameters) {
+      parameters.push_back(
+          {one.name == "auto" ? name.text : one.name, std::string("/") + name.text + one.pointer, one.kind});
+    }
+  }
   void add(MemberName name, Kind kind) { parameters.push_back({name.text, std::string("/") + name.text, kind}); }
 };
 

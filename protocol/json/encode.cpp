@@ -1,5 +1,7 @@
 #include "protocol/json/encode.h"
 
+#include <algorithm>
+
 #include "protocol/json/members_scene.h"
 #include "protocol/json/write.h"
 
@@ -15,6 +17,24 @@ std::string encode(const BranchRequest& request) { return line(written(request))
 std::string encode(const AmendRequest& request) { return line(written(request)); }
 std::string encode(const PickRequest& request) { return line(written(request)); }
 std::string encode(const Knobs& knobs) { return line(written(knobs)); }
+std::string encode(const CommandAnswer& answer) { return line(written(answer)); }
+std::string encode(const SceneSummary& summary) { return line(written(summary)); }
+std::string encode(const SceneList& scenes) { return line(written(scenes)); }
+std::string encode(const PickAnswer& answer) { return line(written(answer)); }
+std::string encode(const Comparison& comparison) { return line(written(comparison)); }
+std::string encode(const FoldCount& folds) { return line(written(folds)); }
+std::string encode(const Log& log) { return line(written(log)); }
+std::string encode(const FrameEstimate& estimate) { return line(written(estimate)); }
+std::string encode(const FrameCounters& counters) { return line(written(counters)); }
+std::string encode(const MapAnswer& answer) { return line(written(answer)); }
+std::string encode(const PictureAnswer& answer) { return line(written(answer)); }
+std::string encode(const Problem& problem) { return line(written(problem)); }
+
+std::string encode(const TraceReport& report) {
+  TraceReport shown = report;
+  shown.noise = std::min(report.noise, 1.0);
+  return line(written(shown));
+}
 
 std::string encode(const std::vector<Command>& commands) {
   return commands.size() == 1 ? encode(commands.front()) : line(written(json_parts::Batch{commands}));

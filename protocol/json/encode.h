@@ -24,17 +24,19 @@ std::string encode(const AmendRequest& request);           // decodes to the sam
 std::string encode(const PickRequest& request);            // decodes to the same request
 std::string encode(const CommandAnswer& answer);
 std::string encode(const SceneSummary& summary);
-std::string encode(const std::vector<SceneSummary>& summaries);
+std::string encode(const SceneList& scenes);
 std::string encode(const PickAnswer& answer);
 std::string encode(const Comparison& comparison);
 std::string encode(const FoldCount& folds);
-std::string encode(const std::vector<LogEntry>& log);
+std::string encode(const Log& log);
 std::string encode(const Knobs& knobs);
 std::string encode(const FrameEstimate& estimate);
 std::string encode(const FrameCounters& counters);
+/// Noise that cannot be estimated yet is infinite, which JSON cannot say; no shown channel is further off than 1.
 std::string encode(const TraceReport& report);
 std::string encode(const MapAnswer& answer);
 std::string encode(const PictureAnswer& answer);
+std::string encode(const Problem& problem);
 
 /// A text as a JSON string, with its quotes.
 std::string json_text(std::string_view text);

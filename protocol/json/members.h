@@ -1,9 +1,11 @@
 // How a struct is described to the wire, once: `members(visitor, value)` names each member with its range and what it
 // means. Decoding, encoding, the JSON Schema, query parameters and the tests' random requests visit the same list.
 //
-// A visitor has a method for each kind of member (MemberReader in read.cpp is the model), and three that say more:
-// type(name, words) names the struct; takes(condition) whether members are known at all beside the ones before them;
-// shows(condition) whether they say anything beside the others, and so are written.
+// A visitor has a method for each kind of member (MemberReader in read.cpp is the model), and some that say more:
+// type(name, words) names the struct; answer(name, words) one of the server's, whose members are all there unless they
+// are sparse; takes(condition) whether members are known at all beside the ones before them; shows(condition) whether
+// they say anything beside the others, and so are written; has(name, condition) whether the object is of the form with
+// that member, which the condition says of the struct.
 #pragma once
 
 #include <type_traits>
@@ -23,6 +25,7 @@ enum class Presence {
   defaulted,  // the struct's own value
   sparse,     // the same, which is empty and not written
   required,
+  tag,  // the same, and tells one form of the struct from another
   bare  // a rule of the struct says when it has to be there, and no default is named
 };
 
@@ -34,6 +37,13 @@ struct MemberName {
 
 constexpr MemberName required(const char* name) { return {name, Presence::required}; }
 constexpr MemberName sparse(const char* name) { return {name, Presence::sparse}; }
+constexpr MemberName tag(const char* name) { return {name, Presence::tag}; }
 constexpr MemberName bare(const char* name) { return {name, Presence::bare}; }
+
+/// Whether a member has to be there; `answer`: in a struct of which all have to, but for sparse ones.
+constexpr bool is_required(MemberName name, bool answer) {
+  return name.presence == Presence::required || name.presence == Presence::tag ||
+         (answer && name.presence == Presence::defaulted);
+}
 
 }  // namespace pelage::json_parts

@@ -100,7 +100,7 @@ void members(V& v, Visited<V, SkinRegion>& c) {
          "An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the "
          "earlier.");
   v.position(required("centre"), c.centre);
-  v.triple(required("radii"), c.radii, {limits::min_skin_radius, 1e6},
+  v.vector(required("radii"), c.radii, {limits::min_skin_radius, 1e6},
            "Sizes. The third lies along the axis, the first is level, the second is upright where the axis is level.");
   v.direction("axis", c.axis, "Of the third radius.");
   v.number("turn_degrees", c.turn_degrees, {-180, 180}, "Around the axis, counter-clockwise as seen from its tip.");

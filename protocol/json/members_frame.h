@@ -4,6 +4,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/json/members.h"
 #include "protocol/json/members_look.h"
+#include "protocol/json/members_stroke.h"
 
 namespace pelage::json_parts {
 
@@ -83,7 +84,7 @@ void members(V& v, Visited<V, FrameRequest>& c) {
   v.type("FrameRequest");
   v.integer("width", c.width, pixels, "Pixels.");
   v.integer("height", c.height, pixels, "Pixels.");
-  v.special("camera", c.camera);
+  v.object("camera", c.camera);
   if (v.shows(!c.plans())) v.special("quality", c.knobs);
   v.number(
       "budget_ms", c.budget_ms, budget_ms,

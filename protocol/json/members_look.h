@@ -91,7 +91,7 @@ void members(V& v, Visited<V, Environment>& c) {
     v.colour("horizon", c.horizon);
     v.colour("ground", c.ground, "From straight below.");
   }
-  v.triples("harmonics", c.harmonics, {-limits::harmonic, limits::harmonic}, "In place of the three colours.");
+  v.vectors("harmonics", c.harmonics, {-limits::harmonic, limits::harmonic}, "In place of the three colours.");
   if (v.shows(c.harmonics.has_value())) turn_member(v, c);
   intensity_member(v, c);
 }

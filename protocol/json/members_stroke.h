@@ -7,9 +7,22 @@
 namespace pelage::json_parts {
 
 template <class V>
+void members(V& v, Visited<V, Camera>& c) {
+  v.type("Camera",
+         "A view that the server frames, or a pinhole camera, whose position differs from its target and whose up is "
+         "not along the view.");
+  if (v.has("auto", c.automatic != AutoView::none))
+    return v.name(required("auto"), c.automatic, json_names::auto_views);
+  v.position(required("position"), c.position);
+  v.position(required("target"), c.target);
+  v.direction("up", c.up);
+  v.number("fov_degrees", c.fov_degrees, fov_degrees, "Vertical field of view, degrees.");
+}
+
+template <class V>
 void members(V& v, Visited<V, View>& c) {
   v.type("View", "The frame that a pixel belongs to.");
-  v.special("camera", c.camera);
+  v.object("camera", c.camera);
   v.integer("width", c.width, pixels, "Pixels.");
   v.integer("height", c.height, pixels, "Pixels.");
 }

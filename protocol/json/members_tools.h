@@ -43,7 +43,7 @@ void wind_members(V& v, Visited<V, Blow>& c, MemberName source) {
   v.number("softness", c.softness, share, "Share of the cone over which its edge fades.");
   v.number("fall", c.fall, length_in_units,
            "Distance at which the wind has half its strength, in `units`; 0: it does not fall.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.number("strength", c.strength, share, "0 does nothing, 1 all.");
   v.number("lean", c.lean, share, "Inclination that the wind tends to: 0 upright, 1 lying.");
 }
@@ -62,7 +62,7 @@ template <class V>
 void stick_members(V& v, Visited<V, Attract>& c, MemberName point) {
   v.position(point, c.point);
   v.number("radius", c.radius, length_in_units, "In `units`; at most 1000000 sizes.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.number("strength", c.strength, share, "0 does nothing, 1 all.");
   v.number("duration", c.duration, {0, 10000}, "Seconds of pulling.");
   v.number("threshold", c.threshold, {0, 1000}, "Stretch that fur takes without growing.");
@@ -97,7 +97,7 @@ void members(V& v, Visited<V, Interpolate>& c) {
   v.objects(required("keys"), c.keys, {1, limits::keys});
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.name(
       "distance", c.distance, json_names::distance_kinds,
       "straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by the heat "
@@ -112,7 +112,7 @@ void members(V& v, Visited<V, Flow>& c) {
   v.curves(required("curves"), c.curves, {1, limits::flow_curves}, {2, limits::flow_points});
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.name(
       "distance", c.distance, json_names::distance_kinds,
       "straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by the heat "
@@ -141,7 +141,7 @@ void members(V& v, Visited<V, Noise>& c) {
   v.number("amount", c.amount, {0, 10},
            "Of directions in inclinations; of length, stretch and width a share of the value; of other fields added.");
   v.number("feature_size", c.feature_size, length_in_units, "Of the noise, in `units`; 0: every vertex for itself.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.names("fields", c.fields, json_names::fields, 1, "field");
 }
 
@@ -152,7 +152,7 @@ void members(V& v, Visited<V, Unify>& c) {
   v.direction("direction", c.direction);
   v.number("inclination", c.inclination, share, "The fur keeps its own unless given.");
   v.number("length", c.length, length_in_units, "In `units`; at most 10 sizes.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.names("mean", c.mean, json_names::fields, 0, "field", "Fields that go to their weighted mean.");
   v.number("weight", c.weight, share, "Beside the brush's own strength.");
 }
@@ -183,7 +183,7 @@ void members(V& v, Visited<V, Length>& c) {
       "value", c.value, coordinate,
       "A length in `units`, at most 10 sizes and below 0 for add only; a factor for scale, at most 1000000; a share "
       "for jitter, at most 1.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
   v.seed("seed", c.seed);
 }
 
@@ -212,7 +212,7 @@ void members(V& v, Visited<V, Trim>& c) {
   v.template alternative<TrimPlane>("plane", c.shape);
   v.template alternative<TrimSphere>("sphere", c.shape);
   v.alternative("height", c.shape, length_in_units, "In `units`; at most 1000000 sizes.");
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
 }
 
 template <class V>
@@ -301,15 +301,8 @@ void members(V& v, Visited<V, ApplyMap>& c) {
       "their islands say. The mask holds, unless it is the mask that is read. The commands of a batch read at most 8 "
       "different pictures.");
   v.picture(required("picture"), c.picture, "The name that the upload of a picture was answered with.");
-  v.name("field", c.field, json_names::fields,
-         "A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density, "
-         "bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's. "
-         "root_colour and tip_colour: linear colour and how much it covers.");
-  v.name(
-      "encoding", c.encoding, json_names::map_encodings,
-      "What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v in red "
-      "and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and length "
-      "as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.");
+  v.name("field", c.field, json_names::fields);
+  v.name("encoding", c.encoding, json_names::map_encodings);
   v.number("scale", c.scale, width_in_units,
            "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.");
   v.name("units", c.units, json_names::units, "Of a scale of lengths. relative: sizes; world: the model's unit.");
@@ -339,7 +332,7 @@ void members(V& v, Visited<V, ChangeMask>& c) {
     v.number("distance", c.distance, length_in_units, "Along edges, in `units`; at most 1000000 sizes.");
   }
   if (v.takes(c.action == MaskAction::smooth)) v.integer("passes", c.passes, {1, limits::passes});
-  v.name("units", c.units, json_names::units, "relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units);
 }
 
 template <class V>

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cassert>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
@@ -119,11 +122,19 @@ inline constexpr std::array<Name<TraceEnd>, 4> trace_ends{{{"none", TraceEnd::no
                                                            {"passes", TraceEnd::passes},
                                                            {"noise", TraceEnd::noise},
                                                            {"seconds", TraceEnd::seconds}}};
+inline constexpr std::array<Name<EntryKind>, 6> entry_kinds{{{"do", EntryKind::command},
+                                                             {"join", EntryKind::join},
+                                                             {"undo", EntryKind::undo},
+                                                             {"redo", EntryKind::redo},
+                                                             {"revert", EntryKind::revert},
+                                                             {"replay", EntryKind::replay}}};
 inline constexpr std::array<Name<PlanEnd>, 5> plan_ends{{{"asked", PlanEnd::asked},
                                                          {"budget", PlanEnd::budget},
                                                          {"error", PlanEnd::error},
                                                          {"best", PlanEnd::best},
                                                          {"cheapest", PlanEnd::cheapest}}};
+/// What the error of a FrameEstimate is measured against: one of them, which the struct does not say.
+inline constexpr std::array<Name<std::size_t>, 1> error_references{{{"sorted_shells", 0}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
@@ -177,6 +188,14 @@ inline constexpr std::array<Name<Axis>, 6> axes{{{"x", Axis::plus_x},
                                                  {"z", Axis::plus_z},
                                                  {"-z", Axis::minus_z}}};
 
+/// All words of an enumeration.
+template <class E, std::size_t N>
+std::vector<std::string_view> texts_of(const std::array<Name<E>, N>& names) {
+  std::vector<std::string_view> texts;
+  for (const auto& name : names) texts.push_back(name.text);
+  return texts;
+}
+
 /// The word of a value; every value of an enumeration that goes on the wire has one.
 template <class Names, class E>
 constexpr std::string_view text_of(const Names& names, E value) {
@@ -185,6 +204,12 @@ constexpr std::string_view text_of(const Names& names, E value) {
   }
   assert(false);
   return {};
+}
+
+/// The same, as a text of its own.
+template <class Names, class E>
+std::string word_of(const Names& names, E value) {
+  return std::string(text_of(names, value));
 }
 
 }  // namespace pelage::json_names

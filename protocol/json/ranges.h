@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "protocol/base/limits.h"
 
 namespace pelage {
 
-/// Closed interval of a number.
+/// Closed interval of a number; an end of infinity is none.
 struct Range {
   double low, high;
   std::string text() const;  // "[0, 1]"
@@ -26,6 +28,7 @@ inline constexpr Range coordinate{-1e27, 1e27};
 inline constexpr Range length_in_units{0, 1e27};
 inline constexpr Range width_in_units{1e-27, 1e27};
 inline constexpr Range map_scale{1e-27, 1e27};
+inline constexpr Range direction_part{-1e6, 1e6};
 inline constexpr Range share{0, 1};
 inline constexpr Range whole_number{0, 4294967295.0};
 inline constexpr Range screen_coordinate{-1e6, 1e6};  // pixels
@@ -36,6 +39,16 @@ inline constexpr Range feature_size{0.005, 2};
 inline constexpr Range pixels{1, limits::frame_pixels};
 inline constexpr Range budget_ms{1, 600'000};
 inline constexpr Range max_error{1e-6, 1};
+inline constexpr Range fov_degrees{1, 150};
+
+// Of answers.
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+inline constexpr Range any_number{-unbounded, unbounded};
+inline constexpr Range not_negative{0, unbounded};
+inline constexpr Range positive{std::numeric_limits<double>::denorm_min(), unbounded};
+inline constexpr Range one_or_more{1, unbounded};
+inline constexpr Count any_count{0, std::numeric_limits<std::size_t>::max()};
+inline constexpr std::size_t any_length = std::numeric_limits<std::size_t>::max();
 
 }  // namespace json_parts
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/json/members_answers.h"
+#include "protocol/json/members_calibration.h"
 #include "protocol/json/members_frame.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
@@ -12,26 +14,6 @@ namespace pelage::json_parts {
 
 namespace {
 
-void get(const Value& value, Camera& out) {
-  Object object(value);
-  if (object.has("auto")) {
-    object.name("auto", out.automatic, json_names::auto_views);
-    return object.finish();
-  }
-  out.automatic = AutoView::none;
-  object.required("position", [&](const Value& v) { out.position = v.triple(coordinate); });
-  object.required("target", [&](const Value& v) { out.target = v.triple(coordinate); });
-  object.optional("up", [&](const Value& v) { out.up = v.direction(); });
-  object.number("fov_degrees", out.fov_degrees, {1, 150});
-  object.finish();
-  const glm::dvec3 forward = out.target - out.position;
-  if (!(glm::length(forward) > 0)) {
-    value.refuse("The camera is at its target.", "position differs from target");
-  } else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(out.up))) < 1e-6) {
-    value.refuse_below("up", "Up points along the view.", "not along the view");
-  }
-}
-
 void get(const Value& value, Backdrop<false> out) {
   const nlohmann::json& tree = value.tree();
   out.kind = tree == "transparent" ? Background::transparent
@@ -40,7 +22,10 @@ void get(const Value& value, Backdrop<false> out) {
   if (out.kind == Background::colour) out.colour = value.colour();
 }
 
-void get(const Value& value, Knobs& out) { out = quality(value); }
+/// A tier's name, or knobs that start from the interactive tier.
+void get(const Value& value, Knobs& out) {
+  out = value.tree().is_object() ? read<Knobs>(value) : knobs_of(value.name_of(json_names::tiers));
+}
 
 void get(const Value& value, std::optional<Tracing>& out) {
   if (value.tree().is_object()) {
@@ -69,8 +54,10 @@ class MemberReader {
   explicit MemberReader(Object& object) : object_(object) {}
 
   void type(const char*, const char* = "") {}
+  void answer(const char*, const char* = "") { all_required_ = true; }
   bool takes(bool condition) { return condition; }
   bool shows(bool) { return true; }  // what must not be there beside others is for rules to say
+  bool has(const char* name, bool) { return object_.has(name); }
 
   template <class T>
   void number(MemberName name, T& out, Range range, const char* = "") {
@@ -90,6 +77,13 @@ class MemberReader {
       for (const Value& v : list.list(count.min, count.max)) out.push_back(v.number(range));
     });
   }
+  template <std::size_t N>
+  void numbers(MemberName name, std::array<double, N>& out, Range range) {
+    member(name, [&](const Value& list) {
+      const std::vector<Value> values = list.list(N, N);
+      for (std::size_t i = 0; i < values.size(); ++i) out[i] = values[i].number(range);
+    });
+  }
   void integer(MemberName name, int& out, Range range, const char* = "") {
     member(name, [&](const Value& v) { out = static_cast<int>(v.integer(range)); });
   }
@@ -105,8 +99,13 @@ class MemberReader {
     member(name, [&](const Value& v) { out = v.boolean(); });
   }
   template <class T>
-  void text(MemberName name, T& out, const char* = "") {
-    member(name, [&](const Value& v) { out = v.text(0, limits::name_bytes); });
+  void text(MemberName name, T& out, const char* = "", std::size_t max_bytes = limits::name_bytes) {
+    member(name, [&](const Value& v) { out = v.text(0, max_bytes); });
+  }
+  void texts(MemberName name, std::vector<std::string>& out, const char* = "") {
+    member(name, [&](const Value& list) {
+      for (const Value& v : list.list(0, any_count.max)) out.push_back(v.text(0, any_length));
+    });
   }
   void label(MemberName name, std::string& out, const char* = "") {
     member(name, [&](const Value& v) { out = v.text(1, limits::name_bytes); });
@@ -115,19 +114,34 @@ class MemberReader {
     member(name, [&](const Value& v) {
       if (word_for_none && v.tree() == word_for_none) return;
       out = v.text(1, 32);
-      if (out.size() != 32 || out.find_first_not_of("0123456789abcdef") != std::string::npos)
+      if (!hash_of_hex(out))
         v.refuse("This names no picture.",
                  (word_for_none ? word_for_none + std::string(", or ") : "") + "32 hex digits in lower case");
     });
+  }
+  void hash(MemberName name, FieldsHash& out, const char* = "") {
+    member(name, [&](const Value& v) {
+      const std::optional<FieldsHash> hash = hash_of_hex(v.text(32, 32));
+      if (hash) out = *hash;
+      if (!hash) v.refuse("This is no hash.", "32 hex digits in lower case");
+    });
+  }
+  /// Any JSON, as text.
+  void json(MemberName name, std::string& out, const char* = "") {
+    member(name, [&](const Value& v) { out = v.tree().dump(); });
   }
   template <class T>
   void position(MemberName name, T& out, const char* = "") {
     member(name, [&](const Value& v) { out = v.triple(coordinate); });
   }
-  void triple(MemberName name, glm::dvec3& out, Range range, const char* = "") {
-    member(name, [&](const Value& v) { out = v.triple(range); });
+  template <glm::length_t N>
+  void vector(MemberName name, glm::vec<N, double>& out, Range range, const char* = "") {
+    member(name, [&](const Value& list) {
+      const std::vector<Value> parts = list.list(N, N);
+      for (std::size_t i = 0; i < parts.size(); ++i) out[static_cast<glm::length_t>(i)] = parts[i].number(range);
+    });
   }
-  void triples(MemberName name, std::optional<SphericalHarmonics>& out, Range range, const char* = "") {
+  void vectors(MemberName name, std::optional<SphericalHarmonics>& out, Range range, const char* = "") {
     member(name, [&](const Value& list) {
       const std::vector<Value> vectors = list.list(out.emplace().size(), out->size());
       for (std::size_t i = 0; i < vectors.size(); ++i) (*out)[i] = vectors[i].triple(range);
@@ -151,6 +165,10 @@ class MemberReader {
   template <class E, std::size_t N>
   void name(MemberName name, E& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
     member(name, [&](const Value& v) { out = v.name_of(names); });
+  }
+  template <class E, std::size_t N>
+  void word(MemberName name, std::string& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
+    member(name, [&](const Value& v) { out = v.word_of(texts_of(names)); });
   }
   /// Each at most once; `noun` is what one of them is called.
   template <class E, std::size_t N>
@@ -225,7 +243,7 @@ class MemberReader {
  private:
   template <class Read>
   void member(MemberName name, Read read) {
-    if (name.presence == Presence::required) return object_.required(name.text, read);
+    if (is_required(name, all_required_)) return object_.required(name.text, read);
     object_.optional(name.text, read);
   }
   void count_alternative(const Value& value) {
@@ -233,6 +251,7 @@ class MemberReader {
   }
 
   Object& object_;
+  bool all_required_ = false;  // but what is sparse
   int alternatives_ = 0;
 };
 
@@ -283,15 +302,11 @@ Command read<Command>(const Value& value) {
   return result;
 }
 
-Knobs quality(const Value& value) {
-  return value.tree().is_object() ? read<Knobs>(value) : knobs_of(value.name_of(json_names::tiers));
-}
-
 template <class T>
 T read(const Value& value) {
   Object object(value);
   MemberReader reader(object);
-  T result;
+  T result{};
   members(reader, result);
   object.finish();
   settle(value, result);
@@ -314,5 +329,19 @@ template ImportOptions read(const Value&);
 template EnvironmentUpload read(const Value&);
 template MapRequest read(const Value&);
 template MapUpload read(const Value&);
+template Calibration read(const Value&);
+template SceneSummary read(const Value&);
+template SceneList read(const Value&);
+template CommandAnswer read(const Value&);
+template Comparison read(const Value&);
+template FoldCount read(const Value&);
+template Log read(const Value&);
+template PickAnswer read(const Value&);
+template MapAnswer read(const Value&);
+template PictureAnswer read(const Value&);
+template FrameEstimate read(const Value&);
+template FrameCounters read(const Value&);
+template TraceReport read(const Value&);
+template Problem read(const Value&);
 
 }  // namespace pelage::json_parts

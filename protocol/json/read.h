@@ -7,13 +7,12 @@
 
 namespace pelage::json_parts {
 
-/// Refuses what the list of members and the rules do not allow. Instantiated in read.cpp for the documents of decode.h.
+/// Refuses what the list of members and the rules do not allow. Instantiated in read.cpp for the documents of
+/// decode.h, decode_answers.h and calibration.h.
 template <class T>
 T read(const Value& value);
 
 template <>
 Command read(const Value& value);
-
-Knobs quality(const Value& value);  // a tier's name, or knobs that start from the interactive tier
 
 }  // namespace pelage::json_parts

@@ -45,7 +45,11 @@ void Value::refuse_below(const std::string& path, std::string message, std::stri
   Value(*json_, pointer_ + "/" + path, *failure_).refuse(std::move(message), std::move(limit));
 }
 
-Value Value::member(std::string_view name) const { return {json_->at(name), pointer_ + pointer_step(name), *failure_}; }
+Value Value::member(std::string_view name) const {
+  Value value = *this;
+  value.json_ = &json_->at(name), value.pointer_ += pointer_step(name);
+  return value;
+}
 
 double Value::number(Range range) const {
   if (!json_->is_number()) {
@@ -53,7 +57,7 @@ double Value::number(Range range) const {
     return range.low;
   }
   const double value = json_->get<double>();
-  if (value >= range.low && value <= range.high) return value;
+  if (tolerant_ || (value >= range.low && value <= range.high)) return value;
   refuse(short_number(value) + " is out of range.", range.text());
   return range.low;
 }
@@ -61,7 +65,7 @@ double Value::number(Range range) const {
 std::int64_t Value::integer(Range range) const {
   const double value = number(range);
   if (value != std::floor(value)) refuse("A whole number is expected.", range.text());
-  return static_cast<std::int64_t>(value);
+  return static_cast<std::int64_t>(std::clamp(value, -9e18, 9e18));
 }
 
 std::uint64_t Value::counter() const {
@@ -84,6 +88,7 @@ std::string Value::text(std::size_t min_bytes, std::size_t max_bytes) const {
     return {};
   }
   const std::string& text = json_->get_ref<const std::string&>();
+  if (tolerant_) return text;
   if (text.size() < min_bytes || text.size() > max_bytes) {
     refuse("The text has " + std::to_string(text.size()) + " bytes.", limit);
     return {};
@@ -104,7 +109,7 @@ glm::dvec3 Value::triple(Range range) const {
 }
 
 glm::dvec3 Value::direction() const {
-  const glm::dvec3 vector = triple({-1e6, 1e6});
+  const glm::dvec3 vector = triple(json_parts::direction_part);
   if (const double length = glm::length(vector); length >= 1e-6 && length <= 1e6) return vector;
   refuse("The direction has no usable length.", "a length in [1e-6, 1e6]");
   return {0, -1, 0};
@@ -127,14 +132,16 @@ std::vector<Value> Value::list(std::size_t min, std::size_t max) const {
     refuse("A list is expected.", limit);
     return {};
   }
-  if (json_->size() < min || json_->size() > max) {
+  const bool may_grow = tolerant_ && min < max;
+  if (json_->size() < min || (json_->size() > max && !may_grow)) {
     refuse("The list has " + std::to_string(json_->size()) + " members.", limit);
     return {};
   }
   std::vector<Value> values;
   values.reserve(json_->size());
   for (const json& member : *json_) {
-    values.emplace_back(member, pointer_ + "/" + std::to_string(values.size()), *failure_);
+    Value& value = values.emplace_back(*this);
+    value.json_ = &member, value.pointer_ += "/" + std::to_string(values.size() - 1);
   }
   return values;
 }
@@ -147,7 +154,7 @@ std::string Value::word_of(const std::vector<std::string_view>& known) const {
     return {};
   }
   std::string word = json_->get<std::string>();
-  if (std::find(known.begin(), known.end(), word) == known.end()) {
+  if (!tolerant_ && std::find(known.begin(), known.end(), word) == known.end()) {
     refuse(shown(word) + " is not known here.", limit, nearest_name(word, known));
   }
   return word;
@@ -187,7 +194,7 @@ void Object::colour(std::string_view name, glm::vec3& out) {
 }
 
 void Object::finish() const {
-  if (!value_.tree().is_object()) return;
+  if (!value_.tree().is_object() || value_.tolerant()) return;
   for (const auto& [name, ignored] : value_.tree().items()) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     value_.member(name).refuse(shown(name) + " is not known here.", "", nearest_name(name, known_));

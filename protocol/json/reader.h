@@ -14,12 +14,19 @@
 
 namespace pelage {
 
+/// Whether a document has to keep to every word of the contract, or comes from a server that may know more: members and
+/// words that are new are then passed over, and limits may have grown.
+enum class Reading { strict, tolerant };
+
 /// One value of the tree, and the pointer to it. The first refusal is kept in the status that all readers of a
 /// document share; after it readers go on with defaults, and the caller looks at the status once, at the end.
 class Value {
  public:
-  Value(const nlohmann::json& value, std::string pointer, Status& first_failure)
-      : json_(&value), pointer_(std::move(pointer)), failure_(&first_failure) {}
+  Value(const nlohmann::json& value, std::string pointer, Status& first_failure, Reading reading = Reading::strict)
+      : json_(&value),
+        pointer_(std::move(pointer)),
+        failure_(&first_failure),
+        tolerant_(reading == Reading::tolerant) {}
 
   void refuse(std::string message, std::string limit = {}, std::string nearest = {}) const;
   /// Refuses what lies below this value; `path` is a JSON pointer without its first slash.
@@ -28,6 +35,7 @@ class Value {
   /// Whether nothing of the document was refused so far.
   bool fine() const { return failure_->ok(); }
   const nlohmann::json& tree() const { return *json_; }
+  bool tolerant() const { return tolerant_; }
   /// A member that is there.
   Value member(std::string_view name) const;
 
@@ -42,15 +50,16 @@ class Value {
   glm::vec3 colour() const;      // "#rrggbb" (sRGB) or [r, g, b] (linear, each in [0, 1]) to linear
   std::vector<Value> list(std::size_t min, std::size_t max) const;
 
-  /// A text that is one of these; the first of them once it is refused.
+  /// A text that is one of these. Tolerant: any text.
   std::string word_of(const std::vector<std::string_view>& known) const;
   template <class E, std::size_t N>
-  E name_of(const std::array<json_names::Name<E>, N>& names) const;
+  E name_of(const std::array<json_names::Name<E>, N>& names) const;  // the first unless it is one of them
 
  private:
   const nlohmann::json* json_;
   std::string pointer_;
   Status* failure_;
+  bool tolerant_;
 };
 
 /// A JSON object. The names that are asked for are the known ones; finish() refuses all others.
@@ -95,9 +104,7 @@ class Object {
 
 template <class E, std::size_t N>
 E Value::name_of(const std::array<json_names::Name<E>, N>& names) const {
-  std::vector<std::string_view> known;
-  for (const auto& name : names) known.push_back(name.text);
-  const std::string word = word_of(known);
+  const std::string word = word_of(texts_of(names));
   for (const auto& name : names) {
     if (name.text == word) return name.value;
   }

@@ -105,6 +105,24 @@ void check(const Value& value, const Tracing& tracing) {
   if (!paths && given(value, "bounces")) value.refuse_below("bounces", "Only paths bounce.", "transport paths");
 }
 
+void settle(const Value& value, Camera& camera) {
+  if (!given(value, "auto")) camera.automatic = AutoView::none;
+}
+
+void check(const Value& value, const Camera& camera) {
+  if (camera.automatic != AutoView::none) return;
+  const glm::dvec3 forward = camera.target - camera.position;
+  if (!(glm::length(forward) > 0)) {
+    value.refuse("The camera is at its target.", "position differs from target");
+  } else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) < 1e-6) {
+    value.refuse_below("up", "Up points along the view.", "not along the view");
+  }
+}
+
+void check(const Value& value, const CalibratedKnobs& row) {
+  if (row.knobs.method != Method::shells) value.refuse_below("knobs/method", "The ladder is of shells.", "shells");
+}
+
 void check(const Value& value, const Stroke& stroke) {
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     const StrokeSample& sample = stroke.samples[i];

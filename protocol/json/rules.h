@@ -5,6 +5,7 @@
 #include "protocol/commands/command.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/map.h"
+#include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 #include "protocol/json/reader.h"
 
@@ -13,10 +14,12 @@ namespace pelage::json_parts {
 /// Fills in what follows from the members that were given.
 template <class T>
 void settle(const Value&, T&) {}
+void settle(const Value& value, Camera& camera);
 void settle(const Value& value, Tracing& tracing);
 
 template <class T>
 void check(const Value&, const T&) {}
+void check(const Value& value, const Camera& camera);
 void check(const Value& value, const Stroke& stroke);
 void check(const Value& value, const Coat& coat);
 void check(const Value& value, const Environment& environment);
@@ -27,6 +30,7 @@ void check(const Value& value, const FrameRequest& request);
 void check(const Value& value, const ImportOptions& options);
 void check(const Value& value, const MapRequest& map);
 void check(const Value& value, const MapUpload& map);
+void check(const Value& value, const CalibratedKnobs& row);
 
 void check_command(const Value& value, const Command& command);
 

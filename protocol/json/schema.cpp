@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "protocol/json/colour.h"
+#include "protocol/json/members_answers.h"
 #include "protocol/json/members_frame.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
+#include "protocol/json/named_words.h"
 
 namespace pelage {
 
@@ -44,10 +46,19 @@ Json colour_default(glm::vec3 linear) {
 }
 
 Json number_schema(const char* type, Range range) {
-  return {{"type", type}, {"minimum", plain(range.low)}, {"maximum", plain(range.high)}};
+  Json schema = {{"type", type}};
+  if (range.low == positive.low)
+    schema["exclusiveMinimum"] = 0;
+  else if (range.low != any_number.low)
+    schema["minimum"] = plain(range.low);
+  if (range.high != any_number.high) schema["maximum"] = plain(range.high);
+  return schema;
 }
 Json list_schema(Json items, Count count) {
-  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", count.min}, {"maxItems", count.max}};
+  Json schema = {{"type", "array"}, {"items", std::move(items)}};
+  if (count.max == any_count.max) return schema;
+  schema["minItems"] = count.min, schema["maxItems"] = count.max;
+  return schema;
 }
 /// A tool that can flood takes a stroke or floods, never both.
 Json stroke_or_flood() {
@@ -55,27 +66,39 @@ Json stroke_or_flood() {
   const Json flood = {{"required", {"flood"}}, {"properties", {{"flood", {{"const", true}}}, {"stroke", false}}}};
   return {stroke, flood};
 }
-Json text_schema(std::size_t min) {
+Json text_schema(std::size_t min, std::size_t max = limits::name_bytes) {
   Json schema = {{"type", "string"}};
   if (min > 0) schema["minLength"] = min;
-  schema["maxLength"] = limits::name_bytes;
+  if (max != any_length) schema["maxLength"] = max;
   return schema;
 }
-/// Words that openapi.yaml explains, under a name of their own, for all members that take them.
-template <class E>
-constexpr const char* named_words = nullptr;
-template <>
-constexpr const char* named_words<Field> = "Field";
-template <>
-constexpr const char* named_words<Aov> = "Aov";
-
+Json described(Json schema, const char* words) {
+  if (*words) schema["description"] = words;
+  return schema;
+}
+/// What members of several structs refer to.
+Json shapes() {
+  const Json digits = {{"type", "string"}, {"pattern", "^[0-9a-f]{32}$"}};
+  const Json hex = {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+  const auto triple = [](Range range) { return list_schema(number_schema("number", range), {3, 3}); };
+  const Json place = described(number_schema("number", coordinate),
+                               "In the model's unit; within 1000000 sizes of the model's centre.");
+  return {
+      {"Position", list_schema(place, {3, 3})},
+      {"Direction", described(triple(direction_part), "Any length in [1e-6, 1e6]; only where it points counts.")},
+      {"Barycentric", described(triple(share), "Weights of the triangle's corners; their sum is within 0.001 of 1.")},
+      {"Colour", described({{"oneOf", {hex, triple(share)}}}, "sRGB as `#rrggbb`, or linear red, green and blue.")},
+      {"PictureName", described(digits, "The name that the upload of a picture was answered with.")},
+      {"FieldsHash", digits}};
+}
 template <class E, std::size_t N>
 Json words_schema(Json& all, const std::array<json_names::Name<E>, N>& names) {
   Json schema = {{"enum", Json::array()}};
   for (const auto& name : names) schema["enum"].push_back(name.text);
-  if (!named_words<E>) return schema;
-  all[named_words<E>] = std::move(schema);
-  return reference(named_words<E>);
+  constexpr NamedWords named = named_words<E>;
+  if (!named.name) return schema;
+  all[named.name] = described(std::move(schema), named.meaning);
+  return reference(named.name);
 }
 
 template <class T>
@@ -83,16 +106,32 @@ Json describe(Json& all);
 template <>
 Json describe<Command>(Json& all);
 
+/// A struct in each form that it takes on the wire.
+template <class T>
+std::vector<T> forms() {
+  return {T{}};
+}
+template <>
+std::vector<Camera> forms() {
+  return {Camera{}, Camera{.automatic = AutoView::none}};
+}
+template <>
+std::vector<PickAnswer> forms() {
+  return {PickAnswer{}, PickAnswer{.hit = true}};
+}
+
 /// Collects the properties of a struct, and what its members refer to into `all`. The struct that it visits is a
 /// default one: its values are the defaults.
 class MemberSchemas {
  public:
   static constexpr bool reads = true;
-  explicit MemberSchemas(Json& all) : all_(all) {}
+  explicit MemberSchemas(Json& all, bool one_form = false) : all_(all), one_form_(one_form) {}
 
   void type(const char* name, const char* words = "") { name_ = name, words_ = words; }
-  bool takes(bool) { return true; }  // conditions between members are rules of openapi.yaml
+  void answer(const char* name, const char* words = "") { type(name, words), answer_ = true; }
+  bool takes(bool condition) { return condition || !one_form_; }  // else conditions are rules of openapi.yaml
   bool shows(bool) { return true; }
+  bool has(const char*, bool condition) { return condition; }
 
   template <class T>
   void number(MemberName name, const T& value, Range range, const char* words = "") {
@@ -114,16 +153,21 @@ class MemberSchemas {
   }
   template <class T>
   void counter(MemberName name, const T& value, const char* words = "") {
-    const Json schema = {{"type", "integer"}, {"minimum", 0}, {"maximum", std::numeric_limits<std::uint64_t>::max()}};
+    Json schema = {{"type", "integer"}, {"minimum", 0}};
+    if (!answer_) schema["maximum"] = std::numeric_limits<std::uint64_t>::max();
     add(name, schema, default_of(value), words);
   }
   template <class T>
   void boolean(MemberName name, const T& value, const char* words = "") {
+    if (name.presence == Presence::tag) return add(name, {{"const", default_of(value)}}, {}, words);
     add(name, {{"type", "boolean"}}, default_of(value), words);
   }
   template <class T>
-  void text(MemberName name, const T& text, const char* words = "") {
-    add(name, text_schema(0), default_of(text), words);
+  void text(MemberName name, const T& text, const char* words = "", std::size_t max = limits::name_bytes) {
+    add(name, text_schema(0, max), default_of(text), words);
+  }
+  void texts(MemberName name, const std::vector<std::string>&, const char* words = "") {
+    add(name, list_schema(text_schema(0, any_length), any_count), {}, words);
   }
   void label(MemberName name, const std::string& text, const char* words = "") {
     add(name, text_schema(1), text.empty() ? Json() : Json(text), words);
@@ -133,14 +177,19 @@ class MemberSchemas {
     if (word_for_none) schema = {{"oneOf", {{{"const", word_for_none}}, schema}}};
     add(name, schema, {}, words);
   }
+  void hash(MemberName name, FieldsHash, const char* words = "") { add(name, reference("FieldsHash"), {}, words); }
+  void json(MemberName name, const std::string&, const char* words = "") {
+    add(name, {{"type", {"object", "array"}}}, {}, words);
+  }
   template <class T>
   void position(MemberName name, const T& position, const char* words = "") {
     add(name, reference("Position"), default_of(position), words);
   }
-  void triple(MemberName name, glm::dvec3 value, Range range, const char* words = "") {
-    add(name, list_schema(number_schema("number", range), {3, 3}), list(value), words);
+  template <glm::length_t N>
+  void vector(MemberName name, const glm::vec<N, double>& value, Range range, const char* words = "") {
+    add(name, list_schema(number_schema("number", range), Count{N, N}), list(value), words);
   }
-  void triples(MemberName name, const std::optional<SphericalHarmonics>&, Range range, const char* words = "") {
+  void vectors(MemberName name, const std::optional<SphericalHarmonics>&, Range range, const char* words = "") {
     constexpr std::size_t count = std::tuple_size_v<SphericalHarmonics>;
     add(name, list_schema(list_schema(number_schema("number", range), {3, 3}), {count, count}), {}, words);
   }
@@ -159,12 +208,20 @@ class MemberSchemas {
     add(name, words_schema(all_, names), text_of(names, value), words);
   }
   template <class E, std::size_t N>
+  void word(MemberName name, const std::string&, const std::array<json_names::Name<E>, N>& names,
+            const char* words = "") {
+    add(name, words_schema(all_, names), {}, words);
+  }
+  template <class E, std::size_t N>
   void names(MemberName name, const std::vector<E>& values, const std::array<json_names::Name<E>, N>& names,
              std::size_t min, const char*, const char* words = "") {
     Json schema = list_schema(words_schema(all_, names), {min, N}), defaults = Json::array();
     schema["uniqueItems"] = true;
     for (const E value : values) defaults.push_back(text_of(names, value));
     add(name, schema, defaults, words);
+  }
+  void object(MemberName name, const Camera& camera, const char* words = "") {
+    add(name, describe<Camera>(all_), {{"auto", text_of(json_names::auto_views, camera.automatic)}}, words);
   }
   template <class T>
   void object(MemberName name, const T&, const char* words = "") {
@@ -194,15 +251,12 @@ class MemberSchemas {
   void vertices(MemberName name, const Variant&, const char* words = "") {
     add(name, list_schema(number_schema("integer", whole_number), {1, limits::mask_vertices}), {}, words);
   }
-  void special(MemberName name, const Camera& camera, const char* words = "") {
-    add(name, reference("Camera"), {{"auto", text_of(json_names::auto_views, camera.automatic)}}, words);
-  }
   void special(MemberName name, const Backdrop<true>& backdrop, const char* words = "") {
     const Json known = {{"enum", {"transparent", "studio"}}};
     add(name, {{"oneOf", {known, reference("Colour")}}}, colour_default(backdrop.colour), words);
   }
   void special(MemberName name, const Knobs&, const char* words = "") {
-    add(name, {{"oneOf", {reference("Tier"), describe<Knobs>(all_)}}}, "interactive", words);
+    add(name, {{"oneOf", {words_schema(all_, json_names::tiers), describe<Knobs>(all_)}}}, "interactive", words);
   }
   void special(MemberName name, const std::optional<Tracing>&, const char* words = "") {
     const Json boolean = {{"type", "boolean"}};
@@ -219,9 +273,7 @@ class MemberSchemas {
 
   /// The schema of the struct; of a command with the word that it has as `op`.
   Json finish(const char* op = nullptr) {
-    Json schema, required = std::move(required_), properties = std::move(properties_);
-    if (*words_) schema["description"] = words_;
-    schema["type"] = "object";
+    Json schema = {{"type", "object"}}, required = std::move(required_), properties = std::move(properties_);
     if (op) properties["op"] = {{"const", op}}, required.push_back("op");
     if (properties.contains("flood")) schema["oneOf"] = stroke_or_flood();
     schema["properties"] = std::move(properties);
@@ -230,6 +282,7 @@ class MemberSchemas {
     return schema;
   }
   std::string name() const { return name_; }
+  const char* words() const { return words_; }
 
  private:
   template <class T>
@@ -244,24 +297,30 @@ class MemberSchemas {
   }
   void add(MemberName name, Json schema, Json fallback, const char* words) {
     const bool has_default = name.presence == Presence::defaulted || name.presence == Presence::sparse;
-    if (has_default && !fallback.is_null()) schema["default"] = std::move(fallback);
-    if (*words) schema["description"] = words;
-    if (name.presence == Presence::required) required_.push_back(name.text);
-    properties_[name.text] = std::move(schema);
+    if (has_default && !answer_ && !fallback.is_null()) schema["default"] = std::move(fallback);
+    if (is_required(name, answer_)) required_.push_back(name.text);
+    properties_[name.text] = described(std::move(schema), words);
   }
 
   Json& all_;
+  bool one_form_;        // of several, each with a schema
+  bool answer_ = false;  // whose members are all there, but for sparse ones
   const char *name_ = "", *words_ = "";
   Json properties_ = Json::object(), required_ = Json::array();
 };
 
 template <class T>
 Json describe(Json& all) {
-  MemberSchemas visitor(all);
-  const T defaults{};
-  members(visitor, defaults);
-  all[visitor.name()] = visitor.finish();
-  return reference(visitor.name());
+  const std::vector<T> values = forms<T>();
+  Json schemas = Json::array(), to;
+  for (const T& value : values) {
+    MemberSchemas visitor(all, values.size() > 1);
+    members(visitor, value);
+    schemas.push_back(visitor.finish());
+    all[visitor.name()] = described(values.size() > 1 ? Json{{"oneOf", schemas}} : schemas[0], visitor.words());
+    to = reference(visitor.name());
+  }
+  return to;
 }
 
 template <class Tool>
@@ -270,7 +329,7 @@ void describe_command(Json& all, Json& command) {
   const Tool defaults{};
   members(visitor, defaults);
   const char* op = op_of(Command(defaults));
-  all[visitor.name()] = visitor.finish(op);
+  all[visitor.name()] = described(visitor.finish(op), visitor.words());
   const Json to = reference(visitor.name());
   command["oneOf"].push_back(to);
   command["discriminator"]["mapping"][op] = to["$ref"];
@@ -295,14 +354,18 @@ Json describe<Command>(Json& all) {
 
 }  // namespace json_parts
 
-nlohmann::ordered_json request_schemas() {
+nlohmann::ordered_json schemas() {
   using namespace json_parts;
-  Json all = Json::object();
+  Json all = shapes();
   describe<NewScene>(all), describe<Batch>(all), describe<AmendRequest>(all), describe<BranchRequest>(all);
   describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all);
   describe<FrameRequest>(all), describe<PickRequest>(all);
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
   describe<MapRequest>(all), describe<MapUpload>(all);
+  describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all), describe<FoldCount>(all);
+  describe<Log>(all), describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
+  describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // in headers
+  describe<MapAnswer>(all);
   return all;
 }
 

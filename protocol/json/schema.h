@@ -1,12 +1,12 @@
-// JSON Schema of the requests, made from the same lists of members that decoding and encoding visit.
+// JSON Schema of requests and answers, made from the same lists of members that decoding and encoding visit.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 namespace pelage {
 
-/// Every struct of the requests and commands by its name in the contract (`components/schemas`). It refers to shapes
-/// that openapi.yaml describes: Position, Direction, Colour, Camera, Tier and PictureName.
-nlohmann::ordered_json request_schemas();
+/// Every struct on the wire, and the shapes that several of them have, by its name in the contract
+/// (`components/schemas`). openapi.yaml adds the rules between members.
+nlohmann::ordered_json schemas();
 
 }  // namespace pelage

@@ -1,6 +1,8 @@
 #include "protocol/json/write.h"
 
 #include "protocol/json/colour.h"
+#include "protocol/json/members_answers.h"
+#include "protocol/json/members_calibration.h"
 #include "protocol/json/members_frame.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
@@ -11,20 +13,16 @@ using json_names::text_of;
 
 namespace {
 
-Json list(glm::dvec2 v) { return Json::array({v.x, v.y}); }
-Json list(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+template <glm::length_t N>
+Json list(const glm::vec<N, double>& vector) {
+  Json values = Json::array();
+  for (glm::length_t i = 0; i < N; ++i) values.push_back(vector[i]);
+  return values;
+}
 
 Json colour_of(glm::vec3 linear) {
   if (const auto text = text_of_colour(linear)) return *text;
   return list(glm::dvec3(linear));
-}
-
-Json form_of(const Camera& camera) {
-  if (camera.automatic != AutoView::none) return {{"auto", text_of(json_names::auto_views, camera.automatic)}};
-  return {{"position", list(camera.position)},
-          {"target", list(camera.target)},
-          {"up", list(camera.up)},
-          {"fov_degrees", camera.fov_degrees}};
 }
 
 Json form_of(const Backdrop<true>& backdrop) {
@@ -41,8 +39,10 @@ class MemberWriter {
   explicit MemberWriter(Json& json) : json_(json) {}
 
   void type(const char*, const char* = "") {}
+  void answer(const char*, const char* = "") {}
   bool takes(bool condition) { return condition; }
   bool shows(bool condition) { return condition; }
+  bool has(const char*, bool condition) { return condition; }
 
   void number(MemberName name, double value, Range, const char* = "") { json_[name.text] = value; }
   template <class T>
@@ -55,6 +55,10 @@ class MemberWriter {
   void numbers(MemberName name, const std::vector<double>& values, Range, Count, const char* = "") {
     if (says(name, values.empty())) json_[name.text] = values;
   }
+  template <std::size_t N>
+  void numbers(MemberName name, const std::array<double, N>& values, Range) {
+    json_[name.text] = values;
+  }
   void integer(MemberName name, int value, Range, const char* = "") { json_[name.text] = value; }
   void seed(MemberName name, std::uint32_t value, const char* = "") { json_[name.text] = value; }
   void counter(MemberName name, std::uint64_t value, const char* = "") { json_[name.text] = value; }
@@ -65,22 +69,30 @@ class MemberWriter {
   void boolean(MemberName name, const std::optional<bool>& value, const char* = "") {
     if (value) json_[name.text] = *value;
   }
-  void text(MemberName name, const std::string& text, const char* = "") {
+  void text(MemberName name, const std::string& text, const char* = "", std::size_t = 0) {
     if (says(name, text.empty())) json_[name.text] = text;
   }
-  void text(MemberName name, const std::optional<std::string>& text, const char* = "") {
+  void text(MemberName name, const std::optional<std::string>& text, const char* = "", std::size_t = 0) {
     if (text) json_[name.text] = *text;
   }
+  void texts(MemberName name, const std::vector<std::string>& texts, const char* = "") { json_[name.text] = texts; }
   void label(MemberName name, const std::string& text, const char* = "") { json_[name.text] = text; }
   void picture(MemberName name, const std::string& text, const char* = "", const char* word_for_none = "") {
     json_[name.text] = text.empty() ? word_for_none : text;
+  }
+  void hash(MemberName name, FieldsHash hash, const char* = "") { json_[name.text] = to_hex(hash); }
+  void json(MemberName name, const std::string& text, const char* = "") {
+    if (says(name, text.empty())) json_[name.text] = Json::parse(text, nullptr, false);
   }
   void position(MemberName name, glm::dvec3 position, const char* = "") { json_[name.text] = list(position); }
   void position(MemberName name, const std::optional<glm::dvec3>& position, const char* = "") {
     if (position) json_[name.text] = list(*position);
   }
-  void triple(MemberName name, glm::dvec3 value, Range, const char* = "") { json_[name.text] = list(value); }
-  void triples(MemberName name, const std::optional<SphericalHarmonics>& values, Range, const char* = "") {
+  template <glm::length_t N>
+  void vector(MemberName name, const glm::vec<N, double>& value, Range, const char* = "") {
+    json_[name.text] = list(value);
+  }
+  void vectors(MemberName name, const std::optional<SphericalHarmonics>& values, Range, const char* = "") {
     if (!values) return;
     for (const glm::dvec3& value : *values) json_[name.text].push_back(list(value));
   }
@@ -93,6 +105,10 @@ class MemberWriter {
   template <class E, std::size_t N>
   void name(MemberName name, E value, const std::array<json_names::Name<E>, N>& names, const char* = "") {
     json_[name.text] = text_of(names, value);
+  }
+  template <class E, std::size_t N>
+  void word(MemberName name, const std::string& word, const std::array<json_names::Name<E>, N>&, const char* = "") {
+    json_[name.text] = word;
   }
   template <class E, std::size_t N>
   void names(MemberName name, const std::vector<E>& values, const std::array<json_names::Name<E>, N>& names,
@@ -180,5 +196,19 @@ template Json written(const PickRequest&);
 template Json written(const BranchRequest&);
 template Json written(const AmendRequest&);
 template Json written(const Batch&);
+template Json written(const Calibration&);
+template Json written(const SceneSummary&);
+template Json written(const SceneList&);
+template Json written(const CommandAnswer&);
+template Json written(const Comparison&);
+template Json written(const FoldCount&);
+template Json written(const Log&);
+template Json written(const PickAnswer&);
+template Json written(const MapAnswer&);
+template Json written(const PictureAnswer&);
+template Json written(const FrameEstimate&);
+template Json written(const FrameCounters&);
+template Json written(const TraceReport&);
+template Json written(const Problem&);
 
 }  // namespace pelage::json_parts

@@ -11,7 +11,7 @@ namespace pelage::json_parts {
 /// Keeps members in the order in which they are written.
 using Json = nlohmann::ordered_json;
 
-/// Instantiated in write.cpp for the requests of encode.h and for what has a form of its own.
+/// Instantiated in write.cpp for the requests and answers of encode.h, and for calibrations.
 template <class T>
 Json written(const T& value);
 

@@ -1,4 +1,4 @@
-"""Puts the schemas of the requests into the contract, as JSON and as a C++ source that holds it:
+"""Puts the schemas of requests and answers into the contract, as JSON and as a C++ source that holds it:
 embed.py CONTRACT.yaml SCHEMAS.json OUTPUT.cpp OUTPUT.json"""
 
 import json

@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-/// openapi.yaml with the schemas of the requests, as one line of JSON (OpenAPI 3.1).
+/// openapi.yaml with the schemas of requests and answers, as one line of JSON (OpenAPI 3.1).
 std::string_view openapi_json();
 
 }  // namespace pelage

@@ -259,8 +259,8 @@ double smoothstep(double low, double high, double x) {
 /// How long fur is on an animal in this box that looks along +Z, over the length that was asked for, in [.4, 1.4].
 class AnimalLengths {
  public:
-  explicit AnimalLengths(const Mesh& mesh) : low_(mesh.to_internal(mesh.report.min)) {
-    extent_ = glm::max(mesh.to_internal(mesh.report.max) - low_, 1e-9);
+  explicit AnimalLengths(const Mesh& mesh) : low_(mesh.to_internal(mesh.report.bounds.min)) {
+    extent_ = glm::max(mesh.to_internal(mesh.report.bounds.max) - low_, 1e-9);
   }
 
   double at(glm::dvec3 position, glm::dvec3 normal) const {

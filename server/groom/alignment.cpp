@@ -7,8 +7,8 @@ namespace {
 /// What the box's extents, in sizes, grow by from one model to the other.
 glm::dvec3 box_scale(const Mesh& from, const Mesh& to) {
   constexpr double flat = 1e-9;  // sizes
-  const glm::dvec3 before = (from.report.max - from.report.min) / from.size;
-  const glm::dvec3 after = (to.report.max - to.report.min) / to.size;
+  const glm::dvec3 before = (from.report.bounds.max - from.report.bounds.min) / from.size;
+  const glm::dvec3 after = (to.report.bounds.max - to.report.bounds.min) / to.size;
   glm::dvec3 scale(1);
   for (int axis = 0; axis < 3; ++axis) {
     if (before[axis] > flat && after[axis] > flat) scale[axis] = after[axis] / before[axis];

@@ -68,7 +68,7 @@ PlacedCamera place_camera(const Camera& camera, double aspect, const Mesh& mesh)
   }
   placed.forward = -automatic_direction(camera.automatic);
   orient(placed, {0, 1, 0});
-  frame_box(placed, aspect, mesh.to_internal(mesh.report.min), mesh.to_internal(mesh.report.max));
+  frame_box(placed, aspect, mesh.to_internal(mesh.report.bounds.min), mesh.to_internal(mesh.report.bounds.max));
   return placed;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocol/json/decode.h"
+#include "protocol/json/names.h"
 #include "server/fields/edit_layers.h"
 #include "server/history/codec.h"
 
@@ -103,10 +104,7 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
   return commands;
 }
 
-const char* name_of(EntryKind kind) {
-  static constexpr const char* names[] = {"do", "join", "undo", "redo", "revert", "replay"};
-  return names[static_cast<std::size_t>(kind)];
-}
+std::string name_of(EntryKind kind) { return json_names::word_of(json_names::entry_kinds, kind); }
 
 namespace {
 

@@ -40,11 +40,8 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
 /// The commands that set all of them.
 std::vector<Command> commands_of(const SceneSettings& settings);
 
-/// A new step; a part that joins the last step; the ways through the steps; and commands that are listed by themselves
-/// but belong to the undo step of the entry before. The journal holds the numbers.
-enum class EntryKind { command, join, undo, redo, revert, replay };
-/// "do", "join", "undo", "redo", "revert", "replay".
-const char* name_of(EntryKind kind);
+/// The word of a kind on the wire.
+std::string name_of(EntryKind kind);
 
 /// One accepted change, as the journal keeps it.
 struct Entry {

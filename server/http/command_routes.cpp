@@ -97,7 +97,7 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
   const std::string format = request.has_param("format") ? request.get_param_value("format") : "json";
   if (format == "json" && request.has_param("for"))
     return reply_problem(response, failure(Code::invalid, "Only lines are carried.", "/for", "with format jsonl"));
-  if (format == "json") return reply_json(response, 200, encode(scene.log()));
+  if (format == "json") return reply_json(response, 200, encode(Log{scene.log()}));
   if (format != "jsonl") {
     return reply_problem(response, failure(Code::invalid, "The log has no such format.", "/format", "json | jsonl"));
   }

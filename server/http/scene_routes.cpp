@@ -54,8 +54,9 @@ void compare_revisions(const Scene& scene, const Request& request, Response& res
 }  // namespace
 
 void add_scene_routes(httplib::Server& server, Service& service) {
-  server.Get("/v1/scenes",
-             [&](const Request&, Response& response) { reply_json(response, 200, encode(service.scenes.list())); });
+  server.Get("/v1/scenes", [&](const Request&, Response& response) {
+    reply_json(response, 200, encode(SceneList{service.scenes.list()}));
+  });
   add_post(server, "/v1/scenes", [&](const Request& request, Response& response) {
     service.idempotency.answer(request, response, [&] { create_scene(service, request, response); });
   });

@@ -103,9 +103,9 @@ std::vector<Command> chosen(const std::vector<Command>& commands, const std::vec
   return some;
 }
 
-CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields) {
+CommandResult describe_change(std::string op, const FieldDelta& delta, const FieldSet& fields) {
   CommandResult result;
-  result.op = op;
+  result.op = std::move(op);
   result.touched = delta.vertices().size();
   result.fields = measure(delta, fields);
   if (!result.fields.empty()) {

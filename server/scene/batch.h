@@ -50,6 +50,6 @@ Status check_whole(const Command& command);
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers);
 
 /// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
-CommandResult describe_change(const char* op, const FieldDelta& delta, const FieldSet& fields);
+CommandResult describe_change(std::string op, const FieldDelta& delta, const FieldSet& fields);
 
 }  // namespace pelage

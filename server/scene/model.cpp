@@ -18,43 +18,6 @@ Result<PatchMap> lay(const Mesh& mesh, FurPatches how) {
 
 }  // namespace
 
-std::string name_of(Builtin shape) {
-  switch (shape) {
-    case Builtin::torus: return "torus";
-    case Builtin::knot: return "knot";
-    case Builtin::sphere: return "sphere";
-    case Builtin::plane: return "plane";
-    case Builtin::cloth: return "cloth";
-    case Builtin::creature: return "creature";
-  }
-  assert(false);
-  return {};
-}
-
-std::string name_of(ModelFormat format) {
-  switch (format) {
-    case ModelFormat::obj: return "obj";
-    case ModelFormat::ply: return "ply";
-    case ModelFormat::stl: return "stl";
-    case ModelFormat::off: return "off";
-    case ModelFormat::gltf: return "gltf";
-    case ModelFormat::glb: return "glb";
-    case ModelFormat::tds: return "3ds";
-  }
-  assert(false);
-  return {};
-}
-
-std::string name_of(FurPatches how) {
-  switch (how) {
-    case FurPatches::overlapping: return "overlapping";
-    case FurPatches::hard: return "hard";
-    case FurPatches::own_uvs: return "own_uvs";
-  }
-  assert(false);
-  return {};
-}
-
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
   Result<Mesh> mesh = prepare(raw, how.up, how.front, how.source_is_32_bit);
   if (!mesh) return mesh.status();

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
@@ -11,11 +10,6 @@
 #include "server/scene/scene.h"
 
 namespace pelage {
-
-/// Names on the wire: "creature", "3ds".
-std::string name_of(Builtin shape);
-std::string name_of(ModelFormat format);
-std::string name_of(FurPatches how);
 
 /// Prepares a model as `how` says (its bytes are not looked at), lays its patches and subdivides it. Fails as prepare
 /// and subdivide do, and (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/json/encode.h"
+#include "protocol/json/names.h"
 #include "renderer/coat/folds.h"
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
@@ -269,7 +270,7 @@ SceneSummary Scene::describe() const {
           name_,
           history_.revision(),
           model_->name,
-          name_of(model_->fur_patches),
+          json_names::word_of(json_names::fur_patches, model_->fur_patches),
           model_->surface.mesh().report,
           fields_.hash(),
           history_.undo_steps(),

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "protocol/base/limits.h"
+#include "protocol/json/names.h"
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
@@ -119,8 +120,9 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
 Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
   if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
   const RawModel raw = make_builtin(request.model);
-  StoredModel how{
-      .name = name_of(request.model.shape), .raw = encode_raw_model(raw), .fur_patches = request.fur_patches};
+  StoredModel how{.name = json_names::word_of(json_names::builtins, request.model.shape),
+                  .raw = encode_raw_model(raw),
+                  .fur_patches = request.fur_patches};
   auto model = build_model(raw, how, ++impl_->last_model);
   if (!model) return model.status();
   return impl_->add({random_id(), request.name, std::move(how), 0, {}}, *model, request.fur);
@@ -156,7 +158,12 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
   if (!slot.has()) return too_many_imports();
   const Result<RawModel> raw = import_model(impl_->worker, options.format, bytes);
   if (!raw) return raw.status();
-  StoredModel how{name_of(options.format), options.up, options.front, raw->is_32_bit, {}, options.fur_patches};
+  StoredModel how{json_names::word_of(json_names::model_formats, options.format),
+                  options.up,
+                  options.front,
+                  raw->is_32_bit,
+                  {},
+                  options.fur_patches};
   auto model = build_model(*raw, how, ++impl_->last_model);
   if (!model) return model.status();
   how.raw = encode_raw_model(*raw);

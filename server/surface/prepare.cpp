@@ -143,8 +143,8 @@ void settle(Mesh& mesh, const RawModel& raw, const Soup& soup, const glm::dmat3&
   for (const glm::dvec3& p : positions) mesh.positions.emplace_back(placement.to_internal(p));
   mesh.centre = placement.centre;
   mesh.size = mesh.report.size = placement.size;
-  mesh.report.min = placement.low;
-  mesh.report.max = placement.high;
+  mesh.report.bounds.min = placement.low;
+  mesh.report.bounds.max = placement.high;
 }
 
 Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, ModelReport report) {

@@ -84,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   (void)pelage::decode_pick(text);
   (void)pelage::decode_steps(text);
   (void)pelage::decode_revision(text);
-  (void)pelage::decode_scene_list(text);
+  (void)pelage::decode_answer<pelage::SceneList>(text);
   (void)pelage::decode_problem(text);
   (void)pelage::split_steps(text);
   return 0;

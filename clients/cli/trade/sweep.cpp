@@ -26,7 +26,7 @@ class Stage {
     if (scene.id.empty()) {
       const auto answer = Session::accepted(session.connection().post_json("/v1/scenes", scene.request));
       if (!answer) return answer.status();
-      const auto summary = decode_scene_summary(answer->body);
+      const auto summary = decode_answer<SceneSummary>(answer->body);
       if (!summary) return summary.status();
       stage.id_ = summary->id, stage.made_ = true;
     }
@@ -57,14 +57,14 @@ class Stage {
 Result<Place> place_of(Session& session, const std::string& path, const Case& scene, int size) {
   const auto answer = Session::accepted(session.connection().get(path));
   if (!answer) return answer.status();
-  const auto summary = decode_scene_summary(answer->body);
+  const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return summary.status();
   const ModelReport& model = summary->report;
   Place place{path, {}};
   place.request.width = place.request.height = size;
   Camera& camera = place.request.camera;
   camera.automatic = AutoView::none;
-  camera.target = (model.min + model.max) / 2.0;
+  camera.target = (model.bounds.min + model.bounds.max) / 2.0;
   camera.position = camera.target + scene.towards * model.size;
   place.request.background = Background::transparent;
   return place;

@@ -59,7 +59,7 @@ Result<std::vector<Case>> cases_for(Session& session) {
     if (!id) return id.status();
     const auto answer = Session::accepted(session.connection().get("/v1/scenes/" + *id));
     if (!answer) return answer.status();
-    const auto summary = decode_scene_summary(answer->body);
+    const auto summary = decode_answer<SceneSummary>(answer->body);
     if (!summary) return summary.status();
     for (Case& one : cases_of(*id, summary->name)) {
       if (!options.quick || one.swept) cases.push_back(std::move(one));

@@ -90,6 +90,8 @@ inline void fit(Tracing& tracing) {
 inline void fit(Knobs& knobs) {
   if (knobs.order == FragmentOrder::sorted) knobs.shells = std::min(knobs.shells, 128);
 }
+inline void fit(MapAnswer& map) { map.encoding = encoding_of(map.field, map.encoding); }
+inline void fit(PictureAnswer& picture) { picture.bits = picture.bits < 16 ? 8 : picture.bits < 32 ? 16 : 32; }
 inline void fit(FrameRequest& frame) {
   frame.knobs.scale = std::min(frame.knobs.scale, 8192.0 / std::max(frame.width, frame.height));
   if (frame.knobs.scale < 0.25) frame.knobs.scale = 0.25;

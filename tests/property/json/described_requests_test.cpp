@@ -1,24 +1,16 @@
-// Random requests for the schemas of the contract: tests/end_to_end/test_contract.py names a file and validates them.
+// Requests have the members of their schemas and no others.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "tests/property/json/generators.h"
+#include "tests/property/json/hand_over.h"
 
 namespace pelage::testing {
 namespace {
-
-/// Adds a line with the schema's name and the document, where a file is named.
-void hand_over(const char* schema, const std::string& document) {
-  const char* file = std::getenv("PELAGE_REQUESTS");
-  if (file == nullptr) return;
-  std::ofstream(file, std::ios::app) << schema << ' ' << nlohmann::json::parse(document).dump() << '\n';
-}
 
 /// Whether the decoder refuses a member that no description has.
 template <class Decode>

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "protocol/json/colour.h"
+#include "protocol/json/encode.h"
+#include "protocol/json/members_answers.h"
 #include "protocol/json/members_frame.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
@@ -14,6 +17,7 @@ namespace pelage::testing {
 
 /// Draws numbers of every size within a range, its ends included.
 double number(double low, double high) {
+  low = std::max(low, -1e30), high = std::min(high, 1e30);  // ends that are open
   const auto bits = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 53);
   const int kind = *rc::gen::inRange(0, 4);
   if (kind == 0) return low;
@@ -52,7 +56,7 @@ using namespace json_parts;
 
 bool coin() { return *rc::gen::arbitrary<bool>(); }
 
-std::string word(int min) {
+std::string any_word(int min) {
   return *rc::gen::container<std::string>(static_cast<std::size_t>(*rc::gen::inRange(min, 20)),
                                           rc::gen::inRange<char>(' ', '~'));
 }
@@ -68,6 +72,7 @@ class MemberMaker {
   static constexpr bool reads = false;
 
   void type(const char*, const char* = "") {}
+  void answer(const char*, const char* = "") {}
   bool takes(bool condition) { return condition; }
   bool shows(bool condition) { return condition; }
 
@@ -93,23 +98,35 @@ class MemberMaker {
   void boolean(MemberName, T& out, const char* = "") {
     if (coin()) out = coin();
   }
-  void text(MemberName, std::string& out, const char* = "") { out = word(0); }
-  void text(MemberName, std::optional<std::string>& out, const char* = "") {
-    if (coin()) out = word(0);
+  void text(MemberName, std::string& out, const char* = "", std::size_t = 0) { out = any_word(0); }
+  void text(MemberName, std::optional<std::string>& out, const char* = "", std::size_t = 0) {
+    if (coin()) out = any_word(0);
   }
-  void label(MemberName, std::string& out, const char* = "") { out = word(1); }
+  void texts(MemberName, std::vector<std::string>& out, const char* = "") {
+    for (int size = length(any_count); size > 0; --size) out.push_back(any_word(0));
+  }
+  void label(MemberName, std::string& out, const char* = "") { out = any_word(1); }
   void picture(MemberName, std::string& out, const char* = "", const char* word_for_none = nullptr) {
     if (word_for_none && coin()) return;
     out = *rc::gen::container<std::string>(32, rc::gen::elementOf(std::string("0123456789abcdef")));
+  }
+  void hash(MemberName, FieldsHash& out, const char* = "") {
+    out = {*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>()};
+  }
+  void json(MemberName, std::string& out, const char* = "") {
+    if (coin()) out = nlohmann::json::parse(encode(command())).dump();
   }
   void position(MemberName, glm::dvec3& out, const char* = "") { out = random_place(); }
   void position(MemberName, std::optional<glm::dvec3>& out, const char* = "") {
     if (coin()) out = random_place();
   }
-  void triple(MemberName, glm::dvec3& out, Range range, const char* = "") { out = any_triple(range); }
-  void triples(MemberName, std::optional<SphericalHarmonics>& out, Range range, const char* = "") {
+  template <glm::length_t N>
+  void vector(MemberName, glm::vec<N, double>& out, Range range, const char* = "") {
+    for (glm::length_t i = 0; i < N; ++i) out[i] = testing::number(range.low, range.high);
+  }
+  void vectors(MemberName, std::optional<SphericalHarmonics>& out, Range range, const char* = "") {
     if (coin()) return;
-    for (glm::dvec3& vector : out.emplace()) vector = any_triple(range);
+    for (glm::dvec3& one : out.emplace()) vector("", one, range);
   }
   void pixel(MemberName, glm::dvec2& out, const View& view, const char* = "") {
     out = {testing::number(0, view.width), testing::number(0, view.height)};
@@ -124,6 +141,10 @@ class MemberMaker {
     out = names[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(N)))].value;
   }
   template <class E, std::size_t N>
+  void word(MemberName, std::string& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
+    out = names[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(N)))].text;
+  }
+  template <class E, std::size_t N>
   void names(MemberName, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t min,
              const char*, const char* = "") {
     out.clear();
@@ -132,6 +153,7 @@ class MemberMaker {
     }
     if (out.size() < min) out.push_back(names[1].value);
   }
+  void object(MemberName, Camera& out, const char* = "") { out = camera(); }
   template <class T>
   void object(MemberName, T& out, const char* = "") {
     out = made<T>();
@@ -166,7 +188,6 @@ class MemberMaker {
   void vertices(MemberName, Variant& out, const char* = "") {
     if (coin()) out = MaskVertices{{*rc::gen::arbitrary<std::uint32_t>(), 7}};
   }
-  void special(MemberName, Camera& out, const char* = "") { out = camera(); }
   void special(MemberName, Knobs& out, const char* = "") { out = made<Knobs>(); }
   void special(MemberName, std::optional<Tracing>& out, const char* = "") { object("", out); }
   void special(MemberName, Backdrop<false> out, const char* = "") {
@@ -185,7 +206,7 @@ class MemberMaker {
 
   template <class T>
   static T made() {
-    T value;
+    T value{};
     MemberMaker maker;
     members(maker, value);
     agree(value);
@@ -196,10 +217,6 @@ class MemberMaker {
   static int length(Count count) {
     const auto min = static_cast<int>(count.min), max = static_cast<int>(std::min<std::size_t>(count.max, 4));
     return *rc::gen::inRange(min, std::max(min, max) + 1);
-  }
-  static glm::dvec3 any_triple(Range range) {
-    const auto one = [&] { return testing::number(range.low, range.high); };
-    return {one(), one(), one()};
   }
 };
 
@@ -220,5 +237,23 @@ Command set_coat() { return MemberMaker::made<SetCoat>(); }
 Command set_environment() { return MemberMaker::made<SetEnvironment>(); }
 Command set_skin_texture() { return MemberMaker::made<SetSkinTexture>(); }
 Command command() { return random_command(static_cast<Command*>(nullptr)); }
+
+template <class T>
+T answer() {
+  return MemberMaker::made<T>();
+}
+template SceneSummary answer();
+template SceneList answer();
+template CommandAnswer answer();
+template Comparison answer();
+template FoldCount answer();
+template Log answer();
+template PickAnswer answer();
+template MapAnswer answer();
+template PictureAnswer answer();
+template FrameEstimate answer();
+template FrameCounters answer();
+template TraceReport answer();
+template Problem answer();
 
 }  // namespace pelage::testing

@@ -1,4 +1,4 @@
-// Random parts of requests, each within its limits, their ends included.
+// Random requests, answers and their parts, each within its limits, their ends included.
 #pragma once
 
 #include <rapidcheck.h>
@@ -31,5 +31,8 @@ Command set_environment();
 Command set_skin_texture();
 /// One of all commands.
 Command command();
+/// T is one of the structs of decode_answers.h.
+template <class T>
+T answer();
 
 }  // namespace pelage::testing

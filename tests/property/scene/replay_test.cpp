@@ -57,7 +57,7 @@ TEST_P(ReplayTest, AnyScriptReplaysUndoesAndSurvivesARestart) {
   EXPECT_EQ(settings_text(*anew), settings_text(*scene));
 
   const SceneSummary before = scene->summary();
-  const std::string log = encode(scene->log()), settings = settings_text(*scene);
+  const std::string log = encode(Log{scene->log()}), settings = settings_text(*scene);
   open();
   const auto restarted = *store_->find(before.id);
   const SceneSummary after = restarted->summary();
@@ -65,7 +65,7 @@ TEST_P(ReplayTest, AnyScriptReplaysUndoesAndSurvivesARestart) {
   EXPECT_EQ(after.fields_hash, before.fields_hash);
   EXPECT_EQ(after.undo_steps, before.undo_steps);
   EXPECT_EQ(after.redo_steps, before.redo_steps);
-  EXPECT_EQ(encode(restarted->log()), log);
+  EXPECT_EQ(encode(Log{restarted->log()}), log);
   EXPECT_EQ(settings_text(*restarted), settings);
 
   const int steps = static_cast<int>(after.undo_steps);
@@ -162,13 +162,14 @@ TEST_P(ReplayTest, AmendmentsAndBranchesAreWhatTheirListsSay) {
   EXPECT_GE(ids.size(), 6u) << "most rounds amend something";
   ids.push_back(scene->id());
   std::vector<std::pair<FieldsHash, std::string>> known;
-  for (const std::string& id : ids) known.emplace_back(hash(**store_->find(id)), encode((*store_->find(id))->log()));
+  for (const std::string& id : ids)
+    known.emplace_back(hash(**store_->find(id)), encode(Log{(*store_->find(id))->log()}));
   scene.reset();
   open();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto again = *store_->find(ids[i]);
     EXPECT_EQ(hash(*again), known[i].first);
-    EXPECT_EQ(encode(again->log()), known[i].second);
+    EXPECT_EQ(encode(Log{again->log()}), known[i].second);
   }
 }
 

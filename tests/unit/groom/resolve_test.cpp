@@ -109,7 +109,8 @@ TEST_F(ResolveTest, AutomaticCamerasFrameTheBoxAndNearlyFillThePicture) {
       const PlacedCamera camera = place_camera({.automatic = view}, aspect, mesh);
       double reach = 0;
       for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 low = mesh.to_internal(mesh.report.min), high = mesh.to_internal(mesh.report.max);
+        const glm::dvec3 low = mesh.to_internal(mesh.report.bounds.min),
+                         high = mesh.to_internal(mesh.report.bounds.max);
         const glm::dvec3 c(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
         const glm::dvec3 seen = c - camera.position;
         const double depth = glm::dot(seen, camera.forward) * camera.tan_half_fov;

@@ -164,10 +164,11 @@ TEST(Retarget, TakesWhatLiesAtTheNearestPlaceInModelCoordinates) {
     Retarget command;
     command.align = align;
     const FieldSet result = retargeted(command, surface, FieldSet(mesh.positions.size()), source, taken);
-    const glm::dvec3 ratio = (other.report.max - other.report.min) / (mesh.report.max - mesh.report.min);
+    const glm::dvec3 ratio =
+        (other.report.bounds.max - other.report.bounds.min) / (mesh.report.bounds.max - mesh.report.bounds.min);
     for (std::uint32_t v = 0; v < result.size(); ++v) {
       glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[v]));
-      if (align == Alignment::box) place = (place - mesh.report.min) * ratio + other.report.min;
+      if (align == Alignment::box) place = (place - mesh.report.bounds.min) * ratio + other.report.bounds.min;
       const PlainNearest nearest = plain_nearest(other, place);
       double density = 0, length = 0;
       for (int k = 0; k < 3; ++k) {

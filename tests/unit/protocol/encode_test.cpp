@@ -26,8 +26,7 @@ SceneSummary some_summary() {
                     .triangles = 6,
                     .parts = 2,
                     .size = 155.5,
-                    .min = {-1, -2, -3},
-                    .max = {1, 2, 3},
+                    .bounds = {{-1, -2, -3}, {1, 2, 3}},
                     .repairs = {{"welded_vertices", 2}}};
   return summary;
 }
@@ -42,7 +41,7 @@ TEST(Encode, CommandAnswerComesBack) {
                                           .clamped = 3,
                                           .milliseconds = 1.25,
                                           .fields = {{"direction", 812, 0.11, 0.64}}}}};
-  const auto back = decode_command_answer(encode(answer));
+  const auto back = decode_answer<CommandAnswer>(encode(answer));
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(back->fields_hash, answer.fields_hash);
   EXPECT_EQ(back->results[0].touched, 812u);
@@ -50,10 +49,10 @@ TEST(Encode, CommandAnswerComesBack) {
 }
 
 TEST(Encode, SummariesComeBack) {
-  EXPECT_EQ(encode(*decode_scene_summary(encode(some_summary()))), encode(some_summary()));
-  const std::vector<SceneSummary> list{some_summary(), some_summary()};
-  EXPECT_EQ(decode_scene_list(encode(list))->size(), 2u);
-  EXPECT_EQ(encode(std::vector<SceneSummary>{}), R"({"scenes":[]})");
+  EXPECT_EQ(encode(*decode_answer<SceneSummary>(encode(some_summary()))), encode(some_summary()));
+  const SceneList list{{some_summary(), some_summary()}};
+  EXPECT_EQ(decode_answer<SceneList>(encode(list))->scenes.size(), 2u);
+  EXPECT_EQ(encode(SceneList{}), R"({"scenes":[]})");
 }
 
 TEST(Encode, PicksComeBack) {
@@ -71,16 +70,16 @@ TEST(Encode, PicksComeBack) {
       .painted = {{{0.25, 0, 0, 0}, {2, 0, 0, 0}, {}, {}, {0.75, 0, 0, 0}, {}, {}, {0.1, 0.2, 0.3, 0.4}}}};
   EXPECT_NE(encode(answer).find(R"("root_colour":[0.1,0.2,0.3,0.4])"), std::string::npos);
   EXPECT_NE(encode(answer).find(R"("density":0.25)"), std::string::npos);
-  EXPECT_EQ(encode(*decode_pick_answer(encode(answer))), encode(answer));
+  EXPECT_EQ(encode(*decode_answer<PickAnswer>(encode(answer))), encode(answer));
 }
 
 TEST(Encode, LogHoldsCommandsAsJson) {
-  const std::string text = encode(std::vector<LogEntry>{
-      {.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5, .in_effect = true},
-      {.revision = 2, .kind = "undo", .commands = "", .touched = 5}});
+  const std::string text =
+      encode(Log{{{.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5, .in_effect = true},
+                  {.revision = 2, .kind = "undo", .commands = "", .touched = 5}}});
   EXPECT_EQ(text, R"({"entries":[{"revision":1,"kind":"do","touched":5,"in_effect":true,"commands":{"op":"comb"}},)"
                   R"({"revision":2,"kind":"undo","touched":5,"in_effect":false}]})");
-  EXPECT_EQ(encode(*decode_log(text)), text);
+  EXPECT_EQ(encode(*decode_answer<Log>(text)), text);
 }
 
 TEST(Encode, TraceReportsComeBack) {
@@ -91,17 +90,17 @@ TEST(Encode, TraceReportsComeBack) {
                            .end = TraceEnd::noise,
                            .grow_ms = 700,
                            .trace_ms = 1500.5};
-  const auto read = decode_trace_report(encode(report));
+  const auto read = decode_answer<TraceReport>(encode(report));
   ASSERT_TRUE(read.ok()) << read.status().message;
   EXPECT_EQ(encode(*read), encode(report));
   EXPECT_EQ(read->end, TraceEnd::noise);
-  EXPECT_EQ(decode_trace_report("{}").status().code, Code::malformed);
+  EXPECT_EQ(decode_answer<TraceReport>("{}").status().code, Code::malformed);
 }
 
 TEST(Encode, NoiseThatIsNotKnownYetIsTheLargest) {
   TraceReport report;
   report.noise = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(decode_trace_report(encode(report))->noise, 1);
+  EXPECT_EQ(decode_answer<TraceReport>(encode(report))->noise, 1);
 }
 
 TEST(Encode, ProblemsNameFieldAndLimit) {

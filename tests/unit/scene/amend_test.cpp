@@ -13,10 +13,10 @@ class AmendTest : public StoreTest {
   }
   /// Refused, and nothing has changed.
   Status refusal(Scene& scene, const AmendRequest& request, const ExecuteOptions& options = {}) const {
-    const std::string log = encode(scene.log());
+    const std::string log = encode(Log{scene.log()});
     const FieldsHash before = hash(scene);
     const Result<CommandAnswer> answer = scene.amend(request, options);
-    EXPECT_EQ(encode(scene.log()), log);
+    EXPECT_EQ(encode(Log{scene.log()}), log);
     EXPECT_EQ(hash(scene), before);
     EXPECT_FALSE(answer.ok());
     return answer.ok() ? Status{} : answer.status();
@@ -246,12 +246,12 @@ TEST_F(AmendTest, ARestartHasTheAmendment) {
   execute(*scene, {comb_at(*scene, 6)});
   const FieldsHash before = hash(*scene);
   const FieldsHash after = amend(*scene, 1, {stronger(first)}).fields_hash;
-  const std::string log = encode(scene->log()), id = scene->id();
+  const std::string log = encode(Log{scene->log()}), id = scene->id();
   for (const std::size_t undo_bytes : {limits::undo_bytes, std::size_t{0}}) {
     open(undo_bytes);
     const auto again = *store_->find(id);
     EXPECT_EQ(hash(*again), after);
-    EXPECT_EQ(encode(again->log()), log);
+    EXPECT_EQ(encode(Log{again->log()}), log);
     EXPECT_EQ(again->effective_log().size(), 2u);
     EXPECT_EQ(again->summary().undo_steps, 3u);
   }

@@ -25,7 +25,7 @@ class BranchTest : public StoreTest {
     scene.read([&](const SceneView& view) { model = &view.model; });
     return model;
   }
-  static std::string log_of(const Scene& scene) { return encode(scene.log()); }
+  static std::string log_of(const Scene& scene) { return encode(Log{scene.log()}); }
 };
 
 TEST_F(BranchTest, BeginsAsTheSceneIs) {

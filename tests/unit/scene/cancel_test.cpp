@@ -31,7 +31,7 @@ TEST_F(CancelTest, WhereverItEndsNothingChanges) {
   const auto scene = make();
   execute(*scene, {comb_at(*scene, 5)});
   const FieldsHash before = hash(*scene);
-  const std::string log = encode(scene->log());
+  const std::string log = encode(Log{scene->log()});
   Waiting counted;
   ExecuteOptions dry = counted.options();
   dry.dry_run = true;
@@ -44,7 +44,7 @@ TEST_F(CancelTest, WhereverItEndsNothingChanges) {
     EXPECT_EQ(answer.status().code, Code::unavailable);
     EXPECT_EQ(waiting.asked, left + 1) << "went on after nobody waited";
     EXPECT_EQ(hash(*scene), before);
-    EXPECT_EQ(encode(scene->log()), log);
+    EXPECT_EQ(encode(Log{scene->log()}), log);
   }
   Waiting enough{counted.asked};
   EXPECT_TRUE(scene->execute(commands(*scene), enough.options()).ok());

@@ -56,14 +56,14 @@ TEST_F(SceneMemoryTest, AnEvictedSceneIsAsItWas) {
   open_for(1);
   const std::string a = make_groomed();
   const SceneSummary before = (*store_->find(a))->summary();
-  const std::string log = encode((*store_->find(a))->log());
+  const std::string log = encode(Log{(*store_->find(a))->log()});
   const std::string b = make_groomed(9);
   use(b);
   ASSERT_EQ(store_->memory().evicted, 1u);
   const auto again = *store_->find(a);
   EXPECT_EQ(store_->memory().reopened, 1u);
   EXPECT_EQ(encode(again->summary()), encode(before));
-  EXPECT_EQ(encode(again->log()), log);
+  EXPECT_EQ(encode(Log{again->log()}), log);
   move(*again, Undo{2});
   EXPECT_EQ(hash(*again), hash(*make()));
   EXPECT_EQ(move(*again, Redo{2}).fields_hash, before.fields_hash);

@@ -67,7 +67,7 @@ TEST_F(SceneStoreTest, ARestartHasEverything) {
   move(*scene, Revert{1});
   move(*scene, Undo{1});
   const SceneSummary before = scene->summary();
-  const std::string log = encode(scene->log());
+  const std::string log = encode(Log{scene->log()});
   const std::size_t effective = scene->effective_log().size();
 
   open();
@@ -80,7 +80,7 @@ TEST_F(SceneStoreTest, ARestartHasEverything) {
   EXPECT_EQ(after.fields_hash, before.fields_hash);
   EXPECT_EQ(after.undo_steps, before.undo_steps);
   EXPECT_EQ(after.redo_steps, before.redo_steps);
-  EXPECT_EQ(encode(again->log()), log);
+  EXPECT_EQ(encode(Log{again->log()}), log);
   EXPECT_EQ(again->effective_log().size(), effective);
   again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, 0.6); });
   EXPECT_EQ(move(*again, Undo{3}).revision, 8u);

@@ -1,4 +1,5 @@
 // Pictures on models: named in the log, kept in the journal, undone like everything else.
+#include "protocol/json/names.h"
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/history/sqlite.h"
@@ -177,7 +178,7 @@ TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
     const std::string id = scene->id();
     open();
     EXPECT_EQ(pieces_of(**store_->find(id)), pieces) << "after a restart";
-    EXPECT_EQ((*store_->find(id))->summary().fur_patches, name_of(how));
+    EXPECT_EQ((*store_->find(id))->summary().fur_patches, json_names::word_of(json_names::fur_patches, how));
   }
 }
 

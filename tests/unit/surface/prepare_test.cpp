@@ -48,7 +48,7 @@ TEST(Prepare, CubeIsCentredScaledAndOutward) {
   EXPECT_EQ(mesh->triangles.size(), 12u);
   EXPECT_DOUBLE_EQ(mesh->size, 3 * std::sqrt(3.0));
   EXPECT_EQ(mesh->centre, glm::dvec3(2.5, 3.5, 4.5));
-  EXPECT_EQ(mesh->report.min, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(mesh->report.bounds.min, glm::dvec3(1, 2, 3));
   EXPECT_NEAR(signed_volume(*mesh), 1 / std::pow(3, 1.5), 1e-6);
   EXPECT_EQ(count_of(*mesh, "flipped_triangles"), 0u);
   for (std::size_t v = 0; v < 8; ++v) EXPECT_GT(glm::dot(mesh->normals[v], mesh->positions[v]), 0.4f);
@@ -90,8 +90,8 @@ TEST(Prepare, TurnsUpAndFront) {
   const RawModel raw = model_of({{0, 0, 0}, {4, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});
   const Result<Mesh> mesh = prepare(raw, Axis::plus_z, Axis::plus_x, false);
   ASSERT_TRUE(mesh.ok());
-  EXPECT_EQ(mesh->report.max, glm::dvec3(0, 1, 4));
-  EXPECT_EQ(mesh->report.min, glm::dvec3(0, 0, 0));
+  EXPECT_EQ(mesh->report.bounds.max, glm::dvec3(0, 1, 4));
+  EXPECT_EQ(mesh->report.bounds.min, glm::dvec3(0, 0, 0));
   // A turn, no mirror: what was wound outwards still is.
   for (const auto& [up, front] : {std::pair{Axis::minus_z, Axis::plus_x}, std::pair{Axis::plus_x, Axis::minus_y}}) {
     const Result<Mesh> turned = prepare(cube(), up, front, false);

@@ -182,7 +182,7 @@ TEST(PackagedModels, HorseAndCatLoad) {
     expect_groomable(*mesh);
     EXPECT_TRUE(mesh->corners.empty()) << "one grey is no colour of its own";
     // In their own coordinates Y is up: the horse rears and is tallest along Y, the cat lies and is longest along X.
-    const glm::dvec3 box = mesh->report.max - mesh->report.min;
+    const glm::dvec3 box = mesh->report.bounds.max - mesh->report.bounds.min;
     EXPECT_EQ(box.y > box.x, std::string(file) == "horse.3ds");
     EXPECT_GT(std::min(box.x, box.y), box.z);
     std::cout << file << ": " << describe(mesh->report) << "\n";
