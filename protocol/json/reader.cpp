@@ -32,9 +32,7 @@ bool has_control_character(std::string_view text) {
 
 }  // namespace
 
-std::string Range::text() const {
-  return "[" + short_number(low) + ", " + short_number(high) + "]";
-}
+std::string Range::text() const { return "[" + short_number(low) + ", " + short_number(high) + "]"; }
 
 void Value::refuse(std::string message, std::string limit, std::string nearest) const {
   if (!failure_->ok()) return;
