@@ -52,8 +52,8 @@ void fur_patches_member(V& v, Visited<V, FurPatches>& patches) {
   v.name(
       "fur_patches", patches, json_names::fur_patches,
       "How the sample tile of fur is laid on the surface, once: patches with soft overlaps; the same with hard "
-      "borders, where nothing is drawn twice; or by the model's own texture coordinates, which built-in models do not "
-      "have.");
+      "borders, where nothing is drawn twice; or by the model's own texture coordinates, which of the built-in models "
+      "torus, knot, plane and cloth have.");
 }
 
 template <class V>
