@@ -51,7 +51,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--listen", options.listen, "ADDRESS:PORT; port 0 picks a free one")->capture_default_str();
   app.add_option("--port-file", options.port_file, "File that the port is written to, by rename");
   app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();
-  app.add_option("--gl", options.gl, "auto, egl or osmesa")->transform(CLI::CheckedTransformer(gl_names));
+  app.add_option_function<std::string>(
+         "--gl", [&options](const std::string& name) { options.gl = gl_names.at(name); }, "auto, egl or osmesa [auto]")
+      ->check(CLI::IsMember(gl_names));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
       ->check(CLI::Range(0, 1024));
   app.add_option("--memory", options.memory, "Bytes that open scenes may take, as in 4G [a half of the machine's]")
@@ -98,8 +100,16 @@ sigset_t block_stop_signals() {
   return signals;
 }
 
+/// As the client reports a refusal.
+void complain(const Status& status) {
+  fmt::print(stderr, "pelaged: {}\n", status.message);
+  if (!status.pointer.empty()) fmt::print(stderr, "  field:   {}\n", status.pointer);
+  if (!status.limit.empty()) fmt::print(stderr, "  limit:   {}\n", status.limit);
+  if (!status.next.empty()) fmt::print(stderr, "  next:    {}\n", status.next);
+}
+
 int fail(int code, const Status& status) {
-  fmt::print(stderr, "pelaged: {}{}\n", status.message, status.limit.empty() ? "" : " (" + status.limit + ")");
+  complain(status);
   return code;
 }
 
@@ -119,8 +129,7 @@ void plan_frames(FrameService& frames, const Options& options) {
   Result<Calibration> stored = read_calibration(options.calibration_file(), frames.description(), frames.threads());
   if (stored) return frames.plan_by(std::move(stored).value());
   if (stored.status().code == Code::not_found && options.calibration.empty()) return;
-  fmt::print(stderr, "pelaged: {} Frames are planned by the defaults; `pelage calibrate` measures this machine.\n",
-             stored.status().message);
+  complain(with_next(stored.status(), "frames are planned by the defaults; `pelage calibrate` measures this machine"));
 }
 
 int serve(const Options& options, const HttpOptions& http) {

@@ -24,14 +24,19 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
     }
   }
   // A folder opens as a file and fails at the first read.
-  if (stream.bad() || (path != "-" && !file.is_open())) return failure(Code::not_found, "Cannot read " + path + ".");
+  if (stream.bad() || (path != "-" && !file.is_open())) {
+    return with_next(failure(Code::not_found, "Cannot read " + path + "."),
+                     "name a file that exists and that you may read; - is standard input");
+  }
   return bytes;
 }
 
 Status write_file(const std::string& path, const std::string& bytes) {
   if (path == "-") {
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-    return std::cout ? Status{} : failure(Code::internal, "Cannot write to standard output.");
+    return std::cout ? Status{}
+                     : with_next(failure(Code::internal, "Cannot write to standard output."),
+                                 "see why its reader ended, or name a file");
   }
   const std::string temporary = fmt::format("{}.{}", path, getpid());
   std::ofstream file(temporary, std::ios::binary);
@@ -39,7 +44,8 @@ Status write_file(const std::string& path, const std::string& bytes) {
   file.close();
   if (file && std::rename(temporary.c_str(), path.c_str()) == 0) return {};
   std::remove(temporary.c_str());
-  return failure(Code::internal, "Cannot write " + path + ".");
+  return with_next(failure(Code::internal, "Cannot write " + path + "."),
+                   "name a file in a folder that exists, in which you may write and which has room");
 }
 
 ExitCode hand_over(const char* program, char* const* arguments) {
@@ -47,7 +53,8 @@ ExitCode hand_over(const char* program, char* const* arguments) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string path = self.parent_path() / program;
   execv(path.c_str(), arguments);
-  return report(failure(Code::internal, "Cannot start " + path + "; it belongs beside pelage."));
+  return report(with_next(failure(Code::internal, "Cannot start " + path + "; it belongs beside pelage."),
+                          "build or install all programs in one folder"));
 }
 
 }  // namespace pelage

@@ -193,7 +193,7 @@ ExitCode branch_scene(Session& session) {
   if (const auto checked = decode_branch(request); !checked) return report(checked.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  const auto answer = Session::accepted(session.connection().post_json(*path + "/branch", request));
+  const auto answer = session.make_scene(*path + "/branch", request);
   if (!answer) return report(answer.status());
   const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());

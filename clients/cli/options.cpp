@@ -24,7 +24,9 @@ void add_fur(CLI::App* command, Options& options) {
       ->capture_default_str();
   command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")
       ->capture_default_str();
-  command->add_option("--form", options.form, "even, or animal: shorter on face and paws, longer on chest and tail");
+  command->add_option("--form", options.form,
+                      "even, or animal: shorter on face and paws, longer on chest and tail [animal for files, even for "
+                      "built-in models]");
   command
       ->add_option("--fur-patches", options.fur_patches,
                    "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")

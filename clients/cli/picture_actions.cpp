@@ -32,8 +32,9 @@ void print_progress(const Options& options, const HttpAnswer& answer, const Trac
   } else if (trace.passes == 0) {
     fmt::print("{}: revision {}, shells, {:.2f} s\n", options.output, revision, seconds);
   } else {
-    fmt::print("{}: revision {}, {} passes, noise {:.4f}, {:.2f} s\n", options.output, revision, trace.passes,
-               trace.noise, seconds);
+    const std::string noise = trace.noise < 1 ? fmt::format(", noise {:.4f}", trace.noise) : "";  // 1: not known yet
+    fmt::print("{}: revision {}, {} pass{}{}, {:.2f} s\n", options.output, revision, trace.passes,
+               trace.passes == 1 ? "" : "es", noise, seconds);
   }
   std::fflush(stdout);
 }

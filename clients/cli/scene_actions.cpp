@@ -72,7 +72,7 @@ ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer)
 ExitCode create_scene(Session& session) {
   const std::string request = new_scene_request_of(session.options());
   if (const auto checked = decode_new_scene(request); !checked) return report(checked.status());
-  const auto answer = Session::accepted(session.connection().post_json("/v1/scenes", request));
+  const auto answer = session.make_scene("/v1/scenes", request);
   if (!answer) return report(answer.status());
   const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());

@@ -24,8 +24,7 @@ const char* advice_for(Code code) {
     case Code::unsupported: return "send it in a form that the server reads";
     case Code::invalid: return "correct the value and try again; nothing was changed by it";
     case Code::busy:
-    case Code::unavailable:
-      return "try again, or start a server with `pelaged` and name it with --server or PELAGE_SERVER";
+    case Code::unavailable: return "try again in a moment; the server has other work";
     case Code::ok:
     case Code::internal: break;
   }
@@ -35,6 +34,13 @@ const char* advice_for(Code code) {
 ExitCode exit_code_of(Code code) {
   const bool ours = code == Code::internal || code == Code::unavailable || code == Code::busy || code == Code::conflict;
   return ours ? failed : refused;
+}
+
+/// Of refusals of HTTP itself, which have no code of their own.
+const char* advice_for(int http_status) {
+  if (http_status == 401) return "give the server's token with --token or PELAGE_TOKEN";
+  if (http_status == 403) return "start the server with --host and the name in its address";
+  return "";
 }
 
 bool could_be_id(const std::string& text) {
@@ -50,7 +56,7 @@ ExitCode report(const Status& status, const std::string& context) {
   if (!status.pointer.empty()) fmt::print(stderr, "  field:   {}\n", status.pointer);
   if (!status.limit.empty()) fmt::print(stderr, "  limit:   {}\n", status.limit);
   if (!status.nearest.empty()) fmt::print(stderr, "  nearest: {}\n", status.nearest);
-  fmt::print(stderr, "  next:    {}\n", advice_for(status.code));
+  fmt::print(stderr, "  next:    {}\n", status.next.empty() ? advice_for(status.code) : status.next);
   return exit_code_of(status.code);
 }
 
@@ -65,7 +71,13 @@ Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
   if (status.code == Code::malformed && answer->status != 400) {
     status = failure(Code::internal, fmt::format("The server answered {}.", answer->status));
   }
-  return status;
+  return with_next(std::move(status), advice_for(answer->status));
+}
+
+Result<HttpAnswer> Session::make_scene(const std::string& address, const std::string& request) {
+  auto answer = accepted(connection_.post_json(address, request));
+  if (answer || answer.status().code != Code::busy) return answer;
+  return with_next(answer.status(), "remove a scene that is not needed with `pelage rm`");
 }
 
 Result<std::string> Session::scene_path() {

@@ -11,7 +11,8 @@ namespace pelage {
 
 enum ExitCode { done = 0, failed = 1, wrong_use = 2, refused = 3 };
 
-/// Prints the reason, where, the limit, the nearest name and what to do next, to standard error. `context` says what
+/// Prints the reason, where, the limit, the nearest name and what to do next, to standard error: what the status says,
+/// or what fits its code. `context` says what
 /// was being done, such as "step 3 of groom.jsonl". Gives the exit code that fits.
 ExitCode report(const Status& status, const std::string& context = {});
 
@@ -24,6 +25,9 @@ class Session {
 
   /// Turns problem documents into their Status.
   static Result<HttpAnswer> accepted(Result<HttpAnswer> answer);
+
+  /// Sends what makes a scene. Refused (busy) when the server holds as many as it can.
+  Result<HttpAnswer> make_scene(const std::string& address, const std::string& request);
 
   /// "/v1/scenes/ID" of the scene that the user named by id or, when only one has it, by name.
   Result<std::string> scene_path();

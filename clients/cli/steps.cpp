@@ -67,6 +67,26 @@ Status check(RunStep& step) {
   return status;
 }
 
+/// Puts ids in place of the names of scenes that fields are taken from.
+Status name_sources(Session& session, RunStep& step) {
+  bool named = false;
+  for (std::size_t k = 0; k < step.commands.size(); ++k) {
+    auto* retarget = std::get_if<Retarget>(&step.commands[k]);
+    if (retarget == nullptr) continue;
+    const auto id = session.scene_id(retarget->scene);
+    if (!id) {
+      Status status = id.status();
+      const std::string place = step.commands.size() > 1 ? fmt::format("/commands/{}", k) : "";
+      status.pointer = step.pointer + place + "/scene";
+      return status;
+    }
+    named = named || *id != retarget->scene;
+    retarget->scene = *id;
+  }
+  if (named) step.text = encode(step.commands);
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<RunStep>> read_steps(Session& session, const std::string& path, std::string& place) {
@@ -79,6 +99,7 @@ Result<std::vector<RunStep>> read_steps(Session& session, const std::string& pat
   for (RunStep& step : *steps) {
     place = step.place;
     if (const Status bad = check(step); !bad.ok()) return bad;
+    if (const Status bad = name_sources(session, step); !bad.ok()) return bad;
   }
   return steps;
 }

@@ -17,8 +17,9 @@ struct RunStep {
   std::string pointer;            // to it, within the file; "" in a log
 };
 
-/// The steps of the file that the options name. A recipe's places are filled in from the box of the scene at `path`.
-/// Gives a refusal that says which step of which file it is about in `place`.
+/// The steps of the file that the options name. A recipe's places are filled in from the box of the scene at `path`,
+/// and ids stand for the names of scenes that fields are taken from. Gives a refusal that says which step of which file
+/// it is about in `place`.
 Result<std::vector<RunStep>> read_steps(Session& session, const std::string& path, std::string& place);
 
 /// All commands as one batch, for a dry run. Refused when they are more than one request takes.

@@ -24,13 +24,15 @@ enum class Code {
 };
 
 /// The outcome of a call that can be refused. `pointer` is a JSON pointer to the bad field ("" for the whole body),
-/// `limit` the limit that it broke in words ("[0, 1]"), `nearest` the nearest known name to an unknown one.
+/// `limit` the limit that it broke in words ("[0, 1]"), `nearest` the nearest known name to an unknown one, `next` what
+/// the user of a program can do where the code alone does not say it; it is not on the wire.
 struct Status {
   Code code = Code::ok;
   std::string message;
   std::string pointer;
   std::string limit;
   std::string nearest;
+  std::string next = {};
 
   bool ok() const { return code == Code::ok; }
 };
@@ -38,6 +40,11 @@ struct Status {
 inline Status failure(Code code, std::string message, std::string pointer = {}, std::string limit = {},
                       std::string nearest = {}) {
   return {code, std::move(message), std::move(pointer), std::move(limit), std::move(nearest)};
+}
+
+inline Status with_next(Status status, std::string next) {
+  status.next = std::move(next);
+  return status;
 }
 
 /// A value or the reason why there is none.

@@ -1,4 +1,5 @@
 // Query parameters become the JSON document that they stand for, so that one decoder refuses what is wrong with them.
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -92,12 +93,24 @@ json names_of(const std::string& text) {
   return names;
 }
 
+/// "[0.5,1]" of ".5, 1": each number as JSON writes it.
+std::string list_of(std::string_view text) {
+  std::string list = "[";
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
+    list += as_json_number(text.substr(first, end - first)) + (end < text.size() ? ',' : ']');
+    begin = end + 1;
+  }
+  return list;
+}
+
 /// What is no number, list or truth value stays text, and the decoder says what it expected.
 json value_of(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
   if (kind == Kind::names) return names_of(text);
   if (kind == Kind::list && text.find_first_not_of("0123456789+-.eE, ") != std::string::npos) return text;
-  json value = json::parse(kind == Kind::list ? "[" + text + "]" : text, nullptr, false);
+  json value = json::parse(kind == Kind::list ? list_of(text) : as_json_number(text), nullptr, false);
   const bool fits = kind == Kind::number ? value.is_number()
                     : kind == Kind::list ? value.is_array()
                                          : value.is_boolean();

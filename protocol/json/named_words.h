@@ -29,7 +29,8 @@ template <>
 inline constexpr NamedWords named_words<FurPatches>{
     "FurPatches",
     "How the sample tile of fur is laid on the surface, once: patches with soft overlaps; the same with hard borders, "
-    "where nothing is drawn twice; or by the model's own texture coordinates, which built-in models do not have."};
+    "where nothing is drawn twice; or by the model's own texture coordinates, which of the built-in models "
+    "torus, knot, plane and cloth have."};
 
 template <>
 inline constexpr NamedWords named_words<MapEncoding>{

@@ -1,5 +1,6 @@
 #include "protocol/json/parse.h"
 
+#include <cctype>
 #include <vector>
 
 #include "protocol/base/limits.h"
@@ -104,6 +105,18 @@ std::string pointer_step(std::string_view key) {
       step += c;
   }
   return step;
+}
+
+std::string as_json_number(std::string_view text) {
+  const auto is_digit = [text](std::size_t at) {
+    return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+  };
+  const std::size_t first = text.starts_with('+') || text.starts_with('-') ? 1 : 0, point = text.find('.');
+  if (!is_digit(first) && !(point == first && is_digit(point + 1))) return std::string(text);
+  std::string number = text.starts_with('-') ? "-" : "";
+  if (point == first) number += '0';
+  const bool ends_in_point = point != std::string_view::npos && point + 1 == text.size();
+  return number.append(text.substr(first, text.size() - first - (ends_in_point ? 1 : 0)));
 }
 
 Result<json> parse_json(std::string_view text) {

@@ -15,7 +15,11 @@ using nlohmann::json;
 
 constexpr std::size_t shown_bytes = 80;  // of a user's word in a message
 
-std::string short_number(double value) { return json(value).dump(); }
+/// "9000" and not "9000.0".
+std::string short_number(double value) {
+  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+  return whole ? std::to_string(static_cast<long long>(value)) : json(value).dump();
+}
 
 std::string shown(std::string_view word) {
   return "\"" + std::string(word.substr(0, shown_bytes)) + (word.size() > shown_bytes ? "...\"" : "\"");
@@ -28,13 +32,7 @@ bool has_control_character(std::string_view text) {
 
 }  // namespace
 
-std::string Range::text() const {
-  const auto number = [](double value) {
-    const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
-    return whole ? std::to_string(static_cast<long long>(value)) : short_number(value);
-  };
-  return "[" + number(low) + ", " + number(high) + "]";
-}
+std::string Range::text() const { return "[" + short_number(low) + ", " + short_number(high) + "]"; }
 
 void Value::refuse(std::string message, std::string limit, std::string nearest) const {
   if (!failure_->ok()) return;

@@ -63,7 +63,9 @@ bool is_cut_off(PictureFormat format, std::string_view bytes) {
   return format == PictureFormat::jpeg && is_jpeg_cut_off(bytes);
 }
 
-Status unreadable(const std::string& reason) { return failure(Code::invalid, "The picture cannot be read: " + reason); }
+Status unreadable(const std::string& reason) {
+  return failure(Code::invalid, std::string(unreadable_picture) + reason);
+}
 
 std::string reason_of(const std::string& text) { return text.empty() ? "it is broken." : text; }
 

@@ -25,6 +25,7 @@ const char* name_of(PictureFormat format);
 bool is_cut_off(PictureFormat format, std::string_view bytes);
 
 /// An `invalid` Status: "The picture cannot be read: REASON".
+inline constexpr std::string_view unreadable_picture = "The picture cannot be read: ";
 Status unreadable(const std::string& reason);
 
 /// What OpenImageIO said, or that the picture is broken when it said nothing.

@@ -30,12 +30,12 @@ Result<Calibration> read_calibration(const std::string& path, const std::string&
   Result<Calibration> calibration = decode_calibration(text);
   if (!calibration) {
     const Status& status = calibration.status();
-    const std::string where = status.pointer.empty() ? "" : " at " + status.pointer;
-    return failure(Code::invalid, path + " is no calibration of this version: " + status.message + where);
+    return failure(Code::invalid, path + " is no calibration of this version: " + status.message, status.pointer,
+                   status.limit);
   }
   if (calibration->machine != machine || calibration->threads != threads) {
     return failure(Code::invalid, path + " was measured with " + std::to_string(calibration->threads) + " threads of " +
-                                      calibration->machine);
+                                      calibration->machine + ".");
   }
   return calibration;
 }

@@ -226,7 +226,8 @@ struct CheckTool {
   }
   Status operator()(const SetSkinTexture& command) const {
     if (command.picture.empty() || has_own_uvs(mesh)) return {};
-    return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture", "own");
+    return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture",
+                   "a model with texture coordinates; or own, which takes a picture off");
   }
   Status operator()(const ApplyMap&) const { return has_uvs("/picture"); }
   Status has_uvs(std::string pointer) const {

@@ -23,6 +23,12 @@ Status check_sides(int width, int height) {
                 std::to_string(limits::picture_pixels) + " on a side.");
 }
 
+/// The server says itself what cannot be read: only the reason is passed on.
+Status reason_of(Status status) {
+  if (status.message.starts_with(unreadable_picture)) status.message.erase(0, unreadable_picture.size());
+  return status;
+}
+
 /// The scale that the file says it has; none where that is no number above 0.
 std::optional<double> scale_of(const std::string& text) {
   double scale = 0;
@@ -36,7 +42,7 @@ std::optional<double> scale_of(const std::string& text) {
 Result<SphericalHarmonics> read_environment(const std::string& bytes) {
   read_exr_without_threads();
   const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), max_pixels);
-  if (!image.ok()) return image.status();
+  if (!image.ok()) return reason_of(image.status());
   if (image->display_referred)
     return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
@@ -45,7 +51,7 @@ Result<SphericalHarmonics> read_environment(const std::string& bytes) {
 
 Result<RawImage> read_skin_texture(const std::string& bytes) {
   Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), max_pixels);
-  if (!image.ok()) return image.status();
+  if (!image.ok()) return reason_of(image.status());
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   return RawImage{image->width, image->height, std::move(image->rgba)};
 }
@@ -53,7 +59,7 @@ Result<RawImage> read_skin_texture(const std::string& bytes) {
 Result<MapPicture> read_map_picture(const std::string& bytes) {
   read_exr_without_threads();
   Result<DataImage> image = decode_data_image(std::as_bytes(std::span(bytes)), max_pixels, map_scale_text);
-  if (!image.ok()) return image.status();
+  if (!image.ok()) return reason_of(image.status());
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   const auto broken_numbers =
       std::count_if(image->rgba.begin(), image->rgba.end(), [](float value) { return !std::isfinite(value); });

@@ -47,7 +47,10 @@ Status too_many_imports() {
   return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
 }
 
-Status no_such_source() { return failure(Code::invalid, "the server has no such scene to take fields from", "/scene"); }
+Status no_such_source() {
+  return failure(Code::invalid, "the server has no such scene to take fields from", "/scene",
+                 "the id of a scene of this server, not its name");
+}
 
 FieldDelta groom_of(const Scene& scene) {
   FieldDelta groom;

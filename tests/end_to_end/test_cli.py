@@ -87,6 +87,11 @@ class Client(ServedTest):
         late = self.pelage("run", scene, "-", "--if-match", 7, code=3, text=json.dumps(flood([0, 1, 0])))
         self.assertIn("revision", late.stderr)
 
+    def test_help_says_the_default_of_form(self):
+        for action in ("new", "load"):
+            words = " ".join(self.pelage(action, "--help").stdout.split())
+            self.assertIn("[animal for files, even for built-in models]", words)
+
     def test_exit_codes(self):
         self.pelage("--help")
         self.pelage(code=2)

@@ -1,7 +1,9 @@
 """Budgets and errors through HTTP: the knobs are named, draw the same picture again, and stay."""
 
 import json
+import os
 import subprocess
+import tempfile
 import unittest
 
 from support.server import BIN, Server, ServedTest
@@ -103,7 +105,8 @@ class StoredCalibration(unittest.TestCase):
         self.addCleanup(server.close)
         self.assertEqual(self.calibration_of(server), "defaults")
         file = server.data / "calibration.json"
-        for text, said in (("{", "is no calibration"), ('{"version": 99}', "/version"), ("", "is no calibration")):
+        for text, said in (("{", "is no calibration"), ('{"version": 99}', "field:   /version\n"),
+                           ('{"name": "x"}', '"version" is missing.\n'), ("", "is no calibration")):
             server.terminate()
             file.write_text(text)
             server.start()
@@ -122,11 +125,22 @@ class StoredCalibration(unittest.TestCase):
             file.write_text(json.dumps({**defaults, "name": "2001-01-01", "machine": description, "threads": threads}))
             server.start()
             self.assertEqual(self.calibration_of(server), name)
-        self.assertIn(f"measured with {server.threads + 1} threads", server.printed())
+        self.assertRegex(server.printed(), fr"measured with {server.threads + 1} threads of .*\.\n  next:    .*`pelage calibrate`")
 
     def test_calibrating_needs_a_gl(self):
         run = subprocess.run([BIN / "pelage", "calibrate", "--gl", "none"], capture_output=True, text=True)
         self.assertEqual(run.returncode, 2, run)
+        self.assertEqual(run.stderr.splitlines()[0], "--gl: none not in {auto,egl,osmesa}")
+
+    def test_without_a_gl_each_way_is_said_once_and_what_helps(self):
+        with tempfile.TemporaryDirectory() as empty:
+            run = subprocess.run([BIN / "pelaged", "--gl", "egl", "--data", empty], capture_output=True, text=True,
+                                 env={**os.environ, "__EGL_VENDOR_LIBRARY_DIRS": empty})
+        self.assertEqual(run.returncode, 4, run)
+        said, following = run.stderr.splitlines()
+        ways = said.removeprefix("pelaged: no OpenGL 4.5: ").split("; ")
+        self.assertEqual(len(set(ways)), len(ways), said)
+        self.assertTrue(following.startswith("  next:    "), run.stderr)
 
 
 if __name__ == "__main__":

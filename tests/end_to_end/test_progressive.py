@@ -261,7 +261,9 @@ class Traced(ServedTest):
         run = self.pelage("frame", self.scene.id, *size, "--progressive", "--passes", 4, "--strands", 20000)
         lines = run.stdout.splitlines()
         self.assertIn("shells", lines[0])
-        self.assertIn("4 passes, noise", lines[-1])
+        self.assertIn("4 passes, noise 0.", lines[-1])
+        run = self.pelage("frame", self.scene.id, *size, "--progressive", "--passes", 1, "--strands", 20000)
+        self.assertRegex(run.stdout.splitlines()[-1], r": revision \d+, 1 pass, [0-9.]+ s$")
         self.assertNotEqual(file.read_bytes(), traced)
         run = self.pelage("--json", "frame", self.scene.id, *size, "--progressive", "--passes", 60000, "--until-pass", 2,
                           "--strands", 20000)

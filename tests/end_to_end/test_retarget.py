@@ -76,6 +76,23 @@ class Retarget(ServedTest):
         self.pelage("run", again.id, "-", text=line)
         self.assertEqual(again.info()["fields_hash"], target.info()["fields_hash"])
 
+    def test_the_client_takes_names(self):
+        self.server.new_scene("creature", 3000, name="groomed fox").run(flood([0, 1, 0.2]))
+        command = {"op": "retarget", "scene": "groomed fox"}
+        scene = self.server.new_scene("creature", 5000)
+        answer = scene.run(command)
+        self.assert_problem(answer, 422, "/scene")
+        self.assertEqual(answer.json["limit"], "the id of a scene of this server, not its name")
+        self.assertNotIn("touched 0", self.pelage("run", scene.id, "-", text=json.dumps(command)).stdout)
+        self.assertEqual(scene.info()["revision"], 1)
+        batch = {"commands": [{"op": "mask"}, command]}
+        self.pelage("run", scene.id, "-", "--dry-run", text=json.dumps(batch))
+        for wrong, pointer in (({**command, "scene": "groomed fix"}, " /scene"),
+                               ({"commands": [{"op": "mask"}, {**command, "scene": "groomed fix"}]}, " /commands/1/scene")):
+            refused = self.pelage("run", scene.id, "-", text=json.dumps(wrong), code=3).stderr
+            self.assertIn(f"field:  {pointer}\n", refused)
+            self.assertIn("nearest: groomed fox\n", refused)
+
     def test_the_example_of_the_page(self):
         source = self.server.new_scene("creature", 3000)
         source.run(flood([0, 1, 0.2]))

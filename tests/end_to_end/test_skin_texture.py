@@ -122,6 +122,15 @@ class FurPatches(ServedTest):
         self.assertEqual(answer.status, 201, answer)
         self.assert_problem(self.server.post("/v1/scenes", {"fur_patches": "own_uvs"}), 422, "/fur_patches")
 
+    def test_the_contract_names_the_builtin_models_that_have_texture_coordinates(self):
+        schemas = self.server.get("/openapi.json").json["components"]["schemas"]
+        words = schemas["FurPatches"]["description"].replace("\n", " ")
+        for builtin in schemas["BuiltinModel"]["properties"]["builtin"]["enum"]:
+            model = {"builtin": builtin, "triangles": 300}
+            answer = self.server.post("/v1/scenes", {"model": model, "fur_patches": "own_uvs"})
+            self.assertIn(answer.status, (201, 422), answer)
+            self.assertEqual(builtin in words, answer.status == 201, builtin)
+
     def test_a_model_without_texture_coordinates_is_refused(self):
         scene = self.server.new_scene("plane", 2)
         answer = self.load(scene, "own_uvs", with_uvs=False)

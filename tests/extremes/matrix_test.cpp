@@ -1,5 +1,5 @@
 // The matrix of science.md 7: each row is drawn by shells, drawn sorted, traced in both transports and finite, or
-// refused with a pointer and a limit. The page docs/extremes.md lists the same rows.
+// refused with a pointer and a limit. The page rows.md lists the same rows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -37,8 +37,9 @@ struct Connection::Impl {
 
   Result<HttpAnswer> result_of(const httplib::Result& result) const {
     if (result) return answer_of(*result);
-    return failure(Code::unavailable,
-                   fmt::format("No answer from {} ({}).", server, httplib::to_string(result.error())));
+    return with_next(
+        failure(Code::unavailable, fmt::format("No answer from {} ({}).", server, httplib::to_string(result.error()))),
+        "start a server with `pelaged`, or name it with --server or PELAGE_SERVER");
   }
 
   std::string server;

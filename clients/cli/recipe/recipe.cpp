@@ -208,7 +208,7 @@ class Expander {
   std::vector<RecipeStep> steps_;
 };
 
-/// The values that the user sets: JSON where it is that, else text.
+/// The values that the user sets: JSON where it is that, or a number such as .5, else text.
 Status set_variables(const Recipe& recipe, Scope& scope) {
   std::vector<std::string_view> known;
   for (const auto& item : scope.file.variables.items()) known.push_back(item.key());
@@ -216,7 +216,7 @@ Status set_variables(const Recipe& recipe, Scope& scope) {
     if (!scope.file.variables.contains(name))
       return recipe_failure(recipe.file, "There is no variable \"" + name + "\" to set.",
                             "/variables" + pointer_step(name), "one of \"variables\"", nearest_name(name, known));
-    const Result<json> value = parse_json(text);
+    const Result<json> value = parse_json(as_json_number(text));
     scope.given[name] = value ? *value : json(text);
   }
   return {};

@@ -106,7 +106,9 @@ Result<const RecipeFile*> RecipeReader::included(const std::string& from, const 
     return recipe_failure(from, "There are too many files.", pointer,
                           "at most " + std::to_string(recipe_files) + " files");
   const Result<std::string> text = recipe_.read(name);
-  if (!text) return recipe_failure(from, text.status().message, pointer, text.status().limit);
+  if (!text) {
+    return with_next(recipe_failure(from, text.status().message, pointer, text.status().limit), text.status().next);
+  }
   Result<const RecipeFile*> file = parse(name, *text);
   if (file) by_name_[name] = *file;
   return file;

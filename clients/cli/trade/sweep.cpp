@@ -24,7 +24,7 @@ class Stage {
   static Result<Stage> of(Session& session, const Case& scene) {
     Stage stage(session, scene.id);
     if (scene.id.empty()) {
-      const auto answer = Session::accepted(session.connection().post_json("/v1/scenes", scene.request));
+      const auto answer = session.make_scene("/v1/scenes", scene.request);
       if (!answer) return answer.status();
       const auto summary = decode_answer<SceneSummary>(answer->body);
       if (!summary) return summary.status();

@@ -108,7 +108,10 @@ Status write_report(Session& session) {
   if (!cases) return cases.status();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return failure(Code::internal, "Cannot make the folder " + folder + ": " + error.message());
+  if (error) {
+    return with_next(failure(Code::internal, "Cannot make the folder " + folder + ": " + error.message() + "."),
+                     "name a folder in which you may write");
+  }
   auto before = rows_before(session.options(), table);
   if (!before) return before.status();
   auto renderer = renderer_of(session);

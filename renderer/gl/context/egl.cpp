@@ -122,14 +122,19 @@ class EglContext final : public Context {
 Result<std::unique_ptr<Context>> open_egl(EglPlatform platform) {
   const Result<Egl> egl = open_egl_library();
   if (!egl) return egl.status();
+  const std::vector<NamedDisplay> displays = displays_of(*egl, platform);
+  if (displays.empty()) {
+    const bool software = platform == EglPlatform::software_device;
+    return failure(Code::unavailable, software ? "EGL has no software device" : "EGL has no hardware device");
+  }
   std::string tried;
-  for (const NamedDisplay& named : displays_of(*egl, platform)) {
+  for (const NamedDisplay& named : displays) {
     auto context = std::make_unique<EglContext>(*egl);
     const Status status = context->open(named);
     if (status.ok()) return std::unique_ptr<Context>(std::move(context));
     tried += (tried.empty() ? "" : "; ") + status.message;
   }
-  return failure(Code::unavailable, tried.empty() ? "EGL has no such device" : tried);
+  return failure(Code::unavailable, tried);
 }
 
 }  // namespace pelage

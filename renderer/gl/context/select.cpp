@@ -33,7 +33,9 @@ Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads) {
     if (context) return context;
     tried += (tried.empty() ? "" : "; ") + context.status().message;
   }
-  return failure(Code::unavailable, "no OpenGL 4.5: " + tried);
+  return with_next(failure(Code::unavailable, "no OpenGL 4.5: " + tried + "."),
+                   choice == GlChoice::automatic ? "install Mesa, as deploy/packages.sh build does"
+                                                 : "try --gl auto; or install Mesa, as deploy/packages.sh build does");
 }
 
 }  // namespace pelage

@@ -125,6 +125,26 @@ TEST(Query, HowStrandsAreTraced) {
   EXPECT_EQ(decode_tracing_query({{"pases", "3"}}).status().nearest, "passes");
 }
 
+TEST(DecodeFrame, NumbersOfAnAddressAreWrittenAsPeopleDo) {
+  const auto scale_of = [](const char* text) { return decode_frame_query({{"scale", text}})->knobs.scale; };
+  EXPECT_EQ(scale_of(".5"), 0.5);
+  EXPECT_EQ(scale_of("+.5"), 0.5);
+  EXPECT_EQ(scale_of("1."), 1);
+  EXPECT_EQ(scale_of("+1"), 1);
+  EXPECT_EQ(scale_of(".05e1"), 0.5);
+  EXPECT_EQ(decode_frame_query({{"exposure", "-.5"}})->exposure, -0.5);
+  EXPECT_EQ(decode_frame_query({{"width", "9."}})->width, 9);
+  EXPECT_EQ(decode_tracing_query({{"noise", ".01"}})->noise, 0.01);
+  const auto free = decode_frame_query({{"position", ".5,+1, -.25"}, {"target", "0.,0,0"}});
+  ASSERT_TRUE(free.ok()) << free.status().message;
+  EXPECT_EQ(free->camera.position, glm::dvec3(0.5, 1, -0.25));
+  for (const char* wrong : {".", "+", "-", "+-1", "1..", ".5.", "..5", "+ 1", "1.e3", "--1", "", "5.x", "007"})
+    EXPECT_EQ(decode_frame_query({{"scale", wrong}}).status().pointer, "/quality/scale") << wrong;
+  for (const char* wrong : {"1,2,3,", ",1,2", "1,,2", "1,2,.", ""})
+    EXPECT_EQ(decode_frame_query({{"position", wrong}, {"target", "0,0,0"}}).status().pointer, "/camera/position")
+        << wrong;
+}
+
 TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   const auto request = decode_frame_query({{"width", "64"},
                                            {"height", "32"},

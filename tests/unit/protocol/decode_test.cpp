@@ -105,6 +105,10 @@ TEST(Decode, RangesHoldAtTheirEndsOnly) {
   EXPECT_EQ(status.code, Code::invalid);
   EXPECT_EQ(status.pointer, "/brush/strength");
   EXPECT_EQ(status.limit, "[0, 1]");
+  EXPECT_EQ(status.message, "1.0000001 is out of range.");
+  EXPECT_EQ(refusal(comb_with(R"("strength": -2)")).message, "-2 is out of range.");
+  EXPECT_EQ(refusal(comb_with(R"("strength": 9000.0)")).message, "9000 is out of range.");
+  EXPECT_EQ(refusal(comb_with(R"("strength": 1e+27)")).message, "1e+27 is out of range.");
   expect_refusal(comb_with(R"("strength": "1")"), Code::invalid, "/brush/strength");
   expect_refusal(comb_with(R"("strength": null)"), Code::invalid, "/brush/strength");
   expect_refusal(comb_with(R"("radius": -0.1)"), Code::invalid, "/brush/radius");

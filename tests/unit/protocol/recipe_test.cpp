@@ -68,6 +68,9 @@ TEST(Recipe, TakesWhatTheUserSetsAsJsonOrElseAsText) {
        R"({"variables": {"a": 1, "b": 2, "c": "${a}"}, "steps": [{"op": "x", "a": "${a}", "b": "${b}", "c": "${c}"}]})"}};
   EXPECT_EQ(texts(files, {{"a", "[1, 2]"}, {"b", "plain words"}}),
             std::vector<std::string>{R"({"a":[1,2],"b":"plain words","c":[1,2],"op":"x"})"});
+  EXPECT_EQ(texts(files, {{"a", ".5"}, {"b", "+2"}}), std::vector<std::string>{R"({"a":0.5,"b":2,"c":0.5,"op":"x"})"});
+  EXPECT_EQ(texts(files, {{"a", "+."}, {"b", "1.2.3"}}),
+            std::vector<std::string>{R"({"a":"+.","b":"1.2.3","c":"+.","op":"x"})"});
   expect_refusal(files, "/variables/aa", "\"aa\"", {{"aa", "1"}});
 }
 

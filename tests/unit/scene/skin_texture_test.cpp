@@ -63,6 +63,7 @@ TEST_F(SkinTextureTest, AModelWithoutTextureCoordinatesIsRefused) {
   EXPECT_EQ(answer.status().code, Code::invalid);
   EXPECT_EQ(answer.status().pointer, "/picture");
   EXPECT_NE(answer.status().message.find("no texture coordinates"), std::string::npos);
+  EXPECT_EQ(answer.status().limit, "a model with texture coordinates; or own, which takes a picture off");
   EXPECT_EQ(scene->revision(), 0u);
 }
 

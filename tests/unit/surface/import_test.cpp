@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "protocol/base/random.h"
+#include "server/import/map_picture.h"
 #include "server/import_worker/sanitized.h"
 
 namespace pelage {
@@ -157,7 +158,14 @@ TEST_F(Import, AnEnvironmentIsReadAsLight) {
   EXPECT_NEAR(glm::length((*light)[3]), 0, 1e-6);
   const Status refused = import_environment(PELAGE_IMPORT, bytes_of("x")).status();
   EXPECT_EQ(refused.code, Code::invalid);
-  EXPECT_TRUE(contains(refused.message, "The environment cannot be read")) << refused.message;
+  EXPECT_EQ(refused.message, "The environment cannot be read: it is neither PNG, JPEG, EXR nor HDR.");
+}
+
+TEST_F(Import, APictureThatCannotBeReadIsSaidOnce) {
+  EXPECT_EQ(import_picture(PELAGE_IMPORT, bytes_of("x")).status().message,
+            "The picture cannot be read: it is neither PNG nor JPEG.");
+  EXPECT_EQ(import_map(PELAGE_IMPORT, bytes_of("x")).status().message,
+            "The picture cannot be read: it is neither PNG, JPEG, EXR nor HDR.");
 }
 
 TEST_F(Import, NonsenseInPlaceOfPicturesIsRefused) {
