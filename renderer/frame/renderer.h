@@ -94,7 +94,11 @@ class Renderer {
   Status prepare_targets(const FurFrame& frame, GLenum picture);
   /// Makes a target anew where it is of another kind; whether it could be made.
   bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
+  bool has(const Coat& coat) const;
   const CoatTextures& textures_of(const Coat& coat);
+  const CoatTextures& add(const Coat& coat, Slices slices);
+  /// Bakes a coat that is not there yet while the pause is called; false when that gives the drawing up.
+  bool bake(const Coat& coat, const Pause& pause);
   FrameCounters take_counts() const;    // but for fragments
   FrameCounters take_counters() const;  // waits for the GL
   /// What a frame draws, with its blocks and maps bound.
@@ -104,6 +108,7 @@ class Renderer {
   /// Where the frame's light is not what the target shows.
   Area changed_area(const FurFrame& frame, const ShownFrame& shown);
   FrameBlock block_of(const FurFrame& frame);
+  ShellView shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const;
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
@@ -117,6 +122,8 @@ class Renderer {
   /// was prepared.
   Result<Prepared> draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
                                   DrawTimes& times);
+  /// By the fur in them: a small frame is one piece.
+  Pieces pieces_of(const FurFrame& frame, const Area& area);
   Prepared prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
   bool let_in(const Pause& pause);  // whether to go on
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);

@@ -307,13 +307,22 @@ std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists
   return parts;
 }
 
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
+ShellMesh ModelBuffers::mesh_in(const ShellView& view, std::span<const CellBox> cells) {
   for (std::size_t i = 0; i < levels_.size(); ++i)
     levels_[i] = shell_lod_level(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
+  return {triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
+}
+
+FurWork ModelBuffers::work_of(const ShellView& view, glm::ivec2 pixels) {
+  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
+  return FurWork(mesh_in(view, cells), view, pixels);
+}
+
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
+  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
+  const ShellMesh mesh = mesh_in(view, cells);
   gl.NamedBufferData(level_.id(), static_cast<GLsizeiptr>(levels_.size() * sizeof(float)), levels_.data(),
                      GL_STREAM_DRAW);
-  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  const ShellMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, levels_, cells};
   const ShellLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements;

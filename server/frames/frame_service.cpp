@@ -57,6 +57,7 @@ struct Job {
   std::promise<Result<DrawnFrame>> answer;
   // While it is drawn:
   double cost = 0;  // as expected, milliseconds
+  Clock::time_point begun = {};
   Revision revision = 0;
   bool outdated = false;  // a frame that was let in shows another revision of the scene
   bool given_up = false;
@@ -147,7 +148,7 @@ void FrameService::Impl::serve(Renderer& renderer) {
 
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
   Job& job = *taken.job;
-  job.cost = taken.cost;
+  job.cost = taken.cost, job.begun = Clock::now();
   running.push_back(&job);
   Result<DrawnFrame> frame = draw(renderer, job);
   for (; !frame && job.outdated; ++job.restarts) {
@@ -163,11 +164,13 @@ bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
   const auto may = [&](const std::unique_ptr<Job>& other) {
     return job.restarts < max_restarts || other->scene != job.scene;
   };
+  // Once it has taken longer than was expected, others are short beside it.
+  const double taken = milliseconds_since(job.begun) - job.paused;
   auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
     const std::lock_guard lock(mutex);
     job.given_up = job.given_up || stopping;
     if (!moment) moment = jobs.moment();
-    return jobs.take_beside(job.cost, *moment, may);
+    return jobs.take_beside(std::max(job.cost, taken), *moment, may);
   };
   while (auto other = next()) finish(renderer, std::move(*other));
   job.given_up = job.given_up || job.outdated || job.left();
@@ -210,7 +213,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.timings.cost = unit.of(times);
-  if (frame.estimate && times.counters.redrawn == 1)
+  const bool alone = running.size() == 1;  // else the CPU time is of others too
+  if (frame.estimate && times.counters.redrawn == 1 && alone)
     planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
