@@ -99,6 +99,12 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   return count;
 }
 
+std::size_t Renderer::bytes_of(std::uint64_t original) const {
+  std::size_t bytes = 0;
+  for (const auto& [id, model] : models_) bytes += model.original() == original ? model.bytes(gl_) : 0;
+  return bytes;
+}
+
 void Renderer::forget(std::uint64_t original) {
   std::erase_if(models_, [&](const auto& model) { return model.second.original() == original; });
 }

@@ -82,6 +82,10 @@ class Renderer {
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
+  /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
+  std::size_t bytes_of(std::uint64_t original) const;
+  /// Storage of all GL objects: models, coats, targets, maps.
+  std::size_t gl_bytes() const { return gl_.held_bytes(); }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
   /// Drops the copies of all models, and the pictures kept of them.

@@ -53,6 +53,8 @@ class ModelBuffers {
 
   GLuint vertex_array() const { return vertex_array_.id(); }
   GLuint base_images() const { return images_.id(); }
+  /// What it takes in memory: arrays and the storage of its GL objects.
+  std::size_t bytes(const Gl& gl) const;
   std::uint64_t original() const { return original_; }  // FurModel::original, or its id
   bool has_colours() const { return has_colours_; }
   const PaintBuffers& paint() const { return paint_; }
