@@ -99,7 +99,7 @@ TEST_P(FramesInPieces, OthersAreDrawnWhileACoatIsBaked) {
   FurredModel model = lit({});
   const FurFrame between = frame_of(model, small_frame());
   ASSERT_TRUE(renderer->draw(between).ok());
-  model.settings.coat.seed += GetParam() == GlChoice::osmesa ? 2 : 1;  // no context has baked it
+  model.settings.coat.seed = 977;  // which nobody has baked
   const FurFrame frame = make_frame(model.view(), small_frame());
   int pauses = 0;
   const auto give_up = [&] { return ++pauses < 1; };

@@ -53,9 +53,9 @@ TEST_P(Probe, OthersAreServedWhilePicturesAreCompared) {
   int pauses = 0;
   ErrorProbe paused(*renderer, frame, view.places, 32, [&] { return ++pauses > 0; });
   EXPECT_EQ(paused.error(knobs), expected);
-  const int needed = pauses;
-  ErrorProbe given_up(*renderer, frame, view.places, 32, [&] { return --pauses > 0; });
-  EXPECT_FALSE(given_up.error(knobs)) << needed;
+  EXPECT_GT(pauses, 0);
+  ErrorProbe given_up(*renderer, frame, view.places, 32, [] { return false; });
+  EXPECT_FALSE(given_up.error(knobs));
 }
 
 TEST(RunBeside, AsksUntilTheWorkIsDone) {
