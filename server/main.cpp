@@ -141,6 +141,7 @@ int serve(const Options& options, const HttpOptions& http) {
   const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import", limits::undo_bytes,
                                        options.memory ? options.memory : default_memory());
   if (!scenes) return fail(failed, scenes.status());
+  (*scenes)->count_copies([&](std::uint64_t copy) { return (*frames)->copy_bytes(copy); });
   (*scenes)->on_close([&](std::uint64_t copy) { (*frames)->forget(copy); });
   const auto trace_memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
   TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, trace_memory), gate);

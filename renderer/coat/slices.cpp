@@ -86,12 +86,17 @@ std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& 
 
 }  // namespace
 
-Slices bake_slices(const Coat& coat) {
+Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on) {
   const std::vector<Strand> strands = make_strands(coat);
   std::vector<std::vector<SliceTexel>> stack(slice_count);
   // Slices do not depend on each other, so the split changes no bit. Two threads: others draw meanwhile.
   for_each_in_parallel(
-      slice_count, [&](std::uint32_t i) { stack[i] = bake_slice(coat, strands, static_cast<int>(i)); }, 2);
+      slice_count,
+      [&](std::uint32_t i) {
+        if (!go_on || go_on()) stack[i] = bake_slice(coat, strands, static_cast<int>(i));
+      },
+      2);
+  if (go_on && !go_on()) return {};
   return build_levels(coat, strands, std::move(stack));
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "protocol/commands/coat.h"
@@ -31,7 +32,8 @@ struct Slices {
   std::array<float, slice_count> depth_above{};
 };
 
-/// Deterministic in the coat alone. A fraction of a second for 10,000 strands.
-Slices bake_slices(const Coat& coat);
+/// Deterministic in the coat alone. A fraction of a second for 10,000 strands. `go_on` is asked on several threads for
+/// each slice; once it is false the work ends, without levels.
+Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on = {});
 
 }  // namespace pelage

@@ -4,17 +4,17 @@
 #include "renderer/frame/parts.h"
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/frame/run_beside.h"
 #include "renderer/gl/wait.h"
 
 namespace pelage {
 
 namespace {
 
-/// The pieces of an area, by what a fast software GL takes: a small frame is one piece.
-Pieces pieces_of(const FurFrame& frame, const Area& area) {
-  constexpr double sorted_ms = 1e-3, ordered_ms = 1e-4;  // of a fragment
-  return {area, static_cast<double>(frame.knobs.shells),
-          frame.knobs.order == FragmentOrder::sorted ? sorted_ms : ordered_ms};
+/// What a software GL takes for a fragment.
+double fragment_ms(FragmentOrder order) {
+  constexpr double sorted = 1e-3, ordered = 1e-4;
+  return order == FragmentOrder::sorted ? sorted : ordered;
 }
 
 }  // namespace
@@ -42,18 +42,21 @@ Result<Renderer::Prepared> Renderer::draw_part(const FurFrame& frame, const std:
 
 Result<Renderer::Prepared> Renderer::draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                                     const Pause& pause, DrawTimes& times) {
+  const Status given_up = failure(Code::conflict, "the drawing was given up");
+  if (pause && !bake(frame.coat, pause)) return given_up;
   const std::optional<Area> part = shown ? std::optional(changed_area(frame, *shown)) : std::nullopt;
+  if (!pause) return draw_part(frame, part, times);
   Pieces pieces = pieces_of(frame, part.value_or(area_of(view_.drawn)));
   Area piece = pieces.next();
-  if (!pause || pieces.done()) return draw_part(frame, part, times);
-  prepare_alone(frame, part, times);  // shadow maps, which the pieces share
+  if (pieces.done()) return draw_part(frame, part, times);
+  if (!let_in(pause) || !bake(frame.coat, pause)) return given_up;  // large targets take long to make
+  prepare_alone(frame, part, times);                                // shadow maps, which the pieces share
   for (;; piece = pieces.next()) {
-    if (!let_in(pause)) return failure(Code::conflict, "the drawing was given up");
+    if (!let_in(pause) || !bake(frame.coat, pause)) return given_up;  // many coats may have passed
     const Stopwatch passed;
-    const auto before = times.counters.fragments;
     if (const Result<Prepared> drawn = draw_part(frame, piece, times); !drawn) return drawn.status();
     if (pieces.done()) break;
-    pieces.took(passed.milliseconds(), static_cast<double>(times.counters.fragments - before));
+    pieces.took(passed.milliseconds());
   }
   return prepare_alone(frame, part, times);  // for what is drawn beside light
 }
@@ -61,6 +64,25 @@ Result<Renderer::Prepared> Renderer::draw_in_pieces(const FurFrame& frame, const
 Renderer::Prepared Renderer::prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
   const DrawClock clock(times);
   return prepare_scene(frame, part, times);
+}
+
+bool Renderer::bake(const Coat& coat, const Pause& pause) {
+  if (has(coat)) return true;
+  const auto next = [&] { return let_in(pause); };
+  std::optional<Slices> slices = run_beside(next, [&](const auto& go_on) { return bake_slices(coat, go_on); });
+  if (slices && !has(coat)) add(coat, std::move(*slices));
+  return slices.has_value();
+}
+
+Pieces Renderer::pieces_of(const FurFrame& frame, const Area& area) {
+  const int width = view_.drawn.width(), height = view_.drawn.height();
+  const FurWork fur = models_.at(frame.model).work_of(shell_view(frame, block_of(frame), area), {width, height});
+  const glm::dvec2 pixels(width, height);
+  const auto work = [fur, pixels](const Area& in) {
+    const glm::dvec2 low(in.left, pixels.y - in.top - in.height), size(in.width, in.height);
+    return in.pixels() + fur.in(low / pixels, (low + size) / pixels);
+  };
+  return {area, work, fragment_ms(frame.knobs.order)};
 }
 
 bool Renderer::let_in(const Pause& pause) {

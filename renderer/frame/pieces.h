@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "renderer/passes/sorted/fragment_lists.h"
@@ -12,27 +13,29 @@ namespace pelage {
 /// drawing up. The drawing's model has to be as it was when it answers true.
 using Pause = std::function<bool()>;
 
-/// Cuts an area into pieces while they are worked on. How long a piece takes is foreseen from its pixels, the
-/// fragments that a pixel of fur had lately, and the time of a fragment: an empty piece says nothing about the next.
+/// Cuts an area into pieces while they are worked on, so that each takes about as long. What a piece takes is estimated
+/// from its work and the time of a unit of work, as the slowest pieces lately took it.
 class Pieces {
  public:
-  static constexpr double target_ms = 150;
+  static constexpr double target_ms = 100;
+  static constexpr double min_pixels = 8 * 8;  // below it a piece costs its triangles, not its pixels
+  /// Units of work, estimated, in an area; those of its parts sum to it.
+  using Work = std::function<double(const Area&)>;
 
-  /// `fragments`: expected in a pixel full of fur, above 0; `fragment_ms`: time of one, until one was measured.
-  Pieces(const Area& whole, double fragments, double fragment_ms)
-      : open_{whole}, fragments_(fragments), max_(target_ms / (fragments * fragment_ms)) {}
+  /// `unit_ms`: time of a unit of work until one was measured, above 0.
+  Pieces(const Area& whole, Work work, double unit_ms) : open_{whole}, work_(std::move(work)), unit_ms_(unit_ms) {}
 
   bool done() const { return open_.empty(); }
   /// The next piece, where not done. Together the pieces hold each pixel of the whole once.
   Area next();
-  /// How long the last piece took, milliseconds, and how many fragments it drew.
-  void took(double milliseconds, double fragments);
+  /// How long the last piece took.
+  void took(double milliseconds);
 
  private:
   std::vector<Area> open_;  // the next one last
-  double fragments_;        // of a pixel of fur
-  double max_;              // pixels of a piece
-  double last_ = 0;         // pixels of the last piece
+  Work work_;
+  double unit_ms_;
+  double last_ = 0;  // work of the last piece
 };
 
 }  // namespace pelage

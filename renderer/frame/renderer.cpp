@@ -100,6 +100,12 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   return count;
 }
 
+std::size_t Renderer::bytes_of(std::uint64_t original) const {
+  std::size_t bytes = 0;
+  for (const auto& [id, model] : models_) bytes += model.original() == original ? model.bytes(gl_) : 0;
+  return bytes;
+}
+
 void Renderer::forget(std::uint64_t original) {
   std::erase_if(models_, [&](const auto& model) { return model.second.original() == original; });
 }
@@ -109,16 +115,22 @@ void Renderer::forget_all() {
   cache_.give_back();
 }
 
+bool Renderer::has(const Coat& coat) const {
+  return std::any_of(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
+}
+
 const CoatTextures& Renderer::textures_of(const Coat& coat) {
   const auto found =
       std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
-  if (found != coats_.end()) {
-    coats_.splice(coats_.begin(), coats_, found);
-    return coats_.front();
-  }
+  if (found == coats_.end()) return add(coat, bake_slices(coat));
+  coats_.splice(coats_.begin(), coats_, found);
+  return coats_.front();
+}
+
+const CoatTextures& Renderer::add(const Coat& coat, Slices slices) {
   if (coats_.size() == max_cached_coats) coats_.pop_back();
   UploadCount count;
-  return coats_.emplace_front(gl_, coat, count);
+  return coats_.emplace_front(gl_, coat, std::move(slices), count);
 }
 
 Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
@@ -152,13 +164,7 @@ Area Renderer::changed_area(const FurFrame& frame, const ShownFrame& shown) {
   return area_of(changed, view_.drawn.width(), view_.drawn.height());
 }
 
-Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
-  const auto found = models_.find(frame.model);
-  assert(found != models_.end());
-  ModelBuffers& model = found->second;
-  const CoatTextures& coat = textures_of(frame.coat);
-  const Stopwatch making;
-  const FrameBlock block = block_of(frame);
+ShellView Renderer::shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const {
   const bool sorted = frame.knobs.order == FragmentOrder::sorted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
   ShellView view{frame.camera.position,
@@ -170,6 +176,17 @@ Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::opt
                  stretch};
   view.depth_parts = sorted ? 1 : depth_part_count;
   if (part) view.part = cells_of(*part, view_.drawn.width(), view_.drawn.height());
+  return view;
+}
+
+Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
+  const auto found = models_.find(frame.model);
+  assert(found != models_.end());
+  ModelBuffers& model = found->second;
+  const CoatTextures& coat = textures_of(frame.coat);
+  const Stopwatch making;
+  const FrameBlock block = block_of(frame);
+  const ShellView view = shell_view(frame, block, part);
   const auto lists = model.sort_for(gl_, frame.coat, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);

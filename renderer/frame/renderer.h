@@ -82,6 +82,10 @@ class Renderer {
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
+  /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
+  std::size_t bytes_of(std::uint64_t original) const;
+  /// Storage of all GL objects: models, coats, targets, maps.
+  std::size_t gl_bytes() const { return gl_.held_bytes(); }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
   /// Drops the copies of all models, and the pictures kept of them.
@@ -94,7 +98,11 @@ class Renderer {
   Status prepare_targets(const FurFrame& frame, GLenum picture);
   /// Makes a target anew where it is of another kind; whether it could be made.
   bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
+  bool has(const Coat& coat) const;
   const CoatTextures& textures_of(const Coat& coat);
+  const CoatTextures& add(const Coat& coat, Slices slices);
+  /// Bakes a coat that is not there yet while the pause is called; false when that gives the drawing up.
+  bool bake(const Coat& coat, const Pause& pause);
   FrameCounters take_counts() const;    // but for fragments
   FrameCounters take_counters() const;  // waits for the GL
   /// What a frame draws, with its blocks and maps bound.
@@ -104,6 +112,7 @@ class Renderer {
   /// Where the frame's light is not what the target shows.
   Area changed_area(const FurFrame& frame, const ShownFrame& shown);
   FrameBlock block_of(const FurFrame& frame);
+  ShellView shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const;
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
@@ -117,6 +126,8 @@ class Renderer {
   /// was prepared.
   Result<Prepared> draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
                                   DrawTimes& times);
+  /// By the fur in them: a small frame is one piece.
+  Pieces pieces_of(const FurFrame& frame, const Area& area);
   Prepared prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
   bool let_in(const Pause& pause);  // whether to go on
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);

@@ -27,7 +27,52 @@ std::size_t volume(GLsizei width, GLsizei height, GLsizei depth) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
 }
 
+/// Of a whole chain of levels, each half as wide and high.
+std::size_t texture_bytes(GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth) {
+  std::size_t bytes = 0;
+  for (GLsizei level = 0; level < levels; ++level) {
+    bytes += volume(width, height, depth) * stored_bytes(format);
+    width = std::max(1, width / 2), height = std::max(1, height / 2);
+  }
+  return bytes;
+}
+
 }  // namespace
+
+void Gl::note_storage(Name name, std::size_t bytes) const {
+  std::size_t& held = held_[name];
+  held_bytes_ += bytes - held;
+  held = bytes;
+}
+
+void Gl::forget_storage(Kind kind, GLsizei count, const GLuint* names) const {
+  for (GLsizei i = 0; i < count; ++i) {
+    const auto found = held_.find({kind, names[i]});
+    if (found == held_.end()) continue;
+    held_bytes_ -= found->second;
+    held_.erase(found);
+  }
+}
+
+std::size_t Gl::bytes_of(Name name) const {
+  const auto found = held_.find(name);
+  return found == held_.end() ? 0 : found->second;
+}
+
+void Gl::DeleteBuffers(GLsizei count, const GLuint* buffers) const {
+  forget_storage(Kind::buffer, count, buffers);
+  counted_.DeleteBuffers(count, buffers);
+}
+
+void Gl::DeleteRenderbuffers(GLsizei count, const GLuint* buffers) const {
+  forget_storage(Kind::renderbuffer, count, buffers);
+  counted_.DeleteRenderbuffers(count, buffers);
+}
+
+void Gl::DeleteTextures(GLsizei count, const GLuint* textures) const {
+  forget_storage(Kind::texture, count, textures);
+  counted_.DeleteTextures(count, textures);
+}
 
 void Gl::BindTextureUnit(GLuint unit, GLuint texture) const {
   ++counts_.textures;
@@ -52,6 +97,7 @@ void Gl::DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const vo
 void Gl::NamedBufferData(GLuint buffer, GLsizeiptr size, const void* data, GLenum usage) const {
   if (data) counts_.bytes += static_cast<std::size_t>(size);
   counts_.allocated += static_cast<std::size_t>(size);
+  note_storage({Kind::buffer, buffer}, static_cast<std::size_t>(size));
   counted_.NamedBufferData(buffer, size, data, usage);
 }
 
@@ -62,17 +108,21 @@ void Gl::NamedBufferSubData(GLuint buffer, GLintptr offset, GLsizeiptr size, con
 
 void Gl::NamedRenderbufferStorage(GLuint buffer, GLenum format, GLsizei width, GLsizei height) const {
   counts_.allocated += volume(width, height, 1) * stored_bytes(format);
+  note_storage({Kind::renderbuffer, buffer}, volume(width, height, 1) * stored_bytes(format));
   counted_.NamedRenderbufferStorage(buffer, format, width, height);
 }
 
 void Gl::TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const {
   counts_.allocated += volume(width, height, 1) * stored_bytes(format);
+  note_storage({Kind::texture, texture}, texture_bytes(levels, format, width, height, 1));
   counted_.TextureStorage2D(texture, levels, format, width, height);
 }
 
 void Gl::TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
                           GLsizei depth) const {
   counts_.allocated += volume(width, height, depth) * stored_bytes(format);
+  // Arrays keep their layers at each level. A volume with levels is none of ours.
+  note_storage({Kind::texture, texture}, texture_bytes(levels, format, width, height, depth));
   counted_.TextureStorage3D(texture, levels, format, width, height, depth);
 }
 
@@ -125,14 +175,14 @@ std::string Gl::load(const LoadFunction& find) {
   get(CreateShader, "glCreateShader");
   get(CreateTextures, "glCreateTextures");
   get(CreateVertexArrays, "glCreateVertexArrays");
-  get(DeleteBuffers, "glDeleteBuffers");
+  get(counted_.DeleteBuffers, "glDeleteBuffers");
   get(DeleteFramebuffers, "glDeleteFramebuffers");
   get(DeleteProgram, "glDeleteProgram");
   get(DeleteQueries, "glDeleteQueries");
-  get(DeleteRenderbuffers, "glDeleteRenderbuffers");
+  get(counted_.DeleteRenderbuffers, "glDeleteRenderbuffers");
   get(DeleteShader, "glDeleteShader");
   get(DeleteSync, "glDeleteSync");
-  get(DeleteTextures, "glDeleteTextures");
+  get(counted_.DeleteTextures, "glDeleteTextures");
   get(DeleteVertexArrays, "glDeleteVertexArrays");
   get(DepthFunc, "glDepthFunc");
   get(DepthMask, "glDepthMask");

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -45,14 +46,11 @@ struct Gl {
   PFNGLCREATESHADERPROC CreateShader = nullptr;
   PFNGLCREATETEXTURESPROC CreateTextures = nullptr;
   PFNGLCREATEVERTEXARRAYSPROC CreateVertexArrays = nullptr;
-  PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
   PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;
   PFNGLDELETEPROGRAMPROC DeleteProgram = nullptr;
   PFNGLDELETEQUERIESPROC DeleteQueries = nullptr;
-  PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
   PFNGLDELETESHADERPROC DeleteShader = nullptr;
   PFNGLDELETESYNCPROC DeleteSync = nullptr;
-  PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
   PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays = nullptr;
   PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
@@ -95,6 +93,9 @@ struct Gl {
   PFNGLVIEWPORTPROC Viewport = nullptr;
 
   void BindTextureUnit(GLuint unit, GLuint texture) const;
+  void DeleteBuffers(GLsizei count, const GLuint* buffers) const;
+  void DeleteRenderbuffers(GLsizei count, const GLuint* buffers) const;
+  void DeleteTextures(GLsizei count, const GLuint* textures) const;
   void DrawArrays(GLenum mode, GLint first, GLsizei count) const;
   void DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) const;
   void DrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) const;
@@ -116,12 +117,20 @@ struct Gl {
   /// What was counted since the last call.
   GlCounts take_counts() const { return std::exchange(counts_, {}); }
 
+  /// Bytes of storage that buffers, textures and renderbuffers have now; of one of them, 0 where it has none.
+  std::size_t held_bytes() const { return held_bytes_; }
+  std::size_t bytes_of_buffer(GLuint buffer) const { return bytes_of({Kind::buffer, buffer}); }
+  std::size_t bytes_of_texture(GLuint texture) const { return bytes_of({Kind::texture, texture}); }
+
   /// Loads every function. Returns the first name that the context lacks, or "".
   std::string load(const LoadFunction& find);
 
  private:
   struct Counted {
     PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
+    PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
+    PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
+    PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
     PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
     PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
     PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
@@ -134,8 +143,18 @@ struct Gl {
     PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
     PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   };
+  enum class Kind { buffer, texture, renderbuffer };  // whose names are told apart
+  using Name = std::pair<Kind, GLuint>;
+
+  std::size_t bytes_of(Name name) const;
+  void note_storage(Name name, std::size_t bytes) const;
+  void forget_storage(Kind kind, GLsizei count, const GLuint* names) const;
+
   Counted counted_;
-  mutable GlCounts counts_;  // counting changes nothing that a user of the table sees
+  // Counting changes nothing that a user of the table sees.
+  mutable GlCounts counts_;
+  mutable std::map<Name, std::size_t> held_;  // bytes of storage
+  mutable std::size_t held_bytes_ = 0;
 };
 
 }  // namespace pelage

@@ -115,11 +115,13 @@ void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& verti
 
   vertices.reserve(chosen.size());
   for (const std::uint32_t c : chosen) vertices.push_back(make_vertex(model, vertex_of(c), corner_of(c)));
+  positions_.reserve(vertices.size()), normals_.reserve(vertices.size()), tangents_.reserve(vertices.size());
   for (const RenderVertex& vertex : vertices) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);
   }
   lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), lods_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
+  centroids_.reserve(model.triangles.size()), face_normals_.reserve(model.triangles.size());
   for (const glm::uvec3& t : model.triangles) {
     const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
     centroids_.push_back((a + b + c) / 3.0f);
@@ -170,6 +172,16 @@ void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount&
   if (!model.images.empty()) gl.GenerateTextureMipmap(images_.id());
   gl.TextureParameteri(images_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   gl.TextureParameteri(images_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+std::size_t ModelBuffers::bytes(const Gl& gl) const {
+  std::size_t bytes = sizeof(ModelBuffers) + paint_.bytes(gl) + gl.bytes_of_texture(images_.id());
+  for (const Buffer* buffer : {&fixed_, &groom_, &lod_, &variation_, &elements_})
+    bytes += gl.bytes_of_buffer(buffer->id());
+  const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
+  add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, tangents_, lengths_, groom_values_,
+      skin_, skin_order_, fur_share_, curvatures_, lods_);
+  return bytes + changed_.bytes();
 }
 
 float ModelBuffers::longest_fur() const {
@@ -298,12 +310,21 @@ std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists
   return parts;
 }
 
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
+ShellMesh ModelBuffers::mesh_in(const ShellView& view, std::span<const CellBox> cells) {
   for (std::size_t i = 0; i < lods_.size(); ++i)
     lods_[i] = shell_lod(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
-  gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
+  return {triangles_, centroids_, face_normals_, positions_, lengths_, lods_, cells};
+}
+
+FurWork ModelBuffers::work_of(const ShellView& view, glm::ivec2 pixels) {
   const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  const ShellMesh mesh{triangles_, centroids_, face_normals_, positions_, lengths_, lods_, cells};
+  return FurWork(mesh_in(view, cells), view, pixels);
+}
+
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
+  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
+  const ShellMesh mesh = mesh_in(view, cells);
+  gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
   const ShellLists lists = sort_triangles(mesh, view);
 
   std::vector<glm::uvec3> elements;

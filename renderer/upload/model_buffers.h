@@ -12,6 +12,7 @@
 #include "renderer/upload/paint_buffers.h"
 #include "renderer/visibility/changed_fur.h"
 #include "renderer/visibility/depth_parts.h"
+#include "renderer/visibility/fur_work.h"
 #include "renderer/visibility/shell_lod.h"
 
 namespace pelage {
@@ -52,6 +53,8 @@ class ModelBuffers {
 
   GLuint vertex_array() const { return vertex_array_.id(); }
   GLuint base_images() const { return images_.id(); }
+  /// What it takes in memory: arrays and the storage of its GL objects.
+  std::size_t bytes(const Gl& gl) const;
   std::uint64_t original() const { return original_; }  // FurModel::original, or its id
   bool has_colours() const { return has_colours_; }
   const PaintBuffers& paint() const { return paint_; }
@@ -93,6 +96,8 @@ class ModelBuffers {
   DrawLists skin_lists(const Gl& gl);
   /// Sends the triangles to draw for a view of a coat, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const Coat& coat, const ShellView& view);
+  /// How much is drawn where for a view that fills so many pixels.
+  FurWork work_of(const ShellView& view, glm::ivec2 pixels);
 
   /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many;
   /// none where none has.
@@ -109,6 +114,8 @@ class ModelBuffers {
   bool set_skin(std::span<const FurSkinRegion> skin);                                  // whether it changed
   void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
+  /// The mesh with its levels in a view; `cells` are those of cells_of_fur.
+  ShellMesh mesh_in(const ShellView& view, std::span<const CellBox> cells);
   /// Adds the lists of fur to the elements.
   std::vector<DepthPart> parts_of_fur(const ShellLists& lists, const Coat& coat, const ShellView& view,
                                       std::vector<glm::uvec3>& elements) const;

@@ -29,6 +29,9 @@ class PaintBuffers {
 
   /// The #define lines of what is drawn: PAINT for numbers but the mask, PAINT_COLOUR for colours.
   std::string defines() const;
+  std::size_t bytes(const Gl& gl) const {
+    return gl.bytes_of_buffer(numbers_.id()) + gl.bytes_of_buffer(colours_.id());
+  }
   bool has_numbers() const { return touched_.numbers; }
   bool changes_fur() const { return touched_.fur; }
   /// Leaves the buffers at the storage bindings 10 and 11.

@@ -1,5 +1,7 @@
 #include "renderer/upload/textures.h"
 
+#include <utility>
+
 #include "renderer/coat/strand_tile.h"
 #include "renderer/shaders/constants.h"
 
@@ -40,8 +42,8 @@ Texture send(const Gl& gl, const Slices& slices, Texels texels, GLenum magnified
 
 }  // namespace
 
-CoatTextures::CoatTextures(const Gl& gl, const Coat& coat, UploadCount& count)
-    : coat_(coat), slices_(bake_slices(coat)) {
+CoatTextures::CoatTextures(const Gl& gl, const Coat& coat, Slices slices, UploadCount& count)
+    : coat_(coat), slices_(std::move(slices)) {
   shapes_ = send(gl, slices_, &SliceLevel::shape, GL_LINEAR, count);
   colours_ = send(gl, slices_, &SliceLevel::colour, GL_LINEAR, count);
   for (SliceLevel& level : slices_.levels) level.shape = {}, level.colour = {};  // the GPU has them now

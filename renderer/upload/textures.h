@@ -18,7 +18,8 @@ Texture volume_texture(const Gl& gl, const SurfaceVolume& volume);
 
 class CoatTextures {
  public:
-  CoatTextures(const Gl& gl, const Coat& coat, UploadCount& count);
+  /// `slices` are those that were baked of the coat.
+  CoatTextures(const Gl& gl, const Coat& coat, Slices slices, UploadCount& count);
 
   const Coat& coat() const { return coat_; }
   /// Levels without their texels: scales and depths.

@@ -1,6 +1,7 @@
 // Where on a picture fur has changed since it was drawn.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -26,6 +27,8 @@ class ChangedFur {
   void note(std::uint32_t vertex, glm::vec3 groom);
   /// How often it was told so far.
   std::uint64_t count() const { return forgotten_ + noted_.size(); }
+
+  std::size_t bytes() const { return noted_.capacity() * sizeof(Noted); }
 
   /// What the fur of vertices that changed since `count` was so much, and of the triangles around them, reaches or
   /// reached; none where none has changed, everything where that is too long ago to be known.

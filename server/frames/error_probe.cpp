@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "renderer/compare/compare.h"
+#include "renderer/compare/flip.h"
+#include "renderer/frame/run_beside.h"
 #include "renderer/quality/planner.h"
 #include "renderer/quality/view_features.h"
 
@@ -13,11 +15,12 @@ namespace {
 constexpr double min_error = 1e-5;  // of pictures that are the same
 constexpr double max_ratio = 4;     // of the whole's error to that of its windows: fur that they missed
 
-/// Over the fur of all pictures; none where none shows any.
-std::optional<double> mean_error(std::span<const Image> truths, std::span<const Image> tests) {
+/// Over the fur of all pictures.
+std::optional<double> mean_of(std::span<const Image> truths, std::span<const Image> tests,
+                              const std::function<bool()>& go_on) {
   double sum = 0, pixels = 0;
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    const std::optional<FurError> error = fur_error(truths[i], tests[i]);  // none of a window beside the fur
+    const std::optional<FurError> error = fur_error(truths[i], tests[i], go_on);  // none of a window beside the fur
     if (error) sum += error->mean * error->pixels, pixels += error->pixels;
   }
   if (pixels == 0) return {};
@@ -32,11 +35,18 @@ Knobs reference_knobs(int shells) {
   return knobs;
 }
 
-std::optional<FurError> fur_error(const Image& truth, const Image& test) {
-  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(test)));
-  const Result<PictureError> error = compare(truth, test, mask);
-  if (!error || !error->figures) return {};
-  return FurError{error->figures->flip.mean, static_cast<double>(error->pixels)};
+std::optional<FurError> fur_error(const Image& truth, const Image& test, const std::function<bool()>& go_on) {
+  const FloatImage reference = linear_image(truth), other = linear_image(test);
+  const Mask mask = union_of(alpha_mask(reference), alpha_mask(other));
+  const auto pixels = static_cast<double>(mask.count());
+  if (pixels == 0) return {};
+  const CompareOptions options;
+  const std::vector<float> errors =
+      flip_map(as_displayed(reference, options), as_displayed(other, options), options.pixels_per_degree, 0, go_on);
+  double sum = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) sum += mask.inside[i] ? errors[i] : 0.0f;
+  if (errors.empty()) return {};
+  return FurError{sum / pixels, pixels};
 }
 
 int truth_shells(double max_error) { return max_error < 0.02 ? 256 : 128; }
@@ -52,6 +62,12 @@ ErrorProbe::ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<cons
     : renderer_(renderer), truth_(reference_knobs(truth_shells)), pause_(std::move(pause)), views_{fur_alone(frame)} {
   const int side = window_side(frame.width, frame.height);
   for (const glm::vec2& place : places) views_.push_back(window_of(frame, place, side));
+}
+
+std::optional<double> ErrorProbe::mean_error(std::span<const Image> truths, std::span<const Image> tests) const {
+  if (!pause_) return mean_of(truths, tests, {});
+  const auto error = run_beside(pause_, [&](const auto& go_on) { return mean_of(truths, tests, go_on); });
+  return error ? *error : std::nullopt;
 }
 
 std::optional<ErrorProbe::Pictures> ErrorProbe::draw(std::span<const FurFrame> views, const Knobs& knobs) {

@@ -1,6 +1,7 @@
 // How far knobs are from the truth in a view, measured without drawing the truth of all of it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,8 +20,8 @@ struct FurError {
   double pixels = 0;
 };
 
-/// None where neither shows anything.
-std::optional<FurError> fur_error(const Image& truth, const Image& test);
+/// None where neither shows anything, and once `go_on` is false.
+std::optional<FurError> fur_error(const Image& truth, const Image& test, const std::function<bool()>& go_on = {});
 
 /// Shells of the truth that an error is judged by: their own error is a small part of it.
 int truth_shells(double max_error);
@@ -36,7 +37,8 @@ Knobs nearer_knobs(const Knobs& knobs);
 class ErrorProbe {
  public:
   /// About `places` of the frame's picture (ViewFeatures::places), against so many sorted shells.
-  /// `pause` is called between the pieces of what is drawn; once it gives up, nothing more can be measured.
+  /// `pause` is called between the pieces of what is drawn, and while pictures are compared on a thread of their own;
+  /// once it gives up, nothing more can be measured.
   ErrorProbe(Renderer& renderer, const FurFrame& frame, std::span<const glm::vec2> places, int truth_shells,
              Pause pause = {});
 
@@ -46,6 +48,8 @@ class ErrorProbe {
  private:
   using Pictures = std::vector<Image>;  // of views_, or of the windows among them
 
+  /// Over the fur of all pictures; none where none shows any.
+  std::optional<double> mean_error(std::span<const Image> truths, std::span<const Image> tests) const;
   std::optional<Pictures> draw(std::span<const FurFrame> views, const Knobs& knobs);
   /// The error of the whole over that of its windows, estimated by knobs that are nearer; 1 where it cannot be told.
   double whole_over_windows(const Knobs& knobs, std::span<const Image> pictures);

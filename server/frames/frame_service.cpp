@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <future>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -57,6 +58,7 @@ struct Job {
   std::promise<Result<DrawnFrame>> answer;
   // While it is drawn:
   double cost = 0;  // as expected, milliseconds
+  Clock::time_point begun = {};
   Revision revision = 0;
   bool outdated = false;  // a frame that was let in shows another revision of the scene
   bool given_up = false;
@@ -80,11 +82,13 @@ struct FrameService::Impl {
   ShortestFirst<std::unique_ptr<Job>> jobs;
   std::deque<Task> tasks;  // after all jobs
   std::vector<std::uint64_t> forgotten;
+  std::map<std::uint64_t, std::size_t> copies;  // bytes of each model's
   bool stopping = false;
   std::string description;
   std::atomic<bool> healthy{true};
   std::atomic<std::size_t> drawn{0};
   std::atomic<double> seconds{0};
+  std::atomic<std::size_t> gl_bytes{0};
   FramePlanner planner;
   CostUnit unit;
   PngEncoder png;  // of whoever asked, not of the render thread
@@ -94,6 +98,10 @@ struct FrameService::Impl {
 
   void run(GlChoice choice, int threads, std::promise<Status>& started);
   void serve(Renderer& renderer);
+  /// Drops the copies of models that are gone; whether there were any. Needs the lock.
+  bool forget_gone(Renderer& renderer);
+  /// After the model was drawn.
+  void measure(const Renderer& renderer, std::uint64_t model);
   /// Draws a job that was taken and answers it.
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, Job& job);
@@ -126,10 +134,11 @@ void FrameService::Impl::serve(Renderer& renderer) {
   for (;;) {
     std::optional<ShortestFirst<std::unique_ptr<Job>>::Taken> job;
     Task task;
+    bool forgot = false;
     {
       std::unique_lock lock(mutex);
       wake.wait(lock, [&] { return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty(); });
-      for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model);
+      forgot = forget_gone(renderer);
       if (stopping) break;
       job = jobs.take();
       if (!job && !tasks.empty()) {
@@ -137,6 +146,7 @@ void FrameService::Impl::serve(Renderer& renderer) {
         tasks.pop_front();
       }
     }
+    if (forgot) give_memory_back();
     if (job) finish(renderer, std::move(*job));
     if (task) task(&renderer);
   }
@@ -145,9 +155,22 @@ void FrameService::Impl::serve(Renderer& renderer) {
   tasks.clear();
 }
 
+bool FrameService::Impl::forget_gone(Renderer& renderer) {
+  if (forgotten.empty()) return false;
+  for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model), copies.erase(model);
+  gl_bytes = renderer.gl_bytes();
+  return true;
+}
+
+void FrameService::Impl::measure(const Renderer& renderer, std::uint64_t model) {
+  const std::lock_guard lock(mutex);
+  copies[model] = renderer.bytes_of(model);
+  gl_bytes = renderer.gl_bytes();
+}
+
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
   Job& job = *taken.job;
-  job.cost = taken.cost;
+  job.cost = taken.cost, job.begun = Clock::now();
   running.push_back(&job);
   Result<DrawnFrame> frame = draw(renderer, job);
   for (; !frame && job.outdated; ++job.restarts) {
@@ -163,11 +186,13 @@ bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
   const auto may = [&](const std::unique_ptr<Job>& other) {
     return job.restarts < max_restarts || other->scene != job.scene;
   };
+  // Once it has taken longer than was expected, others are short beside it.
+  const double taken = milliseconds_since(job.begun) - job.paused;
   auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
     const std::lock_guard lock(mutex);
     job.given_up = job.given_up || stopping;
     if (!moment) moment = jobs.moment();
-    return jobs.take_beside(job.cost, *moment, may);
+    return jobs.take_beside(std::max(job.cost, taken), *moment, may);
   };
   while (auto other = next()) finish(renderer, std::move(*other));
   job.given_up = job.given_up || job.outdated || job.left();
@@ -204,13 +229,15 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   Result<DrawnPicture> picture = failure(Code::conflict, "given up while its error was measured");
   if (!job.given_up)
     picture = draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
+  measure(renderer, shown->copy_id);
   count(milliseconds_since(start) - (job.paused - paused), picture ? Status{} : picture.status());
   if (job.given_up) return job.outdated || !job.left() ? stopped() : left;
   ++drawn;
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.timings.cost = unit.of(times);
-  if (frame.estimate && times.counters.redrawn == 1)
+  const bool alone = running.size() == 1;  // else the CPU time is of others too
+  if (frame.estimate && times.counters.redrawn == 1 && alone)
     planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
@@ -318,6 +345,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     timings.upload = milliseconds_since(start);
     DrawTimes times;
     Result<Backplate> base = renderer.draw_backplate(shown->fur, &times);
+    impl_->measure(renderer, shown->copy_id);
     impl_->count(milliseconds_since(start), base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
@@ -351,6 +379,14 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   answer.timings.encode = milliseconds_since(start);
   return answer;
 }
+
+std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
+  const std::lock_guard lock(impl_->mutex);
+  const auto found = impl_->copies.find(model_id);
+  return found == impl_->copies.end() ? 0 : found->second;
+}
+
+std::size_t FrameService::gl_bytes() const { return impl_->gl_bytes; }
 
 void FrameService::forget(std::uint64_t model_id) {
   const std::lock_guard lock(impl_->mutex);

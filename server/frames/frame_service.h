@@ -67,6 +67,11 @@ class FrameService {
   /// model that the scene no longer has. Waits until no frame does.
   Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request);
 
+  /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame. Waits for no
+  /// frame.
+  std::size_t copy_bytes(std::uint64_t model_id) const;
+  /// Storage of all GL objects, as of the last frame.
+  std::size_t gl_bytes() const;
   /// Forgets GPU copies of a model that is gone.
   void forget(std::uint64_t model_id);
 

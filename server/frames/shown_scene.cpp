@@ -14,7 +14,7 @@ Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request
   Shown shown;
   bool comparable = true;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-    shown.revision = view.revision;
+    shown.revision = view.revision, shown.copy_id = view.copy_id;
     shown.fur = make_frame(view, request);
     const Mesh& mesh = view.model.surface.mesh();
     shown.placement = {mesh.centre, mesh.size};

@@ -1,6 +1,7 @@
 // A scene as one frame shows it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "protocol/base/status.h"
@@ -18,6 +19,7 @@ struct Shown {
   FurFrame fur;
   ModelPlacement placement;
   Revision revision = 0;
+  std::uint64_t copy_id = 0;  // SceneView::copy_id
   std::optional<SceneCopy> copy = {};
   std::optional<ViewFeatures> features = {};  // where the frame is planned or can be estimated
 };

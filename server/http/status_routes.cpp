@@ -57,6 +57,8 @@ static std::string scene_memory(const MemoryUse& use) {
   return single("pelage_scenes_open", "gauge", "Scenes in memory.", use.open) +
          single("pelage_scenes_evicted", "gauge", "Scenes that only the journal has.", use.evicted) +
          single("pelage_scene_memory_bytes", "gauge", "Estimate of what open scenes take.", use.bytes) +
+         single("pelage_scene_copies_bytes", "gauge", "Of that, the renderer's copies with their GL buffers.",
+                use.copies) +
          single("pelage_scene_memory_budget_bytes", "gauge", "What open scenes may take (--memory).", use.budget) +
          single("pelage_scene_evictions_total", "counter", "Times that a scene was evicted.", use.evictions) +
          single("pelage_scene_reopenings_total", "counter", "Times that an evicted scene was opened.", use.reopened);
@@ -77,6 +79,7 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_frames_total", "counter", "Frames that the render thread drew.", gauges.frames_drawn);
   text +=
       single("pelage_drawing_seconds_total", "counter", "Time that the render thread drew.", gauges.seconds_drawing);
+  text += single("pelage_gl_bytes", "gauge", "Storage of GL buffers, textures and targets.", gauges.gl_bytes);
   text += single("pelage_traces_total", "counter", "Pictures of strands that were begun.", gauges.traces.traces);
   text += single("pelage_trace_passes_total", "counter", "Passes that were traced.", gauges.traces.passes);
   text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.",
@@ -153,6 +156,7 @@ void add_status_routes(httplib::Server& server, Service& service) {
                         .ready = service.ready(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .seconds_drawing = service.frames.seconds_drawing(),
+                        .gl_bytes = service.frames.gl_bytes(),
                         .traces = service.traces.counts(),
                         .renderer = service.frames.description()};
     response.set_content(service.metrics.text(gauges), "text/plain; version=0.0.4");

@@ -20,6 +20,7 @@ struct Gauges {
   bool ready = false;
   std::size_t frames_drawn = 0;
   double seconds_drawing = 0;
+  std::size_t gl_bytes = 0;
   TraceCounts traces;
   std::string renderer;  // what the GL calls itself
 };

@@ -6,10 +6,6 @@
 
 #include "protocol/base/limits.h"
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace pelage {
 
 namespace {
@@ -21,13 +17,6 @@ Status too_many() {
                  "at most " + std::to_string(limits::scenes) + " scenes");
 }
 
-/// The allocator holds freed arrays of this size back for others, which would make an eviction worth little.
-void give_memory_back() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
 }  // namespace
 
 OpenScenes::Slot* OpenScenes::slot_of(const std::string& id) {
@@ -35,10 +24,10 @@ OpenScenes::Slot* OpenScenes::slot_of(const std::string& id) {
   return found == slots_.end() ? nullptr : &*found;
 }
 
-/// A model that branches share counts once.
+/// A model that branches share counts once; each has a copy of its own.
 std::size_t OpenScenes::open_bytes() const {
   std::map<std::uint64_t, std::size_t> models;
-  std::size_t bytes = 0;
+  std::size_t bytes = copies_bytes();
   for (const Slot& slot : slots_) {
     if (!slot.scene) continue;
     const SceneMemory memory = slot.scene->last_memory();
@@ -46,6 +35,14 @@ std::size_t OpenScenes::open_bytes() const {
     models[memory.model_id] = memory.model;
   }
   for (const auto& [id, model] : models) bytes += model;
+  return bytes;
+}
+
+std::size_t OpenScenes::copies_bytes() const {
+  std::size_t bytes = 0;
+  for (const Slot& slot : slots_) {
+    if (slot.scene && copy_bytes_) bytes += copy_bytes_(slot.scene->last_memory().copy_id);
+  }
   return bytes;
 }
 
@@ -102,6 +99,7 @@ Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<
     dropped = keep_to_budget();
   }
   close(std::move(dropped));
+  give_memory_back();  // that preparing the model took
   return {};
 }
 
@@ -189,7 +187,8 @@ std::size_t OpenScenes::count() const {
 MemoryUse OpenScenes::memory() const {
   const std::lock_guard lock(mutex_);
   const auto open = std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scene != nullptr; });
-  MemoryUse use{.budget = budget_, .bytes = open_bytes(), .open = static_cast<std::size_t>(open)};
+  MemoryUse use{
+      .budget = budget_, .bytes = open_bytes(), .copies = copies_bytes(), .open = static_cast<std::size_t>(open)};
   use.evicted = slots_.size() - use.open;
   use.evictions = evictions_, use.reopened = reopened_;
   return use;

@@ -18,6 +18,7 @@ namespace pelage {
 /// How the scenes of a server share its memory.
 struct MemoryUse {
   std::size_t budget = 0, bytes = 0;          // what open scenes may take and take, estimated
+  std::size_t copies = 0;                     // of these bytes, the renderer's copies
   std::size_t open = 0, evicted = 0;          // scenes
   std::uint64_t evictions = 0, reopened = 0;  // since the start
 };
@@ -28,11 +29,14 @@ class OpenScenes {
   using Open = std::function<Result<std::shared_ptr<Scene>>(const std::string& id)>;
   /// Called with the copy_id of a scene that was evicted or removed.
   using OnClose = std::function<void(std::uint64_t copy_id)>;
+  /// What the renderer's copy of a scene takes; asked with a lock held, so it waits for no scene.
+  using CopyBytes = std::function<std::size_t(std::uint64_t copy_id)>;
 
   /// `open` makes a scene from the journal; it runs without a lock.
   OpenScenes(std::size_t budget, Open open) : budget_(budget), open_(std::move(open)) {}
   /// Before anyone else uses this.
   void on_close(OnClose on_close) { on_close_ = std::move(on_close); }
+  void count_copies(CopyBytes copy_bytes) { copy_bytes_ = std::move(copy_bytes); }
 
   /// Refused (busy) at the limit of scenes, as `add` does.
   Status has_room() const;
@@ -62,6 +66,7 @@ class OpenScenes {
   // All of these need the lock.
   Slot* slot_of(const std::string& id);
   std::size_t open_bytes() const;
+  std::size_t copies_bytes() const;
   Slot* next_to_evict();
   /// Evicts until the open scenes fit. The caller lets go of them without the lock: to free one takes long.
   Dropped keep_to_budget();
@@ -72,6 +77,7 @@ class OpenScenes {
   const std::size_t budget_;
   const Open open_;
   OnClose on_close_;
+  CopyBytes copy_bytes_;
   mutable std::mutex mutex_;
   std::condition_variable opened_;
   Slots slots_;  // in the order that the scenes were made in

@@ -2,6 +2,10 @@
 
 #include "server/scene/scene.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace pelage {
 
 std::size_t bytes_of(const SceneModel& model) {
@@ -15,6 +19,12 @@ SceneMemory Scene::measure_memory() const noexcept {
   std::size_t own = sizeof(Scene) + fields_.bytes() + history_.bytes() + dirty_.capacity() * sizeof(VertexRange);
   if (picture_.image) own += picture_.image->rgba.capacity();
   return {own, model_->id, bytes_of(*model_), copy_id_, live_.goes_on()};
+}
+
+void give_memory_back() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 SceneMemory Scene::last_memory() const {

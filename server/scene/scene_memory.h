@@ -9,7 +9,7 @@ namespace pelage {
 struct SceneModel;
 struct SceneSettings;
 
-/// Estimates in bytes, without what the renderer holds. Branches may share a model.
+/// Estimates in bytes, without the renderer's copy (OpenScenes::count_copies). Branches may share a model.
 struct SceneMemory {
   std::size_t own = 0;         // fields, undo log, settings and skin texture
   std::uint64_t model_id = 0;  // SceneModel::id
@@ -19,5 +19,9 @@ struct SceneMemory {
 };
 
 std::size_t bytes_of(const SceneModel& model);
+
+/// The allocator holds freed arrays back for others. An evicted scene is worth little until it returns them, and a
+/// model takes several times its own memory while it is prepared.
+void give_memory_back();
 
 }  // namespace pelage

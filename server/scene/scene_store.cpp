@@ -154,6 +154,7 @@ std::vector<SceneSummary> SceneStore::list() const { return impl_->scenes.list()
 MemoryUse SceneStore::memory() const { return impl_->scenes.memory(); }
 
 void SceneStore::on_close(OpenScenes::OnClose forget) { impl_->scenes.on_close(std::move(forget)); }
+void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.count_copies(std::move(copy_bytes)); }
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> bytes, const ExecuteOptions& execute) {

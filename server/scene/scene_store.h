@@ -40,6 +40,8 @@ class SceneStore {
   MemoryUse memory() const;
   /// Calls `forget` with SceneView::copy_id of scenes that are evicted or removed. Before anyone else uses the store.
   void on_close(OpenScenes::OnClose forget);
+  /// Counts the renderer's copies of scenes into the budget. Before anyone else uses the store.
+  void count_copies(OpenScenes::CopyBytes copy_bytes);
 
   /// Reads the bytes through the worker and gives the model to the scene. At most two imports run at a time; more are
   /// refused (busy).

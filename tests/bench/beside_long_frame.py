@@ -1,9 +1,10 @@
 """Drafts of one scene while long frames of another are drawn, and the CPU that a frame takes after its client hung up.
 
-usage: PELAGE_BIN=build/release/bin python3 tests/bench/beside_long_frame.py [SIZE] [FRAMES]
+usage: PELAGE_BIN=build/release/bin python3 tests/bench/beside_long_frame.py [detailed|sorted|max_error] [SIZE] [FRAMES]
 """
 import http.client
 import json
+import os
 import pathlib
 import socket
 import sys
@@ -14,11 +15,15 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end
 from support.server import Server  # noqa: E402
 
 DRAFT = {"quality": "draft", "width": 256, "height": 256}
-VIEWS = ("three_quarter", "front", "left")
+VIEWS = ("three_quarter", "front", "left", "right", "back", "top")
+LONG = {"detailed": {"quality": "detailed"},
+        "sorted": {"quality": {"shells": 256, "order": "sorted", "scale": 1}},
+        "max_error": {"max_error": 0.01}}
 
 
-def long_frame(size, i):
-    return {"quality": "detailed", "width": size, "height": size + i, "camera": {"auto": VIEWS[i % len(VIEWS)]}}
+def long_frame(kind, size, i):
+    """Another view and size each time, so that nothing of it is known."""
+    return {**LONG[kind], "width": size, "height": size + i, "camera": {"auto": VIEWS[i % len(VIEWS)]}}
 
 
 def frame_ms(server, scene, body):
@@ -63,24 +68,27 @@ def cpu_after_hang_up(server, scene, body, wait):
 
 
 def main():
-    size = int(sys.argv[1]) if len(sys.argv) > 1 else 768
-    frames = int(sys.argv[2]) if len(sys.argv) > 2 else 3
+    kind = sys.argv[1] if len(sys.argv) > 1 else "detailed"
+    size = int(sys.argv[2]) if len(sys.argv) > 2 else 768
+    frames = int(sys.argv[3]) if len(sys.argv) > 3 else 3
     server = Server(gl="auto")
     try:
         long_scene, scene = server.new_scene("creature", 20000), server.new_scene("creature", 5000)
-        frame_ms(server, long_scene, {**long_frame(256, 0), "quality": "draft"})
         frame_ms(server, scene, DRAFT)
-        drafts = []
+        drafts, before, start = [], cpu_seconds(server), time.perf_counter()
         for i in range(frames):
-            drafts += drafts_beside(server, long_scene, scene, long_frame(size, i))
+            drafts += drafts_beside(server, long_scene, scene, long_frame(kind, size, i))
             print(f"{i + 1} of {frames} long frames, {len(drafts)} drafts", file=sys.stderr, flush=True)
         drafts.sort()
-        print(f"draft beside a detailed frame of {size}: median {drafts[len(drafts) // 2]:.0f} ms, "
-              f"95% {drafts[int(0.95 * len(drafts))]:.0f}, max {drafts[-1]:.0f}, of {len(drafts)}")
+        print(f"draft beside {kind} frames of {size}: median {drafts[len(drafts) // 2]:.0f} ms, "
+              f"95% {drafts[int(0.95 * len(drafts))]:.0f}, max {drafts[-1]:.0f}, of {len(drafts)}; "
+              f"{cpu_seconds(server) - before:.1f} s of CPU in {time.perf_counter() - start:.1f} s, "
+              f"load {os.getloadavg()[0]:.1f}", flush=True)
         for i, wait in enumerate((0.1, 0.3, 0.6, 1.0, 1.5, 2.5)):
-            after = cpu_after_hang_up(server, long_scene, long_frame(size, frames + i), wait)
+            after = cpu_after_hang_up(server, long_scene, long_frame(kind, size, frames + i), wait)
             print(f"hung up after {wait} s: {after:.2f} s of CPU", flush=True)
     finally:
+        if os.environ.get("KEEP"): open(os.environ["KEEP"], "w").write(server.printed())
         server.close()
 
 

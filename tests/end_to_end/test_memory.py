@@ -34,6 +34,17 @@ class Memory(unittest.TestCase):
         self.assertEqual(self.server.get("/v1/scenes").body, listed)
         self.assertEqual(scenes[0].post("undo").status, 200)
 
+    def test_copies_of_the_renderer_count_once_they_are_drawn(self):
+        scene = self.server.new_scene("sphere", 2000)
+        before = gauges(self.server)
+        self.assertEqual(before["pelage_scene_copies_bytes"], 0)
+        self.assertEqual(self.server.get(f"{scene.path}/frame.png?width=64&height=64").status, 200)
+        after = gauges(self.server)
+        self.assertGreater(after["pelage_scene_copies_bytes"], 100_000)
+        self.assertEqual(after["pelage_scene_memory_bytes"] - before["pelage_scene_memory_bytes"],
+                         after["pelage_scene_copies_bytes"])
+        self.assertIn("pelage_gl_bytes", self.server.get("/metrics").body.decode())
+
     def test_a_budget_that_is_none_is_refused(self):
         for text in ("lots", "0", "-1G"):
             with self.assertRaisesRegex(AssertionError, "--memory"):

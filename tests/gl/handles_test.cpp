@@ -32,6 +32,23 @@ TEST_P(Handles, LiveMoveAndDie) {
   lives_moves_and_dies<Texture>(gl(), GLenum{GL_TEXTURE_2D});
 }
 
+TEST_P(Handles, StorageIsCountedUntilItIsGivenBack) {
+  const std::size_t before = gl().held_bytes();
+  {
+    const Buffer buffer(gl());
+    gl().NamedBufferData(buffer.id(), 1000, nullptr, GL_STATIC_DRAW);
+    gl().NamedBufferData(buffer.id(), 400, nullptr, GL_STATIC_DRAW);
+    EXPECT_EQ(gl().bytes_of_buffer(buffer.id()), 400u);
+    const Texture texture(gl(), GLenum{GL_TEXTURE_2D_ARRAY});
+    gl().TextureStorage3D(texture.id(), 3, GL_RGBA8, 4, 4, 5);
+    EXPECT_EQ(gl().bytes_of_texture(texture.id()), 4u * 5 * (16 + 4 + 1));
+    EXPECT_EQ(gl().held_bytes() - before, 400u + 420);
+    const RenderTarget target(gl(), GL_RGBA32F, 8, 2, true);
+    EXPECT_EQ(gl().held_bytes() - before, 400u + 420 + 16 * (16 + 8));
+  }
+  EXPECT_EQ(gl().held_bytes(), before);
+}
+
 TEST_P(Handles, TargetsOfEveryKindAreComplete) {
   for (const GLenum colour : {GL_RGBA8, GL_RGBA16F, GL_RGBA32F}) {
     const RenderTarget target(gl(), colour, 17, 5, true);

@@ -88,31 +88,72 @@ TEST_P(FramesInPieces, CanBeGivenUpHalfWay) {
 
 TEST_P(FramesInPieces, ASmallFrameIsOne) {
   const FurredModel model = lit({});
+  const FurFrame frame = frame_of(model, small_frame());
+  const std::vector<std::uint8_t> expected = whole(frame);  // which bakes the coat
   int pauses = 0;
-  EXPECT_TRUE(renderer->draw(frame_of(model, small_frame()), nullptr, [&] { return ++pauses > 0; }).ok());
+  EXPECT_TRUE(renderer->draw(frame, nullptr, [&] { return ++pauses > 0; }).value().rgba == expected);
   EXPECT_EQ(pauses, 0);
 }
 
-TEST(Pieces, OfEmptySpaceSayNothingAboutFur) {
-  Pieces pieces({0, 0, 1024, 1024}, 16, 1e-3);
-  const double first = pieces.next().pixels();
+TEST_P(FramesInPieces, OthersAreDrawnWhileACoatIsBaked) {
+  FurredModel model = lit({});
+  const FurFrame between = frame_of(model, small_frame());
+  ASSERT_TRUE(renderer->draw(between).ok());
+  model.settings.coat.seed = 977;  // which nobody has baked
+  const FurFrame frame = make_frame(model.view(), small_frame());
+  int pauses = 0;
+  const auto give_up = [&] { return ++pauses < 1; };
+  EXPECT_EQ(renderer->draw(frame, nullptr, give_up).status().code, Code::conflict);
+  EXPECT_EQ(pauses, 1);
+  const Result<Image> image =
+      renderer->draw(frame, nullptr, [&] { return ++pauses > 2 || renderer->draw(between).ok(); });
+  ASSERT_TRUE(image.ok()) << image.status().message;
+  EXPECT_GT(pauses, 1);
+  EXPECT_TRUE(image->rgba == whole(frame));
+}
+
+/// So much work in each pixel left of `edge`, and none beside it.
+Pieces::Work fur_left_of(int edge, double of_pixel) {
+  return
+      [=](const Area& in) { return of_pixel * std::max(0, std::min(edge, in.left + in.width) - in.left) * in.height; };
+}
+
+TEST(Pieces, AreCutWhereTheFurIs) {
+  Pieces pieces({0, 0, 1024, 1024}, fur_left_of(512, 16), 1e-3);
+  double pixels = 0, largest_furred = 0, largest_empty = 0;
   while (!pieces.done()) {
-    pieces.took(0.1, 0);
-    ASSERT_LE(pieces.next().pixels(), first);
+    const Area piece = pieces.next();
+    pixels += piece.pixels();
+    double& largest = piece.left < 512 ? largest_furred : largest_empty;
+    largest = std::max(largest, piece.pixels());
+    pieces.took(16e-3 * piece.pixels());  // as expected
   }
+  EXPECT_EQ(pixels, 1024 * 1024);
+  EXPECT_EQ(largest_empty, 512 * 1024);
+  EXPECT_LE(16e-3 * largest_furred, Pieces::target_ms);
+  EXPECT_GE(16e-3 * largest_furred, Pieces::target_ms / 4);
 }
 
 TEST(Pieces, ShrinkWhereFurIsSlowAndGrowWhereItIsQuick) {
-  Pieces pieces({0, 0, 1024, 1024}, 16, 1e-3);
+  Pieces pieces({0, 0, 1024, 1024}, fur_left_of(1024, 16), 1e-3);
   const double first = pieces.next().pixels();
-  pieces.took(4 * Pieces::target_ms, 16 * first);
+  pieces.took(4 * Pieces::target_ms);
   const double slow = pieces.next().pixels();
   EXPECT_LE(slow, first / 4);
-  double quick = 0;
-  for (double last = slow; quick <= slow && !pieces.done();
-       last = pieces.next().pixels(), quick = std::max(quick, last))
-    pieces.took(Pieces::target_ms / 100, 16 * last);
+  double quick = slow;
+  while (quick <= slow && !pieces.done()) {
+    pieces.took(Pieces::target_ms / 100);
+    quick = pieces.next().pixels();
+  }
   EXPECT_GT(quick, slow);
+}
+
+TEST(Pieces, AreNeverSmallerThanTheirTrianglesAreWorth) {
+  Pieces pieces({0, 0, 256, 256}, fur_left_of(256, 1e9), 1e-3);
+  while (!pieces.done()) {
+    EXPECT_EQ(pieces.next().pixels(), Pieces::min_pixels);
+    pieces.took(1e6);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, FramesInPieces, both_backends(), name_of);

@@ -1,4 +1,8 @@
 // Parts of a view, drawn as the truth, tell how far knobs are from it in all of the view.
+#include <atomic>
+#include <thread>
+
+#include "renderer/frame/run_beside.h"
 #include "renderer/quality/view_features.h"
 #include "server/frames/error_probe.h"
 #include "server/frames/frame_cost.h"
@@ -36,6 +40,43 @@ TEST_P(Probe, TellsHowFarTheWholeIsFromTheTruth) {
     before = told;
   }
   EXPECT_LT(probe.error(reference_knobs(128)).value(), 1e-4);
+}
+
+TEST_P(Probe, OthersAreServedWhilePicturesAreCompared) {
+  FurredModel model = furred({Builtin::sphere, 300}, {.length = 0.03});
+  sync_scene(*renderer, model.view(), {});
+  const FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 512));
+  const ViewFeatures view = view_features(frame, furred_skin(model.view()));
+  Knobs knobs = knobs_of(Tier::draft);
+  knobs.shells = 8;
+  const double expected = ErrorProbe(*renderer, frame, view.places, 32).error(knobs).value();
+  int pauses = 0;
+  ErrorProbe paused(*renderer, frame, view.places, 32, [&] { return ++pauses > 0; });
+  EXPECT_EQ(paused.error(knobs), expected);
+  EXPECT_GT(pauses, 0);
+  ErrorProbe given_up(*renderer, frame, view.places, 32, [] { return false; });
+  EXPECT_FALSE(given_up.error(knobs));
+}
+
+TEST(RunBeside, AsksUntilTheWorkIsDone) {
+  int pauses = 0;
+  std::atomic<bool> enough = false;
+  const auto done = run_beside([&] { return enough = ++pauses >= 3, true; },
+                               [&](const auto& go_on) {
+                                 while (!enough && go_on()) std::this_thread::yield();
+                                 return 7;
+                               });
+  EXPECT_EQ(done, 7);
+  EXPECT_GE(pauses, 3);
+}
+
+TEST(RunBeside, EndsTheWorkOnceThePauseGivesUp) {
+  const auto done = run_beside([] { return false; },
+                               [](const auto& go_on) {
+                                 while (go_on()) std::this_thread::yield();
+                                 return 7;
+                               });
+  EXPECT_FALSE(done);
 }
 
 TEST_P(Probe, NothingSeenTellsNothing) {

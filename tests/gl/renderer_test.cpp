@@ -157,6 +157,23 @@ TEST_P(Frames, DirtyRangesSendOnlyThemselves) {
   EXPECT_LT(some.bytes, 200u);
 }
 
+TEST_P(Frames, CopiesAreCountedUntilTheyAreForgotten) {
+  const FurredModel model = furred({Builtin::torus, 1000});
+  const std::size_t before = renderer->gl_bytes();
+  const UploadCount sent = sync_scene(*renderer, model.view(), {});
+  constexpr std::size_t no_image = 4;  // a texture of one texel
+  EXPECT_EQ(renderer->gl_bytes() - before, sent.bytes + no_image);
+  const std::size_t synced = renderer->bytes_of(model.model.id);
+  EXPECT_GT(synced, sent.bytes + no_image);  // and arrays of the CPU
+  ASSERT_TRUE(renderer->draw(make_frame(model.view(), small_frame())).ok());
+  EXPECT_GT(renderer->bytes_of(model.model.id), synced);  // triangles of the view
+  const std::size_t drawn = renderer->gl_bytes(), copy = renderer->bytes_of(model.model.id);
+  renderer->forget(model.model.id);
+  EXPECT_EQ(renderer->bytes_of(model.model.id), 0u);
+  EXPECT_LT(renderer->gl_bytes(), drawn);
+  EXPECT_GT(renderer->gl_bytes() + copy, drawn);
+}
+
 TEST_P(Frames, PartUploadEqualsAWholeOne) {
   FurredModel model = furred({Builtin::torus, 1000});
   draw(*renderer, model, small_frame());

@@ -1,6 +1,7 @@
 // Scenes that are evicted for others and opened again.
 #include <algorithm>
 #include <future>
+#include <map>
 
 #include "protocol/json/encode.h"
 #include "tests/unit/scene/store_fixture.h"
@@ -50,6 +51,25 @@ TEST_F(SceneMemoryTest, TheLeastRecentlyUsedIsEvictedAndStaysListed) {
   memory = store_->memory();
   EXPECT_EQ(memory.reopened, 1u);
   EXPECT_EQ(memory.open, 2u);
+}
+
+TEST_F(SceneMemoryTest, TheRenderersCopiesCount) {
+  open_for(2);
+  std::map<std::uint64_t, std::size_t> copies;
+  store_->on_close([&](std::uint64_t copy) { copies.erase(copy); });
+  store_->count_copies([&](std::uint64_t copy) { return copies.contains(copy) ? copies[copy] : 0; });
+  const std::string a = make_groomed(), b = make_groomed(9);
+  const std::size_t bare = store_->memory().bytes;
+  EXPECT_EQ(store_->memory().open, 2u);
+  const auto copy_of = [&](const std::string& id) { return (*store_->find(id))->last_memory().copy_id; };
+  const std::uint64_t first = copy_of(a), second = copy_of(b);
+  copies = {{first, bare}, {second, bare}};  // both were drawn
+  EXPECT_EQ(store_->memory().copies, 2 * bare);
+  EXPECT_EQ(store_->memory().bytes, 3 * bare);
+  use(b);
+  EXPECT_EQ(store_->memory().open, 1u);
+  EXPECT_EQ(copies.size(), 1u);
+  EXPECT_EQ(store_->memory().copies, bare);
 }
 
 TEST_F(SceneMemoryTest, AnEvictedSceneIsAsItWas) {
