@@ -6,7 +6,7 @@ FragmentCounter::FragmentCounter(const Gl& gl)
     : gl_(&gl), target_(GL_FRAGMENT_SHADER_INVOCATIONS), query_(gl, target_) {
   if (gl.GetError() == GL_NO_ERROR) return;
   target_ = GL_SAMPLES_PASSED;
-  query_ = Query(gl, target_);
+  query_ = QueryObject(gl, target_);
 }
 
 void FragmentCounter::begin() const { gl_->BeginQuery(target_, query_.id()); }

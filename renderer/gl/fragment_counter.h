@@ -21,7 +21,7 @@ class FragmentCounter {
  private:
   const Gl* gl_;
   GLenum target_;
-  Query query_;
+  QueryObject query_;
 };
 
 }  // namespace pelage

@@ -91,7 +91,7 @@ struct ProgramKind {
 
 using Buffer = Handle<BufferKind>;
 using Texture = Handle<TextureKind>;
-using Query = Handle<QueryKind>;
+using QueryObject = Handle<QueryKind>;
 using VertexArray = Handle<VertexArrayKind>;
 using Framebuffer = Handle<FramebufferKind>;
 using Renderbuffer = Handle<RenderbufferKind>;

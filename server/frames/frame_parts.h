@@ -3,7 +3,11 @@
 
 #include <glm/glm.hpp>
 
+#include "protocol/base/status.h"
+
 namespace pelage {
+
+inline Status server_stopping() { return failure(Code::unavailable, "the server is stopping"); }
 
 /// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands. `probe`
 /// is what a max_error took to measure parts of the view before the frame; it is not in `draw`.

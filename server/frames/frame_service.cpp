@@ -27,8 +27,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Status stopped() { return failure(Code::unavailable, "the server is stopping"); }
-
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -150,7 +148,7 @@ void FrameService::Impl::serve(Renderer& renderer) {
     if (job) finish(renderer, std::move(*job));
     if (task) task(&renderer);
   }
-  while (auto job = jobs.take()) job->job->answer.set_value(stopped());
+  while (auto job = jobs.take()) job->job->answer.set_value(server_stopping());
   for (const Task& task : tasks) task(nullptr);
   tasks.clear();
 }
@@ -231,7 +229,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
     picture = draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
   measure(renderer, shown->copy_id);
   count(milliseconds_since(start) - (job.paused - paused), picture ? Status{} : picture.status());
-  if (job.given_up) return job.outdated || !job.left() ? stopped() : left;
+  if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
@@ -266,8 +264,9 @@ Result<T> FrameService::Impl::run_task(const std::function<Result<T>(Renderer&)>
   std::future<Result<T>> answer = promise.get_future();
   {
     const std::lock_guard lock(mutex);
-    if (stopping) return stopped();
-    tasks.push_back([&](Renderer* renderer) { promise.set_value(renderer ? work(*renderer) : Result<T>(stopped())); });
+    if (stopping) return server_stopping();
+    tasks.push_back(
+        [&](Renderer* renderer) { promise.set_value(renderer ? work(*renderer) : Result<T>(server_stopping())); });
     wake.notify_one();
   }
   return answer.get();

@@ -21,7 +21,6 @@ bool on_schedule(int passes) {
 }
 
 Status superseded() { return failure(Code::conflict, "superseded by a newer frame of the same view"); }
-Status stopped() { return failure(Code::unavailable, "the server is stopping"); }
 Status nobody_waits(const Scene& scene) {
   if (scene.removed()) return failure(Code::not_found, "the scene has been removed");
   return failure(Code::unavailable, "nobody waits for this picture any more");
@@ -58,7 +57,7 @@ TraceQueue::~TraceQueue() {
 void TraceQueue::stop() {
   const std::lock_guard lock(mutex_);
   stopping_ = true;
-  while (!jobs_.empty()) drop(jobs_.back(), stopped());
+  while (!jobs_.empty()) drop(jobs_.back(), server_stopping());
   gate_.wake();
   changed_.notify_all();
 }
@@ -121,7 +120,7 @@ TraceCounts TraceQueue::counts() const {
 // The list of jobs. All of these need the lock.
 
 Status TraceQueue::admit(const JobPtr& job) {
-  if (stopping_) return stopped();
+  if (stopping_) return server_stopping();
   drop_view(*job->scene, job->request.view, job);
   forget_old(job->start);
   if (count_waiting() >= limits_.waiting) {
