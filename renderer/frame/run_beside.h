@@ -13,8 +13,8 @@
 namespace pelage {
 
 /// Calls `work(go_on)` on a thread of its own, and `pause` again and again on this one until it is done. Once the pause
-/// gives up, `go_on` is false and the answer none: work that asks it often ends soon. Where no thread can be started the
-/// work is done here.
+/// gives up, `go_on` is false and the answer none: work that asks it often ends soon. Where no thread can be started
+/// the work is done here.
 template <class Work>
 auto run_beside(const Pause& pause, const Work& work)
     -> std::optional<std::invoke_result_t<Work, const std::function<bool()>&>> {

@@ -54,8 +54,8 @@ double FurWork::in(const glm::dvec2& low, const glm::dvec2& high) const {
   double work = 0;
   for (int y = static_cast<int>(from.y); y <= last(to.y); ++y) {
     for (int x = static_cast<int>(from.x); x <= last(to.x); ++x) {
-      work += cells_[static_cast<std::size_t>(y * cells_a_side + x)] * overlap(x, from.x, to.x) *
-              overlap(y, from.y, to.y);
+      work +=
+          cells_[static_cast<std::size_t>(y * cells_a_side + x)] * overlap(x, from.x, to.x) * overlap(y, from.y, to.y);
     }
   }
   return work;
