@@ -7,7 +7,6 @@
 #include <deque>
 #include <functional>
 #include <future>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -18,6 +17,7 @@
 #include "server/frames/frame_cost.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/frame_planner.h"
+#include "server/frames/renderer_memory.h"
 #include "server/frames/shortest_first.h"
 #include "server/frames/shown_scene.h"
 
@@ -80,13 +80,12 @@ struct FrameService::Impl {
   ShortestFirst<std::unique_ptr<Job>> jobs;
   std::deque<Task> tasks;  // after all jobs
   std::vector<std::uint64_t> forgotten;
-  std::map<std::uint64_t, std::size_t> copies;  // bytes of each model's
   bool stopping = false;
   std::string description;
   std::atomic<bool> healthy{true};
   std::atomic<std::size_t> drawn{0};
   std::atomic<double> seconds{0};
-  std::atomic<std::size_t> gl_bytes{0};
+  RendererMemory memory;
   FramePlanner planner;
   CostUnit unit;
   PngEncoder png;  // of whoever asked, not of the render thread
@@ -98,8 +97,6 @@ struct FrameService::Impl {
   void serve(Renderer& renderer);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
-  /// After the model was drawn.
-  void measure(const Renderer& renderer, std::uint64_t model);
   /// Draws a job that was taken and answers it.
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, Job& job);
@@ -155,15 +152,8 @@ void FrameService::Impl::serve(Renderer& renderer) {
 
 bool FrameService::Impl::forget_gone(Renderer& renderer) {
   if (forgotten.empty()) return false;
-  for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model), copies.erase(model);
-  gl_bytes = renderer.gl_bytes();
+  for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model), memory.forget(renderer, model);
   return true;
-}
-
-void FrameService::Impl::measure(const Renderer& renderer, std::uint64_t model) {
-  const std::lock_guard lock(mutex);
-  copies[model] = renderer.bytes_of(model);
-  gl_bytes = renderer.gl_bytes();
 }
 
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
@@ -227,7 +217,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   Result<DrawnPicture> picture = failure(Code::conflict, "given up while its error was measured");
   if (!job.given_up)
     picture = draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
-  measure(renderer, shown->copy_id);
+  memory.measure(renderer, shown->copy_id);
   count(milliseconds_since(start) - (job.paused - paused), picture ? Status{} : picture.status());
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
@@ -344,7 +334,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     timings.upload = milliseconds_since(start);
     DrawTimes times;
     Result<Backplate> base = renderer.draw_backplate(shown->fur, &times);
-    impl_->measure(renderer, shown->copy_id);
+    impl_->memory.measure(renderer, shown->copy_id);
     impl_->count(milliseconds_since(start), base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
@@ -379,13 +369,8 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   return answer;
 }
 
-std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
-  const std::lock_guard lock(impl_->mutex);
-  const auto found = impl_->copies.find(model_id);
-  return found == impl_->copies.end() ? 0 : found->second;
-}
-
-std::size_t FrameService::gl_bytes() const { return impl_->gl_bytes; }
+std::size_t FrameService::copy_bytes(std::uint64_t model_id) const { return impl_->memory.of_copies(model_id); }
+std::size_t FrameService::gl_bytes() const { return impl_->memory.of_gl(); }
 
 void FrameService::forget(std::uint64_t model_id) {
   const std::lock_guard lock(impl_->mutex);
