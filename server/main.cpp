@@ -12,10 +12,10 @@
 #include <thread>
 
 #include "protocol/base/limits.h"
-#include "server/calibration/program.h"
+#include "server/calibration/calibrate.h"
+#include "server/frames/frame_planner.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/scene_tracer.h"
-#include "server/frames/stored_calibration.h"
 #include "server/http/http_server.h"
 #include "server/import/import.h"
 #include "server/scene/scene_store.h"

@@ -1,5 +1,16 @@
 #include "clients/cli/actions.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "clients/cli/print.h"
+#include "protocol/base/limits.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+
 namespace pelage {
 
 ExitCode perform(Session& session) {
@@ -29,6 +40,127 @@ ExitCode perform(Session& session) {
     case Action::calibrate: break;  // need no session: pelage-compare, pelage-trade and pelaged do them
   }
   return failed;
+}
+
+namespace {
+
+std::string new_scene_request_of(const Options& options) {
+  const std::string form = options.form.empty() ? "" : ",\"form\":" + json_text(options.form);
+  return fmt::format(
+      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}{}}},"fur_patches":{}}})",
+      json_text(options.name), json_text(options.builtin), options.triangles, options.length, options.inclination, form,
+      json_text(options.fur_patches));
+}
+
+/// "obj" of "spot.OBJ".
+std::string ending_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+Query import_query(const Options& options) {
+  Query query{{"format", options.format.empty() ? ending_of(options.file) : options.format},
+              {"up", options.up},
+              {"front", options.front},
+              {"length", fmt::format("{}", options.length)},
+              {"inclination", fmt::format("{}", options.inclination)},
+              {"fur_patches", options.fur_patches}};
+  if (!options.form.empty()) query.emplace_back("form", options.form);
+  return query;
+}
+
+/// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.
+Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t max_bytes) {
+  const auto bytes = read_file(session.options().file, max_bytes);
+  if (!bytes) return bytes.status();
+  const auto path = session.scene_path();
+  if (!path) return path.status();
+  std::string address = *path + "/" + name;
+  char separator = '?';
+  for (const auto& [parameter, value] : query) address += std::exchange(separator, '&') + parameter + "=" + value;
+  return Session::accepted(session.connection().put_bytes(address, *bytes));
+}
+
+ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {
+  if (!answer) return report(answer.status());
+  if (session.options().json) {
+    fmt::print("{}\n", answer->body);
+    return done;
+  }
+  const auto summary = decode_answer<SceneSummary>(answer->body);
+  if (!summary) return report(summary.status());
+  print(*summary);
+  return done;
+}
+
+}  // namespace
+
+ExitCode create_scene(Session& session) {
+  const std::string request = new_scene_request_of(session.options());
+  if (const auto checked = decode_new_scene(request); !checked) return report(checked.status());
+  const auto answer = session.make_scene("/v1/scenes", request);
+  if (!answer) return report(answer.status());
+  const auto summary = decode_answer<SceneSummary>(answer->body);
+  if (!summary) return report(summary.status());
+  fmt::print("{}\n", session.options().json ? answer->body : summary->id);
+  return done;
+}
+
+ExitCode load_model(Session& session) {
+  const Options& options = session.options();
+  const Query query = import_query(options);
+  if (const auto checked = decode_import_query(query); !checked) return report(checked.status());
+  const auto answer = put_file(session, "model", query, limits::model_bytes);
+  if (!answer) return report(answer.status(), options.file);
+  return print_summary(session, answer);
+}
+
+ExitCode load_environment(Session& session) {
+  const Options& options = session.options();
+  const Query query = {{"intensity", fmt::format("{}", options.intensity)},
+                       {"turn_degrees", fmt::format("{}", options.turn_degrees)}};
+  if (const auto checked = decode_environment_query(query); !checked) return report(checked.status());
+  return print_change(session, put_file(session, "environment", query, limits::picture_bytes), session.options().file);
+}
+
+ExitCode load_skin_texture(Session& session) {
+  return print_change(session, put_file(session, "skin_texture", {}, limits::picture_bytes), session.options().file);
+}
+
+ExitCode list_scenes(Session& session) {
+  const auto answer = Session::accepted(session.connection().get("/v1/scenes"));
+  if (!answer) return report(answer.status());
+  const auto scenes = decode_answer<SceneList>(answer->body);
+  if (!scenes) return report(scenes.status());
+  if (session.options().json)
+    fmt::print("{}\n", answer->body);
+  else
+    print(scenes->scenes);
+  return done;
+}
+
+ExitCode describe_scene(Session& session) {
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_summary(session, Session::accepted(session.connection().get(*path)));
+}
+
+ExitCode subdivide_model(Session& session) {
+  const Options& options = session.options();
+  const std::string body = fmt::format(R"({{"levels":{},"masked":{}}})", options.levels, options.masked);
+  if (const auto checked = decode_subdivide(body); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_summary(session, Session::accepted(session.connection().post_json(*path + "/subdivide", body)));
+}
+
+ExitCode remove_scene(Session& session) {
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = Session::accepted(session.connection().remove(*path));
+  return answer ? done : report(answer.status());
 }
 
 }  // namespace pelage

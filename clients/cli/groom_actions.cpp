@@ -7,7 +7,6 @@
 #include "clients/cli/print.h"
 #include "clients/cli/steps.h"
 #include "protocol/json/decode.h"
-#include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {

@@ -1,6 +1,6 @@
 // pelage: the command-line client.
 #include "clients/cli/actions.h"
-#include "clients/cli/files.h"
+#include "clients/cli/print.h"
 
 namespace {
 

@@ -9,11 +9,9 @@
 #include <limits>
 
 #include "clients/cli/actions.h"
-#include "clients/cli/files.h"
 #include "clients/cli/print.h"
 #include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
-#include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {

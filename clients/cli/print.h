@@ -1,8 +1,12 @@
 // Answers in words, on standard output.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
+#include "clients/cli/session.h"
+#include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 
 namespace pelage {
@@ -13,5 +17,19 @@ void print(const CommandResult& result);
 void print(const CommandAnswer& answer);
 void print(const PickAnswer& answer);
 void print(const std::vector<LogEntry>& log);
+
+// Files and the standard streams.
+
+/// "-" is standard input. Refused when it cannot be read (not_found) or is over `max_bytes` (too_large).
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
+
+/// Under a temporary name in the same folder, then renamed; "-" is standard output.
+Status write_file(const std::string& path, const std::string& bytes);
+
+// Programs that do one action of the client.
+
+/// Becomes the program of this name that lies beside this one, with the same arguments. Comes back only to say that it
+/// cannot.
+ExitCode hand_over(const char* program, char* const* arguments);
 
 }  // namespace pelage

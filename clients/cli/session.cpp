@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "clients/cli/print.h"
-#include "protocol/json/decode_answers.h"
-#include "protocol/json/nearest.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/reader.h"
 
 namespace pelage {
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "clients/cli/files.h"
+#include "clients/cli/print.h"
 #include "clients/cli/recipe/recipe.h"
 #include "clients/cli/recipe/split_steps.h"
 #include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
-#include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/commands/edit_layer.h"
 #include "protocol/commands/field.h"
 
 namespace pelage {

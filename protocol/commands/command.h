@@ -8,13 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/commands/camera.h"
 #include "protocol/commands/coat.h"
-#include "protocol/commands/curves.h"
-#include "protocol/commands/edit_layer.h"
-#include "protocol/commands/eye.h"
+#include "protocol/commands/creature.h"
+#include "protocol/commands/field.h"
+#include "protocol/commands/frame.h"
 #include "protocol/commands/look.h"
-#include "protocol/commands/skin.h"
 #include "protocol/commands/tool_list.h"
 
 namespace pelage {

@@ -1,4 +1,3 @@
-// What a frame request says: the size, the camera and the quality.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +7,31 @@
 #include <string>
 #include <vector>
 
-#include "protocol/commands/camera.h"
 #include "protocol/commands/look.h"
 
 namespace pelage {
+
+/// Cameras that the server places itself. `front` looks from +Z; each frames the bare model, never the fur.
+enum class AutoView { none, front, back, left, right, top, three_quarter };
+
+/// A pinhole camera in the model's own coordinates (right-handed, Y up). Ignored but for `automatic` unless that is
+/// none.
+struct Camera {
+  AutoView automatic = AutoView::three_quarter;
+  glm::dvec3 position{0, 0, 1};
+  glm::dvec3 target{0};     // differs from position
+  glm::dvec3 up{0, 1, 0};   // not along the view
+  double fov_degrees = 35;  // vertical, [1, 150]
+};
+
+/// What a pixel sample or a pick refers to: the camera and the size of the frame it was drawn on.
+struct View {
+  Camera camera;
+  int width = 512;   // [1, 8192]
+  int height = 512;  // [1, 8192]
+};
+
+// What a frame request says: the size, the camera and the quality.
 
 enum class Tier { draft, interactive, detailed, reference };
 enum class Method { shells, strands };  // strands: every strand of the coat, ray traced

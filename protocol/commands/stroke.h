@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/commands/camera.h"
+#include "protocol/commands/frame.h"
 
 namespace pelage {
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "protocol/json/decode_document.h"
+#include "protocol/json/read.h"
 #include "protocol/json/write.h"
 
 namespace pelage {

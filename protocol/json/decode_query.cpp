@@ -6,9 +6,9 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/members_frame.h"
 #include "protocol/json/members_scene.h"
-#include "protocol/json/nearest.h"
 #include "protocol/json/parse.h"
 #include "protocol/json/read.h"
+#include "protocol/json/reader.h"
 
 namespace pelage {
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include "protocol/commands/command.h"
-#include "protocol/json/members_body.h"
-#include "protocol/json/members_coat.h"
 #include "protocol/json/members_look.h"
 #include "protocol/json/members_tools.h"
 

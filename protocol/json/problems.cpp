@@ -1,5 +1,5 @@
 // Refusals as RFC 9457 problem documents, and back.
-#include "protocol/json/decode_answers.h"
+#include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/write.h"
 

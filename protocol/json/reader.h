@@ -1,4 +1,4 @@
-// Reading a JSON tree into structs: every refusal names its pointer, the limit it broke and the nearest known name.
+// Helping with typing mistakes.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,11 @@
 #include "protocol/json/ranges.h"
 
 namespace pelage {
+
+/// The word among `known` with the smallest edit distance to `word` (its first 80 bytes), the first of several.
+std::string nearest_name(std::string_view word, const std::vector<std::string_view>& known);
+
+// Reading a JSON tree into structs: every refusal names its pointer, the limit it broke and the nearest known name.
 
 /// Whether a document has to keep to every word of the contract, or comes from a server that may know more: members and
 /// words that are new are then passed over, and limits may have grown.

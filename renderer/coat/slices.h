@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "protocol/commands/coat.h"
@@ -35,5 +36,12 @@ struct Slices {
 /// Deterministic in the coat alone. A fraction of a second for 10,000 strands. `go_on` is asked on several threads for
 /// each slice; once it is false the work ends, without levels.
 Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on = {});
+
+// The colour of the fur that light crosses on its way to a strand: self-shadow takes its colour from there, not from
+// the strand that it falls on, or dark roots under pale tips turn black.
+
+/// For the middle of each slice, by channel: the ramp's mean from there to the tip over the ramp's colour there. 1 on a
+/// ramp of one colour, in [0, 100] on any; what is black there stays black.
+std::array<glm::vec3, slice_count> colour_above(const Coat& coat);
 
 }  // namespace pelage

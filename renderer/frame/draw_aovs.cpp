@@ -4,7 +4,7 @@
 
 #include "renderer/frame/parts.h"
 #include "renderer/frame/renderer.h"
-#include "renderer/gl/wait.h"
+#include "renderer/gl/sync.h"
 #include "renderer/passes/draw/draw.h"
 
 namespace pelage {

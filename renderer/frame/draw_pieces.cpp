@@ -5,7 +5,7 @@
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/frame/run_beside.h"
-#include "renderer/gl/wait.h"
+#include "renderer/gl/sync.h"
 
 namespace pelage {
 

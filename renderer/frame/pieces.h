@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/passes/sorted/fragment_lists.h"
+#include "renderer/passes/sorted/sorted_pass.h"
 
 namespace pelage {
 

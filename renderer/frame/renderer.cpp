@@ -9,11 +9,11 @@
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/frame/parts.h"
-#include "renderer/gl/wait.h"
+#include "renderer/gl/sync.h"
 #include "renderer/passes/draw/draw.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/shaders/constants.h"
-#include "renderer/upload/skin_block.h"
+#include "renderer/upload/blocks.h"
 
 namespace pelage {
 

@@ -13,8 +13,8 @@
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/shadow_maps.h"
 #include "renderer/frame/view_cache.h"
-#include "renderer/gl/fragment_counter.h"
-#include "renderer/gl/render_target.h"
+#include "renderer/gl/handles.h"
+#include "renderer/gl/sync.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
@@ -29,10 +29,7 @@
 #include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/strands/tracer.h"
 #include "renderer/upload/model_buffers.h"
-#include "renderer/upload/pattern_textures.h"
-#include "renderer/upload/scattering_textures.h"
 #include "renderer/upload/textures.h"
-#include "renderer/upload/tuft_textures.h"
 
 namespace pelage {
 

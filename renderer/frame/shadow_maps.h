@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "renderer/gl/handles.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/curves/curves_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/scene_shadow/scene_shadow_pass.h"
 #include "renderer/passes/shell_shadow/shell_shadow_pass.h"
-#include "renderer/upload/frame_block.h"
+#include "renderer/upload/blocks.h"
 #include "renderer/upload/model_buffers.h"
-#include "renderer/upload/shadow_block.h"
 #include "renderer/upload/textures.h"
 
 namespace pelage {

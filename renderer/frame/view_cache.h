@@ -7,9 +7,9 @@
 #include <list>
 #include <optional>
 
-#include "renderer/gl/render_target.h"
+#include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/passes/sorted/fragment_lists.h"
+#include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/visibility/picture_cells.h"
 
 namespace pelage {

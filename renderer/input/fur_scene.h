@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "protocol/commands/coat.h"
-#include "protocol/commands/eye.h"
+#include "protocol/commands/creature.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/look.h"
-#include "protocol/commands/skin.h"
 
 namespace pelage {
 
@@ -94,7 +93,7 @@ struct FurLight {
   bool operator==(const FurLight&) const = default;
 };
 
-/// Lids around an eye: a sphere with an almond left open (Lids in protocol/commands/eye.h).
+/// Lids around an eye: a sphere with an almond left open (Lids in protocol/commands/creature.h).
 struct FurLids {
   glm::mat3 frame{1};    // right, up and the middle of the opening, unit and orthogonal
   glm::vec3 opening{1};  // radians to a corner, to the upper and to the lower lid
@@ -127,7 +126,7 @@ struct FurGuide {
   bool operator==(const FurGuide&) const = default;
 };
 
-/// Curves of one kind, as in CurveGroup (protocol/commands/curves.h).
+/// Curves of one kind, as in CurveGroup (protocol/commands/creature.h).
 struct FurCurves {
   std::vector<FurGuide> guides;
   double width_root = 0, width_tip = 0;     // sizes

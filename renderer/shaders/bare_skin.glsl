@@ -1,5 +1,5 @@
-// Bare skin: regions with a look of their own (protocol/commands/skin.h). After frame.glsl and lighting.glsl. Layout
-// std140; renderer/upload/skin_block.h mirrors it. renderer/skin has the shapes in double, for the length of the fur.
+// Bare skin: regions with a look of their own (protocol/commands/creature.h). After frame.glsl and lighting.glsl. Layout
+// std140; renderer/upload/blocks.h mirrors it. renderer/skin has the shapes in double, for the length of the fur.
 #include "constants.glsl"
 struct SkinRegion {
   vec4 across, up, along;  // rows to the unit ball; w: softness, 1 / least radius, cosine of whole facing
@@ -34,7 +34,7 @@ float bare_share(SkinRegion region, vec3 place, vec3 normal, float pixel) {
 
 const Bare not_bare = Bare(vec4(0.0), vec4(0.0), 0.0, 0.0);
 
-// Skin that is painted bare: of the scene's colour, otherwise as protocol/commands/skin.h has it. It ends where fur has
+// Skin that is painted bare: of the scene's colour, otherwise as protocol/commands/creature.h has it. It ends where fur has
 // about half of its length.
 Bare painted_bare(vec3 colour, float bare, float wetness) {
   return Bare(vec4(colour, 0.5), vec4(0.5, wetness, 0.0004, 0.004), 0.5, smoothstep(0.3, 0.7, bare));

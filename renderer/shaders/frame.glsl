@@ -1,7 +1,7 @@
 #include "constants.glsl"
 #include "luminance.glsl"
 
-// What every pass of a frame knows. Layout std140; renderer/upload/frame_block.h mirrors it.
+// What every pass of a frame knows. Layout std140; renderer/upload/blocks.h mirrors it.
 struct Light {
   vec4 direction;  // where the light goes, unit; w is 0, or 1 for a light at a position
   vec4 position;   // w: cosine of a spot's cone, -2 for other lights

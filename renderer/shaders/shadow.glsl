@@ -1,5 +1,5 @@
 // Shadows from maps: the light that the shells above let through (GPU fur 3.1), and the shadow that one part of the body
-// casts on another (GPU fur 4). Layout std140; renderer/upload/shadow_block.h mirrors it.
+// casts on another (GPU fur 4). Layout std140; renderer/upload/blocks.h mirrors it.
 #include "constants.glsl"
 layout(std140, binding = shadow_binding) uniform ShadowBlock {
   mat4 to_light[max_lights];

@@ -6,14 +6,12 @@
 #include <numbers>
 #include <optional>
 
+#include "renderer/curves/curve_strips.h"
 #include "renderer/pattern/pattern.h"
-#include "renderer/strands/lean_table.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/sampling.h"
-#include "renderer/strands/strand_colours.h"
-#include "renderer/strands/strand_form.h"
+#include "renderer/strands/strand_look.h"
 #include "renderer/strands/strand_part.h"
-#include "renderer/strands/tile_cells.h"
 #include "renderer/strands/tile_strands.h"
 
 namespace pelage {
@@ -206,6 +204,24 @@ std::uint64_t Grower::fingerprint(const StrandChunk& chunk) const {
     hash.add_value(impl_->model.corners[piece]);
   }
   return hash.value();
+}
+
+StrandSet grow_curves(std::span<const FurCurves> curves) {
+  const CurveStrips strips = make_strips(curves);
+  StrandSet set;
+  set.segments = curve_segments;
+  set.points.reserve(strips.points.size()), set.colours.reserve(strips.points.size());
+  for (std::size_t i = 0; i < strips.styles.size(); ++i) {
+    const CurveStyle& style = strips.styles[i];
+    for (int k = 0; k <= curve_segments; ++k) {
+      const glm::vec4 look = glm::mix(style.root, style.tip, static_cast<float>(k) / curve_segments);
+      const CurvePoint& point = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
+      set.points.push_back({point.place, std::max(0.5f * look.w, min_strand_radius)});
+      set.colours.push_back(pack_colour(glm::vec3(look)));
+    }
+    set.roots.push_back({glm::vec3(style.normal), style.normal.w, 1, 0});
+  }
+  return set;
 }
 
 }  // namespace pelage

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "protocol/base/colour_space.h"
-#include "renderer/shading/fibre_paths.h"
-#include "renderer/strands/fibre_frame.h"
+#include "renderer/shading/fibre.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {

@@ -10,7 +10,7 @@
 
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/grow.h"
-#include "renderer/strands/tile_cells.h"
+#include "renderer/strands/tile_strands.h"
 #include "renderer/strands/world.h"
 
 namespace pelage {

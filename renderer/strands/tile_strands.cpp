@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "protocol/base/colour_space.h"
+#include "protocol/base/random.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/strands/sampling.h"
@@ -94,6 +96,138 @@ std::uint64_t TileStrands::hash() const {
   hash.add_values(std::span<const float>(radii_));
   hash.add_values(std::span<const float>(means_));
   return hash.value();
+}
+
+namespace {
+
+constexpr double strands_of_cell = 2;
+constexpr double slack = 1e-6;  // cells; more than rounding moves a border by
+
+bool before(glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+/// An edge, always seen from the same one of its ends, so that both triangles beside it get the same number.
+struct Edge {
+  Edge(glm::dvec2 from, glm::dvec2 to)
+      : turned(before(to, from)), low(turned ? to : from), way((turned ? from : to) - low) {}
+
+  /// Twice the area of the triangle from the edge to p; above 0 on the edge's left side.
+  double side(glm::dvec2 p) const {
+    const double left = way.x * (p.y - low.y) - way.y * (p.x - low.x);
+    return turned ? -left : left;
+  }
+
+  bool turned;  // the edge itself belongs to the left of it where it is not turned
+  glm::dvec2 low, way;
+};
+
+struct Span {
+  double low = INFINITY, high = -INFINITY;
+  void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+};
+
+/// Where the part of a triangle with y in [low, high] lies along x.
+Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high) {
+  Span span;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec2 a = corners[i], b = corners[(i + 1) % 3];
+    if (a.y >= low && a.y <= high) span.add(a.x);
+    for (const double y : {low, high}) {
+      if ((a.y < y) != (b.y < y)) span.add(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+    }
+  }
+  return span;
+}
+
+/// Whether a strand is among the share of the tile that is looked at.
+bool stays(std::uint32_t strand, double share) {
+  return share >= 1 || static_cast<double>(mix_bits(strand | std::uint64_t{3} << 32) >> 40) * 0x1p-24 < share;
+}
+
+std::int64_t cell_of(double x) { return static_cast<std::int64_t>(std::floor(x)); }
+
+std::int64_t floored(std::int64_t x, std::int64_t by) { return x >= 0 ? x / by : -((by - 1 - x) / by); }
+
+}  // namespace
+
+class HalfOpenTriangle {
+ public:
+  explicit HalfOpenTriangle(const std::array<glm::dvec2, 3>& c)
+      : edges_{Edge(c[1], c[2]), Edge(c[2], c[0]), Edge(c[0], c[1])}, area_(edges_[2].side(c[2])) {}
+
+  bool has_area() const { return std::abs(area_) > 1e-200; }
+
+  /// Barycentric coordinates; false outside.
+  bool contains(glm::dvec2 p, glm::dvec3& share) const {
+    for (int i = 0; i < 3; ++i) {
+      const Edge& edge = edges_[static_cast<std::size_t>(i)];
+      const bool clockwise = area_ < 0;
+      const double side = edge.side(p), inward = clockwise ? -side : side;
+      if (inward < 0 || (inward == 0 && edge.turned != clockwise)) return false;
+      share[i] = inward;
+    }
+    const double sum = share.x + share.y + share.z;  // the area, but for rounding, which slivers are made of
+    share /= sum;
+    return sum > 0;
+  }
+
+ private:
+  std::array<Edge, 3> edges_;  // each across from its corner
+  double area_;                // twice, above 0 counter-clockwise
+};
+
+TileCells::TileCells(std::span<const Strand> strands, double tile, double share)
+    : tile_(tile),
+      side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(strands.size()) * share / strands_of_cell)))) {
+  std::vector<std::uint32_t> kept;
+  std::vector<std::size_t> cells;
+  for (std::uint32_t i = 0; i < strands.size(); ++i) {
+    if (!stays(i, share)) continue;
+    const glm::dvec2 at = glm::clamp(glm::floor(strands[i].root / tile * double(side_)), 0.0, double(side_ - 1));
+    kept.push_back(i);
+    cells.push_back(static_cast<std::size_t>(at.y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(at.x));
+  }
+  first_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
+  for (const std::size_t cell : cells) ++first_[cell + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  strands_.resize(kept.size()), roots_.resize(kept.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const std::uint32_t at = next[cells[i]]++;
+    strands_[at] = kept[i], roots_[at] = strands[kept[i]].root;
+  }
+}
+
+void TileCells::find_in_cell(std::int64_t x, std::int64_t y, const HalfOpenTriangle& triangle,
+                             std::vector<TileCopy>& found) const {
+  const std::int64_t tile_x = floored(x, side_), tile_y = floored(y, side_);
+  const auto cell = static_cast<std::size_t>((y - tile_y * side_) * side_ + x - tile_x * side_);
+  TileCopy copy{0, glm::ivec2(tile_x, tile_y), {}};
+  const glm::dvec2 moved = glm::dvec2(copy.tiles) * tile_;
+  for (std::uint32_t i = first_[cell]; i < first_[cell + 1] && found.size() < max_copies; ++i) {
+    if (!triangle.contains(roots_[i] + moved, copy.share)) continue;
+    copy.strand = strands_[i];
+    found.push_back(copy);
+  }
+}
+
+void TileCells::find(const std::array<glm::dvec2, 3>& triangle, std::vector<TileCopy>& found) const {
+  found.clear();
+  for (const glm::dvec2& corner : triangle) {
+    if (!(std::abs(corner.x) <= furthest && std::abs(corner.y) <= furthest)) return;
+  }
+  const HalfOpenTriangle inside(triangle);
+  if (!inside.has_area()) return;
+  std::array<glm::dvec2, 3> corners = triangle;  // in cells
+  for (glm::dvec2& corner : corners) corner *= double(side_) / tile_;
+  const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+  const std::int64_t last = cell_of(high + slack);
+  for (std::int64_t y = cell_of(low - slack); y <= last && found.size() < max_copies; ++y) {
+    const Span span = row_span(corners, double(y) - slack, double(y + 1) + slack);
+    if (span.low > span.high) continue;
+    const std::int64_t end = cell_of(span.high + slack);
+    for (std::int64_t x = cell_of(span.low - slack); x <= end && found.size() < max_copies; ++x)
+      find_in_cell(x, y, inside, found);
+  }
 }
 
 }  // namespace pelage

@@ -6,9 +6,8 @@
 
 #include "protocol/base/colour_space.h"
 #include "renderer/shading/empirical.h"
-#include "renderer/shading/fibre_paths.h"
+#include "renderer/shading/fibre.h"
 #include "renderer/skin/bare.h"
-#include "renderer/strands/fibre_frame.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {

@@ -1,11 +1,52 @@
 #include "server/calibration/calibrate.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
 
 #include "protocol/base/stopwatch.h"
+#include "server/frames/frame_planner.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
+
+namespace {
+
+struct Row {
+  FragmentOrder order;
+  int shells, steps;
+  double scale;
+};
+
+// Shells times steps that divide the slices of the coat, or are a multiple of them, are nearest for their price; the
+// others stand where no such ones are.
+constexpr auto shells = FragmentOrder::shells, sorted = FragmentOrder::sorted;
+constexpr Row rows[] = {{shells, 4, 4, .25}, {shells, 4, 4, .35}, {shells, 4, 4, .5},  {shells, 4, 8, .5},
+                        {shells, 8, 4, .5},  {shells, 4, 8, .6},  {shells, 8, 4, .6},  {shells, 4, 8, .75},
+                        {shells, 8, 4, .75}, {shells, 8, 4, .87}, {shells, 4, 8, 1},   {shells, 8, 4, 1},
+                        {shells, 12, 3, 1},  {shells, 16, 4, 1},  {shells, 24, 3, 1},  {shells, 32, 2, 1},
+                        {shells, 64, 1, 1},  {sorted, 8, 4, .6},  {sorted, 8, 4, .75}, {sorted, 8, 4, .87},
+                        {sorted, 8, 4, 1},   {sorted, 12, 3, 1},  {sorted, 16, 2, 1},  {sorted, 18, 4, 1},
+                        {sorted, 24, 3, 1},  {sorted, 24, 5, 1},  {sorted, 32, 2, 1},  {sorted, 32, 4, 1},
+                        {sorted, 64, 2, 1},  {sorted, 64, 3, 1},  {sorted, 96, 2, 1}};
+
+}  // namespace
+
+std::vector<Knobs> candidate_ladder() {
+  std::vector<Knobs> ladder{knobs_of(Tier::interactive)};
+  for (const Row& row : rows) {
+    Knobs knobs = knobs_of(Tier::interactive);
+    knobs.shells = row.shells, knobs.steps = row.steps, knobs.scale = row.scale;
+    knobs.shell_policy = ShellPolicy::uniform, knobs.order = row.order;
+    ladder.push_back(knobs);
+  }
+  return ladder;
+}
 
 namespace {
 
@@ -42,6 +83,61 @@ Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Ca
   }
   progress(1);
   return fit_costs(defaults, views);
+}
+
+namespace {
+
+constexpr int bar_width = 40;
+
+/// On a terminal one line that grows; elsewhere a line for each tenth.
+class ProgressBar {
+ public:
+  void show(double share) {
+    if (isatty(STDERR_FILENO)) {
+      const auto full = static_cast<std::size_t>(share * bar_width);
+      fmt::print(stderr, "\rMeasuring [{:<{}}] {:3.0f}%{}", std::string(full, '#'), bar_width, share * 100,
+                 share < 1 ? "" : "\n");
+    } else if (const int tenth = static_cast<int>(share * 10); tenth > tenth_) {
+      tenth_ = tenth;
+      fmt::print(stderr, "Measuring: {}%\n", tenth * 10);
+    }
+    std::fflush(stderr);
+  }
+
+ private:
+  int tenth_ = 0;
+};
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm date{};
+  gmtime_r(&now, &date);
+  return fmt::format("{:04}-{:02}-{:02}", date.tm_year + 1900, date.tm_mon + 1, date.tm_mday);
+}
+
+}  // namespace
+
+Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
+  const Result<std::unique_ptr<Context>> context = select_context(gl, threads);
+  if (!context) return context.status();
+  const Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+  if (!renderer) return renderer.status();
+  fmt::print(stderr, "Calibrating {}\n", (*context)->description());
+  ProgressBar bar;
+  const CostUnit unit = cost_unit((*context)->is_software(), threads);
+  Result<Calibration> measured =
+      calibrate(**renderer, unit, default_calibration(), [&](double share) { bar.show(share); });
+  if (!measured) return measured.status();
+  measured->name = today(), measured->machine = (*context)->description(), measured->threads = unit.threads;
+  std::error_code error;
+  if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
+    std::filesystem::create_directories(folder, error);
+  if (Status written = write_calibration(file, *measured); !written.ok()) return written;
+  fmt::print(stderr,
+             "Stored in {}; a server reads it when it starts. 95% of measured frames cost at most {:.2f} times their "
+             "estimate.\n",
+             file, measured->cost_safety);
+  return {};
 }
 
 }  // namespace pelage

@@ -1,12 +1,72 @@
 #include "server/calibration/measure.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
+#include "server/builtin/builtin.h"
 #include "server/frames/error_probe.h"
 #include "server/frames/fur_view.h"
+#include "server/patches/patches.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
+
+namespace {
+
+Coat coat_of(double width, float lightness, double clump) {
+  Coat coat;
+  coat.width_root *= width, coat.width_tip *= width;
+  coat.clump = clump;
+  for (RampStop& stop : coat.ramp) stop.colour = glm::min(stop.colour * lightness, glm::vec3(0.95f));
+  return coat;
+}
+
+Coat striped(Coat coat) {
+  coat.pattern.kind = PatternKind::stripes;
+  coat.tufts.gather = 0.5;
+  return coat;
+}
+
+}  // namespace
+
+MeasuredScene make_measured_scene(Mesh mesh, const FirstGroom& fur, std::uint64_t id) {
+  PatchMap patches = lay_patches(mesh);
+  FieldSet fields = first_groom(mesh, fur);
+  return {{Surface(std::move(mesh)), std::move(patches), id, "measured"}, std::move(fields), {}};
+}
+
+MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t id) {
+  Result<Mesh> mesh = prepare(make_builtin(scene.builtin), Axis::plus_y, Axis::plus_z, false);
+  assert(mesh);  // a built-in can be prepared
+  MeasuredScene made = make_measured_scene(std::move(mesh).value(), scene.fur, id);
+  made.settings.coat = scene.coat, made.settings.look.shading = scene.shading;
+  return made;
+}
+
+std::vector<CalibrationScene> calibration_scenes() {
+  using enum AutoView;
+  const Coat brown, white = coat_of(0.8, 2.6f, 0.2), dark = coat_of(1.4, 0.25f, 0.5), fine = coat_of(0.5, 1.0f, 0.6);
+  const auto kajiya = ShadingModel::kajiya;
+  return {
+      {{Builtin::creature, 5000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 256}, {back, 1.6f, 192}}},
+      {{Builtin::torus, 3000}, {.length = 0.03}, brown, kajiya, {{three_quarter, 1, 192}, {front, 0.6f, 192}}},
+      {{Builtin::sphere, 2000}, {.length = 0.05}, white, kajiya, {{front, 1, 192}, {three_quarter, 2, 192}}},
+      {{Builtin::knot, 4000}, {.length = 0.02}, dark, kajiya, {{left, 0.8f, 192}}},
+      {{Builtin::plane, 800}, {.length = 0.04}, brown, kajiya, {{three_quarter, 1, 192}, {top, 0.8f, 192}}},
+      {{Builtin::creature, 12000}, {.length = 0.015}, white, kajiya, {{left, 1, 192}}},
+      {{Builtin::torus, 1000}, {.length = 0.08}, fine, kajiya, {{front, 1, 192}}},
+      {{Builtin::knot, 8000}, {.length = 0.05}, white, kajiya, {{back, 1.5f, 192}}},
+      {{Builtin::sphere, 6000}, {.length = 0.015}, dark, kajiya, {{three_quarter, 0.6f, 192}}},
+      {{Builtin::creature, 3000}, {.length = 0.05}, striped(brown), kajiya, {{three_quarter, 1, 192}}},
+      {{Builtin::torus, 5000},
+       {.length = 0.02},
+       dark,
+       ShadingModel::energy_conserving,
+       {{three_quarter, 1, 192}, {left, 0.7f, 192}}},
+      {{Builtin::plane, 2000}, {.length = 0.02}, striped(white), kajiya, {{three_quarter, 0.7f, 192}}},
+  };
+}
 
 FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& view) {
   FrameRequest request;

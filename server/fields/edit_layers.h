@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "protocol/base/status.h"
-#include "protocol/commands/edit_layer.h"
+#include "protocol/commands/field.h"
 #include "server/fields/field_set.h"
 
 namespace pelage {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/commands/edit_layer.h"
+#include "protocol/commands/field.h"
 #include "server/fields/field_set.h"
 #include "server/surface/mesh.h"
 

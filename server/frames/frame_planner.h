@@ -1,15 +1,29 @@
-// The dial of a server: its calibration, and what its scenes' frames have cost.
+// The calibration that the server plans by: one that was measured here, or the safe defaults.
 #pragma once
 
 #include <mutex>
 #include <optional>
+#include <string>
 
+#include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
-#include "renderer/quality/cost_log.h"
-#include "renderer/quality/error_log.h"
+#include "renderer/quality/cost_model.h"
+#include "renderer/quality/error_model.h"
 
 namespace pelage {
+
+/// defaults.json beside this file; tests/bench/dial.cpp writes it.
+const Calibration& default_calibration();
+
+/// Reads a file that write_calibration has written. Fails with not_found where there is none, and (invalid) with what
+/// is wrong with it: not readable as a calibration, or measured with another GL or another number of threads.
+Result<Calibration> read_calibration(const std::string& path, const std::string& machine, int threads);
+
+/// By rename, so that readers see no half of it. Fails with internal.
+Status write_calibration(const std::string& path, const Calibration& calibration);
+
+// The dial of a server: its calibration, and what its scenes' frames have cost.
 
 /// All but `use` belongs to the thread that draws.
 class FramePlanner {

@@ -14,11 +14,10 @@
 
 #include "renderer/frame/renderer.h"
 #include "server/frames/error_probe.h"
-#include "server/frames/frame_cost.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/frame_planner.h"
+#include "server/frames/frame_queue.h"
 #include "server/frames/renderer_memory.h"
-#include "server/frames/shortest_first.h"
 #include "server/frames/shown_scene.h"
 
 namespace pelage {

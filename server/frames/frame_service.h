@@ -13,7 +13,6 @@
 #include "server/frames/traced_picture.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
-#include "server/scene/scene_copy.h"
 
 namespace pelage {
 

@@ -4,13 +4,79 @@
 #include <charconv>
 #include <cmath>
 
+#include "protocol/base/lean_curve.h"
 #include "protocol/base/random.h"
-#include "server/frames/curve_view.h"
-#include "server/frames/skin_view.h"
 #include "server/groom/evaluate.h"
 #include "server/scene/eye_view.h"
 
 namespace pelage {
+
+namespace {
+
+/// How far the tips of the fur stand above the skin, sizes.
+double fur_height(const SceneView& scene, const SurfacePoint& point) {
+  const Coat& coat = scene.settings.coat;
+  const glm::uvec3 corners = scene.model.surface.mesh().triangles[point.triangle];
+  double height = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Groom groom = scene.fields.at(corners[k]);
+    const double inclination = std::min(glm::length(glm::dvec2(groom.direction)), 1.0);
+    height += point.barycentric[k] * groom.length * lean_point(coat.lean_curve, inclination, coat.root_share, 1).up;
+  }
+  return std::max(height, 0.0);
+}
+
+FurGuide make_guide(const GuideCurve& curve, const SceneView& scene) {
+  const Surface& surface = scene.model.surface;
+  FurGuide guide;
+  for (const glm::dvec3& point : curve) guide.points.push_back(surface.mesh().to_internal(point));
+  const SurfacePoint root = surface.nearest(guide.points.front());
+  guide.skin = surface.position(root), guide.normal = surface.normal(root);
+  guide.fur_height = fur_height(scene, root);
+  return guide;
+}
+
+}  // namespace
+
+FurCurves make_curves(const CurveGroup& group, const SceneView& scene) {
+  FurCurves made;
+  for (const GuideCurve& curve : group.curves) made.guides.push_back(make_guide(curve, scene));
+  made.width_root = group.width_root, made.width_tip = group.width_tip;
+  made.root_colour = group.root_colour, made.tip_colour = group.tip_colour;
+  made.fill = group.fill, made.spread = group.spread, made.seed = group.seed;
+  return made;
+}
+
+namespace {
+
+FurSkinRegion make_region(const SkinRegion& region, const Mesh& mesh) {
+  FurSkinRegion made;
+  made.centre = mesh.to_internal(region.centre);
+  const glm::dmat3 frame = tilted(upright_frame(region.axis), glm::radians(region.turn_degrees));
+  const glm::dmat3 shrunk{frame[0] / region.radii.x, frame[1] / region.radii.y, frame[2] / region.radii.z};
+  made.to_unit = glm::transpose(shrunk);
+  made.softness = region.softness;
+  if (region.facing) {
+    const SkinFacing& facing = *region.facing;
+    made.facing = glm::normalize(facing.direction);
+    made.cosine_whole = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // whole at 180 degrees after rounding
+    made.cosine_none = std::cos(glm::radians(std::min(180.0, facing.angle_degrees + facing.fade_degrees)));
+  }
+  made.colour = region.colour;
+  made.shine = region.shine, made.roughness = region.roughness;
+  made.wetness = region.wetness, made.scatter = region.scatter;
+  made.bumps = region.bumps;
+  return made;
+}
+
+}  // namespace
+
+std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, const Mesh& mesh) {
+  std::vector<FurSkinRegion> made;
+  made.reserve(regions.size());
+  for (const SkinRegion& region : regions) made.push_back(make_region(region, mesh));
+  return made;
+}
 
 namespace {
 

@@ -1,16 +1,28 @@
-// The renderer's view of a scene: the only place that fills a FurModel.
+// Guided curves as the renderer wants them.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
+#include "protocol/commands/creature.h"
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/input/fur_scene.h"
 #include "server/scene/scene.h"
+#include "server/surface/mesh.h"
 
 namespace pelage {
+
+/// In internal coordinates; each guide knows the skin nearest to its root and the fur that stands there now.
+FurCurves make_curves(const CurveGroup& group, const SceneView& scene);
+
+// Bare skin as the renderer wants it.
+
+/// In internal coordinates, in the same order.
+std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, const Mesh& mesh);
+
+// The renderer's view of a scene: the only place that fills a FurModel.
 
 /// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have in these
 /// colours, else the dirty vertex ranges.

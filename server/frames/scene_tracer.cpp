@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "server/frames/skin_view.h"
+#include "server/frames/fur_view.h"
 
 namespace pelage {
 

@@ -3,14 +3,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/quality/view_features.h"
+#include "server/fields/field_set.h"
 #include "server/frames/frame_parts.h"
 #include "server/scene/scene.h"
-#include "server/scene/scene_copy.h"
 
 namespace pelage {
 
@@ -31,5 +32,12 @@ Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request
 
 /// Read by whoever asks, where it holds up no other frame.
 Result<std::optional<PastFields>> past_of(const Scene& scene, const FrameRequest& request);
+
+// What two states of the fields differ in, as one number for each vertex.
+
+/// For each vertex the largest over all fields of |change| / what counts as much, held at 1: 1 for direction and
+/// colours (the length of the difference), the longest fur of either state for length, the range for other fields.
+/// Above 0 wherever any value differs, and 0 elsewhere. Both have the same vertices.
+std::vector<float> change_shares(const FieldSet& from, const FieldSet& to);
 
 }  // namespace pelage

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "server/fields/field_writer.h"
-#include "server/groom/region.h"
+#include "server/groom/brush.h"
 #include "server/groom/tools.h"
 
 namespace pelage {

@@ -4,7 +4,7 @@
 #include "server/fields/edit_layers.h"
 #include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
-#include "server/groom/region.h"
+#include "server/groom/brush.h"
 #include "server/groom/tools.h"
 
 namespace pelage {

@@ -1,5 +1,9 @@
 #include "server/groom/evaluate.h"
 
+#include <algorithm>
+#include <cstdio>
+
+#include "server/groom/brush.h"
 #include "server/groom/tools.h"
 
 namespace pelage {
@@ -28,6 +32,49 @@ struct Run {
 
 Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   return std::visit(Run{surface, fields, extras}, resolved);
+}
+
+namespace {
+
+constexpr std::size_t max_looked_at = 16;  // samples of a stroke
+
+double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
+  const glm::uvec3 corners = mesh.triangles[triangle];
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+    sum += glm::distance(glm::dvec3(mesh.positions[corners[k]]), glm::dvec3(mesh.positions[corners[(k + 1) % 3]]));
+  return sum / 3;
+}
+
+std::uint32_t triangle_at(const StrokeSample& sample, const Surface& surface) {
+  if (const auto* place = std::get_if<SurfaceSample>(&sample.place)) return place->triangle;
+  return surface.nearest(surface.mesh().to_internal(std::get<PositionSample>(sample.place).position)).triangle;
+}
+
+/// The longest of the edges' means where the stroke passes, sizes.
+double longest_edges(const Stroke& stroke, const Surface& surface) {
+  const std::size_t step = stroke.samples.size() / max_looked_at + 1;
+  double longest = 0;
+  for (std::size_t i = 0; i < stroke.samples.size(); i += step)
+    longest = std::max(longest, mean_edge(triangle_at(stroke.samples[i], surface), surface.mesh()));
+  return longest;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface) {
+  const Stroke* stroke = stroke_of(resolved);
+  const Brush* brush = brush_of(resolved);
+  if (stroke == nullptr || stroke->samples.empty() || brush == nullptr) return {};
+  const double radius = BrushStroke(*stroke, *brush, surface).radius();
+  const double edges = longest_edges(*stroke, surface);
+  if (radius >= edges) return {};
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the brush is finer than the mesh: its radius is %.3g sizes, and edges are %.3g long where it passes; "
+                "it touches few vertices or none",
+                radius, edges);
+  return {text};
 }
 
 }  // namespace pelage

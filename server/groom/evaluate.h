@@ -1,6 +1,9 @@
 // From a command to a change of the fields. Pure: nothing of the scene changes here.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "protocol/base/status.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
@@ -59,5 +62,11 @@ struct PlacedCamera {
 PlacedCamera place_camera(const Camera& camera, double aspect, const Mesh& mesh);
 /// Direction of the ray through a pixel of a width x height frame.
 glm::dvec3 pixel_ray(const PlacedCamera& camera, glm::dvec2 pixel, int width, int height);
+
+// What a command does as asked but is hardly meant.
+
+/// In plain words, for the answer: a brush that is finer than the mesh where its stroke passes, so that it touches few
+/// vertices or none. The command is resolved.
+std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface);
 
 }  // namespace pelage

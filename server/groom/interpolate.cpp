@@ -3,8 +3,8 @@
 
 #include "protocol/base/parallel.h"
 #include "server/fields/field_writer.h"
+#include "server/groom/brush.h"
 #include "server/groom/keys.h"
-#include "server/groom/region.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 #include "server/surface/geodesics.h"

@@ -10,7 +10,6 @@
 
 #include "protocol/commands/tools.h"
 #include "server/surface/geodesics.h"
-#include "server/surface/heat_distance.h"
 
 namespace pelage {
 

@@ -2,7 +2,7 @@
 
 #include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
-#include "server/groom/region.h"
+#include "server/groom/brush.h"
 #include "server/groom/tools.h"
 #include "server/maps/draw_map.h"
 

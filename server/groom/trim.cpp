@@ -4,7 +4,7 @@
 
 #include "protocol/base/lean_curve.h"
 #include "server/fields/field_writer.h"
-#include "server/groom/region.h"
+#include "server/groom/brush.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 

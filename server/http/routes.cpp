@@ -6,7 +6,7 @@
 #include <array>
 
 #include "protocol/base/limits.h"
-#include "protocol/json/nearest.h"
+#include "protocol/json/reader.h"
 #include "server/http/reply.h"
 
 namespace pelage {

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/import_worker/sanitized.h"
+#include "server/import_worker/parse.h"
 
 namespace pelage {
 

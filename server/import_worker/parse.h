@@ -1,14 +1,41 @@
-// From the bytes of a file to polygons. Runs in the confined worker only.
+// Whether this build runs under a sanitizer, whose run time needs more address space and more calls than we allow.
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr bool is_sanitized = true;
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+
+// Numbers, words and lines of text formats. Numbers are rounded correctly to double, whatever the locale.
+
+/// The whole word as a number, with an optional sign; also "nan" and "inf". Overflow is an infinity, underflow 0.
+std::optional<double> to_number(std::string_view word);
+
+/// Takes the next word, ended by blanks or line ends, off the text; empty at the end.
+std::string_view take_word(std::string_view& text);
+
+/// Takes the next line, ended by LF, CR or both, off the text.
+std::string_view take_line(std::string_view& text);
+
+// From the bytes of a file to polygons. Runs in the confined worker only.
 
 /// Reads `bytes` as `format` and as nothing else. Refused (invalid) with the reason when they are broken, cut off,
 /// or ask for files or extensions that are not there. Opens no file.

@@ -10,7 +10,6 @@
 
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
-#include "server/import_worker/text.h"
 
 namespace pelage {
 

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "server/import_worker/parse.h"
-#include "server/import_worker/text.h"
 
 namespace pelage {
 

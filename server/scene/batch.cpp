@@ -6,7 +6,7 @@
 #include "protocol/json/encode.h"
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
-#include "server/groom/warnings.h"
+#include "server/groom/evaluation_cost.h"
 
 namespace pelage {
 
@@ -153,6 +153,16 @@ Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta&
   } catch (const Cancelled&) {
     return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
   }
+}
+
+Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface) {
+  double visits = 0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (const auto* set = std::get_if<SetSymmetry>(&steps[k].command)) symmetry = set->symmetry;
+    if (Status refused = add_cost(steps[k].command, symmetry, surface, visits); !refused.ok())
+      return in_batch(refused, k, steps.size());
+  }
+  return {};
 }
 
 }  // namespace pelage

@@ -52,4 +52,9 @@ std::vector<Command> chosen(const std::vector<Command>& commands, const std::vec
 /// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
 CommandResult describe_change(std::string op, const FieldDelta& delta, const FieldSet& fields);
 
+// Whether commands are too much work, before any of them begins.
+
+/// Refused (invalid) when the commands are too much work together; those before one may change its symmetry.
+Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface);
+
 }  // namespace pelage

@@ -4,9 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/commands/curves.h"
-#include "protocol/commands/eye.h"
-#include "protocol/commands/skin.h"
+#include "protocol/commands/creature.h"
 #include "server/scene/scene.h"
 #include "server/surface/mesh.h"
 #include "server/surface/surface.h"

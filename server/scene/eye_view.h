@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "protocol/commands/eye.h"
+#include "protocol/commands/creature.h"
 #include "renderer/input/fur_scene.h"
 #include "server/surface/mesh.h"
 

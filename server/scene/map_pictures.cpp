@@ -1,9 +1,16 @@
 #include "server/scene/map_pictures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 
 #include "protocol/base/random.h"
+#include "protocol/json/names.h"
+#include "renderer/image/float_image.h"
+#include "renderer/image/image.h"
+#include "server/maps/draw_map.h"
+#include "server/patches/patches.h"
 
 namespace pelage {
 
@@ -77,6 +84,80 @@ std::string name_of_picture(std::string_view bytes) {
     hash.high = mix_bits(hash.high + mix_bits(~word));
   }
   return to_hex(hash);
+}
+
+namespace {
+
+/// What the file says about itself. The scale is in sizes where it is of lengths, whatever the units of the request.
+std::vector<ImageText> texts_of(const MapAnswer& answer, double model_size) {
+  const bool is_length = answer.field == Field::length || answer.encoding == MapEncoding::vector;
+  const double scale = is_length && answer.units == Units::world ? answer.scale / model_size : answer.scale;
+  return {{"pelage:field", std::string(shape_of(answer.field).name)},
+          {"pelage:encoding", std::string(json_names::text_of(json_names::map_encodings, answer.encoding))},
+          {map_scale_text, fmt::format("{}", scale)}};
+}
+
+/// Each channel of the map as the file's red, green, blue and alpha have it: grey is the first one three times.
+template <class Picture>
+Picture integer_picture(const DrawnMap& map) {
+  using Sample = typename decltype(Picture::rgba)::value_type;
+  constexpr int bits = 8 * sizeof(Sample);
+  const int channels = map.layout.channels;
+  const std::size_t pixels = map.image.covered.size();
+  Picture picture{map.image.size, map.image.size, std::vector<Sample>(4 * pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* values = map.image.at(i);
+    const auto sample = [&](int k) {
+      return static_cast<Sample>(file_number(map.layout.kinds[static_cast<std::size_t>(k)], values[k], bits));
+    };
+    Sample* out = &picture.rgba[4 * i];
+    for (int k = 0; k < channels; ++k) out[k] = sample(k);
+    if (channels == 1) out[1] = out[2] = out[0];
+    if (channels < 4) out[3] = static_cast<Sample>(-1);
+  }
+  return picture;
+}
+
+template <class Picture>
+std::string encode_integers(const DrawnMap& map, const std::vector<ImageText>& texts) {
+  const bool colour = map.layout.premultiplied;
+  return encode_png(integer_picture<Picture>(map), map.layout.channels == 4, texts,
+                    colour ? PngNumbers::srgb : PngNumbers::data);
+}
+
+std::string encode_floats(DrawnMap& map, ExrSample sample, const std::vector<ImageText>& texts) {
+  const auto channels = static_cast<std::size_t>(map.layout.channels);
+  for (std::size_t i = 0; i < map.image.values.size(); ++i) {
+    const ChannelKind kind = map.layout.kinds[i % channels];
+    map.image.values[i] = static_cast<float>(file_number(kind, map.image.values[i], 32));
+  }
+  if (channels == 1) {
+    const std::vector<ExrPlane> grey{{"Y", map.image.values, 0, 1, sample}};
+    return encode_exr(map.image.size, map.image.size, grey, texts);
+  }
+  const std::vector<float> nothing(channels == 2 ? map.image.covered.size() : 0, 0.0f);
+  std::vector<ExrPlane> planes;
+  for (std::size_t k = 0; k < channels; ++k)
+    planes.push_back({std::string(1, "RGBA"[k]), map.image.values, k, channels, sample});
+  if (channels == 2) planes.push_back({"B", nothing, 0, 1, sample});
+  return encode_exr(map.image.size, map.image.size, planes, texts);
+}
+
+}  // namespace
+
+Result<MapFile> make_map_file(const Mesh& mesh, const FieldSet& fields, const MapRequest& request) {
+  if (!has_own_uvs(mesh))
+    return failure(Code::invalid, "the model has no texture coordinates to lay a map by", "",
+                   "a model with texture coordinates; docs/maps.md says which have some");
+  DrawnMap map = draw_map(mesh, fields, request);
+  const std::vector<ImageText> texts = texts_of(map.answer, mesh.size);
+  switch (request.format) {
+    case MapFormat::png: return MapFile{encode_integers<Image>(map, texts), "image/png", map.answer};
+    case MapFormat::png16: return MapFile{encode_integers<Image16>(map, texts), "image/png", map.answer};
+    case MapFormat::exr: return MapFile{encode_floats(map, ExrSample::single, texts), "image/x-exr", map.answer};
+    case MapFormat::exr_half: break;
+  }
+  return MapFile{encode_floats(map, ExrSample::half, texts), "image/x-exr", map.answer};
 }
 
 }  // namespace pelage

@@ -1,5 +1,11 @@
 #include "server/scene/model.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "protocol/base/limits.h"
+#include "server/fields/field_mix.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {
@@ -30,6 +36,56 @@ Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const
   }
   return std::shared_ptr<const SceneModel>(
       new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name, how.fur_patches, how.subdivisions});
+}
+
+namespace {
+
+ChosenTriangles choose(const Mesh& mesh, const FieldSet& fields, bool masked) {
+  constexpr float chosen_from = 0.5f;
+  const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+  if (!masked) return {{0, triangles}};
+  ChosenTriangles chosen;
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const glm::uvec3 v = mesh.triangles[t];
+    const auto mask = [&](std::uint32_t vertex) { return fields.number(Field::mask, vertex); };
+    if (std::max({mask(v.x), mask(v.y), mask(v.z)}) <= chosen_from) continue;
+    if (!chosen.empty() && chosen.back().end == t)
+      ++chosen.back().end;
+    else
+      chosen.push_back({t, t + 1});
+  }
+  return chosen;
+}
+
+/// Known before any work where all triangles are split.
+Status check_count(const Mesh& mesh, const Subdivide& how) {
+  const double triangles = static_cast<double>(mesh.triangles.size()) * std::pow(4.0, how.levels);
+  if (how.masked || triangles <= static_cast<double>(limits::model_triangles)) return {};
+  return failure(Code::invalid, "The finer model would have more triangles than a model may have.", "/levels",
+                 "at most " + std::to_string(limits::model_triangles) + " triangles");
+}
+
+}  // namespace
+
+Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields,
+                                        const std::vector<EditLayer>& layers, const Subdivide& how, std::uint64_t id) {
+  if (Status many = check_count(model.surface.mesh(), how); !many.ok()) return many;
+  Mesh mesh = model.surface.mesh();
+  PatchMap patches = model.patches;
+  SubdividedScene subdivided{nullptr, fields};
+  std::vector<ChosenTriangles> subdivisions = model.subdivisions;
+  for (int level = 0; level < how.levels; ++level) {
+    ChosenTriangles chosen = choose(mesh, subdivided.fields, how.masked);
+    if (chosen.empty()) return subdivided;
+    Result<SubdividedSurface> finer = subdivide(mesh, patches, chosen);
+    if (!finer) return failure(finer.status().code, finer.status().message, "/levels", finer.status().limit);
+    subdivided.fields = pelage::subdivided(subdivided.fields, mesh, finer->mesh, finer->parents, layers);
+    mesh = std::move(finer->mesh), patches = std::move(finer->patches);
+    subdivisions.push_back(std::move(chosen));
+  }
+  subdivided.model = std::shared_ptr<const SceneModel>(new SceneModel{
+      Surface(std::move(mesh)), std::move(patches), id, model.name, model.fur_patches, std::move(subdivisions)});
+  return subdivided;
 }
 
 }  // namespace pelage

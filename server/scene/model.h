@@ -15,4 +15,15 @@ namespace pelage {
 /// and subdivide do, and (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
+// A scene's model and fields on finer triangles.
+
+struct SubdividedScene {
+  std::shared_ptr<const SceneModel> model;  // null where no triangle was chosen
+  FieldSet fields;
+};
+
+/// As Scene::subdivide says; `id` is that of the new model. At each level the mask chooses anew, as it is there.
+Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields,
+                                        const std::vector<EditLayer>& layers, const Subdivide& how, std::uint64_t id);
+
 }  // namespace pelage

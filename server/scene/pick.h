@@ -2,7 +2,7 @@
 #pragma once
 
 #include "protocol/commands/answers.h"
-#include "protocol/commands/camera.h"
+#include "protocol/commands/frame.h"
 #include "server/fields/field_set.h"
 #include "server/surface/surface.h"
 

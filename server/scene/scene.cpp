@@ -12,7 +12,7 @@
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
-#include "server/scene/check_cost.h"
+#include "server/scene/batch.h"
 #include "server/scene/creature_settings.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"

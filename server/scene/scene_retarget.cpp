@@ -5,8 +5,8 @@
 
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
+#include "server/scene/model.h"
 #include "server/scene/scene.h"
-#include "server/scene/subdivide.h"
 
 namespace pelage {
 

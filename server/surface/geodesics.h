@@ -9,6 +9,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -142,5 +143,24 @@ std::vector<VertexDistance> distances_within(const Surface& surface, const Surfa
 /// The distance of a place in a triangle whose other corners are `along` apart: `near` and `far` from them, which are
 /// `near_distance` and `far_distance` from the source. Infinite where the straight way does not pass between them.
 double unfolded_distance(double along, double near, double far, double near_distance, double far_distance);
+
+// Distances along the surface by the heat method.
+
+/// The heat method (Crane et al. 2013) with cotangent weights: heat flows from the sources for a short while, and the
+/// distance is the function whose gradient best points away along it. It converges to the distance along the surface
+/// as the mesh gets finer; about 1 % off on meshes of even triangles. Factorises two matrices when it is made (Eigen's
+/// sparse Cholesky), after which each set of sources is quick. Degenerate triangles conduct nothing.
+class HeatDistance {
+ public:
+  explicit HeatDistance(const Surface& surface);
+  ~HeatDistance();
+
+  /// For each vertex, sizes; infinite on connected parts without a source. The sources' own distances are kept.
+  std::vector<double> operator()(std::span<const SpreadSource> sources) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace pelage

@@ -1,6 +1,7 @@
-// Queries on a mesh: rays, nearest points, vertices in a ball, neighbours.
+// Points in a ball: a balanced k-d tree in one array. A uniform grid would suffer from one far vertex; this does not.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -12,6 +13,47 @@
 #include "server/surface/mesh.h"
 
 namespace pelage {
+
+class PointTree {
+ public:
+  explicit PointTree(std::span<const glm::vec3> points);
+
+  /// Appends the points at most `radius` from `centre`, in no order. Nothing for a radius that is negative or NaN.
+  /// `points` are the ones the tree was made of. Costs O(found + sqrt(points)) on a surface.
+  void find_within(std::span<const glm::vec3> points, glm::dvec3 centre, double radius,
+                   std::vector<std::uint32_t>& found) const;
+
+  /// What the tree takes in memory.
+  std::size_t bytes() const { return order_.capacity() * sizeof(std::uint32_t) + boxes_.capacity() * sizeof(Box); }
+
+ private:
+  struct Box {
+    glm::vec3 low, high;
+  };
+  struct Ball {
+    glm::dvec3 centre;
+    double radius;
+  };
+
+  void build(std::span<const glm::vec3> points, std::size_t node, std::size_t begin, std::size_t end);
+  void search(std::span<const glm::vec3> points, const Ball& ball, std::size_t node, std::size_t begin, std::size_t end,
+              std::vector<std::uint32_t>& found) const;
+
+  std::vector<std::uint32_t> order_;  // points; a node owns a range of it, its children the halves
+  std::vector<Box> boxes_;            // of each node; the children of node n are 2n+1 and 2n+2
+};
+
+// The point of a triangle that is nearest to a place.
+
+struct TrianglePoint {
+  glm::dvec3 barycentric{1, 0, 0};  // each in [0, 1], their sum is 1
+  double distance = 0;
+};
+
+/// Also for triangles that are a line or a point.
+TrianglePoint nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place);
+
+// Queries on a mesh: rays, nearest points, vertices in a ball, neighbours.
 
 /// A place on the surface: position = sum of barycentric[k] * corner k.
 struct SurfacePoint {

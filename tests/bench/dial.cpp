@@ -14,13 +14,11 @@
 #include <string>
 
 #include "protocol/json/calibration.h"
-#include "renderer/quality/cost_log.h"
 #include "renderer/quality/cost_model.h"
 #include "renderer/quality/error_model.h"
 #include "server/calibration/calibrate.h"
-#include "server/calibration/ladder.h"
+#include "server/frames/frame_planner.h"
 #include "server/frames/fur_view.h"
-#include "server/frames/stored_calibration.h"
 #include "tests/bench/measure.h"
 
 namespace pelage::bench {

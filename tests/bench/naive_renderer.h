@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/frame/renderer.h"
-#include "renderer/upload/scattering_textures.h"
+#include "renderer/upload/textures.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::bench {

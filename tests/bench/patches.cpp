@@ -13,7 +13,7 @@
 #include "protocol/base/random.h"
 #include "protocol/base/stopwatch.h"
 #include "server/builtin/builtin.h"
-#include "server/surface/nearest.h"
+#include "server/surface/surface.h"
 #include "tests/unit/surface/shared_models.h"
 
 namespace pelage {

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "server/frames/fur_view.h"
-#include "server/frames/skin_view.h"
 
 namespace pelage::testing {
 

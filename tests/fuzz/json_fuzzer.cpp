@@ -6,7 +6,6 @@
 #include "clients/cli/recipe/recipe.h"
 #include "clients/cli/recipe/split_steps.h"
 #include "protocol/json/decode.h"
-#include "protocol/json/decode_answers.h"
 #include "protocol/json/encode.h"
 
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/coat/colour_above.h"
+#include "renderer/coat/slices.h"
 #include "renderer/light/environment.h"
 #include "renderer/shading/fibre_shading.h"
-#include "renderer/upload/frame_block.h"
+#include "renderer/upload/blocks.h"
 
 namespace pelage::testing {
 

@@ -4,9 +4,9 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/eye/optics.h"
-#include "renderer/gl/render_target.h"
+#include "renderer/gl/handles.h"
 #include "renderer/passes/eye/eye_pass.h"
-#include "renderer/upload/frame_block.h"
+#include "renderer/upload/blocks.h"
 #include "tests/gl/backends.h"
 
 namespace pelage::testing {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 
 namespace pelage::testing {
 

@@ -1,7 +1,6 @@
 #include "renderer/gl/handles.h"
 
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "tests/gl/backends.h"
 
 namespace pelage::testing {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "protocol/base/lean_curve.h"
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "tests/gl/backends.h"
 
 namespace pelage {

@@ -5,12 +5,11 @@
 #include <random>
 
 #include "protocol/base/colour_space.h"
-#include "renderer/coat/colour_above.h"
+#include "renderer/coat/slices.h"
 #include "renderer/light/environment.h"
 #include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_table.h"
-#include "renderer/upload/frame_block.h"
-#include "renderer/upload/shadow_block.h"
+#include "renderer/upload/blocks.h"
 #include "tests/gl/backends.h"
 #include "tests/gl/expected_light.h"
 #include "tests/gl/grid.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 

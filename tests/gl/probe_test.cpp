@@ -5,7 +5,7 @@
 #include "renderer/frame/run_beside.h"
 #include "renderer/quality/view_features.h"
 #include "server/frames/error_probe.h"
-#include "server/frames/frame_cost.h"
+#include "server/frames/frame_queue.h"
 #include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clients/cli/files.h"
+#include "clients/cli/print.h"
 #include "protocol/base/limits.h"
 #include "renderer/compare/compare.h"
 

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/cli/recipe/recipe_files.h"
-#include "protocol/json/nearest.h"
 #include "protocol/json/parse.h"
+#include "protocol/json/reader.h"
 
 namespace pelage {
 

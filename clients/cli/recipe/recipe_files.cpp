@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "protocol/json/nearest.h"
 #include "protocol/json/parse.h"
+#include "protocol/json/reader.h"
 
 namespace pelage::json_parts {
 

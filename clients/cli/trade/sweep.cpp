@@ -7,7 +7,7 @@
 
 #include "clients/cli/trade/page/page.h"
 #include "clients/cli/trade/shoot.h"
-#include "protocol/json/decode_answers.h"
+#include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "renderer/compare/compare.h"
 

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <filesystem>
 
-#include "clients/cli/files.h"
+#include "clients/cli/print.h"
 #include "clients/cli/trade/sweep.h"
-#include "protocol/json/decode_answers.h"
+#include "protocol/json/decode.h"
 
 namespace pelage {
 

@@ -9,9 +9,8 @@
 #include "renderer/curves/curve_strips.h"
 #include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/upload/shadow_block.h"
+#include "renderer/upload/blocks.h"
 
 namespace pelage {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/upload/model_buffers.h"
 
 namespace pelage {

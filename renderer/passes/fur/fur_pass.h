@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/upload/frame_block.h"
+#include "renderer/upload/blocks.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/textures.h"
 

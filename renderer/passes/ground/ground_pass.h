@@ -5,11 +5,11 @@
 #include <map>
 #include <string>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/passes/scene_shadow/scene_shadow_pass.h"
-#include "renderer/upload/frame_block.h"
+#include "renderer/upload/blocks.h"
 #include "renderer/upload/model_buffers.h"
 
 namespace pelage {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/upload/model_buffers.h"
 

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
+#include "renderer/upload/blocks.h"
 #include "renderer/upload/model_buffers.h"
-#include "renderer/upload/shadow_block.h"
 
 namespace pelage {
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
+#include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/render_target.h"
 #include "renderer/shaders/constants.h"
 #include "renderer/upload/model_buffers.h"
 

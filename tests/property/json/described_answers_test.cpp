@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocol/json/decode_answers.h"
+#include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "tests/property/json/generators.h"
 #include "tests/property/json/hand_over.h"

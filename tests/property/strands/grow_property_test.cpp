@@ -10,7 +10,7 @@
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/strands/grow.h"
-#include "renderer/strands/tile_cells.h"
+#include "renderer/strands/tile_strands.h"
 
 namespace pelage {
 namespace {

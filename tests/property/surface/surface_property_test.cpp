@@ -8,7 +8,6 @@
 #include <map>
 
 #include "server/patches/patches.h"
-#include "server/surface/nearest.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
 

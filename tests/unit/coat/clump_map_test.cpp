@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "renderer/coat/clump.h"
+#include "renderer/coat/strand_tile.h"
 
 namespace pelage {
 namespace {

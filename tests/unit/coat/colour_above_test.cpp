@@ -1,6 +1,6 @@
-#include "renderer/coat/colour_above.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer/coat/slices.h"
 
 namespace pelage {
 namespace {

@@ -1,6 +1,5 @@
 #include "server/groom/brush.h"
 
-#include "server/groom/region.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {

@@ -5,8 +5,8 @@
 
 #include "protocol/base/random.h"
 #include "server/fields/field_writer.h"
+#include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
-#include "server/groom/region.h"
 #include "server/surface/geodesics.h"
 #include "tests/unit/groom/shapes.h"
 

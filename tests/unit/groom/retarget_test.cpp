@@ -1,4 +1,6 @@
 // Fields and commands on another model.
+#include "server/groom/retarget.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "protocol/base/random.h"
 #include "server/fields/field_mix.h"
-#include "server/groom/alignment.h"
 #include "server/groom/evaluate.h"
 #include "server/patches/subdivide.h"
 #include "tests/unit/groom/shapes.h"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "protocol/json/colour.h"
-#include "protocol/json/decode_answers.h"
+#include "protocol/json/decode.h"
 #include "protocol/openapi/openapi.h"
 
 namespace pelage {

@@ -1,9 +1,9 @@
 // Corrections move late and in steps.
-#include "renderer/quality/cost_log.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "renderer/quality/cost_model.h"
 
 namespace pelage {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "protocol/base/limits.h"
 #include "renderer/quality/cost_model.h"
-#include "renderer/quality/error_log.h"
 #include "renderer/quality/error_model.h"
 #include "tests/unit/quality/views.h"
 

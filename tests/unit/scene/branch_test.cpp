@@ -2,7 +2,7 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
-#include "server/frames/difference_view.h"
+#include "server/frames/shown_scene.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

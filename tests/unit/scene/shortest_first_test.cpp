@@ -1,8 +1,8 @@
-#include "server/frames/shortest_first.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "server/frames/frame_queue.h"
 
 namespace pelage {
 namespace {

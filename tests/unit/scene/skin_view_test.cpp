@@ -1,6 +1,6 @@
-#include "server/frames/skin_view.h"
-
 #include <gtest/gtest.h>
+
+#include "server/frames/fur_view.h"
 
 namespace pelage {
 namespace {

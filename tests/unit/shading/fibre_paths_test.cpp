@@ -1,12 +1,12 @@
 // The float form of energy_conserving against the double one, and its sampling against its density.
-#include "renderer/shading/fibre_paths.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <vector>
+
+#include "renderer/shading/fibre.h"
 
 namespace pelage {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/passes/sorted/fragment_lists.h"
+#include "renderer/passes/sorted/sorted_pass.h"
 
 namespace pelage {
 namespace {

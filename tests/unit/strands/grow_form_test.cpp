@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "protocol/base/lean_curve.h"
-#include "renderer/coat/clump.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/pattern/pattern.h"

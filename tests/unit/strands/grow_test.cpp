@@ -9,7 +9,7 @@
 #include <random>
 
 #include "renderer/coat/strand_tile.h"
-#include "renderer/strands/tile_cells.h"
+#include "renderer/strands/tile_strands.h"
 #include "tests/unit/strands/fur_patch.h"
 
 namespace pelage {

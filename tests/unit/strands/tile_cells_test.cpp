@@ -1,10 +1,10 @@
-#include "renderer/strands/tile_cells.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <tuple>
+
+#include "renderer/strands/tile_strands.h"
 
 namespace pelage {
 namespace {

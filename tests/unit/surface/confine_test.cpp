@@ -10,7 +10,7 @@
 
 #include <cerrno>
 
-#include "server/import_worker/sanitized.h"
+#include "server/import_worker/parse.h"
 
 namespace pelage {
 namespace {

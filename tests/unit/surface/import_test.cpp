@@ -12,7 +12,7 @@
 
 #include "protocol/base/random.h"
 #include "server/import/map_picture.h"
-#include "server/import_worker/sanitized.h"
+#include "server/import_worker/parse.h"
 
 namespace pelage {
 namespace {

@@ -1,8 +1,8 @@
-#include "renderer/upload/frame_block.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "renderer/upload/blocks.h"
 
 namespace pelage {
 namespace {

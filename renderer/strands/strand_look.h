@@ -1,0 +1,68 @@
+// How strands go to the side of their lean curve: by the tile's offsets, and by paint and tufts as
+// renderer/shaders/paint_form.glsl and tufts.glsl draw them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+
+#include "renderer/coat/strand_tile.h"
+#include "renderer/pattern/pattern.h"
+#include "renderer/strands/grow.h"
+#include "renderer/strands/root_fields.h"
+#include "renderer/strands/tile_strands.h"
+
+namespace pelage {
+
+class StrandForm {
+ public:
+  /// Both must outlive it.
+  StrandForm(const Coat& coat, const TileStrands& tile);
+
+  /// Writes how far each knot of a strand lies beside the curve that it leans along, sizes. Shells look up, at a place
+  /// x and a height s, the strand at x - m p / (1 - p), m being the way from x to the middle of its clump and p the
+  /// part that has been gone; solved for x, with the tile's offset and painted curl o, middles m of root and parts p by
+  /// clump and tuft: (o + sum of m p / (1 - p)) / (1 + sum of p / (1 - p)). A strand does not go to the side by more
+  /// than it is long: offsets on the tile, made for longer fur, shrink to that.
+  void sideways(std::uint32_t strand, const RootFields& root, std::span<glm::vec3> knots) const;
+
+ private:
+  struct Pull;
+  Pull clump_pull(const Strand& strand, const RootFields& root) const;
+  Pull tuft_pull(const RootFields& root) const;
+
+  const Coat& coat_;
+  const TileStrands& tile_;
+  ClumpGrid clumps_;
+};
+
+// The colours of a strand where it stands: the tile's through the model's own, the pattern, paint and water, as
+// renderer/passes/fur/fur.frag mixes them.
+
+/// A picture between its texels, linear; `uv` with v up, repeated.
+glm::vec3 sample_picture(const ImageView& image, glm::vec2 uv, const std::array<float, 256>& linear);
+
+class StrandColours {
+ public:
+  /// All must outlive it.
+  StrandColours(const FurModel& model, const GrowRecipe& recipe, const TileStrands& tile);
+
+  /// Linear colours of a strand's knots, packed.
+  void write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const;
+
+ private:
+  glm::vec3 model_colour(const RootFields& root) const;
+  float wet_exponent(float wetness) const;
+
+  const FurModel& model_;
+  const TileStrands& tile_;
+  bool model_colours_;
+  float own_wetness_;
+  float over_largest_;  // 1 / the largest luminance of the ramp
+  std::optional<PatternBlock> pattern_;
+  std::array<float, 256> linear_;
+};
+
+}  // namespace pelage
