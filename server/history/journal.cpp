@@ -5,6 +5,7 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "server/history/codec.h"
+#include "server/history/schema_upgrades.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {
