@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long for each change: all tests with all cases on OSMesa, benchmarks that run,
-# the soak, many fuzzed scenes, all suites under the sanitizers, and ten minutes of the fuzzer. usage: tests/nightly.sh [SEED]
+# the soak, many fuzzed scenes, clang-tidy over all sources, all suites under the sanitizers, and ten minutes of the fuzzer. usage: tests/nightly.sh [SEED]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,4 +15,5 @@ ctest --preset tests -j "$jobs" --no-tests=error
 python3 tests/count.py build/tests/results
 tests/extremes/fuzz.sh 1000 "$seed"
 
+tests/tidy.sh
 tests/sanitizers.sh 600

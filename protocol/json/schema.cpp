@@ -96,9 +96,12 @@ Json words_schema(Json& all, const std::array<json_names::Name<E>, N>& names) {
   Json schema = {{"enum", Json::array()}};
   for (const auto& name : names) schema["enum"].push_back(name.text);
   constexpr NamedWords named = named_words<E>;
-  if (!named.name) return schema;
-  all[named.name] = described(std::move(schema), named.meaning);
-  return reference(named.name);
+  if constexpr (named.name == nullptr) {
+    return schema;
+  } else {
+    all[named.name] = described(std::move(schema), named.meaning);
+    return reference(named.name);
+  }
 }
 
 template <class T>

@@ -80,7 +80,8 @@ Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
   return {};
 }
 
-std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+                          const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput sink(bytes);
   const char* name = name_of(format);

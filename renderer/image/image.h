@@ -35,7 +35,8 @@ std::string reason_of(const std::string& text);
 Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels);
 
 /// The file of these pixels, rows from the top; `type` is theirs, UNKNOWN for the specification's own.
-std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels);
+std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+                          const void* pixels);
 
 // 8-bit and 16-bit pictures in memory and as files. Only this folder sees OpenImageIO.
 

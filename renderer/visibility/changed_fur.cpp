@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_noted = 1 << 18;  // 4 MiB
-constexpr int parts = 4;                    // of a strand; between their ends it bends by no more than
+constexpr int box_count = 4;                // of a strand; between their ends it bends by no more than
 constexpr float bend_of_a_part = 0.03f;     // of its length
 
 class StrandBoxes {
@@ -26,8 +26,9 @@ class StrandBoxes {
     const glm::vec3 normal = mesh_.normals[vertex];
     const auto [inclination, lean] = lean_of(glm::vec2(groom), normal, mesh_.tangents[vertex]);
     ClipBox box = balls_.of(root, bend_of_a_part * length);
-    for (int i = 1; i <= parts; ++i) {
-      const LeanPoint at = lean_point(coat_.lean_curve, inclination, coat_.root_share, static_cast<double>(i) / parts);
+    for (int i = 1; i <= box_count; ++i) {
+      const LeanPoint at =
+          lean_point(coat_.lean_curve, inclination, coat_.root_share, static_cast<double>(i) / box_count);
       const glm::vec3 way = static_cast<float>(at.across) * lean + static_cast<float>(at.up) * normal;
       box = union_of(box, balls_.of(root + length * way, bend_of_a_part * length));
     }

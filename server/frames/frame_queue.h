@@ -92,7 +92,7 @@ class ShortestFirst {
       if (fits(*one) && (first == waiting_.end() || one->due < first->due)) first = one;
     }
     if (first == waiting_.end()) return {};
-    std::optional<Taken> taken(std::in_place, std::move(first->job), first->cost);
+    std::optional<Taken> taken = Taken{std::move(first->job), first->cost};
     waiting_.erase(first);
     return taken;
   }

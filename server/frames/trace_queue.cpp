@@ -147,7 +147,8 @@ TraceQueue::JobPtr TraceQueue::find(const Scene& scene, const std::string& key) 
 }
 
 void TraceQueue::drop(const JobPtr& job, Status why) {
-  const JobPtr kept = job;  // the argument may lie in the list
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the argument may lie in the list
+  const JobPtr kept = job;
   std::erase(jobs_, kept);
   kept->dropped = true;
   if (kept->stage == Stage::running) gate_.wake();

@@ -114,7 +114,7 @@ std::size_t bytes_of(const LogEntry& line, const SceneSettings* settings) noexce
   if (settings == nullptr) return bytes;
   bytes += sizeof(SceneSettings);
   for (const CurveGroup& group : settings->curves) {
-    for (const GuideCurve& curve : group.curves) bytes += sizeof(curve) + curve.size() * sizeof(glm::dvec3);
+    for (const GuideCurve& curve : group.curves) bytes += sizeof(GuideCurve) + curve.size() * sizeof(glm::dvec3);
   }
   return bytes;
 }

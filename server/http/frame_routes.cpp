@@ -140,7 +140,7 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   if (frame->trace) response.set_header("Pelage-Trace", encode(*frame->trace));
   response.set_header("Server-Timing", server_timing(*frame));
   response.set_header("Cache-Control", "no-cache");
-  response.set_content(std::move(frame->bytes), frame->content_type);
+  response.set_content(frame->bytes, frame->content_type);
 }
 
 /// Passes of the picture that the client has, as far as its request says so.

@@ -111,6 +111,7 @@ struct HttpServer::Impl {
       const bool ours = !response.body.empty() || response.content_length_ > 0;
       if (!ours) refuse(own_refusal(request, response.status), request, response);
     });
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is httplib's
     server.set_exception_handler([](const Request& request, Response& response, std::exception_ptr) {
       fmt::print(stderr, "pelaged: an exception reached {}\n", route_of(request.path).path);
       response.headers.clear();

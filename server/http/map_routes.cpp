@@ -27,7 +27,7 @@ void reply_map(Service& service, const Scene& scene, const MapRequest& wanted, R
   response.set_header("Pelage-Revision", std::to_string(map->answer.revision));
   response.set_header("Pelage-Map", encode(map->answer));
   response.set_header("Cache-Control", "no-cache");
-  response.set_content(std::move(map->bytes), map->content_type);
+  response.set_content(map->bytes, map->content_type);
 }
 
 void get_map(Service& service, const Scene& scene, const Request& request, Response& response) {

@@ -26,13 +26,13 @@ int http_status_of(Code code) {
   return 500;
 }
 
-void reply_json(httplib::Response& response, int http_status, std::string body) {
+void reply_json(httplib::Response& response, int http_status, const std::string& body) {
   response.status = http_status;
-  response.set_content(std::move(body), "application/json");
+  response.set_content(body, "application/json");
 }
 
-void reply_json(httplib::Response& response, int http_status, std::string body, Revision revision) {
-  reply_json(response, http_status, std::move(body));
+void reply_json(httplib::Response& response, int http_status, const std::string& body, Revision revision) {
+  reply_json(response, http_status, body);
   set_etag(response, revision);
 }
 

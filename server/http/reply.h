@@ -13,9 +13,9 @@ namespace pelage {
 
 int http_status_of(Code code);
 
-void reply_json(httplib::Response& response, int http_status, std::string body);
+void reply_json(httplib::Response& response, int http_status, const std::string& body);
 /// Also sets ETag.
-void reply_json(httplib::Response& response, int http_status, std::string body, Revision revision);
+void reply_json(httplib::Response& response, int http_status, const std::string& body, Revision revision);
 
 /// A problem document; with Retry-After where trying again helps.
 void reply_problem(httplib::Response& response, const Status& status, int http_status);

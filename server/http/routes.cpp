@@ -24,7 +24,7 @@ std::uint64_t model_id_of(const Scene& scene) {
   return id;
 }
 
-void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler) {
+void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler) {
   server.Post(pattern, [handler](const httplib::Request& request, httplib::Response& response) {
     if (request.body.size() <= limits::command_body_bytes) return handler(request, response);
     reply_problem(response, failure(Code::too_large, fmt::format("The body has {} bytes.", request.body.size()), "",

@@ -55,7 +55,7 @@ void with_scene(Service& service, const httplib::Request& request, httplib::Resp
 std::uint64_t model_id_of(const Scene& scene);
 
 /// A POST; bodies over the limit of commands are refused (413).
-void add_post(httplib::Server& server, const std::string& pattern, httplib::Server::Handler handler);
+void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler);
 
 Query query_of(const httplib::Request& request);
 /// The same with the field of the address ".../maps/{field}" as a parameter.

@@ -12,25 +12,25 @@ namespace pelage {
 namespace {
 
 template <ModelFormat format>
-Result<std::string> read_model(std::string bytes) {
+Result<std::string> read_model(std::string&& bytes) {
   const Result<RawModel> model = parse_model(format, std::move(bytes));
   if (!model.ok()) return model.status();
   return encode_raw_model(*model);
 }
 
-Result<std::string> read_light(std::string bytes) {
+Result<std::string> read_light(std::string&& bytes) {
   const Result<SphericalHarmonics> harmonics = read_environment(bytes);
   if (!harmonics.ok()) return harmonics.status();
   return encode_harmonics(*harmonics);
 }
 
-Result<std::string> read_data(std::string bytes) {
+Result<std::string> read_data(std::string&& bytes) {
   const Result<MapPicture> picture = read_map_picture(bytes);
   if (!picture.ok()) return picture.status();
   return encode_map_picture(*picture);
 }
 
-Result<std::string> read_backplate(std::string bytes) {
+Result<std::string> read_backplate(std::string&& bytes) {
   const Result<RawImage> image = read_skin_texture(bytes);
   if (!image.ok()) return image.status();
   return encode_raw_image(*image);

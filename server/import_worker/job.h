@@ -9,7 +9,7 @@
 namespace pelage {
 
 /// From the bytes of a file to the bytes of the answer. Refused (invalid) with the reason.
-using Job = Result<std::string> (*)(std::string bytes);
+using Job = Result<std::string> (*)(std::string&& bytes);
 
 /// The job of that name (server/import/import.h); null when there is none.
 Job job_of(std::string_view name);

@@ -250,7 +250,8 @@ void dilate(MapImage& image, int distance) {
     const auto look = [&](int row) {
       if (row < 0 || row >= image.size) return;
       const std::size_t there = static_cast<std::size_t>(row) * size + static_cast<std::size_t>(x);
-      const int step = steps[there], far = step * step + (row - y) * (row - y);
+      const auto step = static_cast<int>(steps[there]);
+      const int far = step * step + (row - y) * (row - y);
       if (step == none || far >= nearest) return;
       nearest = far;
       source = there + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(step));

@@ -60,7 +60,8 @@ History Scene::new_history(Revision first, SceneSettings settings) const {
   return History(first, std::move(settings), {undo_bytes_, read});
 }
 
-Status Scene::restore(const FieldDelta& first_groom, Revision first, std::shared_ptr<const SceneSettings> settings) {
+Status Scene::restore(const FieldDelta& first_groom, Revision first,
+                      const std::shared_ptr<const SceneSettings>& settings) {
   const std::lock_guard lock(mutex_);
   fields_ = FieldSet(fields_.size());
   history_ = new_history(first, settings ? *settings : first_settings(*model_));

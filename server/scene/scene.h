@@ -101,7 +101,7 @@ class Scene {
   /// (internal) when they do not fit together; the scene is then not to be used.
   /// Settings begin as `settings` say, or as a scene of this model begins.
   Status restore(const FieldDelta& first_groom, Revision first,
-                 std::shared_ptr<const SceneSettings> settings = nullptr);
+                 const std::shared_ptr<const SceneSettings>& settings = nullptr);
 
   /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
   /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field

@@ -46,7 +46,7 @@ std::string chain_of(const std::vector<std::string>& files, const std::string& l
 
 }  // namespace
 
-Status recipe_failure(const std::string& file, std::string message, std::string pointer, std::string limit,
+Status recipe_failure(const std::string& file, const std::string& message, std::string pointer, std::string limit,
                       std::string nearest) {
   return failure(Code::invalid, file + ": " + message, std::move(pointer), std::move(limit), std::move(nearest));
 }

@@ -19,7 +19,7 @@ struct RecipeFile {
 };
 
 /// A refusal that names the file.
-Status recipe_failure(const std::string& file, std::string message, std::string pointer, std::string limit = {},
+Status recipe_failure(const std::string& file, const std::string& message, std::string pointer, std::string limit = {},
                       std::string nearest = {});
 
 /// Reads a recipe and all that it includes, each file once. Keeps what it read.

@@ -73,7 +73,7 @@ Result<Place> place_of(Session& session, const std::string& path, const Case& sc
 /// Measures settings on one scene; each different picture is drawn and timed once.
 class Sweeper {
  public:
-  Sweeper(Session& session, const Case& scene, const SweepOptions& options, Place place)
+  Sweeper(Session& session, const Case& scene, const SweepOptions& options, const Place& place)
       : session_(session),
         scene_(scene),
         options_(options),
