@@ -1,4 +1,5 @@
-"""Expands #include lines of a shader, checks its variants with glslangValidator and writes it as a C++ string.
+"""Expands #include lines of a shader and writes it as a C++ string. glslangValidator checks it without, with each and with all of the
+names that it asks for, and with each shading model; other sets of names are compiled when a scene first needs them.
 
 usage: expand_shader.py SOURCE OUTPUT.cpp SYMBOL INCLUDE_DIR...
 """
@@ -27,17 +28,21 @@ def expand(path, folders, seen):
     return "\n".join(text)
 
 
+SHADING_MODELS = 6  # of renderer/shaders/constants.glsl
+
+
 def variants(text):
-    """Sets of names that may be defined: none, each one that the text asks for with #ifdef alone, and all of them."""
-    names = sorted(set(re.findall(r"^\s*#ifdef\s+(\w+)", text, re.MULTILINE)))
-    return [[], *([name] for name in names), names] if names else [[]]
+    """Sets of #define lines: none, each name that the text asks for with #ifdef alone, all of them, and with each shading model."""
+    names = [f"{name} 1" for name in sorted(set(re.findall(r"^\s*#ifdef\s+(\w+)", text, re.MULTILINE)))]
+    models = [f"SHADING_MODEL {number}" for number in range(SHADING_MODELS)] if "SHADING_MODEL" in text else []
+    return [[], *([name] for name in names), names, *([*names, model] for model in models)]
 
 
 def check(source, text, defines):
     stage = source.suffix[1:]
     version, rest = text.split("\n", 1)
     with tempfile.NamedTemporaryFile("w", suffix="." + stage) as file:
-        file.write("\n".join([version, *(f"#define {name} 1" for name in defines), rest]))
+        file.write("\n".join([version, *(f"#define {line}" for line in defines), rest]))
         file.flush()
         answer = subprocess.run(["glslangValidator", file.name], capture_output=True, text=True)
     if answer.returncode:
