@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests under the address and undefined behaviour sanitizers, and the fuzzer for SECONDS from its corpus.
-# usage: tests/sanitizers.sh [SECONDS [SUITE...]]     (30, and all unit and property suites)
+# usage: tests/sanitizers.sh [SECONDS [SUITE...]]     (30, and all unit, property and end-to-end suites)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,11 +9,19 @@ shift $(($# > 0 ? 1 : 0))
 suites=("$@")
 if [ ${#suites[@]} -eq 0 ]; then
   for folder in tests/unit/*/ tests/property/*/; do suites+=("$(basename "$(dirname "$folder")")_$(basename "$folder")"); done
+  for file in tests/end_to_end/test_*.py; do name=$(basename "$file" .py); suites+=("end_to_end.${name#test_}"); done
 fi
+targets=(fuzz_json)
+for suite in "${suites[@]}"; do
+  case $suite in
+    end_to_end.*) targets+=(pelaged pelage pelage-import pelage-compare pelage-trade) ;;
+    *) targets+=("$suite") ;;
+  esac
+done
 jobs=$(nproc)
 export CCACHE_BASEDIR="$PWD"
 cmake --preset asan -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
-cmake --build --preset asan -j "$jobs" --target fuzz_json "${suites[@]}"
+cmake --build --preset asan -j "$jobs" --target "${targets[@]}"
 # A sanitizer's own threads do not start where the test lets none start.
 GTEST_FILTER=-ParallelDeathTest.* ctest --preset asan -j "$jobs" --no-tests=error -R "^($(IFS='|'; echo "${suites[*]}")|fuzz_json.*)$"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -12,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "protocol/base/stopwatch.h"
 #include "renderer/frame/renderer.h"
 #include "server/frames/error_probe.h"
 #include "server/frames/frame_file.h"
@@ -23,12 +23,6 @@
 namespace pelage {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 struct DrawnFrame {
   DrawnPicture picture;
@@ -51,11 +45,11 @@ struct Job {
   FrameRequest request;
   std::function<bool()> abandoned;
   std::optional<PastFields> past = {};  // what the overlay compares with
-  Clock::time_point asked = Clock::now();
+  Stopwatch asked = {};
   std::promise<Result<DrawnFrame>> answer;
   // While it is drawn:
   double cost = 0;  // as expected, milliseconds
-  Clock::time_point begun = {};
+  Stopwatch begun = {};
   Revision revision = 0;
   bool outdated = false;  // a frame that was let in shows another revision of the scene
   bool given_up = false;
@@ -88,7 +82,7 @@ struct FrameService::Impl {
   FramePlanner planner;
   CostUnit unit;
   PngEncoder png;  // of whoever asked, not of the render thread
-  const Clock::time_point epoch = Clock::now();
+  const Stopwatch running_time;
   std::vector<Job*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
@@ -157,7 +151,7 @@ bool FrameService::Impl::forget_gone(Renderer& renderer) {
 
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
   Job& job = *taken.job;
-  job.cost = taken.cost, job.begun = Clock::now();
+  job.cost = taken.cost, job.begun = {};
   running.push_back(&job);
   Result<DrawnFrame> frame = draw(renderer, job);
   for (; !frame && job.outdated; ++job.restarts) {
@@ -169,12 +163,12 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
 }
 
 bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch passed;
   const auto may = [&](const std::unique_ptr<Job>& other) {
     return job.restarts < max_restarts || other->scene != job.scene;
   };
   // Once it has taken longer than was expected, others are short beside it.
-  const double taken = milliseconds_since(job.begun) - job.paused;
+  const double taken = job.begun.milliseconds() - job.paused;
   auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
     const std::lock_guard lock(mutex);
     job.given_up = job.given_up || stopping;
@@ -183,7 +177,7 @@ bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
   };
   while (auto other = next()) finish(renderer, std::move(*other));
   job.given_up = job.given_up || job.outdated || job.left();
-  job.paused += milliseconds_since(start);
+  job.paused += passed.milliseconds();
   return !job.given_up;
 }
 
@@ -201,8 +195,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   const Status left = failure(Code::unavailable, "nobody waits for this frame any more");
   if (job.left()) return left;
   DrawnFrame frame;
-  frame.timings.queue = milliseconds_since(job.asked);
-  const Clock::time_point start = Clock::now();
+  frame.timings.queue = job.asked.milliseconds();
+  const Stopwatch passed;
   const double paused = job.paused;
   Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false, planner.looks_at(job.request));
   if (!shown) return shown.status();
@@ -211,13 +205,13 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   if (shown->features) frame.estimate = plan(renderer, job, *shown, frame.timings.probe);
   frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
-  frame.timings.upload = milliseconds_since(start) - (job.paused - paused);
+  frame.timings.upload = passed.milliseconds() - (job.paused - paused);
   DrawTimes times;
   Result<DrawnPicture> picture = failure(Code::conflict, "given up while its error was measured");
   if (!job.given_up)
     picture = draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
   memory.measure(renderer, shown->copy_id);
-  count(milliseconds_since(start) - (job.paused - paused), picture ? Status{} : picture.status());
+  count(passed.milliseconds() - (job.paused - paused), picture ? Status{} : picture.status());
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
   if (!picture) return picture.status();
@@ -232,7 +226,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
 }
 
 std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, Job& job, Shown& shown, double& probed) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch passed;
   const double paused = job.paused;
   const FrameRequest& request = job.request;
   std::optional<ErrorProbe> probe;
@@ -243,7 +237,7 @@ std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, Job& j
     return probe->error(knobs);
   };
   std::optional<FrameEstimate> estimate = planner.plan(request, *shown.features, shown.fur, measure);
-  if (probe) probed = milliseconds_since(start) - (job.paused - paused);
+  if (probe) probed = passed.milliseconds() - (job.paused - paused);
   return estimate;
 }
 
@@ -269,7 +263,7 @@ void FrameService::Impl::add(std::unique_ptr<Job> job) {
     *older = std::move(job);
   } else {
     const double cost = expected_cost(job->request);
-    jobs.add(std::move(job), cost, milliseconds_since(epoch));
+    jobs.add(std::move(job), cost, running_time.milliseconds());
   }
   wake.notify_one();
 }
@@ -309,7 +303,7 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   impl_->add(std::move(job));
   Result<DrawnFrame> drawn = answer.get();
   if (!drawn) return drawn.status();
-  const Clock::time_point start = Clock::now();
+  const Stopwatch encoding;
   FrameAnswer result{.bytes = encode_frame(std::move(drawn->picture), request, drawn->placement, impl_->png),
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
@@ -317,24 +311,24 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
                      .timings = drawn->timings,
                      .counters = drawn->counters,
                      .estimate = std::move(drawn->estimate)};
-  result.timings.encode = milliseconds_since(start);
+  result.timings.encode = encoding.milliseconds();
   return result;
 }
 
 Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
   const Result<std::optional<PastFields>> past = past_of(*scene, request);
   if (!past) return past.status();
-  const Clock::time_point asked = Clock::now();
+  const Stopwatch asked;
   return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
-    FrameTimings timings{.queue = milliseconds_since(asked)};
-    const Clock::time_point start = Clock::now();
+    FrameTimings timings{.queue = asked.milliseconds()};
+    const Stopwatch passed;
     Result<Shown> shown = show(renderer, *scene, request, *past, true, false);
     if (!shown) return shown.status();
-    timings.upload = milliseconds_since(start);
+    timings.upload = passed.milliseconds();
     DrawTimes times;
     Result<Backplate> base = renderer.draw_backplate(shown->fur, &times);
     impl_->memory.measure(renderer, shown->copy_id);
-    impl_->count(milliseconds_since(start), base ? Status{} : base.status());
+    impl_->count(passed.milliseconds(), base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
     return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings,
@@ -344,19 +338,19 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
 
 Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request) {
   FrameTimings timings = picture.timings;
-  const Clock::time_point asked = Clock::now();
+  const Stopwatch asked;
   Result<DrawnPicture> finished = DrawnPicture(picture.aovs);
   if (request.format != FrameFormat::exr) {  // an EXR is light as it was traced
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
-      const Clock::time_point start = Clock::now();
+      const Stopwatch passed;
       Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.aovs.front());
-      impl_->count(milliseconds_since(start), shown ? Status{} : shown.status());
+      impl_->count(passed.milliseconds(), shown ? Status{} : shown.status());
       return shown;
     });
   }
   if (!finished) return finished.status();
-  timings.read += milliseconds_since(asked);
-  const Clock::time_point start = Clock::now();
+  timings.read += asked.milliseconds();
+  const Stopwatch encoding;
   FrameAnswer answer{.bytes = encode_frame(std::move(*finished), request, picture.placement, impl_->png),
                      .content_type = content_type_of(request.format),
                      .revision = picture.revision,
@@ -364,7 +358,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
                      .timings = timings,
                      .counters = picture.counters,
                      .trace = picture.report};
-  answer.timings.encode = milliseconds_since(start);
+  answer.timings.encode = encoding.milliseconds();
   return answer;
 }
 

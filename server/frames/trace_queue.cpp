@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {
@@ -209,9 +210,9 @@ TraceQueue::Clock::time_point TraceQueue::next_event() const {
 
 void TraceQueue::run() {
   while (const JobPtr job = next()) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch passed;
     Status status = trace_job(job);
-    end(job, std::move(status), std::chrono::duration<double>(Clock::now() - start).count());
+    end(job, std::move(status), passed.seconds());
   }
 }
 
