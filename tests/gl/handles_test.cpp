@@ -43,7 +43,7 @@ TEST_P(Handles, StorageIsCountedUntilItIsGivenBack) {
     EXPECT_EQ(gl().bytes_of_texture(texture.id()), 4u * 5 * (16 + 4 + 1));
     EXPECT_EQ(gl().held_bytes() - before, 400u + 420);
     const RenderTarget target(gl(), GL_RGBA32F, 8, 2, true);
-    EXPECT_EQ(gl().held_bytes() - before, 400u + 420 + 16 * (16 + 8));
+    EXPECT_EQ(gl().held_bytes() - before, 400u + 420 + 16 * (16 + 4));
   }
   EXPECT_EQ(gl().held_bytes(), before);
 }
