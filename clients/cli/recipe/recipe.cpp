@@ -57,11 +57,10 @@ class Filler {
     return is_place(copy) ? position(copy, scope, pointer) : copy;
   }
 
-  json refuse(const Scope& scope, std::string message, std::string pointer, std::string limit,
+  json refuse(const Scope& scope, const std::string& message, std::string pointer, std::string limit,
               std::string nearest = {}) {
     if (status_.ok())
-      status_ =
-          recipe_failure(scope.file.name, std::move(message), std::move(pointer), std::move(limit), std::move(nearest));
+      status_ = recipe_failure(scope.file.name, message, std::move(pointer), std::move(limit), std::move(nearest));
     return {};
   }
 
