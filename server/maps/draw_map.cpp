@@ -250,7 +250,7 @@ void dilate(MapImage& image, int distance) {
     const auto look = [&](int row) {
       if (row < 0 || row >= image.size) return;
       const std::size_t there = static_cast<std::size_t>(row) * size + static_cast<std::size_t>(x);
-      const auto step = static_cast<int>(steps[there]);
+      const auto step = int{steps[there]};
       const int far = step * step + (row - y) * (row - y);
       if (step == none || far >= nearest) return;
       nearest = far;
