@@ -1,3 +1,5 @@
+// A coat: its pattern, and the strands, colours and tufts that it is made of.
+//
 // Markings of a coat and its slow changes over the body, as functions of where a strand's root is. Places are internal
 // coordinates (y up, the nose at +z, the middle of the box at 0, its diagonal 1), so no model needs UVs.
 #pragma once

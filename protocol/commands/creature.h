@@ -1,3 +1,5 @@
+// What stands on a body beside fur: eyes, bare skin and guided curves.
+//
 // Eyes that are placed in a scene: part of it, set by a command and logged.
 #pragma once
 

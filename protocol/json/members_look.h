@@ -1,3 +1,5 @@
+// Coats, bodies, looks and lights on the wire.
+//
 // The coat on the wire.
 #pragma once
 

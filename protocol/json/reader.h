@@ -1,3 +1,5 @@
+// Reading values of a JSON tree, with pointers and nearest names in refusals.
+//
 // Helping with typing mistakes.
 #pragma once
 

@@ -1,3 +1,5 @@
+// The clumps of a sample tile, and its strands.
+//
 // Clumps scattered over the periodic tile, one to a cell of a grid: tufts, the locks inside them, and lodged patches.
 #pragma once
 

@@ -1,3 +1,5 @@
+// What is asked of the GL once it has drawn.
+//
 // How many fragments were drawn, as the GL counts them.
 #pragma once
 

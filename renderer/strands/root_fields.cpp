@@ -87,7 +87,7 @@ FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, s
   }
 }
 
-/// The curve of a strand at a corner, as in fur.vert.
+/// The curve of a strand at a corner, as in fur_vertex.glsl.
 void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
   auto [inclination, lean] = lean_of(corner.fur.direction, corner.normal, tangent);
   if (pattern) {

@@ -1,3 +1,5 @@
+// The fields at a root of a strand, and the table of lean curves that strands there follow.
+//
 // The lean curve (protocol/base/lean_curve.h) by inclination and height: strands need it at more places than can be
 // worked out for each.
 #pragma once
@@ -35,8 +37,8 @@ class LeanTable {
   std::vector<LeanRow> rows_;
 };
 
-// The fields of the surface where a strand is rooted, as renderer/passes/fur/fur.vert hands them to fragments: worked
-// out at the corners of a piece and mixed.
+// The fields of the surface where a strand is rooted, as renderer/passes/fur/fur_vertex.glsl hands them to fragments:
+// worked out at the corners of a piece and mixed.
 
 /// What fields say at a vertex. No padding.
 struct FurVertex {

@@ -1,3 +1,5 @@
+// Random directions, hashes and the frame about a strand.
+//
 // A 64-bit hash of numbers as they are in memory, to tell whether anything changed.
 #pragma once
 

@@ -1,3 +1,5 @@
+// Uniform blocks of a frame, its shadows and its bare skin.
+//
 // The uniform block of renderer/shaders/frame.glsl, laid out as std140 wants it.
 #pragma once
 

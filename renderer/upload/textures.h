@@ -1,3 +1,5 @@
+// Textures of coats, tufts, patterns and scattering.
+//
 // A volume about a surface as a texture.
 #pragma once
 

@@ -1,3 +1,5 @@
+// Calibration: its knob sets, how it is measured, and the program that does it.
+//
 // The knob sets that a calibration chooses its ladder from.
 #pragma once
 

@@ -1,3 +1,5 @@
+// Scenes that are drawn to be measured, and measuring them.
+//
 // Furred models that are drawn to be measured, without a server's scenes.
 #pragma once
 

@@ -1,3 +1,5 @@
+// The stored calibration, and the dial that plans frames by it.
+//
 // The calibration that the server plans by: one that was measured here, or the safe defaults.
 #pragma once
 

@@ -1,3 +1,5 @@
+// Frames that wait: their expected cost, and the queue that takes the shortest first.
+//
 // What a drawn frame has cost, and what a view's estimates are estimated from.
 #pragma once
 

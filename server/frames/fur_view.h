@@ -1,3 +1,5 @@
+// A scene as the renderer wants it: curves, bare skin, model, fields and frame.
+//
 // Guided curves as the renderer wants them.
 #pragma once
 

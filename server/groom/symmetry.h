@@ -1,3 +1,5 @@
+// Moving commands: to their images under a symmetry, and to other models.
+//
 // Everything in a command that says where, visited once: for images under a symmetry and for other models.
 #pragma once
 

@@ -1,3 +1,5 @@
+// AOVs: the target that they are drawn into, and the passes that draw them.
+//
 // Where shaders with AOVS write what a frame keeps beside colour.
 #pragma once
 

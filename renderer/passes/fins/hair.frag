@@ -14,7 +14,7 @@
 #include "covering.glsl"
 #endif
 
-layout(binding = colours_unit) uniform sampler2DArray colours;  // as fur.frag
+layout(binding = colours_unit) uniform sampler2DArray colours;  // as slab.glsl
 
 uniform float min_opacity;
 

@@ -61,7 +61,7 @@ class FurPass {
   /// In the order of blending: back-facing outside in; facing inside out.
   static std::vector<Shell> back_facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
   static std::vector<Shell> facing_shells(const Knobs& knobs, const ModelBuffers::DepthPart& part);
-  /// With a program of fur.vert and slab.glsl, in use.
+  /// With a program of fur_vertex.glsl and slab.glsl, in use.
   static void draw_shell(const Gl& gl, const Program& program, const Shell& shell);
   static void bind(const Gl& gl, const FurDrawing& drawing);
 

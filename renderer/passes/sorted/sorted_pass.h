@@ -1,3 +1,5 @@
+// Fur blended by depth: lists of fragments for each pixel of an area, and the pass that sorts them.
+//
 // Areas of a picture that are worked on one after the other.
 #pragma once
 
