@@ -1,0 +1,107 @@
+// Calls of the server. Every refusal becomes a Refusal with the words of its problem document.
+import type {CommandAnswer, Comparison, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, Scene, SceneList, Settings, TraceReport} from "./types";
+import {author, token} from "./identity";
+
+/** The server said no, and why. */
+export class Refusal extends Error {
+  constructor(readonly status: number, readonly problem: Problem) {
+    super(problem.detail || problem.title);
+  }
+}
+/** Nothing was heard from the server. */
+export class Offline extends Error {}
+/** The request was given up by whoever sent it. */
+export class Aborted extends Error {}
+
+export interface CallOptions { method?: string; body?: BodyInit | null; json?: unknown; headers?: Record<string, string>; signal?: AbortSignal }
+
+const no_problem: Problem = {type: "about:blank", title: "The server refused.", status: 500, detail: ""};
+
+async function problemOf(answer: Response): Promise<Refusal> {
+  const problem = await answer.json().catch(() => no_problem) as Problem;
+  return new Refusal(answer.status, {...no_problem, ...problem});
+}
+
+/** Answers of 200 to 304; anything else is thrown. */
+export async function call(path: string, options: CallOptions = {}): Promise<Response> {
+  const headers: Record<string, string> = {...options.headers};
+  if (token.value) headers["Authorization"] = `Bearer ${token.value}`;
+  const method = options.method ?? (options.json === undefined ? "GET" : "POST");
+  if (method !== "GET") headers["Pelage-Author"] = encodeURIComponent(author.value);
+  if (options.json !== undefined) headers["Content-Type"] = "application/json";
+  const body = options.json === undefined ? options.body : JSON.stringify(options.json);
+  let answer: Response;
+  try {
+    answer = await fetch(path, {method, headers, body: body ?? null, signal: options.signal ?? null, cache: "no-store"});
+  } catch (error) {
+    if (options.signal?.aborted) throw new Aborted();
+    throw new Offline(String(error));
+  }
+  if (answer.ok || answer.status === 304) return answer;
+  throw await problemOf(answer);
+}
+
+async function read<T>(path: string, options: CallOptions = {}): Promise<T> {
+  return await (await call(path, options)).json() as T;
+}
+
+const at = (id: string) => `/v1/scenes/${encodeURIComponent(id)}`;
+
+export const listScenes = async () => (await read<SceneList>("/v1/scenes")).scenes;
+export const describeScene = (id: string) => read<Scene>(at(id));
+export const createScene = (json: unknown) => read<Scene>("/v1/scenes", {json});
+export const removeScene = (id: string) => call(at(id), {method: "DELETE"});
+export const readLog = async (id: string) => (await read<{entries: LogEntry[]}>(`${at(id)}/log`)).entries;
+export const readLines = async (id: string) => (await call(`${at(id)}/log?format=jsonl`)).text();
+export const branchScene = (id: string, json: unknown) => read<Scene>(`${at(id)}/branch`, {json});
+export const compareRevisions = (id: string, from: number, to: number) => read<Comparison>(`${at(id)}/compare?from=${from}&to=${to}`);
+export const pick = (id: string, json: unknown) => read<Pick>(`${at(id)}/pick`, {json});
+export const scenePath = at;
+
+/** A change of a scene: what the outbox sends. `path` is below the scene's. */
+export const change = (id: string, path: string, json: unknown, key: string) =>
+  read<CommandAnswer>(`${at(id)}/${path}`, {json, headers: {"Idempotency-Key": key}});
+
+export interface Picture {
+  bytes: Blob;
+  revision: number;
+  knobs: Knobs;
+  trace: TraceReport | null;
+  estimate: FrameEstimate | null;
+  /** Milliseconds by name, from Server-Timing. */
+  timings: Record<string, number>;
+}
+export interface FrameNews { after: number; after_pass?: number; wait: number }
+
+const json_header = (answer: Response, name: string) => {
+  const text = answer.headers.get(name);
+  return text === null ? null : JSON.parse(text) as unknown;
+};
+
+export function timingsOf(text: string): Record<string, number> {
+  const timings: Record<string, number> = {};
+  for (const part of text.split(",")) {
+    const match = /^\s*(\w+);dur=([\d.]+)/.exec(part);
+    if (match) timings[match[1]!] = Number(match[2]);
+  }
+  return timings;
+}
+
+/** A frame; null where nothing newer came within `news.wait` seconds. */
+export async function drawFrame(id: string, request: FrameRequest, news: FrameNews | null, signal?: AbortSignal): Promise<Picture | null> {
+  const query = news ? "?" + Object.entries(news).map(([name, value]) => `${name}=${value}`).join("&") : "";
+  const answer = await call(`${at(id)}/frames${query}`, {json: request, ...(signal ? {signal} : {})});
+  if (answer.status === 304) return null;
+  return {
+    bytes: await answer.blob(),
+    revision: Number(answer.headers.get("Pelage-Revision")),
+    knobs: json_header(answer, "Pelage-Quality") as Knobs,
+    trace: json_header(answer, "Pelage-Trace") as TraceReport | null,
+    estimate: json_header(answer, "Pelage-Error") as FrameEstimate | null,
+    timings: timingsOf(answer.headers.get("Server-Timing") ?? ""),
+  };
+}
+
+
+export const readSettings = (id: string, revision?: number) =>
+  read<Settings>(`${at(id)}/settings${revision === undefined ? "" : `?revision=${revision}`}`);

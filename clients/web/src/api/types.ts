@@ -1,0 +1,28 @@
+// The contract's shapes under short names. They come from openapi.json: what it does not say does not compile.
+import type {components} from "contract";
+
+type Schemas = components["schemas"];
+
+export type Scene = Schemas["Scene"];
+export type SceneList = Schemas["SceneList"];
+export type LogEntry = Schemas["LogEntry"];
+export type CommandAnswer = Schemas["CommandAnswer"];
+export type Problem = Schemas["Problem"];
+export type EditLayer = Schemas["EditLayer"];
+export type Knobs = Schemas["Knobs"];
+export type Tier = Schemas["Tier"];
+export type FrameRequest = Partial<Schemas["FrameRequest"]>;
+export type FrameEstimate = Schemas["FrameEstimate"];
+export type TraceReport = Schemas["TraceReport"];
+export type Pick = Schemas["Pick"];
+export type Comparison = Schemas["Comparison"];
+export type Field = Schemas["Field"];
+export type Settings = Schemas["Settings"];
+export type AutoView = Schemas["AutoView"];
+export type Op = Schemas["Command"]["op"];
+
+export type Vector = [number, number, number];
+/** A pinhole camera in the model's coordinates; fov_degrees is vertical. */
+export interface Pinhole { position: Vector; target: Vector; up: Vector; fov_degrees: number }
+/** A command as it is sent: `op` and the members of its schema, which the server checks. */
+export type Command = {op: Op} & Record<string, unknown>;

@@ -1,0 +1,37 @@
+// The panels on the right, in the order of their tabs.
+import type {ComponentType} from "preact";
+import {panel} from "../shell/places";
+import {Icon, type Sign} from "../tools/icons";
+import {ToolPanel} from "../tools/tool_panel";
+
+interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
+
+const panels: Panel[] = [
+  {id: "tool", label: "Tool", sign: "tool", show: ToolPanel},
+];
+
+/** Arrow keys go from tab to tab, as tab lists do everywhere. */
+function arrows(event: KeyboardEvent) {
+  const step = {ArrowLeft: -1, ArrowRight: 1, ArrowUp: -1, ArrowDown: 1}[event.key];
+  if (!step) return;
+  event.preventDefault();
+  const at = panels.findIndex(({id}) => id === panel.value);
+  panel.value = panels[(at + step + panels.length) % panels.length]!.id;
+  document.getElementById(`tab-${panel.value}`)?.focus();
+}
+
+export function Panels() {
+  const open = panels.find(({id}) => id === panel.value) ?? panels[0]!;
+  const Show = open.show;
+  return (
+    <aside class="panels" aria-label="Panels">
+      <div class="tabs" role="tablist" aria-label="Panels" onKeyDown={arrows}>
+        {panels.map(({id, label, sign}) => (
+          <button key={id} id={`tab-${id}`} type="button" role="tab" aria-selected={id === open.id} aria-controls="panel" title={label} aria-label={label}
+                  tabIndex={id === open.id ? 0 : -1} onClick={() => { panel.value = id; }}><Icon sign={sign} /><span>{label}</span></button>
+        ))}
+      </div>
+      <div class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${open.id}`} tabIndex={0}><Show /></div>
+    </aside>
+  );
+}

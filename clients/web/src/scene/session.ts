@@ -1,0 +1,112 @@
+// The scene that is open: what the server said of it last. Every change goes through run() and move().
+import {batch, computed, signal} from "@preact/signals";
+import * as api from "../api/client";
+import {send} from "../api/outbox";
+import {kept} from "../api/identity";
+import type {Command, CommandAnswer, EditLayer, LogEntry, Scene, Settings} from "../api/types";
+import {sayError} from "./messages";
+
+export const scenes = signal<Scene[]>([]);
+export const scene = signal<Scene | null>(null);
+export const log = signal<LogEntry[]>([]);
+/** Everything in the scene beside its fields: coat, look, lights, ... */
+export const settings = signal<Settings | null>(null);
+/** The newest revision that is known of; frames follow it. */
+export const revision = signal(0);
+/** Changes with each new model: camera and proxy mesh start anew. */
+export const model_id = computed(() => scene.value?.model_id ?? "");
+export const last_scene = kept("last-scene", "");
+export const edit_layer = signal("");  // that tools write to; "" for the groom below all
+
+/** What this page changed, to tell it from what others did. */
+const own_revisions = new Set<number>();
+export const isOwn = (of: number) => own_revisions.has(of);
+
+export function layers(): EditLayer[] { return scene.value?.edit_layers ?? []; }
+
+let reading: Promise<void> | null = null;
+let read_again = false;
+
+async function readOnce(id: string) {
+  const [description, entries, all] = await Promise.all([api.describeScene(id), api.readLog(id), api.readSettings(id)]);
+  if (scene.value && scene.value.id !== id) return;
+  batch(() => {
+    scene.value = description;
+    log.value = entries;
+    settings.value = all;
+    revision.value = Math.max(revision.value, description.revision);
+  });
+}
+
+/** Reads description, log and settings anew; calls while it reads make it read once more. */
+export function refresh(): Promise<void> {
+  const id = scene.value?.id;
+  if (!id) return Promise.resolve();
+  if (reading) {
+    read_again = true;
+    return reading;
+  }
+  reading = readOnce(id).catch(sayError).then(() => {
+    reading = null;
+    if (!read_again) return;
+    read_again = false;
+    return refresh();
+  });
+  return reading;
+}
+
+export async function openScene(id: string) {
+  const description = await api.describeScene(id);
+  batch(() => {
+    scene.value = description;
+    revision.value = description.revision;
+    log.value = [];
+    settings.value = null;
+    edit_layer.value = "";
+    last_scene.value = id;
+  });
+  own_revisions.clear();
+  await refresh();
+}
+
+export async function listScenes() {
+  scenes.value = await api.listScenes();
+}
+
+/** Takes note of a change that this page made. */
+export function accept(answer: CommandAnswer) {
+  own_revisions.add(answer.revision);
+  revision.value = Math.max(revision.value, answer.revision);
+}
+
+/** Runs commands as one undo step; null where the server refused, which was then said. */
+export async function run(...commands: Command[]): Promise<CommandAnswer | null> {
+  return change("commands", commands.length === 1 ? commands[0] : {commands});
+}
+
+/** Any change of the scene by its path. Reads the log anew unless `quiet`. */
+export async function change(path: string, body: unknown, quiet = false): Promise<CommandAnswer | null> {
+  const id = scene.value?.id;
+  if (!id) return null;
+  try {
+    const answer = await send(id, path, body);
+    if (scene.value?.id !== id) return answer;
+    accept(answer);
+    if (!quiet) await refresh();
+    return answer;
+  } catch (error) {
+    sayError(error);
+    return null;
+  }
+}
+
+export const undo = (steps = 1) => change("undo", {steps});
+export const redo = (steps = 1) => change("redo", {steps});
+export const revertTo = (to: number) => change("revert", {revision: to});
+
+/** News from the server: a revision that this page may not know. */
+export function hear(news: number) {
+  if (news <= revision.value) return;
+  revision.value = news;
+  void refresh();
+}

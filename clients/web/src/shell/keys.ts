@@ -1,0 +1,85 @@
+// Keys as sculptors expect them. The sheet under ? is made from this table.
+import type {Op} from "../api/types";
+import {redo, run, scene, settings, undo} from "../scene/session";
+import {brush, current, inverting, setBrush, smoothing} from "../tools/state";
+import {tools} from "../tools/catalogue";
+import {place_request} from "../view/viewport";
+import {focus, moveTo} from "../view/views";
+import {dialog, panel} from "./places";
+
+interface Shortcut { keys: string; says: string; group: "Brush" | "Tools" | "View" | "Groom"; run: () => void }
+
+const step = (name: string, factor: number, max: number) => {
+  const value = Number(brush.value[name] ?? 0) * factor;
+  setBrush(name, Math.min(max, Math.max(0.001, Number(value.toPrecision(3)))));
+};
+const hold = (op: Op) => () => { if (tools.value.some((tool) => tool.op === op)) current.value = op; };
+
+/** Mirror across x, on or off: a setting of the scene. */
+export function toggleMirror() {
+  const on = (settings.value?.symmetry.planes.length ?? 0) > 0;
+  const middle = scene.value ? (Number(scene.value.bounds.min[0]) + Number(scene.value.bounds.max[0])) / 2 : 0;
+  const plane = {point: [middle, 0, 0], normal: [1, 0, 0]};
+  void run({op: "set_symmetry", symmetry: {planes: on ? [] : [plane]}});
+}
+
+const tool_keys: [string, Op][] = [["C", "comb"], ["B", "blow"], ["P", "attract"], ["S", "smooth"], ["L", "length"], ["U", "lift"],
+  ["T", "trim"], ["E", "erase"], ["N", "noise"], ["K", "clump"], ["W", "whorl"], ["D", "paint"], ["G", "flow"], ["I", "interpolate"]];
+export const shortcutOf = (op: Op) => tool_keys.find(([, other]) => other === op)?.[0] ?? "";
+
+export const shortcuts: Shortcut[] = [
+  {keys: "[", says: "smaller brush", group: "Brush", run: () => step("radius", 1 / 1.15, 1)},
+  {keys: "]", says: "larger brush", group: "Brush", run: () => step("radius", 1.15, 1)},
+  {keys: "Shift+[", says: "weaker", group: "Brush", run: () => step("strength", 1 / 1.15, 1)},
+  {keys: "Shift+]", says: "stronger", group: "Brush", run: () => step("strength", 1.15, 1)},
+  {keys: "X", says: "mirror on or off", group: "Brush", run: toggleMirror},
+  {keys: "F", says: "look closer at what is under the pointer", group: "View", run: focus},
+  {keys: "Home", says: "show the whole model", group: "View", run: () => moveTo("three_quarter")},
+  {keys: "1", says: "from the front", group: "View", run: () => moveTo("front")},
+  {keys: "2", says: "from the right", group: "View", run: () => moveTo("right")},
+  {keys: "3", says: "from behind", group: "View", run: () => moveTo("back")},
+  {keys: "4", says: "from the left", group: "View", run: () => moveTo("left")},
+  {keys: "5", says: "from above", group: "View", run: () => moveTo("top")},
+  {keys: "Ctrl+Z", says: "undo", group: "Groom", run: () => void undo()},
+  {keys: "Ctrl+Shift+Z", says: "redo", group: "Groom", run: () => void redo()},
+  {keys: "H", says: "the steps so far", group: "Groom", run: () => { panel.value = "history"; }},
+  {keys: "?", says: "this sheet", group: "Groom", run: () => { dialog.value = dialog.value === "keys" ? null : "keys"; }},
+  ...tool_keys.map(([keys, op]): Shortcut => ({keys, says: op, group: "Tools", run: hold(op)})),
+];
+
+/** The name of a pressed key as the table writes it. */
+export function keysOf(event: KeyboardEvent): string {
+  const braces: Record<string, string> = {"{": "[", "}": "]"};
+  const key = event.key.length === 1 ? (braces[event.key] ?? event.key.toUpperCase()) : event.key;
+  const shift = event.shiftKey && key !== "?" ? "Shift+" : "";
+  return `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${shift}${key}`;
+}
+
+const typing = (target: EventTarget | null) =>
+  target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName) &&
+    !["range", "checkbox", "button"].includes((target as HTMLInputElement).type));
+
+function down(event: KeyboardEvent) {
+  if (event.key === "Control" || event.key === "Meta") inverting.value = true;
+  if (event.key === "Shift") smoothing.value = true;
+  if (event.key === "Escape") { dialog.value = null; place_request.value = null; }
+  if (typing(event.target)) return;
+  const found = shortcuts.find((shortcut) => shortcut.keys === keysOf(event));
+  if (!found) return;
+  event.preventDefault();
+  found.run();
+}
+
+function up(event: KeyboardEvent) {
+  if (event.key === "Control" || event.key === "Meta") inverting.value = false;
+  if (event.key === "Shift") smoothing.value = false;
+}
+
+export function listenToKeys(): () => void {
+  const stops = new AbortController();
+  const released = () => { inverting.value = smoothing.value = false; };
+  addEventListener("keydown", down, {signal: stops.signal});
+  addEventListener("keyup", up, {signal: stops.signal});
+  addEventListener("blur", released, {signal: stops.signal});
+  return () => stops.abort();
+}

@@ -1,0 +1,7 @@
+// Which panel and which dialog are open.
+import {signal} from "@preact/signals";
+import {kept} from "../api/identity";
+
+export const panel = kept("panel", "tool");
+export const dialog = signal<"keys" | "welcome" | "compare" | null>(null);
+export const theme = kept<"system" | "dark" | "light">("theme", "system");

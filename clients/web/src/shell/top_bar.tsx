@@ -1,0 +1,33 @@
+// Scene, undo and redo, mirror, the dial, help and colours of the page.
+import {author} from "../api/identity";
+import {unsent} from "../api/outbox";
+import {redo, scene, settings, undo} from "../scene/session";
+import {Icon} from "../tools/icons";
+import {toggleMirror} from "./keys";
+import {dialog, panel, theme} from "./places";
+
+const next_theme = {system: "dark", dark: "light", light: "system"} as const;
+
+export function TopBar() {
+  const open = scene.value;
+  const mirror = (settings.value?.symmetry.planes.length ?? 0) > 0;
+  return (
+    <header class="top-bar">
+      <h1>Pelage</h1>
+      <button type="button" class="scene-name" title="Scenes and files" onClick={() => { panel.value = "files"; }}>{open?.name ?? "no scene"}</button>
+      <div class="group" role="group" aria-label="History">
+        <button type="button" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!open?.undo_steps} onClick={() => void undo()}><Icon sign="undo" /></button>
+        <button type="button" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!open?.redo_steps} onClick={() => void redo()}><Icon sign="redo" /></button>
+      </div>
+      <button type="button" aria-pressed={mirror} aria-label="Mirror" title="Mirror across the middle (X)" disabled={!open} onClick={toggleMirror}><Icon sign="mirror" /></button>
+      <span class="grow" />
+      {unsent.value > 3 && <span class="unsent" role="status">{unsent.value} changes on their way</span>}
+      <label class="author" title="Others see this name beside your edits"><Icon sign="people" />
+        <input type="text" aria-label="Your name" value={author.value} maxLength={40} size={Math.max(6, author.value.length)}
+               onChange={(event) => { author.value = event.currentTarget.value.trim() || author.value; }} />
+      </label>
+      <button type="button" aria-label={`Colours of the page: ${theme.value}`} title={`Colours of the page: ${theme.value}`} onClick={() => { theme.value = next_theme[theme.value]; }}><Icon sign="theme" /></button>
+      <button type="button" aria-label="Shortcuts" title="Shortcuts (?)" onClick={() => { dialog.value = "keys"; }}><Icon sign="help" /></button>
+    </header>
+  );
+}

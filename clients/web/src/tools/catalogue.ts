@@ -1,0 +1,39 @@
+// The tools of the contract: each command that takes a stroke is one.
+import {computed} from "@preact/signals";
+import type {Op} from "../api/types";
+import {alternatives, membersOf, resolved, schemas, type Member} from "./schema";
+
+export interface Tool {
+  op: Op;
+  /** One line: what it does. */
+  says: string;
+  members: Member[];
+  /** Members of which one is chosen. */
+  alternatives: string[];
+  floods: boolean;
+}
+
+const not_for_forms = ["op", "stroke", "brush", "flood", "edit_layer"];
+/** Members that the hand gives on the model, not the form. */
+const by_hand: Partial<Record<Op, string[]>> = {
+  blow: ["source", "direction"], attract: ["point"], flow: ["curves"], interpolate: ["keys"], erase: ["revision"],
+};
+
+/** In the order of the contract. */
+export const tools = computed<Tool[]>(() => {
+  const mapping = schemas.value["Command"]?.discriminator?.mapping ?? {};
+  return Object.entries(mapping).flatMap(([op, ref]) => {
+    const schema = resolved({$ref: ref});
+    if (!schema.properties?.["stroke"]) return [];
+    const without = [...not_for_forms, ...(by_hand[op as Op] ?? [])];
+    return [{op: op as Op, says: schema.description ?? "", members: membersOf(schema, without),
+             alternatives: alternatives(schema), floods: "flood" in schema.properties}];
+  });
+});
+
+export const brush_members = computed<Member[]>(() => membersOf(schemas.value["Brush"] ?? {}, ["falloff_points", "invert"]));
+export const toolOf = (op: Op) => tools.value.find((tool) => tool.op === op);
+export const schemaOf = (op: Op) => {
+  const ref = schemas.value["Command"]?.discriminator?.mapping[op];
+  return ref ? resolved({$ref: ref}) : {};
+};

@@ -1,0 +1,132 @@
+// Forms made from the contract: one row for each member, with its range, unit, default and explanation.
+import type {ComponentChildren} from "preact";
+import {useId} from "preact/hooks";
+import {membersOf, resolved, unitOf, words, type Member} from "./schema";
+import {toHex} from "./colour";
+
+type Values = Record<string, unknown>;
+export interface FormProps {
+  members: Member[];
+  values: Values;
+  /** `done` is false while a slider is dragged. */
+  set: (name: string, value: unknown, done: boolean) => void;
+  hidden?: Set<string> | undefined;
+}
+
+/** A slider needs an end that a hand can use: limits such as 1e27 only keep numbers finite. */
+export function sliderEnd(member: Member): {min: number; max: number; step: number; curve: number} {
+  const {minimum = 0, maximum = 1} = member.schema;
+  const usual = typeof member.fallback === "number" && member.fallback > 0 ? member.fallback : 0.1;
+  const max = maximum <= 360 ? maximum : Math.max(usual * 10, 1);
+  const min = minimum < -360 ? -max : minimum;
+  const whole = member.kind === "integer";
+  const curve = !whole && min === 0 && usual > 0 && usual < max / 8 ? 3 : 1;  // fine near 0 where the default is small
+  return {min, max, step: whole ? 1 : (max - min) / 200, curve};
+}
+
+export const shownNumber = (value: number) => (Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(3))));
+
+function NumberRow({member, value, set, units}: {member: Member; value: unknown; set: (value: number, done: boolean) => void; units: unknown}) {
+  const id = useId();
+  const {min, max, step, curve} = sliderEnd(member);
+  const number = typeof value === "number" ? value : Number(member.fallback ?? member.schema.minimum ?? 0);
+  const at = Math.pow(Math.max(0, (Math.min(number, max) - min) / (max - min)), 1 / curve);
+  const of = (share: number) => {
+    const raw = min + (max - min) * Math.pow(share, curve);
+    return member.kind === "integer" ? Math.round(raw) : Number(raw.toPrecision(3));
+  };
+  const slide = (event: Event, done: boolean) => set(of(Number((event.currentTarget as HTMLInputElement).value)), done);
+  const type = (event: Event) => {
+    const typed = Number((event.currentTarget as HTMLInputElement).value);
+    if (Number.isFinite(typed)) set(typed, true);
+  };
+  const unit = unitOf(member, units);
+  return (
+    <div class="row" title={member.description}>
+      <label for={id}>{words(member.name)}</label>
+      <input id={id} type="range" min="0" max="1" step={member.kind === "integer" ? step / (max - min) : 0.005} value={at} aria-valuetext={`${shownNumber(number)} ${unit}`}
+             onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
+      <input type="number" aria-label={`${words(member.name)}, as a number`} value={shownNumber(number)} step="any" onChange={type} />
+      <span class="unit">{unit}</span>
+    </div>
+  );
+}
+
+function Row({member, children}: {member: Member; children: (id: string) => ComponentChildren}) {
+  const id = useId();
+  return <div class="row" title={member.description}><label for={id}>{words(member.name)}</label>{children(id)}</div>;
+}
+
+const options = (member: Member) => (member.kind === "choices" ? resolved(member.schema.items ?? {}).enum : member.schema.enum) as string[];
+
+function VectorInputs({member, value, set}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void}) {
+  const numbers = (Array.isArray(value) ? value : member.fallback ?? [0, 0, 0]) as number[];
+  return (
+    <div class="row vector" title={member.description} role="group" aria-label={words(member.name)}>
+      <span>{words(member.name)}</span>
+      {["x", "y", "z"].map((axis, k) => (
+        <input key={axis} type="number" step="any" aria-label={`${words(member.name)} ${axis}`} value={shownNumber(numbers[k] ?? 0)}
+               onChange={(event) => set(numbers.map((old, j) => (j === k ? Number(event.currentTarget.value) : old)), true)} />
+      ))}
+    </div>
+  );
+}
+
+function Choices({member, value, set}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void}) {
+  const chosen = (Array.isArray(value) ? value : []) as string[];
+  const toggle = (one: string) => {
+    const next = chosen.includes(one) ? chosen.filter((other) => other !== one) : [...chosen, one];
+    if (next.length) set(next, true);
+  };
+  return (
+    <div class="row chips" role="group" aria-label={words(member.name)} title={member.description}>
+      <span>{words(member.name)}</span>
+      <div>{options(member).map((one) => (
+        <button key={one} type="button" class="chip" aria-pressed={chosen.includes(one)} onClick={() => toggle(one)}>{words(one)}</button>
+      ))}</div>
+    </div>
+  );
+}
+
+function Fields({member, value, set}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void}) {
+  const inner = (value ?? {}) as Values;
+  return (
+    <details class="group">
+      <summary>{words(member.name)}</summary>
+      <Form members={membersOf(member.schema)} values={inner} set={(name, changed, done) => set({...inner, [name]: changed}, done)} />
+    </details>
+  );
+}
+
+function MemberRow({member, value, set, units}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void; units: unknown}) {
+  switch (member.kind) {
+    case "number": case "integer":
+      return <NumberRow member={member} value={value} set={set} units={units} />;
+    case "boolean":
+      return <Row member={member}>{(id) => <input id={id} type="checkbox" checked={Boolean(value ?? member.fallback)} onChange={(event) => set(event.currentTarget.checked, true)} />}</Row>;
+    case "choice":
+      return <Row member={member}>{(id) => (
+        <select id={id} value={String(value ?? member.fallback ?? options(member)[0])} onChange={(event) => set(event.currentTarget.value, true)}>
+          {options(member).map((one) => <option key={one} value={one}>{words(one)}</option>)}
+        </select>)}</Row>;
+    case "colour":
+      return <Row member={member}>{(id) => <input id={id} type="color" value={toHex(value ?? member.fallback)} onInput={(event) => set(event.currentTarget.value, false)} onChange={(event) => set(event.currentTarget.value, true)} />}</Row>;
+    case "text":
+      return <Row member={member}>{(id) => <input id={id} type="text" value={String(value ?? "")} maxLength={member.schema.maxLength ?? 200} onChange={(event) => set(event.currentTarget.value, true)} />}</Row>;
+    case "vector": return <VectorInputs member={member} value={value} set={set} />;
+    case "choices": return <Choices member={member} value={value} set={set} />;
+    case "object": return <Fields member={member} value={value} set={set} />;
+    default: return null;  // lists have panels of their own
+  }
+}
+
+export function Form({members, values, set, hidden}: FormProps) {
+  return (
+    <div class="form">
+      {members.filter((member) => !hidden?.has(member.name)).map((member) => (
+        <MemberRow key={member.name} member={member} value={values[member.name] ?? member.fallback} units={values["units"]}
+                   set={(value, done) => set(member.name, value, done)} />
+      ))}
+    </div>
+  );
+}

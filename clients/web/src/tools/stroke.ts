@@ -1,0 +1,103 @@
+// A stroke under way: its samples go to the server in parts, one request at a time, as one undo step.
+import {Refusal} from "../api/client";
+import {send} from "../api/outbox";
+import type {Command, CommandAnswer, Pinhole} from "../api/types";
+import {sayError} from "../scene/messages";
+import {accept, scene} from "../scene/session";
+
+export interface StrokeSample { screen: [number, number]; pressure: number; time: number }
+export interface StrokeView { camera: Pinhole; width: number; height: number }
+
+const max_samples = 9000;  // the contract takes 10000 a stroke
+let serial = 0;
+
+export class Stroke {
+  private id = "";
+  private part = 0;
+  private count = 0;
+  private waiting: StrokeSample[] = [];
+  private last_sent: StrokeSample | null = null;
+  private sending = false;
+  private ended = false;
+  touched = 0;
+
+  /** `command` has tool, settings and brush. `sent` is called with each part, `answered` with what became of it. */
+  constructor(private readonly command: Command, private readonly view: StrokeView, private readonly page: string,
+              private readonly sent: () => void, private readonly answered: (answer: CommandAnswer | null, last: boolean) => void) {
+    this.begin();
+  }
+
+  add(samples: StrokeSample[]) {
+    this.waiting.push(...samples);
+    void this.work();
+  }
+
+  end() {
+    this.ended = true;
+    void this.work();
+  }
+
+  private begin() {
+    this.id = `${this.page}-${++serial}`;
+    this.part = 0;
+    this.count = 0;
+  }
+
+  /** The newest sample waits for the next one, so that the last part has one to send. */
+  private nextSamples(): StrokeSample[] {
+    return this.waiting.splice(0, Math.min(max_samples, this.waiting.length - (this.ended ? 0 : 1)));
+  }
+
+  private async work() {
+    if (this.sending) return;
+    this.sending = true;
+    for (let done = false; !done;) {
+      const samples = this.nextSamples();
+      if (samples.length === 0) break;
+      done = this.ended && this.waiting.length === 0;
+      await this.sendPart(samples, done);
+    }
+    this.sending = false;
+  }
+
+  private async sendPart(samples: StrokeSample[], last: boolean) {
+    const id = scene.value?.id;
+    if (!id) return;
+    if (this.count + samples.length > max_samples) this.begin();
+    try {
+      const answer = send(id, "commands", this.bodyOf(samples, last));
+      this.sent();
+      this.note(await answer, samples, last);
+    } catch (error) {
+      await this.mend(error, samples, last);
+    }
+  }
+
+  private bodyOf(samples: StrokeSample[], last: boolean): Command {
+    return {...this.command, stroke: {id: this.id, part: this.part, last, view: this.view, samples}};
+  }
+
+  private note(answer: CommandAnswer, samples: StrokeSample[], last: boolean) {
+    this.part += 1;
+    this.count += samples.length;
+    this.last_sent = samples[samples.length - 1]!;
+    this.touched += answer.results.reduce((sum, result) => sum + result.touched, 0);
+    accept(answer);
+    this.answered(answer, last);
+  }
+
+  /** Somebody else's edit, or a restart of the server, ends a live stroke: what is left goes on as a new one. */
+  private async mend(error: unknown, samples: StrokeSample[], last: boolean) {
+    const interrupted = error instanceof Refusal && this.part > 0 && [409, 422].includes(error.status) && /\/stroke/.test(error.problem.pointer ?? "");
+    if (!interrupted) {
+      sayError(error);
+      this.answered(null, true);
+      this.waiting = [];
+      this.ended = true;
+      return;
+    }
+    const joined = this.last_sent ? [this.last_sent, ...samples] : samples;
+    this.begin();
+    await this.sendPart(joined, last);
+  }
+}

@@ -1,0 +1,99 @@
+// The tool in hand: what it does, its settings, the brush, and the same everywhere at once.
+import {run, settings} from "../scene/session";
+import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
+import {Form} from "./form";
+import {removeGuide, guidesOf, setGuides} from "./guides";
+import {ToolIcon} from "./icons";
+import {presets} from "./presets";
+import {forbidden, words} from "./schema";
+import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, valuesOf} from "./state";
+import pictures from "./pictures";
+
+const main_brush = ["radius", "strength", "falloff"];
+
+function flood(tool: Tool) {
+  const {strength} = brushOf(false);
+  void run(commandOf(tool.op, {flood: true, brush: {...(strength === undefined ? {} : {strength}), ...(inverting.value ? {invert: true} : {})}}));
+}
+
+function Presets({tool}: {tool: Tool}) {
+  const of_tool = presets[tool.op] ?? [];
+  if (of_tool.length === 0) return null;
+  const take = (index: number) => {
+    const preset = of_tool[index]!;
+    set_values.value = {...set_values.value, [tool.op]: preset.values};
+    set_brush.value = {...set_brush.value, ...preset.brush};
+  };
+  return (
+    <div class="chips presets" role="group" aria-label="Presets">
+      {of_tool.map((preset, k) => <button key={preset.name} type="button" class="chip" onClick={() => take(k)}>{preset.name}</button>)}
+    </div>
+  );
+}
+
+function Guides({op}: {op: "flow" | "interpolate"}) {
+  const guides = guidesOf(op);
+  return (
+    <section>
+      <h3>{op === "flow" ? "Guides" : "Keys"}</h3>
+      <p class="help">{op === "flow" ? "Draw on the body: fur follows the line." : "Draw short lines: fur between them follows."} Drag points to move them.</p>
+      {guides.map((guide, k) => (
+        <div class="list-row" key={k}><span>{op === "flow" ? "Guide" : "Key"} {k + 1}</span><small>{guide.length} points</small>
+          <button type="button" onClick={() => void removeGuide(op, k)}>Delete</button></div>
+      ))}
+      {guides.length > 0 && <button type="button" onClick={() => void setGuides(op, guides)}>Lay again with these settings</button>}
+    </section>
+  );
+}
+
+/** Named blowers and attractors: made here, moved in the picture. */
+function Standing({op}: {op: "blow" | "attract"}) {
+  const all = settings.value;
+  if (!all) return null;
+  const list = op === "blow" ? all.blowers : all.attractors;
+  const put = (next: unknown[]) => run(op === "blow" ? {op: "set_blowers", blowers: next} : {op: "set_attractors", attractors: next});
+  const add = () => {
+    const name = `${op === "blow" ? "wind" : "stick"} ${list.length + 1}`;
+    const {source, point} = {source: [0, 1, 0], point: [0, 1, 0]};
+    void put([...list, op === "blow" ? {name, source, direction: [0, -1, 0]} : {name, point}]);
+  };
+  const use = (name: string) => void run(op === "blow" ? {op, blower: name} : {op, attractor: name});
+  return (
+    <section>
+      <h3>{op === "blow" ? "Blowers that stay" : "Attractors that stay"}</h3>
+      {list.map(({name}, k) => (
+        <div class="list-row" key={name}><span>{name}</span>
+          <button type="button" onClick={() => use(name)}>Use</button>
+          <button type="button" onClick={() => void put(list.filter((_, j) => j !== k))}>Delete</button></div>
+      ))}
+      <button type="button" onClick={add}>Place one</button>
+    </section>
+  );
+}
+
+export function ToolPanel() {
+  const tool = toolOf(current.value);
+  if (!tool) return null;
+  const {op} = tool;
+  const values = valuesOf(op);
+  const without = forbidden(schemaOf(op), {op, ...values});
+  const main = brush_members.value.filter(({name}) => main_brush.includes(name));
+  const more = brush_members.value.filter(({name}) => !main_brush.includes(name));
+  const picture = pictures[op];
+  return (
+    <>
+      <header class="tool-head"><ToolIcon op={op} /><div><h2>{words(op)}</h2><p>{tool.says}</p></div></header>
+      {picture && <img class="tool-picture" src={picture} alt={`Fur before and after ${words(op)}`} width="288" height="120" loading="lazy" />}
+      <Presets tool={tool} />
+      <Form members={tool.members} values={values} hidden={without} set={(name, value) => setValue(op, name, value)} />
+      <section>
+        <h3>Brush</h3>
+        <Form members={main} values={brush.value} set={setBrush} />
+        <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
+      </section>
+      {tool.floods && <button type="button" class="wide" onClick={() => flood(tool)}>{words(op)} everywhere</button>}
+      {(op === "flow" || op === "interpolate") && <Guides op={op} />}
+      {(op === "blow" || op === "attract") && <Standing op={op} />}
+    </>
+  );
+}

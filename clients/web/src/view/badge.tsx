@@ -1,0 +1,32 @@
+// What is seen, said quietly: stage, how far it has come, time and revision.
+import {offline, unsent} from "../api/outbox";
+import {revision} from "../scene/session";
+import {shown, type Shown} from "./frames";
+
+function stageWords({stage, picture}: Shown): string {
+  if (stage === "draft") return "draft";
+  const passes = picture.trace?.passes ?? 0;
+  if (stage === "rest" || passes === 0) return `${picture.knobs.shells ?? ""} shells`;
+  const samples = Math.round(picture.trace!.samples);
+  return picture.trace!.end === "none" ? `strands, ${samples} samples` : `strands, ${samples} samples, done`;
+}
+
+function millisecondsOf({picture}: Shown): number {
+  const {draw = 0, shadow = 0, upload = 0, read = 0, encode = 0, trace = 0} = picture.timings;
+  return draw + shadow + upload + read + encode + trace;
+}
+
+export function Badge() {
+  const seen = shown.value;
+  return (
+    <div class="badge" role="status" aria-live="off">
+      {offline.value && <span class="badge-offline">no connection, trying again{unsent.value ? `; ${unsent.value} kept` : ""}</span>}
+      {seen && <>
+        <span class={`dot dot-${seen.stage}`} aria-hidden="true" />
+        <span class="badge-stage">{stageWords(seen)}</span>
+        <span title="Time that the server took for this picture">{Math.round(millisecondsOf(seen))} ms</span>
+        <span title="Revision of the picture">r{seen.picture.revision}{seen.picture.revision < revision.value ? "…" : ""}</span>
+      </>}
+    </div>
+  );
+}

@@ -1,0 +1,143 @@
+// Which picture to ask for next: drafts while something moves, the dial's picture at rest, traced strands when it rests longer.
+// At most two requests are in flight; the newest picture wins.
+import {signal} from "@preact/signals";
+import {Aborted, Offline, Refusal, drawFrame, type FrameNews, type Picture} from "../api/client";
+import {page_id} from "../api/identity";
+import type {FrameRequest, Pinhole} from "../api/types";
+import {sayError} from "../scene/messages";
+import {rest_quality, shared_request, wants_trace} from "./quality";
+
+export type Stage = "draft" | "rest" | "traced";
+export interface Shown { stage: Stage; picture: Picture; asked: number; shown: number }
+export interface Wish { scene: string; camera: Pinhole; width: number; height: number; ratio: number; revision: number }
+
+const rest_after = 140;      // ms without movement
+const trace_after = 1200;    // ms after the picture at rest
+const max_in_flight = 2;
+const again_after = 1000;     // ms after a lost connection or a full server
+const trace_wait = 20;       // s
+const news_wait = 1;         // s that a draft waits for the stroke that is under way to arrive
+
+/** What is seen now, for the badge. */
+export const shown = signal<Shown | null>(null);
+
+const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
+
+interface Ask { number: number; state: number; stage: Stage; stop: AbortController }
+
+export class FrameLoop {
+  private state = 0;             // grows with each change of what is to be seen
+  private asked = 0;
+  private shown_number = 0;
+  private done: Record<Stage, number> = {draft: -1, rest: -1, traced: -1};  // the state that each stage has shown
+  private moving_until = 0;
+  private rested_at = 0;
+  private blocked_until = 0;
+  private passes = 0;
+  private news = false;
+  private timer = 0;
+  private in_flight = new Set<Ask>();
+
+  /** `present` puts a picture on the screen. */
+  constructor(private readonly wish: () => Wish | null, private readonly present: (bytes: Blob) => Promise<void>) {}
+
+  /** Something that is seen has changed. `moving`: more will follow at once. `news`: a stroke is on its way to the server. */
+  touch({moving = false, news = false} = {}) {
+    ++this.state;
+    this.passes = 0;
+    this.news ||= news;
+    if (moving) this.moving_until = performance.now() + rest_after;
+    for (const ask of this.in_flight) if (ask.stage !== "draft") ask.stop.abort();
+    this.pump();
+  }
+
+  stop() {
+    clearTimeout(this.timer);
+    for (const ask of this.in_flight) ask.stop.abort();
+  }
+
+  private pump() {
+    clearTimeout(this.timer);
+    const wish = this.wish();
+    if (!wish || document.hidden) return;
+    const now = performance.now();
+    const stage = now >= this.blocked_until ? this.nextStage(now) : null;
+    if (stage) void this.ask(stage, wish);
+    const later = Math.min(...[this.moving_until, this.rested_at + trace_after, this.blocked_until].filter((at) => at > now));
+    if (Number.isFinite(later)) this.timer = window.setTimeout(() => this.pump(), later - now + 1);
+  }
+
+  private nextStage(now: number): Stage | null {
+    const asks = [...this.in_flight];
+    if (asks.length >= max_in_flight) return null;
+    const asking = (stage: Stage) => asks.some((ask) => ask.stage === stage && ask.state === this.state);
+    if (now < this.moving_until) return this.done.draft === this.state || asking("draft") ? null : "draft";
+    if (this.done.rest !== this.state) return asking("rest") ? null : "rest";
+    if (!wants_trace.value || this.done.traced === this.state || asking("traced")) return null;
+    return now >= this.rested_at + trace_after ? "traced" : null;
+  }
+
+  private async ask(stage: Stage, wish: Wish) {
+    const ask: Ask = {number: ++this.asked, state: this.state, stage, stop: new AbortController()};
+    this.in_flight.add(ask);
+    const asked = performance.now();
+    try {
+      const picture = await drawFrame(wish.scene, this.requestOf(stage, wish), this.newsOf(stage, wish), ask.stop.signal);
+      await this.take(ask, picture, asked);
+    } catch (error) {
+      this.fail(ask, error);
+    } finally {
+      this.in_flight.delete(ask);
+      this.pump();
+    }
+  }
+
+  private requestOf(stage: Stage, wish: Wish): FrameRequest {
+    const ratio = stage === "draft" ? 1 : wish.ratio;
+    const size = {width: Math.max(1, Math.round(wish.width * ratio)), height: Math.max(1, Math.round(wish.height * ratio))};
+    const request: FrameRequest = {...shared_request.value, ...size, camera: wish.camera, view: page_id};
+    if (stage === "draft") return {...request, quality: "draft", format: "jpeg", jpeg_quality: 85};
+    if (stage === "traced") return {...request, ...rest_quality.value, progressive: tracing};
+    return {...request, ...rest_quality.value};
+  }
+
+  private newsOf(stage: Stage, wish: Wish): FrameNews | null {
+    if (stage === "traced") return {after: wish.revision, after_pass: this.passes, wait: trace_wait};
+    if (stage !== "draft" || !this.news) return null;
+    this.news = false;
+    return {after: wish.revision, wait: news_wait};
+  }
+
+  private async take(ask: Ask, picture: Picture | null, asked: number) {
+    if (!picture) {
+      if (ask.stage === "draft") this.done.draft = ask.state;
+      return;
+    }
+    if (ask.number < this.shown_number) return;
+    this.shown_number = ask.number;
+    const answered = performance.now();
+    await this.present(picture.bytes);
+    const now = performance.now();
+    performance.measure("pelage:frame", {start: asked, end: now, detail: {stage: ask.stage, revision: picture.revision, answered, timings: picture.timings}});
+    shown.value = {stage: ask.stage, picture, asked, shown: now};
+    this.finish(ask, picture, now);
+  }
+
+  private finish(ask: Ask, picture: Picture, now: number) {
+    if (ask.stage === "rest") this.rested_at = now;
+    if (ask.stage !== "traced") { this.done[ask.stage] = ask.state; return; }
+    this.passes = picture.trace?.passes ?? 0;
+    if (picture.trace && picture.trace.end !== "none") this.done.traced = ask.state;
+  }
+
+  /** A refusal is said once and not asked for again until something changes; a lost connection is tried again. */
+  private fail(ask: Ask, error: unknown) {
+    if (error instanceof Aborted || (error instanceof Refusal && error.status === 409)) return;  // 409: a newer one is drawn
+    if (error instanceof Offline || (error instanceof Refusal && [429, 503].includes(error.status))) {
+      this.blocked_until = performance.now() + again_after;
+      return;
+    }
+    this.done[ask.stage] = ask.state;
+    sayError(error);
+  }
+}

@@ -1,0 +1,25 @@
+// The images of a place under the scene's symmetry, on the surface.
+import type {Settings, Vector} from "../api/types";
+import {add, dot, scale, subtract, unit} from "./vector";
+import type {Hit, Proxy} from "./proxy";
+
+interface Plane { point: Vector; normal: Vector }
+
+function reflect(point: Vector, plane: Plane): Vector {
+  const normal = unit(plane.normal);
+  return subtract(point, scale(normal, 2 * dot(subtract(point, plane.point), normal)));
+}
+
+export const planesOf = (symmetry: Settings["symmetry"] | undefined): Plane[] =>
+  ((symmetry?.planes ?? []) as Partial<Plane>[]).map((plane) => ({point: plane.point ?? [0, 0, 0], normal: plane.normal ?? [1, 0, 0]}));
+
+/** Images by each mirror plane alone; a rotation's images are the server's to find. */
+export function mirrored(hit: Hit, symmetry: Settings["symmetry"] | undefined, proxy: Proxy): Hit[] {
+  return planesOf(symmetry).flatMap((plane) => {
+    const point = reflect(hit.point, plane);
+    const normal = unit(subtract(reflect(add(hit.point, hit.normal), plane), point));
+    const lift = hit.distance * 0.05;
+    const found = proxy.cast(add(point, scale(normal, lift)), scale(normal, -1));
+    return found && found.distance < 2 * lift ? [found] : [];
+  });
+}

@@ -1,0 +1,30 @@
+// The dial: what a picture at rest is made with, from fast to true, or by a budget.
+import {computed} from "@preact/signals";
+import {kept} from "../api/identity";
+import type {FrameRequest, Tier} from "../api/types";
+
+export type Dial = {kind: "tier"; tier: Tier} | {kind: "budget"; milliseconds: number} | {kind: "error"; error: number};
+
+export const dial = kept<Dial>("dial", {kind: "tier", tier: "detailed"});
+/** Whether strands are traced once the picture has rested. */
+export const trace_at_rest = kept("trace-at-rest", true);
+/** Fields of the frame request that hold for every picture. */
+export const overlay = kept<NonNullable<FrameRequest["overlay"]>>("overlay", "none");
+export const background = kept<string>("background", "studio");
+export const exposure = kept("exposure", 0);
+
+export const rest_quality = computed<Partial<FrameRequest>>(() => {
+  const chosen = dial.value;
+  if (chosen.kind === "budget") return {budget_ms: chosen.milliseconds};
+  if (chosen.kind === "error") return {max_error: chosen.error};
+  return {quality: chosen.tier === "reference" ? "detailed" : chosen.tier};
+});
+
+/** What all requests of this window share. */
+export const shared_request = computed<Partial<FrameRequest>>(() => ({
+  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value, overlay: overlay.value,
+}));
+
+/** Traced strands come by themselves at rest, and at once where the dial stands at reference. An overlay shows fields, not strands. */
+export const wants_trace = computed(() => overlay.value === "none" && dial.value.kind === "tier" &&
+  (trace_at_rest.value || dial.value.tier === "reference"));

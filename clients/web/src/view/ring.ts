@@ -1,0 +1,69 @@
+// The brush under the pointer: a ring that lies on the surface, and a glow on what a dab would touch.
+import type {Vector} from "../api/types";
+import type {Projection} from "./camera";
+import type {Hit, Proxy} from "./proxy";
+import {add, dot, norm, scale, subtract, tangents, unit} from "./vector";
+
+export interface RingStyle { radius: number; inner: number; colour: string; symmetric: Hit[] }
+
+const points = 48;
+const max_glow = 400;  // triangles
+
+/** Points of a circle about the hit, laid down on the surface along the hit's normal. */
+function ringPoints(proxy: Proxy, hit: Hit, radius: number): Vector[] {
+  const [u, v] = tangents(hit.normal);
+  const ring: Vector[] = [];
+  for (let k = 0; k < points; ++k) {
+    const angle = (2 * Math.PI * k) / points;
+    const flat = add(hit.point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
+    const above = add(flat, scale(hit.normal, radius));
+    const down = proxy.cast(above, scale(hit.normal, -1));
+    ring.push(down && down.distance < 2 * radius ? down.point : flat);
+  }
+  return ring;
+}
+
+function trace(context: CanvasRenderingContext2D, projection: Projection, ring: Vector[]) {
+  context.beginPath();
+  ring.forEach((point, k) => {
+    const pixel = projection.project(point);
+    if (!pixel) return;
+    if (k === 0) context.moveTo(...pixel);
+    else context.lineTo(...pixel);
+  });
+  context.closePath();
+}
+
+function glow(context: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, hit: Hit, style: RingStyle, towards: Vector) {
+  context.fillStyle = style.colour;
+  for (const corners of proxy.trianglesNear(hit.point, style.radius, max_glow)) {
+    const middle = scale(add(add(corners[0], corners[1]), corners[2]), 1 / 3);
+    const weight = 1 - Math.min(1, norm(subtract(middle, hit.point)) / style.radius);
+    const facing = dot(hit.normal, unit(subtract(towards, middle)));
+    if (weight <= 0 || facing <= 0) continue;
+    context.globalAlpha = 0.22 * weight;
+    trace(context, projection, corners);
+    context.fill();
+  }
+  context.globalAlpha = 1;
+}
+
+/** Draws on a cleared canvas. `eye` is the camera's position. */
+export function drawRing(context: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, hit: Hit, style: RingStyle, eye: Vector) {
+  glow(context, projection, proxy, hit, style, eye);
+  for (const [k, at] of [hit, ...style.symmetric].entries()) {
+    context.setLineDash(k ? [3, 4] : []);
+    for (const [width, colour] of [[3.5, "rgba(0,0,0,.55)"], [1.6, style.colour]] as const) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      trace(context, projection, ringPoints(proxy, at, style.radius));
+      context.stroke();
+    }
+  }
+  context.setLineDash([]);
+  context.lineWidth = 1;
+  context.globalAlpha = 0.7;
+  trace(context, projection, ringPoints(proxy, hit, style.radius * style.inner));
+  context.stroke();
+  context.globalAlpha = 1;
+}

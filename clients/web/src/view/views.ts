@@ -1,0 +1,38 @@
+// Going to a view: smoothly, unless the user's system asks for less motion.
+import type {AutoView} from "../api/types";
+import {scene} from "../scene/session";
+import {between, framed, orbit, type Orbit} from "./camera";
+import {hover, view, viewport_size} from "./viewport";
+
+const glide_ms = 260;
+let gliding = 0;
+
+export function glide(to: Orbit, at_once: boolean) {
+  cancelAnimationFrame(gliding);
+  if (at_once || matchMedia("(prefers-reduced-motion: reduce)").matches) {
+    orbit.value = to;
+    view.value?.frames.touch();
+    return;
+  }
+  const from = orbit.value, start = performance.now();
+  const step = (now: number) => {
+    const t = Math.min(1, Math.max(0, (now - start) / glide_ms));
+    orbit.value = between(from, to, t * t * (3 - 2 * t));
+    view.value?.frames.touch({moving: true});
+    if (t < 1) gliding = requestAnimationFrame(step);
+  };
+  gliding = requestAnimationFrame(step);
+}
+
+export function moveTo(named: AutoView, at_once = false) {
+  if (!scene.value) return;
+  const {width, height} = viewport_size.value;
+  glide(framed(scene.value, named, width / Math.max(height, 1)), at_once);
+}
+
+/** Turns about the place under the pointer, nearer by a half; without one, shows the whole model. */
+export function focus() {
+  const hit = hover.value;
+  if (!hit) return moveTo("three_quarter");
+  glide({...orbit.value, target: hit.point, distance: orbit.value.distance / 1.6}, false);
+}
