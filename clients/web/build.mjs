@@ -35,7 +35,7 @@ function checkTypes() {
 async function bundle() {
   return esbuild.build({
     entryPoints: {studio: join(here, "src/main.tsx"), style: join(here, "src/style/index.css")},
-    outdir: join(dist, "assets"),
+    outdir: join(dist, "assets"), publicPath: "/assets/",
     entryNames: "[name]-[hash]", chunkNames: "[name]-[hash]", assetNames: "[name]-[hash]",
     bundle: true, splitting: true, format: "esm", minify: true, metafile: true, target: "es2022",
     jsx: "automatic", jsxImportSource: "preact",

@@ -1,7 +1,7 @@
 // Forms made from the contract: one row for each member, with its range, unit, default and explanation.
 import type {ComponentChildren} from "preact";
 import {useId} from "preact/hooks";
-import {membersOf, resolved, unitOf, words, type Member} from "./schema";
+import {membersOf, plain, resolved, unitOf, words, type Member} from "./schema";
 import {toHex} from "./colour";
 
 type Values = Record<string, unknown>;
@@ -42,7 +42,7 @@ function NumberRow({member, value, set, units}: {member: Member; value: unknown;
   };
   const unit = unitOf(member, units);
   return (
-    <div class="row" title={member.description}>
+    <div class="row" title={plain(member.description)}>
       <label for={id}>{words(member.name)}</label>
       <input id={id} type="range" min="0" max="1" step={member.kind === "integer" ? step / (max - min) : 0.005} value={at} aria-valuetext={`${shownNumber(number)} ${unit}`}
              onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
@@ -54,7 +54,7 @@ function NumberRow({member, value, set, units}: {member: Member; value: unknown;
 
 function Row({member, children}: {member: Member; children: (id: string) => ComponentChildren}) {
   const id = useId();
-  return <div class="row" title={member.description}><label for={id}>{words(member.name)}</label>{children(id)}</div>;
+  return <div class="row" title={plain(member.description)}><label for={id}>{words(member.name)}</label>{children(id)}</div>;
 }
 
 const options = (member: Member) => (member.kind === "choices" ? resolved(member.schema.items ?? {}).enum : member.schema.enum) as string[];
@@ -62,7 +62,7 @@ const options = (member: Member) => (member.kind === "choices" ? resolved(member
 function VectorInputs({member, value, set}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void}) {
   const numbers = (Array.isArray(value) ? value : member.fallback ?? [0, 0, 0]) as number[];
   return (
-    <div class="row vector" title={member.description} role="group" aria-label={words(member.name)}>
+    <div class="row vector" title={plain(member.description)} role="group" aria-label={words(member.name)}>
       <span>{words(member.name)}</span>
       {["x", "y", "z"].map((axis, k) => (
         <input key={axis} type="number" step="any" aria-label={`${words(member.name)} ${axis}`} value={shownNumber(numbers[k] ?? 0)}
@@ -79,7 +79,7 @@ function Choices({member, value, set}: {member: Member; value: unknown; set: (va
     if (next.length) set(next, true);
   };
   return (
-    <div class="row chips" role="group" aria-label={words(member.name)} title={member.description}>
+    <div class="row chips" role="group" aria-label={words(member.name)} title={plain(member.description)}>
       <span>{words(member.name)}</span>
       <div>{options(member).map((one) => (
         <button key={one} type="button" class="chip" aria-pressed={chosen.includes(one)} onClick={() => toggle(one)}>{words(one)}</button>

@@ -101,3 +101,6 @@ export function unitOf(member: Member, units: unknown): string {
   if (/^seconds/i.test(member.description)) return "s";
   return "";
 }
+
+/** The contract's prose without the marks of names. */
+export const plain = (text: string) => text.replaceAll("`", "");

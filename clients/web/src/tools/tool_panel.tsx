@@ -5,7 +5,7 @@ import {Form} from "./form";
 import {removeGuide, guidesOf, setGuides} from "./guides";
 import {ToolIcon} from "./icons";
 import {presets} from "./presets";
-import {forbidden, words} from "./schema";
+import {forbidden, plain, words} from "./schema";
 import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, valuesOf} from "./state";
 import pictures from "./pictures";
 
@@ -82,7 +82,7 @@ export function ToolPanel() {
   const picture = pictures[op];
   return (
     <>
-      <header class="tool-head"><ToolIcon op={op} /><div><h2>{words(op)}</h2><p>{tool.says}</p></div></header>
+      <header class="tool-head"><ToolIcon op={op} /><div><h2>{words(op)}</h2><p>{plain(tool.says)}</p></div></header>
       {picture && <img class="tool-picture" src={picture} alt={`Fur before and after ${words(op)}`} width="288" height="120" loading="lazy" />}
       <Presets tool={tool} />
       <Form members={tool.members} values={values} hidden={without} set={(name, value) => setValue(op, name, value)} />

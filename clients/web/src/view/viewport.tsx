@@ -148,7 +148,9 @@ async function loadProxy(id: string) {
   try {
     const {Proxy} = await import("./proxy");
     const loaded = await Proxy.load(id);
-    if (scene.value?.id === id) proxy.value = loaded;
+    if (scene.value?.id !== id) return;
+    proxy.value = loaded;
+    performance.mark("pelage:proxy");
   } catch (error) {
     sayError(error);
   }

@@ -1,0 +1,5 @@
+// What the bundle turns a picture into: its address.
+declare module "*.jpg" {
+  const address: string;
+  export default address;
+}

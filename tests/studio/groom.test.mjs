@@ -1,0 +1,170 @@
+// What a hand does on the model: mouse, pen and touch, with every way that a tool works.
+import assert from "node:assert/strict";
+import {after, before, test} from "node:test";
+import {Server} from "./support/server.mjs";
+import {Studio, browser} from "./support/studio.mjs";
+
+let server, chrome, studio, id;
+
+before(async () => {
+  server = await Server.start();
+  chrome = await browser();
+});
+after(async () => {
+  await chrome?.close();
+  await server?.stop();
+});
+
+async function fresh(name, context = {}) {
+  id = (await server.creature(name)).id;
+  studio = await Studio.open(chrome, server.address, {scene: id, context});
+  await studio.ready();
+}
+async function finish() {
+  studio.quiet();
+  await studio.close();
+}
+const steps = async () => (await server.get(`/v1/scenes/${id}/log`)).entries;
+const commandsOf = (entry) => [entry.commands].flat();
+
+test("a drag on the fur is one undo step of the comb, and the picture follows", async () => {
+  await fresh("comb");
+  await studio.tool("comb");
+  await studio.drag([[0.45, 0.5], [0.6, 0.45]]);
+  const scene = await studio.settled(server, id, 1);
+  await studio.page.waitForFunction((revision) => performance.getEntriesByName("pelage:frame").some(({detail}) => detail.revision >= revision), scene.revision);
+  assert.equal(scene.undo_steps, 1);
+  const [first] = await steps();
+  assert.equal(commandsOf(first)[0].op, "comb");
+  assert.ok(first.touched > 0);
+  await studio.page.getByRole("button", {name: "Undo"}).click();
+  await studio.page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled);
+  assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 0);
+  await studio.page.keyboard.press("Control+Shift+Z");
+  await studio.page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);
+  assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 1);
+  await finish();
+});
+
+test("beside the model a drag turns the view and changes nothing", async () => {
+  await fresh("orbit");
+  const pictures = () => studio.page.evaluate(() => performance.getEntriesByName("pelage:frame").length);
+  const before_drag = await pictures();
+  await studio.drag([[0.04, 0.9], [0.2, 0.8]]);
+  await studio.page.waitForFunction((count) => performance.getEntriesByName("pelage:frame").length > count, before_drag);
+  await studio.drag([[0.5, 0.5], [0.6, 0.5]], {button: "middle"});
+  await studio.page.mouse.wheel(0, -240);
+  await studio.page.getByRole("button", {name: "Front view"}).click();
+  await studio.seen("rest");
+  assert.equal((await server.get(`/v1/scenes/${id}`)).revision, 0);
+  await finish();
+});
+
+test("Ctrl inverts, Shift smooths, [ and ] size the brush", async () => {
+  await fresh("keys");
+  await studio.tool("lift");
+  const radius = () => studio.page.evaluate(() => JSON.parse(localStorage.getItem("pelage.brush")).radius);
+  const first = await radius();
+  await studio.page.keyboard.press("]");
+  const second = await radius();
+  assert.ok(second > first);
+  await studio.page.keyboard.press("[");
+  await studio.page.keyboard.press("[");
+  assert.ok(await radius() < first);
+  await studio.page.keyboard.down("Control");
+  await studio.drag([[0.45, 0.5], [0.55, 0.5]]);
+  await studio.page.keyboard.up("Control");
+  await studio.settled(server, id, 1);
+  await studio.page.keyboard.down("Shift");
+  await studio.drag([[0.45, 0.55], [0.55, 0.55]]);
+  await studio.page.keyboard.up("Shift");
+  await studio.page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled === false);
+  for (let tries = 0; tries < 100 && (await server.get(`/v1/scenes/${id}`)).undo_steps < 2; ++tries) await studio.page.waitForTimeout(50);
+  const entries = await steps();
+  const made = entries.filter(({kind}) => kind === "do").map((entry) => commandsOf(entry)[0]);
+  assert.equal(made[0].op, "lift");
+  assert.equal(made[0].brush.invert, true);
+  assert.equal(made[1].op, "smooth");
+  await finish();
+});
+
+test("blow and pull act where the hand is", async () => {
+  await fresh("wind");
+  await studio.tool("blow");
+  await studio.drag([[0.48, 0.5], [0.54, 0.5]]);
+  await studio.settled(server, id, 1);
+  const after_wind = (await steps()).length;
+  await studio.tool("attract");
+  await studio.drag([[0.5, 0.5], [0.56, 0.42]]);
+  await studio.settled(server, id, after_wind + 1);
+  const ops = (await steps()).map((entry) => commandsOf(entry)[0].op);
+  assert.ok(ops.includes("blow") && ops.includes("attract"), ops.join());
+  await finish();
+});
+
+test("X mirrors: both sides are combed in one step", async () => {
+  await fresh("mirror");
+  await studio.page.keyboard.press("1");
+  await studio.seen("rest");
+  await studio.page.keyboard.press("x");
+  await studio.settled(server, id, 1);
+  await studio.tool("comb");
+  await studio.drag([[0.56, 0.45], [0.58, 0.6]]);
+  await studio.page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);
+  for (let tries = 0; tries < 100 && (await server.get(`/v1/scenes/${id}`)).undo_steps < 2; ++tries) await studio.page.waitForTimeout(50);
+  const settings = await server.get(`/v1/scenes/${id}/settings`);
+  assert.equal(settings.symmetry.planes.length, 1);
+  const {size, bounds, revision} = await server.get(`/v1/scenes/${id}`);
+  const middle = (bounds.min[0] + bounds.max[0]) / 2;
+  const view = {camera: {auto: "front"}, width: 400, height: 400};
+  const differs = await server.get(`/v1/scenes/${id}/compare?from=0&to=${revision}`);
+  assert.ok(differs.touched > 0 && size > 0 && Number.isFinite(middle));
+  const sides = await Promise.all([160, 240].map((x) => server.post(`/v1/scenes/${id}/pick`, {view, pixel: [x, 200]})));
+  assert.ok(sides.every(({hit}) => hit));
+  assert.ok(Math.abs(sides[0].direction[0] + sides[1].direction[0]) < 0.35, "leans are mirror images");
+  await finish();
+});
+
+test("a pen's pressure comes to the log", async () => {
+  await fresh("pen");
+  await studio.tool("comb");
+  const devtools = await studio.context.newCDPSession(studio.page);
+  const pen = async (type, share, force) => {
+    const [x, y] = await studio.at(...share);
+    await devtools.send("Input.dispatchMouseEvent", {type, x, y, button: "left", buttons: 1, clickCount: 1, force, tiltX: 20, pointerType: "pen"});
+  };
+  await pen("mousePressed", [0.45, 0.5], 0.3);
+  for (let k = 1; k <= 8; ++k) await pen("mouseMoved", [0.45 + 0.015 * k, 0.5], 0.3 + 0.05 * k);
+  await pen("mouseReleased", [0.57, 0.5], 0.7);
+  await studio.settled(server, id, 1);
+  const pressures = (await steps()).flatMap((entry) => commandsOf(entry)[0].stroke.samples.map(({pressure = 1}) => pressure));
+  assert.ok(pressures.some((pressure) => pressure > 0.25 && pressure < 0.9), pressures.join());
+  await finish();
+});
+
+test("one finger grooms, two move the camera", async () => {
+  await fresh("touch", {hasTouch: true, viewport: {width: 1180, height: 820}});
+  await studio.tool("comb");
+  const devtools = await studio.context.newCDPSession(studio.page);
+  const touch = async (type, ...shares) => {
+    const touchPoints = [];
+    for (const [k, share] of shares.entries()) {
+      const [x, y] = await studio.at(...share);
+      touchPoints.push({x, y, id: k});
+    }
+    await devtools.send("Input.dispatchTouchEvent", {type, touchPoints});
+  };
+  await touch("touchStart", [0.45, 0.5]);
+  for (let k = 1; k <= 8; ++k) await touch("touchMove", [0.45 + 0.015 * k, 0.5]);
+  await touch("touchEnd");
+  await studio.settled(server, id, 1);
+  const {undo_steps} = await server.get(`/v1/scenes/${id}`);
+  assert.equal(undo_steps, 1);
+  const pictures = await studio.page.evaluate(() => performance.getEntriesByName("pelage:frame").length);
+  await touch("touchStart", [0.08, 0.85], [0.2, 0.85]);
+  for (let k = 1; k <= 8; ++k) await touch("touchMove", [0.08 + 0.01 * k, 0.85], [0.2 + 0.02 * k, 0.85]);
+  await touch("touchEnd");
+  await studio.page.waitForFunction((count) => performance.getEntriesByName("pelage:frame").length > count, pictures);
+  assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 1);
+  await finish();
+});

@@ -1,0 +1,80 @@
+// A real Chromium with the studio in it, and the moves of a user's hand.
+import assert from "node:assert/strict";
+import {chromium} from "playwright-core";
+
+const executablePath = process.env.PELAGE_CHROMIUM ?? "/usr/bin/chromium";
+
+export async function browser(options = {}) {
+  // Chromium's own sandbox does not work for root, which CI is.
+  const args = process.getuid() === 0 ? ["--no-sandbox"] : [];
+  return chromium.launch({executablePath, args: [...args, "--disable-dev-shm-usage"], ...options});
+}
+
+/** One window on a scene. Everything that the console says is kept, and is to be nothing at the end. */
+export class Studio {
+  static async open(chrome, address, {scene = "", context: context_options = {}, ...rest} = {}) {
+    const studio = new Studio();
+    studio.context = await chrome.newContext({viewport: {width: 1440, height: 900}, acceptDownloads: true, ...context_options, ...rest});
+    await studio.context.addInitScript(() => { try { localStorage.setItem("pelage.welcomed", "true"); } catch { /* about:blank */ } });
+    studio.page = await studio.context.newPage();
+    studio.said = [];
+    studio.expected = [];
+    studio.page.on("console", (message) => { if (["error", "warning"].includes(message.type())) studio.said.push(`${message.type()}: ${message.text()}`); });
+    studio.page.on("pageerror", (error) => studio.said.push(`thrown: ${error.message}`));
+    await studio.page.goto(`${address}/${scene ? `?scene=${scene}` : ""}`);
+    return studio;
+  }
+
+  /** Waits until a picture of the stage is seen ("draft" counts as any). */
+  async seen(stage = "draft") {
+    const classes = {draft: ".dot", rest: ".dot-rest, .dot-traced", traced: ".dot-traced"}[stage];
+    await this.page.locator(`.badge :is(${classes})`).waitFor({timeout: 90000});
+  }
+
+  /** Waits until the brush can find the model: a press in the middle would groom. */
+  async ready() {
+    await this.seen();
+    const [x, y] = await this.at(0.5, 0.5);
+    await this.page.waitForFunction(() => performance.getEntriesByName("pelage:proxy").length > 0, null, {timeout: 60000});
+    await this.page.mouse.move(x, y);
+  }
+
+  /** A place in the picture, as shares of its width and height, in the page's pixels. */
+  async at(x, y) {
+    const box = await this.page.locator(".surface").boundingBox();
+    return [box.x + x * box.width, box.y + y * box.height];
+  }
+
+  /** Drags through places given as shares of the picture. */
+  async drag(places, {button = "left", steps = 12} = {}) {
+    const points = [];
+    for (const [x, y] of places) points.push(await this.at(x, y));
+    await this.page.mouse.move(...points[0]);
+    await this.page.mouse.down({button});
+    for (const point of points.slice(1)) await this.page.mouse.move(...point, {steps});
+    await this.page.mouse.up({button});
+  }
+
+  async tool(name) { await this.page.locator(`.palette [data-tool="${name}"]`).click(); }
+  async panel(name) { await this.page.getByRole("tab", {name, exact: true}).click(); }
+
+  /** Waits until the server's scene is at least at this revision and all changes are answered. */
+  async settled(server, id, revision) {
+    for (let tries = 0; tries < 600; ++tries) {
+      const scene = await server.get(`/v1/scenes/${id}`);
+      if (scene.revision >= revision) return scene;
+      await this.page.waitForTimeout(50);
+    }
+    throw new Error(`the scene never came to revision ${revision}`);
+  }
+
+  /** The log of the console is empty, but for what the test says it expects. */
+  quiet() {
+    const unexpected = this.said.filter((line) => !this.expected.some((pattern) => pattern.test(line)));
+    assert.deepEqual(unexpected, []);
+  }
+
+  async close() {
+    await this.context.close();
+  }
+}

@@ -1,0 +1,64 @@
+// Two people on one scene, and a server that dies under the hand: no stroke is lost, none is done twice.
+import assert from "node:assert/strict";
+import {after, before, test} from "node:test";
+import {Server} from "./support/server.mjs";
+import {Studio, browser} from "./support/studio.mjs";
+
+let server, chrome;
+
+before(async () => {
+  server = await Server.start();
+  chrome = await browser();
+});
+after(async () => {
+  await chrome?.close();
+  await server?.stop();
+});
+
+const samplesOf = (entries) => entries.flatMap(({commands}) => (commands === undefined ? [] : [commands].flat())).flatMap(({stroke}) => stroke?.samples ?? []);
+
+test("both see what the other does, and nothing is lost", async () => {
+  const {id} = await server.creature("shared");
+  const studios = await Promise.all([0, 1].map(() => Studio.open(chrome, server.address, {scene: id})));
+  for (const studio of studios) await studio.ready();
+  await Promise.all([
+    studios[0].drag([[0.42, 0.48], [0.5, 0.46], [0.58, 0.5]], {steps: 25}),
+    studios[1].drag([[0.46, 0.58], [0.54, 0.56], [0.6, 0.6]], {steps: 25}),
+  ]);
+  for (const studio of studios) await studio.page.waitForFunction(() => Object.keys(localStorage).every((name) => !name.startsWith("pelage.outbox")));
+  const {entries} = await server.get(`/v1/scenes/${id}/log`);
+  const authors = new Set(entries.map(({author}) => author));
+  assert.equal(authors.size, 2, [...authors].join());
+  const {revision} = await server.get(`/v1/scenes/${id}`);
+  for (const studio of studios) {
+    await studio.page.waitForFunction((wanted) => performance.getEntriesByName("pelage:frame").some(({detail}) => detail.revision >= wanted), revision, {timeout: 60000});
+    studio.quiet();
+    await studio.close();
+  }
+});
+
+test("the server is killed in the middle of a stroke and comes back", async () => {
+  const {id} = await server.creature("killed");
+  const studio = await Studio.open(chrome, server.address, {scene: id});
+  studio.expected.push(/Failed to load resource/, /ERR_CONNECTION_REFUSED|ERR_EMPTY_RESPONSE|ERR_CONNECTION_RESET|ERR_INCOMPLETE_CHUNKED_ENCODING/);
+  await studio.ready();
+  const path = Array.from({length: 40}, (_, k) => [0.42 + 0.004 * k, 0.5 - 0.001 * k]);
+  const points = [];
+  for (const place of path) points.push(await studio.at(...place));
+  await studio.page.mouse.move(...points[0]);
+  await studio.page.mouse.down();
+  for (const point of points.slice(1, 15)) await studio.page.mouse.move(...point);
+  await studio.settled(server, id, 1);
+  await server.kill();
+  for (const point of points.slice(15)) await studio.page.mouse.move(...point);
+  await studio.page.mouse.up();
+  await studio.page.getByText(/no connection|connection/i).first().waitFor();
+  await server.run();
+  await studio.page.waitForFunction(() => Object.keys(localStorage).every((name) => !name.startsWith("pelage.outbox")), null, {timeout: 60000});
+  const {entries} = await server.get(`/v1/scenes/${id}/log`);
+  const times = samplesOf(entries).map(({time = 0}) => time);
+  assert.ok(times.length >= 30, `${times.length} samples of 40 came`);
+  assert.ok(new Set(times).size >= times.length - 1, "no part is done twice");  // the last sample before the break begins the rest
+  studio.quiet();
+  await studio.close();
+});
