@@ -72,7 +72,9 @@ oiiotool --nosoftwareattrib $out/{creature,model}-{0-before,1-comb,2-blow,3-attr
 rm -f $out/studio.jsonl $out/coat.jsonl $out/1-comb.jsonl $out/2-blow.jsonl $out/3-attract.jsonl
 say "done. Look at out/contact-sheet.png; each picture is beside it, and out/creature.jsonl is the groom as a log."
 if [ $keep = yes ]; then
-  echo "The server runs on at $PELAGE_SERVER (process $server). Go on with:"
+  echo "The server runs on (process $server). Groom the creature in a browser:"
+  echo "  $PELAGE_SERVER/?scene=creature"
+  echo "or on the command line:"
   echo "  export PELAGE_SERVER=$PELAGE_SERVER"
   echo "  $bin/pelage list; $bin/pelage undo creature; $bin/pelage frame creature -o undone.png"
 else

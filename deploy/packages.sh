@@ -8,7 +8,7 @@ build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml 
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
 demo=("${build[@]}" glmark2-data openimageio-tools)
 test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema curl
-  clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14)
+  clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 chromium)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;
@@ -16,6 +16,10 @@ case "${1:-}" in
   test) wanted=("${test[@]}") ;;
   *) echo "usage: $0 build|demo|test" >&2; exit 2 ;;
 esac
+
+# The studio is built by node 18 or newer; one that is there with its npm, from wherever, will do.
+major=$(node --version 2>/dev/null | sed -n 's/^v\([0-9]*\).*/\1/p')
+if ! { [ "${major:-0}" -ge 18 ] && command -v npm >/dev/null; }; then wanted+=(nodejs npm); fi
 
 missing=()
 for package in "${wanted[@]}"; do

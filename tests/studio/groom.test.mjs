@@ -32,7 +32,7 @@ test("a drag on the fur is one undo step of the comb, and the picture follows", 
   await studio.tool("comb");
   await studio.drag([[0.45, 0.5], [0.6, 0.45]]);
   const scene = await studio.settled(server, id, 1);
-  await studio.page.waitForFunction((revision) => performance.getEntriesByName("pelage:frame").some(({detail}) => detail.revision >= revision), scene.revision);
+  await studio.page.waitForFunction((revision) => window.marks.frame.some((frame) => frame.revision >= revision), scene.revision);
   assert.equal(scene.undo_steps, 1);
   const [first] = await steps();
   assert.equal(commandsOf(first)[0].op, "comb");
@@ -48,10 +48,10 @@ test("a drag on the fur is one undo step of the comb, and the picture follows", 
 
 test("beside the model a drag turns the view and changes nothing", async () => {
   await fresh("orbit");
-  const pictures = () => studio.page.evaluate(() => performance.getEntriesByName("pelage:frame").length);
+  const pictures = () => studio.page.evaluate(() => window.marks.frame.length);
   const before_drag = await pictures();
   await studio.drag([[0.04, 0.9], [0.2, 0.8]]);
-  await studio.page.waitForFunction((count) => performance.getEntriesByName("pelage:frame").length > count, before_drag);
+  await studio.page.waitForFunction((count) => window.marks.frame.length > count, before_drag);
   await studio.drag([[0.5, 0.5], [0.6, 0.5]], {button: "middle"});
   await studio.page.mouse.wheel(0, -240);
   await studio.page.getByRole("button", {name: "Front view"}).click();
@@ -160,11 +160,11 @@ test("one finger grooms, two move the camera", async () => {
   await studio.settled(server, id, 1);
   const {undo_steps} = await server.get(`/v1/scenes/${id}`);
   assert.equal(undo_steps, 1);
-  const pictures = await studio.page.evaluate(() => performance.getEntriesByName("pelage:frame").length);
+  const pictures = await studio.page.evaluate(() => window.marks.frame.length);
   await touch("touchStart", [0.08, 0.85], [0.2, 0.85]);
   for (let k = 1; k <= 8; ++k) await touch("touchMove", [0.08 + 0.01 * k, 0.85], [0.2 + 0.02 * k, 0.85]);
   await touch("touchEnd");
-  await studio.page.waitForFunction((count) => performance.getEntriesByName("pelage:frame").length > count, pictures);
+  await studio.page.waitForFunction((count) => window.marks.frame.length > count, pictures);
   assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 1);
   await finish();
 });

@@ -31,7 +31,7 @@ test("both see what the other does, and nothing is lost", async () => {
   assert.equal(authors.size, 2, [...authors].join());
   const {revision} = await server.get(`/v1/scenes/${id}`);
   for (const studio of studios) {
-    await studio.page.waitForFunction((wanted) => performance.getEntriesByName("pelage:frame").some(({detail}) => detail.revision >= wanted), revision, {timeout: 60000});
+    await studio.page.waitForFunction((wanted) => window.marks.frame.some((frame) => frame.revision >= wanted), revision, {timeout: 60000});
     studio.quiet();
     await studio.close();
   }

@@ -15,7 +15,11 @@ export class Studio {
   static async open(chrome, address, {scene = "", context: context_options = {}, ...rest} = {}) {
     const studio = new Studio();
     studio.context = await chrome.newContext({viewport: {width: 1440, height: 900}, acceptDownloads: true, ...context_options, ...rest});
-    await studio.context.addInitScript(() => { try { localStorage.setItem("pelage.welcomed", "true"); } catch { /* about:blank */ } });
+    await studio.context.addInitScript(() => {
+      try { localStorage.setItem("pelage.welcomed", "true"); } catch { /* about:blank */ }
+      window.marks = {frame: [], part: [], ring: [], proxy: []};
+      for (const name of Object.keys(window.marks)) addEventListener(`pelage:${name}`, ({detail}) => window.marks[name].push(detail));
+    });
     studio.page = await studio.context.newPage();
     studio.said = [];
     studio.expected = [];
@@ -35,7 +39,7 @@ export class Studio {
   async ready() {
     await this.seen();
     const [x, y] = await this.at(0.5, 0.5);
-    await this.page.waitForFunction(() => performance.getEntriesByName("pelage:proxy").length > 0, null, {timeout: 60000});
+    await this.page.waitForFunction(() => window.marks.proxy.length > 0, null, {timeout: 60000});
     await this.page.mouse.move(x, y);
   }
 

@@ -2,6 +2,7 @@
 import {Refusal} from "../api/client";
 import {send} from "../api/outbox";
 import type {Command, CommandAnswer, Pinhole} from "../api/types";
+import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
 import {accept, scene} from "../scene/session";
 
@@ -17,9 +18,9 @@ export class Stroke {
   private count = 0;
   private waiting: StrokeSample[] = [];
   private last_sent: StrokeSample | null = null;
+  private newest = 0;  // when the newest sample was seen, ms of the page
   private sending = false;
   private ended = false;
-  touched = 0;
 
   /** `command` has tool, settings and brush. `sent` is called with each part, `answered` with what became of it. */
   constructor(private readonly command: Command, private readonly view: StrokeView, private readonly page: string,
@@ -28,6 +29,7 @@ export class Stroke {
   }
 
   add(samples: StrokeSample[]) {
+    this.newest = performance.now();
     this.waiting.push(...samples);
     void this.work();
   }
@@ -64,10 +66,12 @@ export class Stroke {
     const id = scene.value?.id;
     if (!id) return;
     if (this.count + samples.length > max_samples) this.begin();
+    const start = performance.now(), newest = this.newest;
     try {
       const answer = send(id, "commands", this.bodyOf(samples, last));
       this.sent();
       this.note(await answer, samples, last);
+      mark("part", {start, end: performance.now(), newest, revision: (await answer).revision});
     } catch (error) {
       await this.mend(error, samples, last);
     }
@@ -81,7 +85,6 @@ export class Stroke {
     this.part += 1;
     this.count += samples.length;
     this.last_sent = samples[samples.length - 1]!;
-    this.touched += answer.results.reduce((sum, result) => sum + result.touched, 0);
     accept(answer);
     this.answered(answer, last);
   }

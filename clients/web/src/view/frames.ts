@@ -4,6 +4,7 @@ import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, drawFrame, type FrameNews, type Picture} from "../api/client";
 import {page_id} from "../api/identity";
 import type {FrameRequest, Pinhole} from "../api/types";
+import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
 import {rest_quality, shared_request, wants_trace} from "./quality";
 
@@ -118,7 +119,7 @@ export class FrameLoop {
     const answered = performance.now();
     await this.present(picture.bytes);
     const now = performance.now();
-    performance.measure("pelage:frame", {start: asked, end: now, detail: {stage: ask.stage, revision: picture.revision, answered, timings: picture.timings}});
+    mark("frame", {stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
     shown.value = {stage: ask.stage, picture, asked, shown: now};
     this.finish(ask, picture, now);
   }

@@ -2,6 +2,7 @@
 import {effect, signal, useSignal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {model_id, revision, scene, settings} from "../scene/session";
+import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
 import {brush, in_hand, worldRadius} from "../tools/state";
 import {takeUp, type Hold} from "../tools/hand";
@@ -127,7 +128,7 @@ class View {
     drawPlanes(this.pen, projection, settings.value?.symmetry, scene.value);
     if (this.hold) drawLine(this.pen, projection, this.hold.line());
     this.drawBrush(projection);
-    performance.measure("pelage:ring", {start, end: performance.now()});
+    mark("ring", {start, end: performance.now()});
   }
 
   private drawBrush(projection: Projection) {
@@ -150,7 +151,7 @@ async function loadProxy(id: string) {
     const loaded = await Proxy.load(id);
     if (scene.value?.id !== id) return;
     proxy.value = loaded;
-    performance.mark("pelage:proxy");
+    mark("proxy");
   } catch (error) {
     sayError(error);
   }
