@@ -10,6 +10,7 @@ find_package(embree 3 REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(meshoptimizer REQUIRED)
 # Through pkg-config and not find_package: its macros change the size of cpp-httplib's structures.
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -46,6 +46,11 @@ struct ImportOptions {
   FurPatches fur_patches = FurPatches::overlapping;
 };
 
+/// How fine a mesh for clients is to be.
+struct MeshRequest {
+  int triangles = 20'000;  // at most, where the model can be made simpler; [100, 200000]
+};
+
 /// Splits the triangles of the field mesh in four at the middles of their edges; the shape stays. `masked` splits only
 /// triangles with a corner whose mask is above .5, and their neighbours so that no crack opens.
 struct Subdivide {

@@ -42,6 +42,9 @@ Result<Environment> decode_environment_query(const Query& query);
 /// `from` and `to`, both required.
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 
+/// How fine a mesh: triangles.
+Result<MeshRequest> decode_mesh_query(const Query& query);
+
 /// Which map: field (required), format, encoding, size, dilate, scale, units.
 Result<MapRequest> decode_map_query(const Query& query);
 /// What comes with the bytes of a map: field (required), encoding, scale, units, strength.

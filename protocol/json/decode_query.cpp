@@ -174,6 +174,8 @@ Result<Tracing> decode_tracing_query(const Query& query) { return decode_query<T
 
 Result<ImportOptions> decode_import_query(const Query& query) { return decode_query<ImportOptions>(query); }
 
+Result<MeshRequest> decode_mesh_query(const Query& query) { return decode_query<MeshRequest>(query); }
+
 Result<MapRequest> decode_map_query(const Query& query) { return decode_query<MapRequest>(query); }
 
 Result<MapUpload> decode_map_upload_query(const Query& query) { return decode_query<MapUpload>(query); }

@@ -122,6 +122,13 @@ void members(V& v, Visited<V, ImportOptions>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, MeshRequest>& c) {
+  v.type("MeshRequest");
+  v.integer("triangles", c.triangles, {100, limits::proxy_triangles},
+            "At most so many, but where the model cannot be made simpler.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Revisions>& c) {
   v.type("Revisions");
   v.counter(required("from"), c.from);

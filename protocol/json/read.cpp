@@ -327,6 +327,7 @@ template AmendRequest read(const Value&);
 template Batch read(const Value&);
 template ImportOptions read(const Value&);
 template EnvironmentUpload read(const Value&);
+template MeshRequest read(const Value&);
 template MapRequest read(const Value&);
 template MapUpload read(const Value&);
 template Calibration read(const Value&);

@@ -77,6 +77,7 @@ struct HttpServer::Impl {
     add_scene_routes(server, service);
     add_upload_routes(server, service);
     add_map_routes(server, service);
+    add_mesh_routes(server, service);
     add_command_routes(server, service);
     add_frame_routes(server, service);
     add_status_routes(server, service);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 
@@ -78,9 +79,23 @@ Result<std::optional<Revision>> if_match_of(const httplib::Request& request) {
   return failure(Code::malformed, "If-Match is no entity tag of a scene.", "", "one ETag such as \"12\", or *");
 }
 
+bool none_match_names(const httplib::Request& request, std::string_view etag) {
+  const std::string header = request.get_header_value("If-None-Match");
+  std::string_view left = header;
+  while (!left.empty()) {
+    const std::size_t end = std::min(left.find(','), left.size());
+    std::string_view tag = left.substr(0, end);
+    while (tag.starts_with(' ')) tag.remove_prefix(1);
+    while (tag.ends_with(' ')) tag.remove_suffix(1);
+    if (tag.starts_with("W/")) tag.remove_prefix(2);
+    if (tag == etag || tag == "*") return true;
+    left.remove_prefix(std::min(end + 1, left.size()));
+  }
+  return false;
+}
+
 bool none_match_names(const httplib::Request& request, Revision revision, int passes) {
-  const std::string text = request.get_header_value("If-None-Match");
-  return text == "*" || (", " + text + ",").find(" " + etag_of(revision, passes) + ",") != std::string::npos;
+  return none_match_names(request, etag_of(revision, passes));
 }
 
 }  // namespace pelage

@@ -58,9 +58,10 @@ std::string shape_in_scene(const std::string& rest) {
 }  // namespace
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 24> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 25> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
+                                                {"/v1/scenes/{id}/mesh", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/subdivide", "POST"},
                                                 {"/v1/scenes/{id}/environment", "PUT"},
                                                 {"/v1/scenes/{id}/skin_texture", "PUT"},

@@ -14,6 +14,7 @@
 #include "server/http/guard.h"
 #include "server/http/http_server.h"
 #include "server/http/idempotency.h"
+#include "server/http/mesh_cache.h"
 #include "server/http/status_routes.h"
 #include "server/scene/scene_store.h"
 
@@ -30,6 +31,7 @@ struct Service {
   PictureService pictures{frames, traces};
   Metrics metrics;
   IdempotencyCache idempotency;
+  MeshCache meshes;
   Gate waiting{worker_threads / 4};  // each holds a thread for seconds
   Gate uploads{4};                   // each holds a file in memory
   Gate large_frames{1};
@@ -45,6 +47,7 @@ void add_upload_routes(httplib::Server& server, Service& service);
 void add_command_routes(httplib::Server& server, Service& service);
 void add_frame_routes(httplib::Server& server, Service& service);
 void add_map_routes(httplib::Server& server, Service& service);
+void add_mesh_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
 
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.

@@ -110,6 +110,7 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["FrameRequest"]["properties"]["width"]["maximum"], limits["frame_pixels"])
         of_map = SCHEMAS["MapRequest"]["properties"]
         self.assertEqual((of_map["size"]["maximum"], of_map["dilate"]["maximum"]), (limits["map_pixels"], limits["map_dilation"]))
+        self.assertEqual(SCHEMAS["MeshRequest"]["properties"]["triangles"]["maximum"], limits["proxy_triangles"])
         self.assertEqual(SCHEMAS["StoredPicture"]["properties"]["width"]["maximum"], limits["picture_pixels"])
         self.assertEqual(SCHEMAS["NewScene"]["properties"]["name"]["maxLength"], limits["name_bytes"])
         self.assertIn(f"At most {limits['edit_layers']}.", SCHEMAS["ChangeEditLayer"]["description"])

@@ -66,6 +66,8 @@ void check_query(std::string_view text) {
   require(import.ok() || !import.status().message.empty());
   const auto map = pelage::decode_map_query(query);
   const auto upload = pelage::decode_map_upload_query(query);
+  const auto mesh = pelage::decode_mesh_query(query);
+  require(mesh.ok() || !mesh.status().message.empty());
   require(map.ok() || !map.status().message.empty());
   require(upload.ok() || !upload.status().message.empty());
 }

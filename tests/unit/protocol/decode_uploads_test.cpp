@@ -63,6 +63,13 @@ TEST(Decode, MapsAreOfOneFieldInAnEncodingThatHoldsIt) {
   EXPECT_FALSE(decode_map_upload_query({{"field", "mask"}})->scale);
 }
 
+TEST(Decode, MeshQueries) {
+  EXPECT_EQ(decode_mesh_query({})->triangles, 20'000);
+  EXPECT_EQ(decode_mesh_query({{"triangles", "100"}})->triangles, 100);
+  EXPECT_EQ(decode_mesh_query({{"triangles", "0"}}).status().pointer, "/triangles");
+  EXPECT_EQ(decode_mesh_query({{"triangles", "200001"}}).status().limit, "[100, 200000]");
+}
+
 TEST(Decode, HowFurIsLaid) {
   EXPECT_EQ(decode_new_scene("{}")->fur_patches, FurPatches::overlapping);
   EXPECT_EQ(decode_new_scene(R"({"fur_patches": "hard"})")->fur_patches, FurPatches::hard);

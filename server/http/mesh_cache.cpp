@@ -1,0 +1,57 @@
+#include "server/http/mesh_cache.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "server/proxy_mesh/proxy_mesh.h"
+
+namespace pelage {
+
+namespace {
+
+/// A mesh with more triangles than the model is the same for any number.
+std::size_t kept_triangles(const SceneModel& model, int triangles) {
+  return std::min(model.surface.mesh().triangles.size(), static_cast<std::size_t>(triangles));
+}
+
+}  // namespace
+
+std::uint64_t MeshCache::new_process_stamp() {
+  return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+}
+
+std::string MeshCache::etag_of(const SceneModel& model, int triangles) const {
+  return fmt::format("\"{:x}.{}.{}\"", process_stamp_, model.id, kept_triangles(model, triangles));
+}
+
+std::shared_ptr<MeshCache::Entry> MeshCache::entry_of(const std::shared_ptr<const SceneModel>& model,
+                                                      std::size_t triangles) {
+  const std::lock_guard lock(mutex_);
+  entries_.remove_if([](const auto& entry) { return entry->model.expired(); });
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) {
+    return entry->model_id == model->id && entry->triangles == triangles;
+  });
+  if (found != entries_.end()) {
+    entries_.splice(entries_.begin(), entries_, found);
+  } else {
+    entries_.push_front(std::make_shared<Entry>(model, model->id, triangles));
+    if (entries_.size() > max_entries) entries_.pop_back();
+  }
+  return entries_.front();
+}
+
+Result<MeshCache::File> MeshCache::mesh(const std::shared_ptr<const SceneModel>& model, int triangles) {
+  const std::shared_ptr<Entry> entry = entry_of(model, kept_triangles(*model, triangles));
+  const std::lock_guard lock(entry->making);
+  if (entry->file) return entry->file;
+  const auto pass = simplifying_.enter();
+  if (!pass) return failure(Code::unavailable, "Too many meshes are being made.", "", "4 at a time");
+  const Result<ProxyMesh> proxy = simplify(model->surface.mesh(), entry->triangles);
+  if (!proxy) return proxy.status();
+  entry->file = std::make_shared<const std::string>(glb_of(*proxy));
+  return entry->file;
+}
+
+}  // namespace pelage

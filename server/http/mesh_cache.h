@@ -1,0 +1,50 @@
+// The meshes that clients asked for last.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "server/http/guard.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// Thread-safe. Clients that ask for the same mesh wait for one simplification; an entry goes when its model is gone
+/// (seen at the next call) or `max_entries` others were asked for since.
+class MeshCache {
+ public:
+  using File = std::shared_ptr<const std::string>;
+
+  /// A strong entity tag, with its quotes: unique for the model, the triangles and the process.
+  std::string etag_of(const SceneModel& model, int triangles) const;
+
+  /// The GLB of a mesh with at most so many triangles. Refused as simplify refuses; unavailable while too many other
+  /// meshes are made.
+  Result<File> mesh(const std::shared_ptr<const SceneModel>& model, int triangles);
+
+ private:
+  struct Entry {
+    std::weak_ptr<const SceneModel> model;
+    std::uint64_t model_id;
+    std::size_t triangles;
+    std::mutex making = {};  // held while `file` is made
+    File file = {};
+  };
+
+  std::shared_ptr<Entry> entry_of(const std::shared_ptr<const SceneModel>& model, std::size_t triangles);
+
+  static constexpr std::size_t max_entries = 8;
+
+  const std::uint64_t process_stamp_ = new_process_stamp();
+  static std::uint64_t new_process_stamp();
+  std::mutex mutex_;
+  std::list<std::shared_ptr<Entry>> entries_;  // the last asked for comes first
+  Gate simplifying_{4};                        // each takes a core and up to a few hundred MB
+};
+
+}  // namespace pelage
