@@ -1,6 +1,7 @@
 // pelage: the command-line client.
 #include "clients/cli/actions.h"
 #include "clients/cli/print.h"
+#include "protocol/json/author.h"
 
 namespace {
 
@@ -22,7 +23,9 @@ int main(int argc, char** argv) {
   if (options.action == pelage::Action::compare) return pelage::hand_over("pelage-compare", argv);
   if (options.action == pelage::Action::trade) return pelage::hand_over("pelage-trade", argv);
   if (options.action == pelage::Action::calibrate) return calibrate(options);
-  auto connection = pelage::Connection::to(options.server, options.token);
+  pelage::HttpHeaders headers;
+  if (!options.author.empty()) headers.emplace(pelage::author_header, pelage::encoded_author(options.author));
+  auto connection = pelage::Connection::to(options.server, options.token, headers);
   if (!connection) {
     pelage::report(connection.status());
     return pelage::wrong_use;

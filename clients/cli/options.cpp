@@ -333,6 +333,7 @@ ParsedLine parse_line(int argc, char** argv) {
       ->envname("PELAGE_SERVER")
       ->default_val("http://127.0.0.1:8080");
   app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
+  app.add_option("--author", options.author, "Your name, 1 to 200 bytes, kept with each change and shown to others");
   app.add_flag("--json", options.json, "Print the server's answer as JSON");
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
   declare_scene_actions(app, options);

@@ -41,8 +41,9 @@ struct Options {
   Action action = Action::list;
   std::string server;
   std::string token;
-  bool json = false;  // print the server's answer as it is
-  std::string scene;  // id or name
+  std::string author;  // of changes, in the log; "" for nobody
+  bool json = false;   // print the server's answer as it is
+  std::string scene;   // id or name
 
   // create
   std::string name = "scene";

@@ -77,8 +77,9 @@ void print(const PickAnswer& answer) {
 
 void print(const std::vector<LogEntry>& log) {
   for (const LogEntry& entry : log) {
-    fmt::print("{:>6}{} {:<6}  {:>8} touched  {}\n", entry.revision, entry.in_effect ? '*' : ' ', entry.kind,
-               entry.touched, shortened(entry.commands));
+    const std::string author = entry.author.empty() ? "" : entry.author + "  ";
+    fmt::print("{:>6}{} {:<6}  {:>8} touched  {}{}\n", entry.revision, entry.in_effect ? '*' : ' ', entry.kind,
+               entry.touched, author, shortened(entry.commands));
   }
 }
 

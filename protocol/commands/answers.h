@@ -94,7 +94,8 @@ struct SceneSummary {
   std::string id;
   std::string name;
   Revision revision = 0;
-  std::string model;  // "creature" or "obj", ...
+  std::string model;          // "creature" or "obj", ...
+  std::string model_id = {};  // follows from the mesh: equal while it is, 32 hex digits
   std::string fur_patches = "overlapping";
   ModelReport report;
   FieldsHash fields_hash;
@@ -154,13 +155,37 @@ struct LogEntry {
   std::string kind;      // the word of an EntryKind
   std::string commands;  // JSON text of the resolved commands, "" for undo and redo
   std::size_t touched = 0;
-  bool in_effect = false;  // whether its commands are among those that lead to the present
+  bool in_effect = false;   // whether its commands are among those that lead to the present
+  std::string author = {};  // who made the change, as the client named them; "" for nobody
   bool operator==(const LogEntry&) const = default;
 };
 
 struct Log {
   std::vector<LogEntry> entries;
   bool operator==(const Log&) const = default;
+};
+
+/// What a scene is now, for those who follow it.
+struct SceneEvent {
+  Revision revision = 0;
+  Revision first_revision = 0;  // at which the model came
+  std::size_t undo_steps = 0;   // that can be undone
+  std::size_t redo_steps = 0;
+  std::string model_id;  // as in SceneSummary
+  bool operator==(const SceneEvent&) const = default;
+};
+
+/// One change of a scene, for those who follow it: a line of the log without its commands.
+struct ChangeEvent {
+  Revision revision = 0;
+  std::string kind;              // the word of an EntryKind
+  std::uint64_t argument = 0;    // steps of undo and redo, the revision that a revert goes back to
+  std::string author;            // as in LogEntry
+  std::vector<std::string> ops;  // of its commands, each once, in their order
+  std::size_t touched = 0;
+  std::size_t undo_steps = 0;  // that could be undone after it
+  std::size_t redo_steps = 0;
+  bool operator==(const ChangeEvent&) const = default;
 };
 
 /// A refusal as RFC 9457 has it.

@@ -79,6 +79,8 @@ template Result<PickAnswer> decode_answer(std::string_view);
 template Result<Comparison> decode_answer(std::string_view);
 template Result<FoldCount> decode_answer(std::string_view);
 template Result<Log> decode_answer(std::string_view);
+template Result<SceneEvent> decode_answer(std::string_view);
+template Result<ChangeEvent> decode_answer(std::string_view);
 template Result<FrameEstimate> decode_answer(std::string_view);
 template Result<FrameCounters> decode_answer(std::string_view);
 template Result<TraceReport> decode_answer(std::string_view);

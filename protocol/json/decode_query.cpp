@@ -117,10 +117,6 @@ json value_of(const std::string& text, Kind kind) {
   return fits ? value : json(text);
 }
 
-bool is_utf8(const std::string& text) {
-  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)) == text;
-}
-
 Status place(json& document, const Parameter& parameter, const std::string& text) {
   const json::json_pointer pointer(parameter.pointer);
   json& parent = document[pointer.parent_pointer()];

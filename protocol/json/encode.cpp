@@ -24,6 +24,8 @@ std::string encode(const PickAnswer& answer) { return line(written(answer)); }
 std::string encode(const Comparison& comparison) { return line(written(comparison)); }
 std::string encode(const FoldCount& folds) { return line(written(folds)); }
 std::string encode(const Log& log) { return line(written(log)); }
+std::string encode(const SceneEvent& event) { return line(written(event)); }
+std::string encode(const ChangeEvent& event) { return line(written(event)); }
 std::string encode(const FrameEstimate& estimate) { return line(written(estimate)); }
 std::string encode(const FrameCounters& counters) { return line(written(counters)); }
 std::string encode(const MapAnswer& answer) { return line(written(answer)); }

@@ -29,6 +29,8 @@ std::string encode(const PickAnswer& answer);
 std::string encode(const Comparison& comparison);
 std::string encode(const FoldCount& folds);
 std::string encode(const Log& log);
+std::string encode(const SceneEvent& event);
+std::string encode(const ChangeEvent& event);
 std::string encode(const Knobs& knobs);
 std::string encode(const FrameEstimate& estimate);
 std::string encode(const FrameCounters& counters);

@@ -127,6 +127,9 @@ void members(V& v, Visited<V, SceneSummary>& c) {
   v.text("name", c.name);
   v.counter("revision", c.revision);
   v.text("model", c.model, "A built-in's name, or a format.");
+  v.text("model_id", c.model_id,
+         "Equal as long as the mesh is: clients may keep what they know of the mesh under it. Uploads and subdivisions "
+         "change it; a restart may.");
   v.word("fur_patches", c.fur_patches, json_names::fur_patches);
   report_members(v, c.report);
   v.hash("fields_hash", c.fields_hash);
@@ -198,6 +201,7 @@ void members(V& v, Visited<V, LogEntry>& c) {
   v.counter("touched", c.touched);
   v.boolean("in_effect", c.in_effect,
             "Whether its commands are among those that lead to the present: they can be amended.");
+  v.text("author", c.author, "The `Pelage-Author` of the request that made it; empty where none was named.");
   v.json(sparse("commands"), c.commands, "The commands as they were resolved.");
 }
 
@@ -205,6 +209,30 @@ template <class V>
 void members(V& v, Visited<V, Log>& c) {
   v.answer("Log");
   v.objects("entries", c.entries, any_count);
+}
+
+template <class V>
+void members(V& v, Visited<V, SceneEvent>& c) {
+  v.answer("SceneEvent", "What a scene is when its news begin and when its mesh is another.");
+  v.counter("revision", c.revision);
+  v.counter("first_revision", c.first_revision, "At which the model came; the log has those after it.");
+  v.counter("undo_steps", c.undo_steps);
+  v.counter("redo_steps", c.redo_steps);
+  v.text("model_id", c.model_id, "As in `Scene`.");
+}
+
+template <class V>
+void members(V& v, Visited<V, ChangeEvent>& c) {
+  v.answer("ChangeEvent", "One line of the log without its commands.");
+  v.counter("revision", c.revision);
+  v.word("kind", c.kind, json_names::entry_kinds, "`join` and `replay` belong to the undo step of the entry before.");
+  v.counter("argument", c.argument,
+            "Of `undo` and `redo` the steps, of `revert` the revision that it goes back to; else 0.");
+  v.text("author", c.author, "As in `LogEntry`.");
+  v.texts("ops", c.ops, "`op` of its commands, each once.");
+  v.counter("touched", c.touched);
+  v.counter("undo_steps", c.undo_steps, "That could be undone after it.");
+  v.counter("redo_steps", c.redo_steps);
 }
 
 /// A member for each painted field, with a little above its largest value for sums of floats.

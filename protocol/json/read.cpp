@@ -337,6 +337,8 @@ template CommandAnswer read(const Value&);
 template Comparison read(const Value&);
 template FoldCount read(const Value&);
 template Log read(const Value&);
+template SceneEvent read(const Value&);
+template ChangeEvent read(const Value&);
 template PickAnswer read(const Value&);
 template MapAnswer read(const Value&);
 template PictureAnswer read(const Value&);

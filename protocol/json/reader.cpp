@@ -61,12 +61,16 @@ std::string shown(std::string_view word) {
   return "\"" + std::string(word.substr(0, shown_bytes)) + (word.size() > shown_bytes ? "...\"" : "\"");
 }
 
+}  // namespace
+
 bool has_control_character(std::string_view text) {
   return std::any_of(text.begin(), text.end(),
                      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
 }
 
-}  // namespace
+bool is_utf8(std::string_view text) {
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)) == text;
+}
 
 std::string Range::text() const { return "[" + short_number(low) + ", " + short_number(high) + "]"; }
 

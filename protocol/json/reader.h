@@ -18,6 +18,8 @@ namespace pelage {
 
 /// The word among `known` with the smallest edit distance to `word` (its first 80 bytes), the first of several.
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& known);
+bool has_control_character(std::string_view text);
+bool is_utf8(std::string_view text);
 
 // Reading a JSON tree into structs: every refusal names its pointer, the limit it broke and the nearest known name.
 

@@ -366,7 +366,8 @@ nlohmann::ordered_json schemas() {
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
   describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
   describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all), describe<FoldCount>(all);
-  describe<Log>(all), describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
+  describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);
+  describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
   describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // in headers
   describe<MapAnswer>(all);
   return all;

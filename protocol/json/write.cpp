@@ -203,6 +203,8 @@ template Json written(const CommandAnswer&);
 template Json written(const Comparison&);
 template Json written(const FoldCount&);
 template Json written(const Log&);
+template Json written(const SceneEvent&);
+template Json written(const ChangeEvent&);
 template Json written(const PickAnswer&);
 template Json written(const MapAnswer&);
 template Json written(const PictureAnswer&);

@@ -110,7 +110,7 @@ namespace {
 
 /// Of a record, with the settings that no other record has. Curves are by far the largest of them.
 std::size_t bytes_of(const LogEntry& line, const SceneSettings* settings) noexcept {
-  std::size_t bytes = 128 + line.commands.capacity();
+  std::size_t bytes = 160 + line.commands.capacity() + line.author.capacity();
   if (settings == nullptr) return bytes;
   bytes += sizeof(SceneSettings);
   for (const CurveGroup& group : settings->curves) {
@@ -191,10 +191,19 @@ void History::reserve(std::size_t entries) {
   reserve_more(undone_, done_.size());
 }
 
+static LogEntry line_of(const Entry& entry) {
+  return {.revision = entry.revision,
+          .kind = name_of(entry.kind),
+          .commands = entry.commands,
+          .touched = entry.delta.vertices().size(),
+          .author = entry.author};
+}
+
 /// The record at `index`, after `last`.
 History::Record History::next_record(const Entry& entry, std::size_t index, const Record& last) const {
   Record record;
-  record.line = {entry.revision, name_of(entry.kind), entry.commands, entry.delta.vertices().size()};
+  record.line = line_of(entry);
+  record.argument = entry.argument;
   const auto arrive = [&](std::size_t state) {
     record.top = records_[state].top;
     record.settings = records_[state].settings;
@@ -225,7 +234,7 @@ History::Prepared History::prepare(std::span<const Entry> entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Entry& entry = entries[i];
     const Record& last = i == 0 ? records_.back() : prepared.changes_.back().record;
-    Prepared::Change change{entry.kind, entry.argument, next_record(entry, records_.size() + i, last), {}};
+    Prepared::Change change{entry.kind, next_record(entry, records_.size() + i, last), {}};
     if (entry.kind == EntryKind::command || entry.kind == EntryKind::revert) {
       step = entry.delta;
     } else if (entry.kind == EntryKind::join || entry.kind == EntryKind::replay) {
@@ -252,12 +261,12 @@ void History::record(const Entry& entry) { record(prepare(std::span(&entry, 1)))
 
 void History::record(Prepared prepared) noexcept {
   for (Prepared::Change& change : prepared.changes_) {
-    record_one(change.kind, change.argument, std::move(change.record), std::move(change.bytes));
+    record_one(change.kind, std::move(change.record), std::move(change.bytes));
   }
 }
 
-void History::record_one(EntryKind kind, std::uint64_t argument, Record record, std::string bytes) noexcept {
-  const auto move_steps = [argument](std::vector<Step>& from, std::vector<Step>& to) {
+void History::record_one(EntryKind kind, Record record, std::string bytes) noexcept {
+  const auto move_steps = [argument = record.argument](std::vector<Step>& from, std::vector<Step>& to) {
     for (std::uint64_t i = 0; i < argument; ++i) {
       to.push_back(std::move(from.back()));
       from.pop_back();
@@ -271,6 +280,7 @@ void History::record_one(EntryKind kind, std::uint64_t argument, Record record, 
     case EntryKind::undo: move_steps(done_, undone_); break;
     case EntryKind::redo: move_steps(undone_, done_); break;
   }
+  record.undo_steps = done_.size(), record.redo_steps = undone_.size();
   record_bytes_ += bytes_of(record.line, record.settings != records_.back().settings ? record.settings.get() : nullptr);
   records_.push_back(std::move(record));
   keep_to_budget();
@@ -300,6 +310,25 @@ std::vector<LogEntry> History::log() const {
                  [](const Record& record) { return record.line; });
   for (std::size_t at = records_.back().top; at != 0; at = records_[at].below) lines[at - 1].in_effect = true;
   return lines;
+}
+
+std::vector<LoggedChange> History::changes_after(Revision after, std::size_t max) const {
+  assert(after >= first_);
+  std::vector<LoggedChange> changes;
+  for (std::size_t at = after - first_ + 1; at < records_.size() && changes.size() < max; ++at) {
+    const Record& record = records_[at];
+    const LogEntry& line = record.line;
+    changes.push_back({{.revision = line.revision,
+                        .kind = line.kind,
+                        .argument = record.argument,
+                        .author = line.author,
+                        .ops = {},
+                        .touched = line.touched,
+                        .undo_steps = record.undo_steps,
+                        .redo_steps = record.redo_steps},
+                       line.commands});
+  }
+  return changes;
 }
 
 std::vector<ListedStep> History::listed_steps() const {

@@ -53,6 +53,7 @@ struct Entry {
   FieldsHash fields_hash;                         // after it
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
   std::vector<std::string> pictures = {};         // that its commands name; not read back
+  std::string author = {};                        // as in LogEntry
 };
 
 /// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back
@@ -68,6 +69,12 @@ struct ListedStep {
   Revision first = 0, last = 0;   // those of its entries; they differ where parts were joined
   Revision before = 0;            // one that has the list up to it and the same state
   std::vector<Command> commands;  // a stroke that came in parts is one whole stroke without an id
+};
+
+/// A change as those who follow the scene are told of it; its `ops` are still to be read from its commands.
+struct LoggedChange {
+  ChangeEvent event;
+  std::string commands;  // as in Entry
 };
 
 /// Record k describes the state at revision first + k. The commands that lead to a state form a list that shares its
@@ -108,6 +115,8 @@ class History {
 
   /// One line for each entry, oldest first.
   std::vector<LogEntry> log() const;
+  /// At most `max` entries that come next after a revision from first_revision() on, oldest first.
+  std::vector<LoggedChange> changes_after(Revision after, std::size_t max) const;
   /// The steps from the first groom to the present state, oldest first. After an amendment each replayed step is one of
   /// them, though all are undone together.
   std::vector<ListedStep> listed_steps() const;
@@ -118,7 +127,9 @@ class History {
  private:
   struct Record {
     LogEntry line;
-    std::size_t top = 0;    // record of the last entry in the list of commands that leads here
+    std::uint64_t argument = 0;                  // as in Entry
+    std::size_t undo_steps = 0, redo_steps = 0;  // once it was recorded
+    std::size_t top = 0;                         // record of the last entry in the list of commands that leads here
     std::size_t below = 0;  // do, join and replay: the top of the list before this entry; the list ends at 0
     std::shared_ptr<const SceneSettings> settings;
   };
@@ -137,7 +148,7 @@ class History {
   void join_step(std::string bytes) noexcept;
   void drop(Step& step) noexcept;
   void keep_to_budget() noexcept;
-  void record_one(EntryKind kind, std::uint64_t argument, Record record, std::string bytes) noexcept;
+  void record_one(EntryKind kind, Record record, std::string bytes) noexcept;
 
   Revision first_;
   std::vector<Record> records_;
@@ -157,7 +168,6 @@ class History::Prepared {
   friend class History;
   struct Change {
     EntryKind kind;
-    std::uint64_t argument;
     Record record;
     std::string bytes;  // of the step as it will be; "" where the journal alone has it, and of undo and redo
   };

@@ -30,13 +30,13 @@ constexpr const char* schema = R"(
   CREATE TABLE entries(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
-    hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL,
+    hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL, author TEXT NOT NULL DEFAULT '',
     PRIMARY KEY(scene, revision));
   CREATE TABLE pictures(name TEXT PRIMARY KEY, bytes BLOB NOT NULL);
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
-  PRAGMA user_version = 6;
+  PRAGMA user_version = 7;
 )";
 
 // What no log names any more; at the start also what was uploaded and never used.
@@ -133,14 +133,15 @@ Status write_entry(Database& database, const std::string& scene, const Entry& en
   for (const std::string& picture : entry.pictures) {
     if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
   }
-  Statement insert = database.prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?)");
+  Statement insert = database.prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?,?)");
   insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
   insert.text(entry.commands);
   if (entry.settings)
     insert.text(settings_text(*entry.settings));
   else
     insert.null();
-  return insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).run();
+  insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta);
+  return insert.text(entry.author).run();
 }
 
 Result<Entry> read_entry(const Statement& row) {
@@ -160,6 +161,7 @@ Result<Entry> read_entry(const Statement& row) {
   Result<FieldDelta> delta = decode_delta(row.blob_at(7));
   if (!delta) return delta.status();
   entry.delta = std::move(*delta);
+  entry.author = row.text_at(8);
   return entry;
 }
 
@@ -246,8 +248,8 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
         " FROM scenes WHERE id = ?");
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
     Statement entries = database_->prepare(
-        "INSERT INTO entries SELECT ?, revision, kind, argument, commands, settings, hash_low, hash_high, delta"
-        " FROM entries WHERE scene = ? AND revision <= ?");
+        "INSERT INTO entries SELECT ?, revision, kind, argument, commands, settings, hash_low, hash_high, delta,"
+        " author FROM entries WHERE scene = ? AND revision <= ?");
     if (Status copied = entries.text(branch).text(scene).number(last).run(); !copied.ok()) return copied;
     return database_->prepare("INSERT INTO picture_uses SELECT ?, picture FROM picture_uses WHERE scene = ?")
         .text(branch)
@@ -324,7 +326,7 @@ Status Journal::for_each_entry(const std::string& scene, Revision after,
                                const std::function<Status(const Entry&)>& use) const {
   const std::lock_guard lock(mutex_);
   Statement rows = database_->prepare(
-      "SELECT revision, kind, argument, commands, settings, hash_low, hash_high, delta"
+      "SELECT revision, kind, argument, commands, settings, hash_low, hash_high, delta, author"
       " FROM entries WHERE scene = ? AND revision > ? ORDER BY revision");
   rows.text(scene).number(after);
   Result<bool> row = rows.step();

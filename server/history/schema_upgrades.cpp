@@ -38,8 +38,13 @@ Status to_version_6(Database& database) {
   return current.ok() ? database.execute("PRAGMA user_version = 6") : current;
 }
 
+/// Before it nobody was named.
+Status to_version_7(Database& database) {
+  return database.execute("ALTER TABLE entries ADD COLUMN author TEXT NOT NULL DEFAULT ''; PRAGMA user_version = 7");
+}
+
 // The step from each version to the next, from oldest_upgraded_version on.
-constexpr Status (*steps[])(Database&) = {to_version_6};
+constexpr Status (*steps[])(Database&) = {to_version_6, to_version_7};
 static_assert(oldest_upgraded_version + std::size(steps) == schema_version);
 
 }  // namespace

@@ -11,14 +11,15 @@ using httplib::Request;
 using httplib::Response;
 
 Result<ExecuteOptions> options_of(const Request& request, const std::vector<std::string_view>& parameters) {
-  const auto if_match = if_match_of(request);
-  if (!if_match) return if_match.status();
+  Result<ExecuteOptions> options = change_options_of(request);
+  if (!options) return options;
   if (Status status = check_query(request, parameters); !status.ok()) return status;
   const std::string dry_run = request.get_param_value("dry_run");
   if (request.has_param("dry_run") && dry_run != "0" && dry_run != "1") {
     return failure(Code::invalid, "dry_run is 0 or 1.", "/dry_run", "0 | 1");
   }
-  return ExecuteOptions{.if_match = *if_match, .dry_run = dry_run == "1"};
+  options->dry_run = dry_run == "1";
+  return options;
 }
 
 void reply_answer(Response& response, const Result<CommandAnswer>& answer) {
@@ -37,12 +38,13 @@ void run_commands(Service& service, Scene& scene, const Request& request, Respon
 }
 
 void subdivide(Service& service, Scene& scene, const Request& request, Response& response) {
-  const auto options = options_of(request, {});
-  if (!options) return reply_problem(response, options.status());
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+  const auto if_match = if_match_of(request);
+  if (!if_match) return reply_problem(response, if_match.status());
   const auto how = decode_subdivide(request.body);
   if (!how) return reply_problem(response, how.status());
   const std::uint64_t old_model = model_id_of(scene);
-  const auto summary = service.scenes.subdivide(scene, *how, *options);
+  const auto summary = service.scenes.subdivide(scene, *how, {.if_match = *if_match});
   if (!summary) return reply_problem(response, summary.status());
   if (model_id_of(scene) != old_model) service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);

@@ -82,7 +82,7 @@ Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, cons
   if (news.wait_seconds == 0) return nothing_new;
   const auto pass = service.waiting.enter();
   if (!pass)
-    return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", worker_threads / 4));
+    return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", service.waiting.all()));
   const Stopwatch passed;
   while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - passed.seconds();

@@ -3,6 +3,7 @@
 
 #include <httplib.h>
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ class ClientSocket {
 
 class Gate {
  public:
-  explicit Gate(int places) : places_(places) {}
+  explicit Gate(int places) : all_(places), places_(places) {}
 
   /// Holds a place until it is destroyed; false when there was none left.
   class Pass {
@@ -53,7 +54,12 @@ class Gate {
     return Pass(nullptr);
   }
 
+  /// Places that are held, and all there are.
+  int held() const { return all_ - std::max(places_.load(), 0); }
+  int all() const { return all_; }
+
  private:
+  const int all_;
   std::atomic<int> places_;
 };
 

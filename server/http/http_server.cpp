@@ -80,6 +80,7 @@ struct HttpServer::Impl {
     add_mesh_routes(server, service);
     add_command_routes(server, service);
     add_frame_routes(server, service);
+    add_event_routes(server, service);
     add_status_routes(server, service);
   }
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "protocol/base/limits.h"
+#include "protocol/json/author.h"
 #include "protocol/json/reader.h"
 #include "server/http/reply.h"
 
@@ -46,6 +47,18 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
   return {};
 }
 
+Result<ExecuteOptions> change_options_of(const httplib::Request& request) {
+  const auto if_match = if_match_of(request);
+  if (!if_match) return if_match.status();
+  // Not get_header_value, which ends a value at a null character. cpp-httplib has decoded the %XX.
+  const auto [author, end] = request.headers.equal_range(author_header);
+  if (author == end) return ExecuteOptions{.if_match = *if_match};
+  if (std::distance(author, end) > 1)
+    return failure(Code::malformed, "There is more than one Pelage-Author.", "", "one");
+  if (Status bad = check_author(author->second); !bad.ok()) return bad;
+  return ExecuteOptions{.if_match = *if_match, .author = author->second};
+}
+
 namespace {
 
 /// What comes after the scene's id, with {field} for what stands there.
@@ -58,7 +71,7 @@ std::string shape_in_scene(const std::string& rest) {
 }  // namespace
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 25> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const auto known = std::to_array<RouteInfo>({{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
                                                 {"/v1/scenes/{id}/mesh", "GET, HEAD"},
@@ -74,6 +87,7 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/v1/scenes/{id}/amend", "POST"},
                                                 {"/v1/scenes/{id}/branch", "POST"},
                                                 {"/v1/scenes/{id}/log", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/events", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/compare", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/folds", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/frames", "POST"},
@@ -82,7 +96,7 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/livez", "GET, HEAD"},
                                                 {"/readyz", "GET, HEAD"},
                                                 {"/metrics", "GET, HEAD"},
-                                                {"/openapi.json", "GET, HEAD"}}};
+                                                {"/openapi.json", "GET, HEAD"}});
   static constexpr std::string_view scenes = "/v1/scenes/";
   if (path == "/") return {"/", "GET, HEAD"};
   std::string shape = path;

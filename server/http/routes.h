@@ -20,7 +20,7 @@
 
 namespace pelage {
 
-inline constexpr int worker_threads = 64;
+inline constexpr int worker_threads = 128;
 
 /// What handlers share. Everything in it is thread-safe.
 struct Service {
@@ -33,6 +33,7 @@ struct Service {
   IdempotencyCache idempotency;
   MeshCache meshes;
   Gate waiting{worker_threads / 4};  // each holds a thread for seconds
+  Gate streams{worker_threads / 4};  // each holds a thread for as long as its client likes
   Gate uploads{4};                   // each holds a file in memory
   Gate large_frames{1};
   std::atomic<bool> draining{false};
@@ -48,6 +49,7 @@ void add_command_routes(httplib::Server& server, Service& service);
 void add_frame_routes(httplib::Server& server, Service& service);
 void add_map_routes(httplib::Server& server, Service& service);
 void add_mesh_routes(httplib::Server& server, Service& service);
+void add_event_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
 
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
@@ -65,6 +67,10 @@ Query query_of(const httplib::Request& request);
 Query map_query_of(const httplib::Request& request);
 /// Refuses (invalid) parameters of the address that are not among `known`, and repeated ones (malformed).
 Status check_query(const httplib::Request& request, const std::vector<std::string_view>& known);
+
+/// If-Match and Pelage-Author of a request that changes a scene. Refused (malformed) as if_match_of and check_author
+/// do, and where there is more than one author.
+Result<ExecuteOptions> change_options_of(const httplib::Request& request);
 
 /// The template of a path, such as "/v1/scenes/{id}/undo", and the methods that it takes; "other" and none for a path
 /// that nothing answers.

@@ -87,6 +87,7 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_scenes", "gauge", "Scenes on the server.", gauges.scenes);
   text += scene_memory(gauges.memory);
   text += single("pelage_ready", "gauge", "1 when the server takes work.", gauges.ready ? 1 : 0);
+  text += single("pelage_event_streams", "gauge", "Clients that follow a scene.", gauges.streams);
   text += head("pelage_renderer_info", "gauge", "1; `renderer` is what draws.");
   text += fmt::format("pelage_renderer_info{{renderer=\"{}\"}} 1\n", label_value(gauges.renderer));
   text += single("process_resident_memory_bytes", "gauge", "Resident memory.", resident_bytes());
@@ -154,6 +155,7 @@ void add_status_routes(httplib::Server& server, Service& service) {
     const Gauges gauges{.scenes = service.scenes.count(),
                         .memory = service.scenes.memory(),
                         .ready = service.ready(),
+                        .streams = service.streams.held(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .seconds_drawing = service.frames.seconds_drawing(),
                         .gl_bytes = service.frames.gl_bytes(),

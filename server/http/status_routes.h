@@ -18,6 +18,7 @@ struct Gauges {
   std::size_t scenes = 0;
   MemoryUse memory;
   bool ready = false;
+  int streams = 0;  // of events
   std::size_t frames_drawn = 0;
   double seconds_drawing = 0;
   std::size_t gl_bytes = 0;

@@ -31,18 +31,18 @@ void load_model(Service& service, Scene& scene, const Request& request, Response
 void load_environment(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   const auto how = decode_environment_query(query_of(request));
   if (!how) return reply_problem(response, how.status());
-  const auto if_match = if_match_of(request);
-  if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_environment(scene, *how, bytes, {.if_match = *if_match});
+  const auto options = change_options_of(request);
+  if (!options) return reply_problem(response, options.status());
+  const auto answer = service.scenes.load_environment(scene, *how, bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
 void load_skin_texture(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
-  const auto if_match = if_match_of(request);
-  if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_skin_texture(scene, bytes, {.if_match = *if_match});
+  const auto options = change_options_of(request);
+  if (!options) return reply_problem(response, options.status());
+  const auto answer = service.scenes.load_skin_texture(scene, bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
@@ -50,9 +50,9 @@ void load_skin_texture(Service& service, Scene& scene, const Request& request, R
 void load_map(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
   const auto how = decode_map_upload_query(map_query_of(request));
   if (!how) return reply_problem(response, how.status());
-  const auto if_match = if_match_of(request);
-  if (!if_match) return reply_problem(response, if_match.status());
-  const auto answer = service.scenes.load_map(scene, *how, bytes, {.if_match = *if_match});
+  const auto options = change_options_of(request);
+  if (!options) return reply_problem(response, options.status());
+  const auto answer = service.scenes.load_map(scene, *how, bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
-#include "protocol/base/random.h"
 #include "protocol/json/names.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "server/maps/draw_map.h"
 #include "server/patches/patches.h"
+#include "server/scene/digest.h"
 
 namespace pelage {
 
@@ -75,16 +74,7 @@ Status check_skin_texture(const std::string& name, const Journal& journal) {
   return failure(Code::invalid, "this picture was uploaded as data; upload it to skin_texture", "/picture");
 }
 
-std::string name_of_picture(std::string_view bytes) {
-  FieldsHash hash{bytes.size(), ~bytes.size()};
-  for (std::size_t at = 0; at < bytes.size(); at += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
-    hash.low = mix_bits(hash.low ^ word);
-    hash.high = mix_bits(hash.high + mix_bits(~word));
-  }
-  return to_hex(hash);
-}
+std::string name_of_picture(std::string_view bytes) { return digest(bytes); }
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "protocol/base/limits.h"
 #include "server/fields/field_mix.h"
+#include "server/scene/digest.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {
@@ -22,6 +23,20 @@ Result<PatchMap> lay(const Mesh& mesh, FurPatches how) {
   return how == FurPatches::hard ? hard_pieces(patches) : std::move(patches);
 }
 
+template <class T>
+std::string_view bytes_in(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// Follows from where the mesh is, its triangles, its texture coordinates and its own colours.
+std::string id_of(const Mesh& mesh) {
+  std::string parts = digest(bytes_in(mesh.positions)) + digest(bytes_in(mesh.triangles)) +
+                      digest(bytes_in(mesh.texture_uv)) + digest(bytes_in(mesh.corners));
+  for (const RawImage& image : mesh.images) parts += std::to_string(image.width) + " " + digest(bytes_in(image.rgba));
+  const std::vector<double> frame{mesh.centre.x, mesh.centre.y, mesh.centre.z, mesh.size};
+  return digest(parts.append(bytes_in(frame)));
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
@@ -34,8 +49,9 @@ Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const
     if (!finer) return finer.status();
     mesh = std::move(finer->mesh), patches = std::move(finer->patches);
   }
-  return std::shared_ptr<const SceneModel>(
-      new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name, how.fur_patches, how.subdivisions});
+  std::string mesh_id = id_of(*mesh);
+  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name,
+                                                          how.fur_patches, how.subdivisions, std::move(mesh_id)});
 }
 
 namespace {
@@ -83,8 +99,10 @@ Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet&
     mesh = std::move(finer->mesh), patches = std::move(finer->patches);
     subdivisions.push_back(std::move(chosen));
   }
-  subdivided.model = std::shared_ptr<const SceneModel>(new SceneModel{
-      Surface(std::move(mesh)), std::move(patches), id, model.name, model.fur_patches, std::move(subdivisions)});
+  std::string mesh_id = id_of(mesh);
+  subdivided.model =
+      std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(mesh)), std::move(patches), id, model.name,
+                                                       model.fur_patches, std::move(subdivisions), std::move(mesh_id)});
   return subdivided;
 }
 

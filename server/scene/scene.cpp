@@ -122,7 +122,8 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
                       std::move(outcome.delta),
                       outcome.fields.hash(),
                       outcome.settings,
-                      pictures_read_by(logged)};
+                      pictures_read_by(logged),
+                      options.author};
     Status written = commit(std::span(&entry, 1), std::move(outcome.fields), std::move(live));
     if (!written.ok()) return written;
   } else {
@@ -137,6 +138,7 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
   if (Status refused = admit(options); !refused.ok()) return refused;
   Result<Entry> entry = entry_of(move);
   if (!entry) return entry.status();
+  entry->author = options.author;
   std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, fields_)};
   const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
   if (!options.dry_run && !stays) {
@@ -271,6 +273,7 @@ SceneSummary Scene::describe() const {
           name_,
           history_.revision(),
           model_->name,
+          model_->mesh_id,
           json_names::word_of(json_names::fur_patches, model_->fur_patches),
           model_->surface.mesh().report,
           fields_.hash(),

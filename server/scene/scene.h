@@ -38,6 +38,7 @@ struct SceneModel {
   std::string name;      // "creature", "obj", ...
   FurPatches fur_patches = FurPatches::overlapping;
   std::vector<ChosenTriangles> subdivisions = {};  // since it was prepared
+  std::string mesh_id = {};                        // SceneSummary::model_id
 };
 
 /// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.
@@ -72,6 +73,13 @@ struct ExecuteOptions {
   bool dry_run = false;                   // answer what it would do; nothing changes
   std::vector<GroomSource> sources = {};  // what retargets take (SceneStore::execute and amend find them)
   Cancel cancel = {};                     // evaluation ends (unavailable) once nobody waits; nothing changes
+  std::string author = {};                // LogEntry::author of what is changed; a new model's log has no entry for it
+};
+
+/// What has become of a scene.
+struct SceneNews {
+  SceneEvent now;
+  std::vector<ChangeEvent> changes;  // the next ones, in order
 };
 
 struct Undo {
@@ -168,6 +176,8 @@ class Scene {
   /// revision then. Whoever makes `or_else` true calls wake(); it is asked under the scene's lock.
   Revision wait_newer(Revision after, double seconds, const std::function<bool()>& or_else = {}) const;
   void wake() const;
+  /// The present, and at most 256 changes that came next after a revision; none where this model has no such revision.
+  SceneNews news(std::optional<Revision> after) const;
   Revision revision() const;
   /// These never wait for commands. A scene that has been removed is at no revision.
   bool is_at(Revision revision) const { return !removed() && newest_ == revision; }

@@ -51,7 +51,7 @@ Connection::~Connection() = default;
 Connection::Connection(Connection&&) noexcept = default;
 Connection& Connection::operator=(Connection&&) noexcept = default;
 
-Result<Connection> Connection::to(const std::string& server, const std::string& token) {
+Result<Connection> Connection::to(const std::string& server, const std::string& token, const HttpHeaders& always) {
   static const std::string scheme = "http://";
   std::string address = server;
   while (!address.empty() && address.back() == '/') address.pop_back();
@@ -63,6 +63,7 @@ Result<Connection> Connection::to(const std::string& server, const std::string& 
   if (!impl->client.is_valid()) {
     return failure(Code::invalid, "\"" + server + "\" is no address of a server.", "", "http://HOST:PORT");
   }
+  impl->client.set_default_headers(httplib::Headers(always.begin(), always.end()));
   return Connection(std::move(impl));
 }
 

@@ -20,8 +20,9 @@ using HttpHeaders = std::map<std::string, std::string>;
 /// Keeps one connection to a server open. A server that cannot be reached gives a Status (unavailable).
 class Connection {
  public:
-  /// `server`: "http://host:port". Refused (invalid) when it is anything else. `token` may be empty.
-  static Result<Connection> to(const std::string& server, const std::string& token);
+  /// `server`: "http://host:port". Refused (invalid) when it is anything else. `token` may be empty;
+  /// `always` goes with every request.
+  static Result<Connection> to(const std::string& server, const std::string& token, const HttpHeaders& always = {});
   ~Connection();
   Connection(Connection&&) noexcept;
   Connection& operator=(Connection&&) noexcept;

@@ -29,6 +29,7 @@ void expect_back(const char* schema) {
 
 RC_GTEST_PROP(DescribedAnswers, OfScenesComeBack, ()) {
   expect_back<SceneSummary>("Scene"), expect_back<SceneList>("SceneList"), expect_back<Log>("Log");
+  expect_back<SceneEvent>("SceneEvent"), expect_back<ChangeEvent>("ChangeEvent");
   expect_back<CommandAnswer>("CommandAnswer"), expect_back<Comparison>("Comparison");
   expect_back<FoldCount>("FoldCount"), expect_back<PickAnswer>("Pick"), expect_back<Problem>("Problem");
 }

@@ -248,6 +248,8 @@ template CommandAnswer answer();
 template Comparison answer();
 template FoldCount answer();
 template Log answer();
+template SceneEvent answer();
+template ChangeEvent answer();
 template PickAnswer answer();
 template MapAnswer answer();
 template PictureAnswer answer();

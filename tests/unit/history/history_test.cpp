@@ -107,6 +107,28 @@ TEST_F(HistoryTest, ARevertIsAStepThatCanBeUndone) {
   EXPECT_EQ(effective(), (std::vector<double>{1}));
 }
 
+TEST_F(HistoryTest, ChangesSayWhatCouldBeUndoneAfterEach) {
+  step(1);
+  step(2);
+  undo(2);
+  redo(1);
+  take(EntryKind::revert, 5, "", to(0));
+  const std::vector<LoggedChange> all = history_.changes_after(5, 100);
+  ASSERT_EQ(all.size(), 5u);
+  const std::vector<std::array<std::size_t, 4>> expected{
+      {6, 0, 1, 0}, {7, 0, 2, 0}, {8, 2, 0, 2}, {9, 1, 1, 1}, {10, 5, 2, 0}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const ChangeEvent& event = all[i].event;
+    EXPECT_EQ((std::array<std::size_t, 4>{event.revision, event.argument, event.undo_steps, event.redo_steps}),
+              expected[i]);
+    EXPECT_EQ(event.kind, history_.log()[i].kind);
+    EXPECT_EQ(all[i].commands, history_.log()[i].commands);
+  }
+  ASSERT_EQ(history_.changes_after(7, 2).size(), 2u);
+  EXPECT_EQ(history_.changes_after(7, 2).front().event.revision, 8u);
+  EXPECT_TRUE(history_.changes_after(10, 2).empty());
+}
+
 TEST_F(HistoryTest, SettingsGoWithTheSteps) {
   SceneSettings grey;
   grey.look.ambient = 2;

@@ -63,6 +63,7 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
     ASSERT_TRUE(journal->add_scene(scene("b")).ok());
     Entry with_settings = entry(4);
     with_settings.settings = std::make_shared<const SceneSettings>(settings);
+    with_settings.author = "Zoë \"Z\"";
     ASSERT_TRUE(journal->append("a", with_settings).ok());
     ASSERT_TRUE(journal->append("a", {5, EntryKind::undo, 1, "", {}, {1, 2}, nullptr}).ok());
   }
@@ -84,6 +85,8 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   ASSERT_EQ(entries->size(), 2u);
   EXPECT_EQ((*entries)[0].commands, "{}");
   EXPECT_EQ((*entries)[0].delta, entry(4).delta);
+  EXPECT_EQ((*entries)[0].author, "Zoë \"Z\"");
+  EXPECT_EQ((*entries)[1].author, "");
   EXPECT_EQ((*entries)[0].fields_hash, entry(4).fields_hash);
   ASSERT_TRUE((*entries)[0].settings);
   EXPECT_EQ((*entries)[0].settings->coat.ramp[1].colour, settings.coat.ramp[1].colour);
@@ -157,7 +160,7 @@ TEST_F(JournalTest, ABranchHasTheEntriesUpToARevisionAndTheModel) {
     const auto journal = open();
     ASSERT_TRUE(journal->add_scene(scene("a")).ok());
     Entry last = entry(6);
-    last.kind = EntryKind::replay;
+    last.kind = EntryKind::replay, last.author = "Ann";
     ASSERT_TRUE(journal->append("a", std::vector{entry(4), entry(5), last}).ok());
     ASSERT_TRUE(journal->branch("a", "b", "other \"name\"", 5).ok());
     ASSERT_TRUE(journal->branch("a", "c", "whole", 6).ok());
@@ -178,6 +181,7 @@ TEST_F(JournalTest, ABranchHasTheEntriesUpToARevisionAndTheModel) {
   EXPECT_EQ(journal->entries("b", 0)->front().delta, entry(4).delta);
   ASSERT_EQ(journal->entries("c", 0)->size(), 3u);
   EXPECT_EQ(journal->entries("c", 0)->back().kind, EntryKind::replay);
+  EXPECT_EQ(journal->entries("c", 0)->back().author, "Ann");
 }
 
 TEST_F(JournalTest, RefusesWhatItCannotRead) {
@@ -224,11 +228,34 @@ TEST_F(JournalTest, LoggedNamesOfVersionFiveAreTakenOver) {
     logged.commands = R"([{"op":"length","layer":"a \"layer\": b","mode":"least"},{"op":"layer","name":"layer"}])";
     ASSERT_TRUE(journal->append("a", logged).ok());
   }
-  execute("PRAGMA user_version = 5");
+  execute("ALTER TABLE entries DROP COLUMN author; PRAGMA user_version = 5");
   const auto entries = open()->entries("a", 0);
   ASSERT_TRUE(entries.ok()) << entries.status().message;
   EXPECT_EQ(entries->at(0).commands,
             R"([{"op":"length","edit_layer":"a \"layer\": b","mode":"min"},{"op":"edit_layer","name":"layer"}])");
+}
+
+TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    Entry named = entry(4);
+    named.author = "Ann";
+    ASSERT_TRUE(journal->append("a", named).ok());
+  }
+  execute("ALTER TABLE entries DROP COLUMN author; PRAGMA user_version = 6");
+  {
+    const auto journal = open();
+    ASSERT_EQ(journal->entries("a", 0)->size(), 1u);
+    EXPECT_EQ(journal->entries("a", 0)->front().author, "");
+    EXPECT_EQ(journal->entries("a", 0)->front().delta, entry(4).delta);
+    Entry next = entry(5);
+    next.author = "Ben";
+    ASSERT_TRUE(journal->append("a", next).ok());
+    ASSERT_TRUE(journal->branch("a", "b", "b", 5).ok());
+  }
+  EXPECT_EQ(open()->entries("a", 0)->back().author, "Ben");
+  EXPECT_EQ(open()->entries("b", 0)->back().author, "Ben");
 }
 
 TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {

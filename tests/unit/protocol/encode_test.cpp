@@ -74,11 +74,13 @@ TEST(Encode, PicksComeBack) {
 }
 
 TEST(Encode, LogHoldsCommandsAsJson) {
-  const std::string text =
-      encode(Log{{{.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5, .in_effect = true},
-                  {.revision = 2, .kind = "undo", .commands = "", .touched = 5}}});
-  EXPECT_EQ(text, R"({"entries":[{"revision":1,"kind":"do","touched":5,"in_effect":true,"commands":{"op":"comb"}},)"
-                  R"({"revision":2,"kind":"undo","touched":5,"in_effect":false}]})");
+  const std::string text = encode(Log{
+      {{.revision = 1, .kind = "do", .commands = R"({"op":"comb"})", .touched = 5, .in_effect = true, .author = "Ann"},
+       {.revision = 2, .kind = "undo", .commands = "", .touched = 5}}});
+  EXPECT_EQ(
+      text,
+      R"({"entries":[{"revision":1,"kind":"do","touched":5,"in_effect":true,"author":"Ann","commands":{"op":"comb"}},)"
+      R"({"revision":2,"kind":"undo","touched":5,"in_effect":false,"author":""}]})");
   EXPECT_EQ(encode(*decode_answer<Log>(text)), text);
 }
 

@@ -1,0 +1,388 @@
+"""Live news of a scene, and who made each change."""
+
+import collections
+import http.client
+import json
+import socket
+import threading
+import unittest
+import urllib.parse
+
+from support.pictures import hdr, png
+from support.server import Server, ServedTest, flood
+
+TRIANGLE = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
+STREAMS = 32
+
+Event = collections.namedtuple("Event", "name id data")
+
+
+def author(name):
+    return {"Pelage-Author": urllib.parse.quote(name, safe="")}
+
+
+class Stream:
+    """Follows a scene. Events come as they are asked for; None is the end of the stream."""
+
+    def __init__(self, scene, last=None, *, method="GET", headers=None):
+        self.connection = http.client.HTTPConnection("127.0.0.1", scene.server.port, timeout=60)
+        last_id = {} if last is None else {"Last-Event-ID": str(last)}
+        self.connection.request(method, f"{scene.path}/events", headers={**last_id, **(headers or {})})
+        self.answer = self.connection.getresponse()
+        self.comments = 0
+        self.retry = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self.answer.close()
+        self.connection.close()
+
+    def block(self):
+        """The lines up to an empty one, or None."""
+        lines = []
+        while line := self.answer.readline():
+            line = line.decode().rstrip("\n")
+            if not line:
+                return lines
+            lines.append(line)
+        return None
+
+    def next(self):
+        while (lines := self.block()) is not None:
+            members = dict(line.split(": ", 1) for line in lines if not line.startswith(":"))
+            self.comments += any(line.startswith(":") for line in lines)
+            self.retry = members.get("retry", self.retry)
+            if "event" in members:
+                return Event(members["event"], members.get("id"), json.loads(members["data"]))
+        return None
+
+    def take(self, count):
+        return [self.next() for _ in range(count)]
+
+
+class Events(ServedTest):
+    def setUp(self):
+        self.scene = self.server.new_scene("plane", 50)
+
+    def log(self, scene=None):
+        return self.server.get(f"{(scene or self.scene).path}/log").json["entries"]
+
+    def assert_changes(self, events, revisions):
+        self.assertEqual([(event.name, event.id) for event in events], [("change", str(r)) for r in revisions])
+        self.assertEqual([event.data["revision"] for event in events], list(revisions))
+
+    def test_it_begins_with_the_scene(self):
+        self.scene.run(flood([1, 0, 0]))
+        with Stream(self.scene) as stream:
+            self.assertEqual(stream.answer.status, 200)
+            for name, value in (("Content-Type", "text/event-stream"), ("Cache-Control", "no-store"), ("X-Accel-Buffering", "no")):
+                self.assertEqual(stream.answer.getheader(name), value)
+            expected = {"revision": 1, "first_revision": 0, "undo_steps": 1, "redo_steps": 0, "model_id": self.scene.info()["model_id"]}
+            self.assertEqual(stream.next(), Event("scene", "1", expected))
+            self.assertEqual(stream.retry, "1000")
+
+    def test_each_change_is_told_in_order(self):
+        with Stream(self.scene) as stream:
+            self.assertEqual(stream.next().name, "scene")
+            self.scene.run(flood([1, 0, 0]), {"op": "length", "flood": True, "value": 0.05}, flood([0, 1, 0]))
+            self.scene.run(flood([0, 0, 1]))
+            self.scene.post("undo", {"steps": 2})
+            self.scene.post("redo", {"steps": 1})
+            self.scene.post("revert", {"revision": 2})
+            events = stream.take(5)
+        self.assert_changes(events, range(1, 6))
+        shown = [(e.data["kind"], e.data["argument"], e.data["ops"], e.data["undo_steps"], e.data["redo_steps"]) for e in events]
+        self.assertEqual(shown, [("do", 0, ["comb", "length"], 1, 0), ("do", 0, ["comb"], 2, 0), ("undo", 2, [], 0, 2),
+                                 ("redo", 1, [], 1, 1), ("revert", 2, [], 2, 0)])
+        for event, entry in zip(events, self.log()):
+            for member in ("revision", "kind", "touched", "author"):
+                self.assertEqual(event.data[member], entry[member])
+
+    def test_what_changes_nothing_is_no_news(self):
+        with Stream(self.scene) as stream:
+            stream.next()
+            self.scene.run(flood([1, 0, 0]), query="?dry_run=1")
+            self.assertEqual(self.scene.run({"op": "nonsense"}).status, 422)
+            self.scene.run(flood([1, 0, 0]))
+            self.assert_changes([stream.next()], [1])
+
+    def test_changes_since_the_last_event(self):
+        for k in range(4):
+            self.scene.run(flood([1, k, 0]))
+        with Stream(self.scene, 1) as stream:
+            self.assert_changes(stream.take(3), [2, 3, 4])
+            self.assertEqual(stream.next()[:2], ("scene", "4"))
+            self.scene.run(flood([0, 0, 1]))
+            self.assert_changes([stream.next()], [5])
+        with Stream(self.scene, 5) as stream:
+            self.assertEqual(stream.next()[:2], ("scene", "5"))
+
+    def test_a_last_event_that_this_model_does_not_have(self):
+        self.scene.run(flood([1, 0, 0]))
+        self.scene.post("subdivide", {"levels": 1})
+        self.scene.run(flood([1, 0, 0]))
+        for last in (0, 1, 4, 2 ** 64 - 1):
+            with Stream(self.scene, last) as stream:
+                self.assertEqual(stream.next()[:2], ("scene", "3"), last)
+        with Stream(self.scene, 2) as stream:
+            self.assert_changes([stream.next()], [3])
+
+    def test_more_than_a_handful_behind(self):
+        for k in range(600):
+            self.scene.run(flood([1, k, 0]))
+        with Stream(self.scene, 0) as stream:
+            self.assert_changes(stream.take(600), range(1, 601))
+            self.assertEqual(stream.next()[:2], ("scene", "600"))
+
+    def test_nothing_is_lost_or_doubled_while_others_stroke(self):
+        strokes = 150
+
+        def stroke():
+            for k in range(strokes):
+                self.assertEqual(self.scene.run(flood([1, k, 0])).status, 200)
+
+        writer = threading.Thread(target=stroke)
+        writer.start()
+        seen, last = [], 0
+        while last < strokes:
+            with Stream(self.scene, last) as stream:
+                for _ in range(7):
+                    event = stream.next()
+                    last = int(event.id)
+                    if event.name == "change":
+                        seen.append(last)
+                    if last == strokes:
+                        break
+        writer.join()
+        self.assertEqual(seen, list(range(1, strokes + 1)))
+
+    def test_two_who_follow_see_the_same(self):
+        with Stream(self.scene) as first, Stream(self.scene) as second:
+            first.next(), second.next()
+            self.scene.run(flood([1, 0, 0]), headers=author("Zoë"))
+            self.scene.run(flood([0, 1, 0]), headers=author("Ben"))
+            events = first.take(2)
+            self.assertEqual(second.take(2), events)
+        self.assertEqual([event.data["author"] for event in events], ["Zoë", "Ben"])
+
+    def test_a_new_model(self):
+        ids = [self.scene.info()["model_id"]]
+        with Stream(self.scene) as stream:
+            stream.next()
+            self.scene.run(flood([1, 0, 0]))
+            stream.next()
+            self.scene.post("subdivide", {"levels": 1})
+            finer = stream.next()
+            self.assertEqual((finer.name, finer.id, finer.data["first_revision"], finer.data["undo_steps"]), ("scene", "2", 2, 0))
+            ids.append(finer.data["model_id"])
+            self.server.call("PUT", f"{self.scene.path}/model?format=obj", TRIANGLE)
+            other = stream.next()
+            self.assertEqual((other.name, other.id, other.data["first_revision"]), ("scene", "3", 3))
+            ids.append(other.data["model_id"])
+            self.scene.run(flood([1, 0, 0]))
+            self.assert_changes([stream.next()], [4])
+        self.assertEqual(len(set(ids)), 3, ids)
+        self.assertEqual(self.scene.info()["model_id"], ids[-1])
+
+    def test_the_model_id_follows_the_mesh(self):
+        known = self.scene.info()["model_id"]
+        self.scene.run(flood([1, 0, 0]))
+        branch = self.scene.post("branch", {"name": "side"}).json
+        same = self.server.new_scene("plane", 50)
+        self.assertEqual({self.scene.info()["model_id"], branch["model_id"], same.info()["model_id"]}, {known})
+        self.assertNotEqual(self.server.new_scene("plane", 200).info()["model_id"], known)
+        for texture in (b"vt 0 1\n", b"vt 0 .5\n"):
+            self.server.call("PUT", f"{same.path}/model?format=obj", TRIANGLE.replace(b"vt 0 1\n", texture))
+            self.assertNotEqual(same.info()["model_id"], known)
+            known = same.info()["model_id"]
+
+    def test_a_removed_scene(self):
+        with Stream(self.scene) as stream:
+            stream.next()
+            self.server.call("DELETE", self.scene.path)
+            self.assertEqual(stream.next(), Event("removed", None, {}))
+            self.assertIsNone(stream.next())
+
+    def test_refusals(self):
+        nobody = f"{self.scene.path}x/events"
+        self.assert_problem(self.server.get(nobody), 404)
+        self.assert_problem(self.server.get(f"{self.scene.path}/events?after=3"), 422, "/after")
+        self.assert_problem(self.server.post(f"{self.scene.path}/events", {}), 405)
+        for last in ("x", "-1", "1.5", "0x1", str(2 ** 64)):
+            self.assert_problem(self.server.get(f"{self.scene.path}/events", headers={"Last-Event-ID": last}), 400)
+
+    def test_a_head_ends(self):
+        answer = self.server.call("HEAD", f"{self.scene.path}/events", timeout=20)
+        self.assertEqual((answer.status, answer.headers["content-type"], answer.body), (200, "text/event-stream", b""))
+
+    def test_events_are_not_compressed(self):
+        with Stream(self.scene, headers={"Accept-Encoding": "gzip, br"}) as stream:
+            self.assertIsNone(stream.answer.getheader("Content-Encoding"))
+            self.assertEqual(stream.next().name, "scene")
+
+    def test_a_quiet_stream_is_kept_alive(self):
+        with Stream(self.scene) as stream:
+            stream.next()
+            while not stream.comments:
+                lines = stream.block()
+                stream.comments += lines == [":"]
+            self.scene.run(flood([1, 0, 0]))
+            self.assert_changes([stream.next()], [1])
+
+
+class Places(ServedTest):
+    def held(self):
+        text = self.server.get("/metrics").body.decode()
+        return int(text.split("\npelage_event_streams ")[1].split("\n")[0])
+
+    def wait_held(self, count):
+        for _ in range(600):
+            if self.held() == count:
+                return
+            threading.Event().wait(0.1)
+        self.assertEqual(self.held(), count)
+
+    def test_streams_leave_room_for_others(self):
+        scene = self.server.new_scene("plane", 2)
+        streams = [Stream(scene) for _ in range(STREAMS)]
+        try:
+            self.assertEqual({stream.answer.status for stream in streams}, {200})
+            self.assertEqual(self.held(), STREAMS)
+            refused = self.server.get(f"{scene.path}/events")
+            self.assert_problem(refused, 503)
+            self.assertTrue(refused.headers["retry-after"])
+            self.assertEqual(scene.run(flood([1, 0, 0])).status, 200)
+            for stream in streams:
+                self.assertEqual([event.id for event in stream.take(2)], ["0", "1"])
+            streams.pop().close()
+            self.wait_held(STREAMS - 1)
+            with Stream(scene) as another:
+                self.assertEqual(another.next().id, "1")
+        finally:
+            for stream in streams:
+                stream.close()
+        self.wait_held(0)
+
+    def test_a_client_that_is_cut_off_frees_its_place(self):
+        scene = self.server.new_scene("plane", 2)
+        with socket.create_connection(("127.0.0.1", self.server.port)) as connection:
+            connection.sendall(f"GET {scene.path}/events HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+            self.assertIn(b"200 OK", connection.recv(4096))
+            self.assertEqual(self.held(), 1)
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\x01\0\0\0\0\0\0\0")  # ends with a reset
+        self.wait_held(0)
+
+
+class Memory(ServedTest):
+    arguments = {"arguments": ["--memory", "1M"]}
+
+    def test_a_followed_scene_stays_open(self):
+        followed = self.server.new_scene("torus", 5000)
+        with Stream(followed) as stream:
+            stream.next()
+            others = [self.server.new_scene("torus", 5000) for _ in range(3)]
+            for k, other in enumerate(others):
+                other.run(flood([1, k, 0]))
+            followed.run(flood([1, 0, 0]))
+            self.assertEqual(stream.next()[:2], ("change", "1"))
+            self.assertIn("\npelage_scenes_evicted 3\n", self.server.get("/metrics").body.decode())
+
+
+class Authors(ServedTest):
+    def setUp(self):
+        self.scene = self.server.new_scene("plane", 50)
+
+    def authors(self, scene=None):
+        return [entry["author"] for entry in self.server.get(f"{(scene or self.scene).path}/log").json["entries"]]
+
+    def test_every_change_keeps_its_author(self):
+        self.scene.run(flood([1, 0, 0]), headers=author("Ann"))
+        self.scene.run(flood([0, 1, 0]))
+        self.scene.post("undo", {}, headers=author("Ben"))
+        self.scene.post("redo", {}, headers=author("Cy"))
+        self.scene.post("revert", {"revision": 1}, headers=author("Di"))
+        self.scene.run(flood([0, 0, 1]), headers=author("Eve"))
+        self.assertEqual(self.authors(), ["Ann", "", "Ben", "Cy", "Di", "Eve"])
+        self.scene.post("amend", {"revision": 1, "commands": [flood([1, 1, 0])]}, headers=author("Flo"))
+        self.assertEqual(self.authors()[6:], ["Flo"] * 3)
+
+    def test_uploads_keep_their_author(self):
+        self.server.call("PUT", f"{self.scene.path}/model?format=obj", TRIANGLE, headers=author("nobody"))
+        files = {"environment": hdr([[[1, 1, 1]]]), "skin_texture": png([[[1, 2, 3]]]), "maps/length": png([[[1, 2, 3]]])}
+        for name, content in files.items():
+            answer = self.server.call("PUT", f"{self.scene.path}/{name}", content, headers=author(name))
+            self.assertEqual(answer.status, 200, answer)
+        self.assertEqual(self.authors(), list(files))
+
+    def test_a_branch_has_the_authors_of_its_log(self):
+        self.scene.run(flood([1, 0, 0]), headers=author("Ann"))
+        side = self.scene.post("branch", {"name": "side"}, headers=author("Ben")).json["id"]
+        self.assertEqual([e["author"] for e in self.server.get(f"/v1/scenes/{side}/log").json["entries"]], ["Ann"])
+
+    def test_names_come_back_as_they_were(self):
+        names = ["Zoë Ångström", "100%41", "羊毛", "a, b; \"c\" \\", "é" * 100, "+ &=?"]
+        for k, name in enumerate(names):
+            self.assertEqual(self.scene.run(flood([1, k, 0]), headers=author(name)).status, 200)
+        self.assertEqual(self.authors(), names)
+
+    def test_names_that_are_refused(self):
+        calls = (("POST", "commands", flood([1, 0, 0])), ("POST", "undo", {}), ("PUT", "environment", hdr([[[1, 1, 1]]])),
+                 ("PUT", "maps/length", png([[[1, 2, 3]]])), ("PUT", "skin_texture", png([[[1, 2, 3]]])),
+                 ("POST", "revert", {"revision": 0}), ("POST", "redo", {}), ("POST", "amend", {"revision": 1, "commands": []}))
+        for method, name, body in calls:
+            for bad in ("x" * 201, "%C3%A9" * 101, "a%00b", "a%0Db", "a%7F", "%FF", "%ED%A0%80"):
+                answer = self.server.call(method, f"{self.scene.path}/{name}", body, headers={"Pelage-Author": bad})
+                self.assert_problem(answer, 400)
+                self.assertIn("200 bytes", answer.json["limit"])
+        twice = f"POST {self.scene.path}/undo HTTP/1.1\r\nHost: localhost\r\nPelage-Author: a\r\nPelage-Author: b\r\n\r\n"
+        self.assertIn(b" 400 ", self.server.raw(twice.encode(), timeout=3).split(b"\r\n")[0])
+        self.assertEqual(self.authors(), [])
+
+    def test_the_client_sends_and_shows_them(self):
+        self.pelage("--author", "Zoë 100%41", "run", self.scene.id, "-", text=json.dumps(flood([1, 0, 0])))
+        self.pelage("undo", self.scene.id)
+        self.pelage("--author", "Ben", "redo", self.scene.id)
+        self.assertEqual(self.authors(), ["Zoë 100%41", "", "Ben"])
+        lines = self.pelage("log", self.scene.id).stdout.splitlines()
+        self.assertRegex(lines[0], r'^ +1\* do +36 touched  Zoë 100%41  \{"op"')
+        self.assertRegex(lines[1], r"^ +2  undo +36 touched +$")
+        self.pelage("--author", "x" * 201, "undo", self.scene.id, code=3)
+
+
+class Stopping(unittest.TestCase):
+    def setUp(self):
+        self.server = Server()
+        self.addCleanup(self.server.close)
+        self.scene = self.server.new_scene("plane", 50)
+
+    def test_streams_end_when_the_server_stops(self):
+        with Stream(self.scene) as first, Stream(self.scene) as second:
+            for stream in (first, second):
+                self.assertEqual(stream.next().name, "scene")
+            self.assertEqual(self.server.terminate(), 0)
+            for stream in (first, second):
+                self.assertIsNone(stream.next())  # not an end in the middle, which raises
+
+    def test_a_restart_loses_nothing(self):
+        with Stream(self.scene) as stream:
+            stream.next()
+            self.scene.run(flood([1, 0, 0]), headers=author("Ann"))
+            self.scene.run(flood([0, 1, 0]), headers=author("Ben"))
+            last = stream.next().id
+            self.server.kill()
+        self.server.start()
+        self.scene.post("undo", {})
+        with Stream(self.scene, last) as stream:
+            events = stream.take(3)
+            self.assertEqual([event[:2] for event in events], [("change", "2"), ("change", "3"), ("scene", "3")])
+            self.assertEqual([event.data["author"] for event in events[:2]], ["Ben", ""])
+            self.assertEqual((events[0].data["undo_steps"], events[1].data["undo_steps"]), (2, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()
