@@ -58,7 +58,7 @@ std::string shape_in_scene(const std::string& rest) {
 }  // namespace
 
 RouteInfo route_of(const std::string& path) {
-  static const std::array<RouteInfo, 24> known{{{"/v1/scenes", "GET, HEAD, POST"},
+  static const std::array<RouteInfo, 25> known{{{"/v1/scenes", "GET, HEAD, POST"},
                                                 {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                 {"/v1/scenes/{id}/model", "PUT"},
                                                 {"/v1/scenes/{id}/subdivide", "POST"},
@@ -73,6 +73,7 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/v1/scenes/{id}/amend", "POST"},
                                                 {"/v1/scenes/{id}/branch", "POST"},
                                                 {"/v1/scenes/{id}/log", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/settings", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/compare", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/folds", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/frames", "POST"},
