@@ -1,6 +1,7 @@
 // JSON text to commands and requests. Every refusal is a Status whose `pointer` is the JSON pointer of the bad field.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "protocol/commands/map.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
+#include "protocol/commands/settings.h"
 
 namespace pelage {
 
@@ -44,6 +46,9 @@ Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query
 
 /// How fine a mesh: triangles.
 Result<MeshRequest> decode_mesh_query(const Query& query);
+
+/// `revision`, optional.
+Result<std::optional<std::uint64_t>> decode_revision_query(const Query& query);
 
 /// Which map: field (required), format, encoding, size, dilate, scale, units.
 Result<MapRequest> decode_map_query(const Query& query);

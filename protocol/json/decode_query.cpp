@@ -188,4 +188,10 @@ Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query
   return std::pair(revisions->from, revisions->to);
 }
 
+Result<std::optional<std::uint64_t>> decode_revision_query(const Query& query) {
+  const auto at = decode_query<json_parts::AtRevision>(query);
+  if (!at) return at.status();
+  return at->revision;
+}
+
 }  // namespace pelage

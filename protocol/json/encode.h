@@ -11,6 +11,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
+#include "protocol/commands/settings.h"
 #include "protocol/json/decode.h"
 
 namespace pelage {
@@ -28,6 +29,7 @@ std::string encode(const SceneList& scenes);
 std::string encode(const PickAnswer& answer);
 std::string encode(const Comparison& comparison);
 std::string encode(const FoldCount& folds);
+std::string encode(const SettingsAnswer& settings);  // each member as its command is encoded
 std::string encode(const Log& log);
 std::string encode(const SceneEvent& event);
 std::string encode(const ChangeEvent& event);

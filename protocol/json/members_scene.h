@@ -22,6 +22,10 @@ struct Revisions {
   std::uint64_t from = 0, to = 0;
 };
 
+struct AtRevision {
+  std::optional<std::uint64_t> revision = {};
+};
+
 struct Batch {
   std::vector<Command> commands;
 };
@@ -133,6 +137,12 @@ void members(V& v, Visited<V, Revisions>& c) {
   v.type("Revisions");
   v.counter(required("from"), c.from);
   v.counter(required("to"), c.to);
+}
+
+template <class V>
+void members(V& v, Visited<V, AtRevision>& c) {
+  v.type("AtRevision");
+  v.counter("revision", c.revision, "One of this model; the present one when it is not given.");
 }
 
 template <class V>

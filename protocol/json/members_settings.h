@@ -2,6 +2,8 @@
 #pragma once
 
 #include "protocol/commands/command.h"
+#include "protocol/commands/settings.h"
+#include "protocol/json/members_answers.h"
 #include "protocol/json/members_look.h"
 #include "protocol/json/members_tools.h"
 
@@ -148,6 +150,36 @@ void members(V& v, Visited<V, ChangeEditLayer>& c) {
     v.text("above", c.above,
            "Of add, else on top, and move, where it is required: the layer that it comes to lie on, or \"\" for none.");
   }
+}
+
+template <class V>
+void members(V& v, Visited<V, NamedRevision>& c) {
+  v.answer("NamedRevision");
+  v.text("name", c.name);
+  v.counter("revision", c.revision);
+}
+
+template <class V>
+void members(V& v, Visited<V, SettingsAnswer>& c) {
+  v.answer(
+      "Settings",
+      "What a scene holds beside its fields and its log. Each member is as the command that sets it takes it, with "
+      "all defaults; a member that is optional there is absent where it is not set.");
+  v.counter("revision", c.revision, "Whose settings these are.");
+  v.object("coat", c.settings.coat, "Set by set_coat.");
+  v.object("look", c.settings.look, "Set by set_look.");
+  v.objects("lights", c.settings.lights, {0, limits::lights}, "Set by set_lights.");
+  v.object("environment", c.settings.environment, "Set by set_environment.");
+  v.object("ground", c.settings.ground, "Set by set_ground.");
+  v.objects("eyes", c.settings.eyes, {0, limits::eyes}, "Set by set_eyes.");
+  v.objects("curves", c.settings.curves, {0, limits::curve_groups}, "Set by set_curves as `groups`.");
+  v.objects("skin", c.settings.skin, {0, limits::skin_regions}, "Set by set_skin as `regions`.");
+  v.picture("skin_texture", c.settings.skin_texture, "Set by set_skin_texture as `picture`.", "own");
+  v.objects("blowers", c.settings.blowers, {0, limits::blowers}, "Set by set_blowers.");
+  v.objects("attractors", c.settings.attractors, {0, limits::blowers}, "Set by set_attractors.");
+  v.object("symmetry", c.settings.symmetry, "Set by set_symmetry.");
+  v.objects("checkpoints", c.settings.checkpoints, any_count, "Made by checkpoint.");
+  v.objects("edit_layers", c.settings.layers, {0, limits::edit_layers}, "Changed by edit_layer, from the lowest.");
 }
 
 }  // namespace pelage::json_parts

@@ -364,8 +364,9 @@ nlohmann::ordered_json schemas() {
   describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all);
   describe<FrameRequest>(all), describe<PickRequest>(all);
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
-  describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
+  describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
   describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all), describe<FoldCount>(all);
+  describe<SettingsAnswer>(all);
   describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);
   describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
   describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // in headers

@@ -202,6 +202,7 @@ template Json written(const SceneList&);
 template Json written(const CommandAnswer&);
 template Json written(const Comparison&);
 template Json written(const FoldCount&);
+template Json written(const SettingsAnswer&);
 template Json written(const Log&);
 template Json written(const SceneEvent&);
 template Json written(const ChangeEvent&);

@@ -44,14 +44,14 @@ void prepend_samples(Command& later, const Command& earlier) {
 }
 
 /// A name that is known moves.
-void put_checkpoint(std::vector<Checkpoint>& checkpoints, Checkpoint checkpoint, Revision next) {
-  checkpoint.revision = checkpoint.revision.value_or(next);
+void put_checkpoint(std::vector<NamedRevision>& checkpoints, const Checkpoint& checkpoint, Revision next) {
+  const Revision revision = checkpoint.revision.value_or(next);
   const auto same = std::find_if(checkpoints.begin(), checkpoints.end(),
-                                 [&](const Checkpoint& other) { return other.name == checkpoint.name; });
+                                 [&](const NamedRevision& other) { return other.name == checkpoint.name; });
   if (same == checkpoints.end())
-    checkpoints.push_back(std::move(checkpoint));
+    checkpoints.push_back({checkpoint.name, revision});
   else
-    *same = std::move(checkpoint);
+    same->revision = revision;
 }
 
 /// Carries out a setting; one that is forgotten here does not compile.
@@ -98,7 +98,7 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
                                 SetBlowers{settings.blowers},
                                 SetAttractors{settings.attractors},
                                 SetSymmetry{settings.symmetry}};
-  commands.insert(commands.end(), settings.checkpoints.begin(), settings.checkpoints.end());
+  for (const NamedRevision& named : settings.checkpoints) commands.push_back(Checkpoint{named.name, named.revision});
   for (const EditLayer& layer : settings.layers)
     commands.push_back(ChangeEditLayer{.name = layer.name, .weight = layer.weight, .muted = layer.muted});
   return commands;

@@ -12,27 +12,10 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
+#include "protocol/commands/settings.h"
 #include "server/fields/field_delta.h"
 
 namespace pelage {
-
-/// What a scene holds beside the fields and changes by commands.
-struct SceneSettings {
-  Coat coat;
-  Look look;
-  std::vector<Light> lights = default_lights();
-  Environment environment;
-  Ground ground;
-  std::vector<Eye> eyes;
-  std::vector<CurveGroup> curves;
-  std::vector<SkinRegion> skin;
-  std::string skin_texture;  // "" for the model's own colours
-  std::vector<NamedBlower> blowers;
-  std::vector<NamedAttractor> attractors;
-  Symmetry symmetry;
-  std::vector<Checkpoint> checkpoints;  // with their revisions
-  std::vector<EditLayer> layers;        // from the lowest
-};
 
 /// The settings with a command that sets one of them carried out; none for other commands. A checkpoint that names no
 /// revision is put at `next`.

@@ -88,6 +88,7 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/v1/scenes/{id}/branch", "POST"},
                                                 {"/v1/scenes/{id}/log", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/events", "GET, HEAD"},
+                                                {"/v1/scenes/{id}/settings", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/compare", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/folds", "GET, HEAD"},
                                                 {"/v1/scenes/{id}/frames", "POST"},

@@ -37,6 +37,18 @@ void describe_scene(const Scene& scene, const Request& request, Response& respon
   reply_json(response, 200, encode(summary), summary.revision);
 }
 
+void read_settings(const Scene& scene, const Request& request, Response& response) {
+  const auto revision = decode_revision_query(query_of(request));
+  if (!revision) return reply_problem(response, revision.status());
+  const auto settings = scene.settings(*revision);
+  if (!settings) return reply_problem(response, settings.status());
+  if (none_match_names(request, settings->revision)) {
+    response.status = 304;
+    return set_etag(response, settings->revision);
+  }
+  reply_json(response, 200, encode(*settings), settings->revision);
+}
+
 void remove_scene(Service& service, const Request& request, Response& response) {
   const Status removed = service.scenes.remove(request.matches[1].str());
   if (!removed.ok()) return reply_problem(response, removed);
@@ -68,6 +80,9 @@ void add_scene_routes(httplib::Server& server, Service& service) {
   });
   server.Get("/v1/scenes/([^/]+)", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { describe_scene(*scene, request, response); });
+  });
+  server.Get("/v1/scenes/([^/]+)/settings", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { read_settings(*scene, request, response); });
   });
   server.Get("/v1/scenes/([^/]+)/compare", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { compare_revisions(*scene, request, response); });

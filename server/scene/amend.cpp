@@ -159,6 +159,13 @@ Result<Comparison> Scene::compare(Revision from, Revision to) const {
   return Comparison{from, to, delta.vertices().size(), measure(delta, *before)};
 }
 
+Result<SettingsAnswer> Scene::settings(std::optional<Revision> revision) const {
+  const std::lock_guard lock(mutex_);
+  const Revision at = revision.value_or(history_.revision());
+  if (Status bad = check_revision(at); !bad.ok()) return bad;
+  return SettingsAnswer{at, history_.settings_at(at)};
+}
+
 Result<PastFields> Scene::past_fields(Revision revision) const {
   std::unique_lock lock(mutex_);
   if (Status bad = check_revision(revision, "/overlay_from"); !bad.ok()) return bad;

@@ -222,11 +222,11 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
   }
   Revision revision = erase->revision.value_or(history_.first_revision());
   if (!erase->checkpoint.empty()) {
-    const std::vector<Checkpoint>& known = past.settings.checkpoints;
+    const std::vector<NamedRevision>& known = past.settings.checkpoints;
     const auto named = std::find_if(known.begin(), known.end(),
-                                    [&](const Checkpoint& other) { return other.name == erase->checkpoint; });
+                                    [&](const NamedRevision& other) { return other.name == erase->checkpoint; });
     if (named == known.end()) return failure(Code::invalid, "the scene has no checkpoint of this name", "/checkpoint");
-    revision = *named->revision;
+    revision = named->revision;
   }
   Result<FieldSet> baseline = past.fields_at(revision);
   if (!baseline) return baseline.status();

@@ -136,6 +136,9 @@ class Scene {
   SceneSummary last_summary() const;
   /// The same for what it takes in memory.
   SceneMemory last_memory() const;
+  /// Of a revision, the present one when none is given. Refused (invalid, "/revision") when this model has no such
+  /// revision.
+  Result<SettingsAnswer> settings(std::optional<Revision> revision = {}) const;
   /// All entries of the journal since the model came, oldest first.
   std::vector<LogEntry> log() const;
   /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.

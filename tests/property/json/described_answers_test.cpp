@@ -40,6 +40,15 @@ RC_GTEST_PROP(DescribedAnswers, OfPicturesComeBack, ()) {
   expect_back<PictureAnswer>("StoredPicture");
 }
 
+/// As text, which has every bit of them.
+RC_GTEST_PROP(DescribedAnswers, SettingsComeBack, ()) {
+  const std::string text = encode(answer<SettingsAnswer>());
+  hand_over("Settings", text);
+  const auto after = decode_answer<SettingsAnswer>(text);
+  if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer + " " + text);
+  RC_ASSERT(encode(*after) == text);
+}
+
 /// Every member but sparse ones has to be there, and of its kind.
 RC_GTEST_PROP(DescribedAnswers, WhatIsMissingIsNamed, ()) {
   nlohmann::json broken = nlohmann::json::parse(encode(answer<SceneSummary>()));

@@ -247,6 +247,7 @@ template SceneList answer();
 template CommandAnswer answer();
 template Comparison answer();
 template FoldCount answer();
+template SettingsAnswer answer();
 template Log answer();
 template SceneEvent answer();
 template ChangeEvent answer();

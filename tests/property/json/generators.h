@@ -7,6 +7,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/history.h"
 #include "protocol/commands/scene.h"
+#include "protocol/commands/settings.h"
 
 namespace pelage::testing {
 

@@ -1,0 +1,42 @@
+// What a scene holds beside its fields and its log.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "protocol/commands/command.h"
+
+namespace pelage {
+
+/// A checkpoint that was made.
+struct NamedRevision {
+  std::string name;
+  std::uint64_t revision = 0;
+};
+
+/// Changed by commands alone.
+struct SceneSettings {
+  Coat coat;
+  Look look;
+  std::vector<Light> lights = default_lights();
+  Environment environment;
+  Ground ground;
+  std::vector<Eye> eyes;
+  std::vector<CurveGroup> curves;
+  std::vector<SkinRegion> skin;
+  std::string skin_texture;  // "" for the model's own colours
+  std::vector<NamedBlower> blowers;
+  std::vector<NamedAttractor> attractors;
+  Symmetry symmetry;
+  std::vector<NamedRevision> checkpoints;
+  std::vector<EditLayer> layers;  // from the lowest
+};
+
+/// The settings of a scene at a revision.
+struct SettingsAnswer {
+  std::uint64_t revision = 0;
+  SceneSettings settings;
+};
+
+}  // namespace pelage
