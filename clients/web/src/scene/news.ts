@@ -2,11 +2,12 @@
 import {effect} from "@preact/signals";
 import {hearEvents, type ServerEvent} from "../api/events";
 import {author} from "../api/identity";
+import {unsent} from "../api/outbox";
+import type {ChangeEvent, SceneEvent} from "../api/types";
+import {words} from "../tools/schema";
 import {say} from "./messages";
-import {hear, isOwn, listScenes, openScene, refresh, revision, scene} from "./session";
+import {hear, isOwn, listScenes, openScene, scene} from "./session";
 
-interface Change { revision: number; kind: string; author: string; ops?: string[] }
-interface Opened { revision: number; model_id: string }
 
 function heard(id: string, event: ServerEvent) {
   if (scene.value?.id !== id) return;
@@ -16,17 +17,20 @@ function heard(id: string, event: ServerEvent) {
     return void listScenes();
   }
   if (event.name === "scene") {
-    const opened = JSON.parse(event.data) as Opened;
+    const opened = JSON.parse(event.data) as SceneEvent;
     if (scene.value.model_id !== opened.model_id) return void openScene(id);
     return hear(opened.revision);
   }
-  if (event.name !== "change") return;
-  const change = JSON.parse(event.data) as Change;
-  if (change.author !== author.value && change.revision > revision.value && !isOwn(change.revision)) {
-    say(`${change.author || "Somebody"}: ${(change.ops ?? []).join(", ") || change.kind}`);
+  if (event.name === "change") changed(JSON.parse(event.data) as ChangeEvent);
+}
+
+/** An edit of our own is known by its answer, which is under way while the outbox is not empty. */
+function changed(change: ChangeEvent) {
+  if (isOwn(change.revision) || (change.author === author.value && unsent.value > 0)) return;
+  if (change.author !== author.value && change.kind !== "join") {
+    say(`${change.author || "Somebody"}: ${change.ops.map(words).join(", ") || change.kind}`);
   }
-  if (change.revision > revision.value) hear(change.revision);
-  else if (!isOwn(change.revision)) void refresh();
+  hear(change.revision);
 }
 
 /** Hears of the open scene, and of the next one once it is opened. */

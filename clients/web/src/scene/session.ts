@@ -104,9 +104,13 @@ export const undo = (steps = 1) => change("undo", {steps});
 export const redo = (steps = 1) => change("redo", {steps});
 export const revertTo = (to: number) => change("revert", {revision: to});
 
+const news_pause = 200;  // ms: a stroke of somebody else is many revisions
+let news_timer = 0;
+
 /** News from the server: a revision that this page may not know. */
 export function hear(news: number) {
-  if (news <= revision.value) return;
-  revision.value = news;
-  void refresh();
+  if (news < (scene.value?.revision ?? 0)) return;
+  revision.value = Math.max(revision.value, news);
+  clearTimeout(news_timer);
+  news_timer = window.setTimeout(() => void refresh(), news_pause);
 }

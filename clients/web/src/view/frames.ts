@@ -72,7 +72,8 @@ export class FrameLoop {
     const asks = [...this.in_flight];
     if (asks.length >= max_in_flight) return null;
     const asking = (stage: Stage) => asks.some((ask) => ask.stage === stage && ask.state === this.state);
-    if (now < this.moving_until) return this.done.draft === this.state || asking("draft") ? null : "draft";
+    if (this.done.draft !== this.state) return asking("draft") ? null : "draft";
+    if (now < this.moving_until) return null;
     if (this.done.rest !== this.state) return asking("rest") ? null : "rest";
     if (!wants_trace.value || this.done.traced === this.state || asking("traced")) return null;
     return now >= this.rested_at + trace_after ? "traced" : null;

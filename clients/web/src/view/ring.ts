@@ -7,6 +7,7 @@ import {add, dot, norm, scale, subtract, tangents, unit} from "./vector";
 export interface RingStyle { radius: number; inner: number; colour: string; symmetric: Hit[] }
 
 const points = 48;
+const max_drop = 0.6;   // radii: what lies deeper or higher is another part of the model
 const max_glow = 400;  // triangles
 
 /** Points of a circle about the hit, laid down on the surface along the hit's normal. */
@@ -18,7 +19,7 @@ function ringPoints(proxy: Proxy, hit: Hit, radius: number): Vector[] {
     const flat = add(hit.point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
     const above = add(flat, scale(hit.normal, radius));
     const down = proxy.cast(above, scale(hit.normal, -1));
-    ring.push(down && down.distance < 2 * radius ? down.point : flat);
+    ring.push(down && Math.abs(down.distance - radius) < max_drop * radius ? down.point : flat);
   }
   return ring;
 }
