@@ -381,7 +381,7 @@ class Answers(ServedTest):
         seen = 0
         for path, method, _ in operations():
             name = path.rsplit("/", 1)[1]
-            if method == "delete":
+            if method == "delete" or name == "events":  # which do not end: test_events.py
                 continue
             revision = scene.info()["revision"] if name != "scenes" else 0
             query = {"model": "?format=obj", "frame.png": "?width=16&height=16", "compare": f"?from={revision}&to={revision}"}
