@@ -138,7 +138,11 @@ std::optional<Refusal> refused_body(const Request& request) {
   return {};
 }
 
-bool needs_no_token(const std::string& path) { return path == "/livez" || path == "/readyz"; }
+/// A browser cannot send a token for a page and its files. They are the same on every server and hold no secrets; the
+/// studio asks for the token and sends it with each of its calls.
+bool is_of_the_studio(const std::string& path) { return path == "/" || path.starts_with("/assets/"); }
+
+bool needs_no_token(const std::string& path) { return path == "/livez" || path == "/readyz" || is_of_the_studio(path); }
 
 }  // namespace
 

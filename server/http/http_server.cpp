@@ -82,6 +82,7 @@ struct HttpServer::Impl {
     add_frame_routes(server, service);
     add_event_routes(server, service);
     add_status_routes(server, service);
+    add_studio_routes(server);
   }
 
   void set_up_transport() {

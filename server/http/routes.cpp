@@ -99,7 +99,11 @@ RouteInfo route_of(const std::string& path) {
                                                 {"/metrics", "GET, HEAD"},
                                                 {"/openapi.json", "GET, HEAD"}});
   static constexpr std::string_view scenes = "/v1/scenes/";
+  static constexpr std::string_view assets = "/assets/";
   if (path == "/") return {"/", "GET, HEAD"};
+  if (path.starts_with(assets) && path.size() > assets.size() && path.find('/', assets.size()) == path.npos) {
+    return {"/assets/{name}", "GET, HEAD"};
+  }
   std::string shape = path;
   if (path.starts_with(scenes) && path.size() > scenes.size()) {
     const std::size_t end = std::min(path.find('/', scenes.size()), path.size());

@@ -51,6 +51,7 @@ void add_map_routes(httplib::Server& server, Service& service);
 void add_mesh_routes(httplib::Server& server, Service& service);
 void add_event_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
+void add_studio_routes(httplib::Server& server);
 
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
 void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,

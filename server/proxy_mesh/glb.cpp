@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "GLB is little-endian");
 
-constexpr std::uint32_t magic = 0x46546c67, version = 2;               // "glTF"
+constexpr std::uint32_t magic = 0x46546c67, version = 2;                     // "glTF"
 constexpr std::uint32_t json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;  // "JSON", "BIN"
 constexpr std::size_t max_short_indices = 65535;  // vertices; index 65535 itself restarts primitives
 
@@ -53,21 +53,22 @@ std::string json_of(const ProxyMesh& mesh, std::size_t binary_bytes) {
   glm::vec3 low = mesh.positions.front(), high = low;
   for (const glm::vec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
   const std::size_t vertices = mesh.positions.size(), vector_bytes = vertices * sizeof(glm::vec3);
-  std::string json = fmt::format(
-      R"({{"asset":{{"version":"2.0","generator":"Pelage"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
-      R"("nodes":[{{"mesh":0,"translation":{}}}],)"
-      R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"indices":2}}]}}],)",
-      list_of(mesh.centre));
-  json += fmt::format(R"("accessors":[{{"bufferView":0,"componentType":{0},"count":{1},"type":"VEC3","min":{2},"max":{3}}},)"
-                      R"({{"bufferView":1,"componentType":{0},"count":{1},"type":"VEC3"}},)",
-                      floats, vertices, list_of(low), list_of(high));
+  std::string json =
+      fmt::format(R"({{"asset":{{"version":"2.0","generator":"Pelage"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
+                  R"("nodes":[{{"mesh":0,"translation":{}}}],)"
+                  R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"indices":2}}]}}],)",
+                  list_of(mesh.centre));
+  json += fmt::format(
+      R"("accessors":[{{"bufferView":0,"componentType":{0},"count":{1},"type":"VEC3","min":{2},"max":{3}}},)"
+      R"({{"bufferView":1,"componentType":{0},"count":{1},"type":"VEC3"}},)",
+      floats, vertices, list_of(low), list_of(high));
   json += fmt::format(R"({{"bufferView":2,"componentType":{},"count":{},"type":"SCALAR"}}],)",
                       has_short_indices(mesh) ? shorts : ints, 3 * mesh.triangles.size());
-  json += fmt::format(R"("bufferViews":[{{"buffer":0,"byteLength":{0},"target":{1}}},)"
-                      R"({{"buffer":0,"byteOffset":{0},"byteLength":{0},"target":{1}}},)"
-                      R"({{"buffer":0,"byteOffset":{2},"byteLength":{3},"target":{4}}}],"buffers":[{{"byteLength":{5}}}]}})",
-                      vector_bytes, vertex_data, 2 * vector_bytes, binary_bytes - 2 * vector_bytes, index_data,
-                      binary_bytes);
+  json += fmt::format(
+      R"("bufferViews":[{{"buffer":0,"byteLength":{0},"target":{1}}},)"
+      R"({{"buffer":0,"byteOffset":{0},"byteLength":{0},"target":{1}}},)"
+      R"({{"buffer":0,"byteOffset":{2},"byteLength":{3},"target":{4}}}],"buffers":[{{"byteLength":{5}}}]}})",
+      vector_bytes, vertex_data, 2 * vector_bytes, binary_bytes - 2 * vector_bytes, index_data, binary_bytes);
   return json;
 }
 

@@ -63,7 +63,9 @@ struct GlbFile {
     return elements<glm::vec3>(accessor);
   }
 
-  bool has_short_indices() const { return json["accessors"][primitive()["indices"].get<std::size_t>()]["componentType"] == 5123; }
+  bool has_short_indices() const {
+    return json["accessors"][primitive()["indices"].get<std::size_t>()]["componentType"] == 5123;
+  }
 
   std::vector<std::uint32_t> indices() const {
     const int accessor = primitive()["indices"];

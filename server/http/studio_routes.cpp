@@ -1,0 +1,77 @@
+#include "server/http/accept_encoding.h"
+#include "server/http/reply.h"
+#include "server/http/routes.h"
+#include "server/studio/studio.h"
+
+namespace pelage {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+/// The values of a header that may come in several lines.
+std::string joined_header(const Request& request, const char* name) {
+  std::string joined;
+  for (std::size_t k = 0; k < request.get_header_value_count(name); ++k) {
+    joined += (k > 0 ? "," : "") + request.get_header_value(name, k);
+  }
+  return joined;
+}
+
+std::string_view bytes_of(const StudioFile& file, Encoding encoding) {
+  return encoding == Encoding::brotli ? file.brotli : encoding == Encoding::gzip ? file.gzip : file.identity;
+}
+
+/// A page that only does what its own files say: no other site can frame it, follow it or put a script into it.
+void set_security_headers(Response& response) {
+  response.set_header("Content-Security-Policy",
+                      "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
+                      "connect-src 'self'; font-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'; "
+                      "frame-ancestors 'none'");
+  response.set_header("Referrer-Policy", "no-referrer");
+  response.set_header("Cross-Origin-Opener-Policy", "same-origin");
+  response.set_header("Permissions-Policy", "camera=(), geolocation=(), microphone=(), payment=(), usb=()");
+}
+
+/// Not set_content, whose bytes cpp-httplib would compress once more.
+void send(std::string_view bytes, std::string_view type, Response& response) {
+  response.set_content_provider(
+      bytes.size(), std::string(type), [bytes](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+        return sink.write(bytes.data() + offset, length);
+      });
+}
+
+void answer_file(const StudioFile& file, const Request& request, Response& response) {
+  response.set_header("Vary", "Accept-Encoding");
+  const auto encoding =
+      choose_encoding(joined_header(request, "Accept-Encoding"), !file.gzip.empty(), !file.brotli.empty());
+  if (!encoding) {
+    const Status refused = failure(Code::malformed, "No encoding of this file is accepted.", "", "br, gzip, identity");
+    return reply_problem(response, refused, 406);
+  }
+  const std::string_view name = name_of(*encoding);
+  const std::string etag = "\"" + std::string(file.etag) + (name.empty() ? "" : "-") + std::string(name) + "\"";
+  response.set_header("ETag", etag);
+  response.set_header("Cache-Control", file.hashed ? "public, max-age=31536000, immutable" : "no-cache");
+  set_security_headers(response);
+  response.status = none_match_names(request, etag) ? 304 : 200;
+  if (response.status == 304) return;
+  if (!name.empty()) response.set_header("Content-Encoding", std::string(name));
+  send(bytes_of(file, *encoding), file.type, response);
+}
+
+void answer_address(const Request& request, Response& response) {
+  if (const StudioFile* file = find_studio_file(request.path)) return answer_file(*file, request, response);
+  response.set_header("Cache-Control", "no-store");  // the next version may have it
+  reply_problem(response, failure(Code::not_found, "The studio has no such file."));
+}
+
+}  // namespace
+
+void add_studio_routes(httplib::Server& server) {
+  server.Get("/", answer_address);
+  server.Get("/assets/([^/]+)", answer_address);
+}
+
+}  // namespace pelage
