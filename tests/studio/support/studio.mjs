@@ -12,14 +12,16 @@ export async function browser(options = {}) {
 
 /** One window on a scene. Everything that the console says is kept, and is to be nothing at the end. */
 export class Studio {
-  static async open(chrome, address, {scene = "", context: context_options = {}, ...rest} = {}) {
+  static async open(chrome, address, {scene = "", context: context_options = {}, kept = {}} = {}) {
     const studio = new Studio();
-    studio.context = await chrome.newContext({viewport: {width: 1440, height: 900}, acceptDownloads: true, ...context_options, ...rest});
-    await studio.context.addInitScript(() => {
-      try { localStorage.setItem("pelage.welcomed", "true"); } catch { /* about:blank */ }
+    studio.context = await chrome.newContext({viewport: {width: 1440, height: 900}, acceptDownloads: true, ...context_options});
+    // Pictures that two busy cores draw soon, unless the test is about others.
+    const settings = {welcomed: true, dial: {kind: "tier", tier: "interactive"}, "trace-at-rest": false, ...kept};
+    await studio.context.addInitScript((initial) => {
+      for (const [name, value] of Object.entries(initial)) if (localStorage.getItem(`pelage.${name}`) === null) localStorage.setItem(`pelage.${name}`, JSON.stringify(value));
       window.marks = {frame: [], part: [], ring: [], proxy: []};
       for (const name of Object.keys(window.marks)) addEventListener(`pelage:${name}`, ({detail}) => window.marks[name].push(detail));
-    });
+    }, settings);
     studio.page = await studio.context.newPage();
     studio.said = [];
     studio.expected = [];

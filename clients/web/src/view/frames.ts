@@ -24,7 +24,8 @@ export const shown = signal<Shown | null>(null);
 
 const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
 
-interface Ask { number: number; state: number; stage: Stage; stop: AbortController }
+/** `slot`: of several frames of one view the server draws only the newest, so each request in flight is a view of its own. */
+interface Ask { number: number; state: number; stage: Stage; slot: number; stop: AbortController }
 
 export class FrameLoop {
   private state = 0;             // grows with each change of what is to be seen
@@ -79,12 +80,17 @@ export class FrameLoop {
     return now >= this.rested_at + trace_after ? "traced" : null;
   }
 
+  private freeSlot(): number {
+    const taken = [...this.in_flight].map(({slot}) => slot);
+    return taken.includes(0) ? 1 : 0;
+  }
+
   private async ask(stage: Stage, wish: Wish) {
-    const ask: Ask = {number: ++this.asked, state: this.state, stage, stop: new AbortController()};
+    const ask: Ask = {number: ++this.asked, state: this.state, stage, slot: this.freeSlot(), stop: new AbortController()};
     this.in_flight.add(ask);
     const asked = performance.now();
     try {
-      const picture = await drawFrame(wish.scene, this.requestOf(stage, wish), this.newsOf(stage, wish), ask.stop.signal);
+      const picture = await drawFrame(wish.scene, this.requestOf(ask, wish), this.newsOf(stage, wish), ask.stop.signal);
       await this.take(ask, picture, asked);
     } catch (error) {
       this.fail(ask, error);
@@ -94,10 +100,10 @@ export class FrameLoop {
     }
   }
 
-  private requestOf(stage: Stage, wish: Wish): FrameRequest {
+  private requestOf({stage, slot}: Ask, wish: Wish): FrameRequest {
     const ratio = stage === "draft" ? 1 : wish.ratio;
     const size = {width: Math.max(1, Math.round(wish.width * ratio)), height: Math.max(1, Math.round(wish.height * ratio))};
-    const request: FrameRequest = {...shared_request.value, ...size, camera: wish.camera, view: page_id};
+    const request: FrameRequest = {...shared_request.value, ...size, camera: wish.camera, view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
     if (stage === "draft") return {...request, quality: "draft", format: "jpeg", jpeg_quality: 85};
     if (stage === "traced") return {...request, ...rest_quality.value, progressive: tracing};
     return {...request, ...rest_quality.value};
@@ -134,8 +140,8 @@ export class FrameLoop {
 
   /** A refusal is said once and not asked for again until something changes; a lost connection is tried again. */
   private fail(ask: Ask, error: unknown) {
-    if (error instanceof Aborted || (error instanceof Refusal && error.status === 409)) return;  // 409: a newer one is drawn
-    if (error instanceof Offline || (error instanceof Refusal && [429, 503].includes(error.status))) {
+    if (error instanceof Aborted) return;
+    if (error instanceof Offline || (error instanceof Refusal && [409, 429, 503].includes(error.status))) {
       this.blocked_until = performance.now() + again_after;
       return;
     }
