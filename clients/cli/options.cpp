@@ -287,7 +287,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
                       "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, "
                       "light_occlusion, shadow_width or difference [none]");
   add_frame_parameter(frame, options, "--from", "overlay_from",
-                      "With --overlay difference: the revision to compare the present with");
+                      "With --overlay difference: the revision to compare with");
+  add_frame_parameter(frame, options, "--revision", "revision", "Draw the scene as it was at this revision");
 
   CLI::App* compare =
       add_action(app, options, Action::compare, "compare", "Measure how far one picture is from another");

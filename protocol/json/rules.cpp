@@ -22,6 +22,12 @@ void check_strands(const Value& value, const FrameRequest& request) {
   }
 }
 
+/// Nothing waits for news of the past.
+void check_past(const Value& value, const FrameRequest& request) {
+  if (request.revision && request.progressive)
+    value.refuse_below("progressive", "Only pictures of the present get better.", "without revision");
+}
+
 /// Knobs are named, or chosen by what they may cost, or by how far they may be off.
 void check_dial(const Value& value, const FrameRequest& request) {
   const bool two_goals = request.budget_ms && request.max_error;
@@ -89,6 +95,7 @@ void check(const Value& value, const FrameRequest& request) {
   check_size(value, request);
   check_layers(value, request);
   check_overlay(value, request);
+  check_past(value, request);
 }
 
 void check(const Value& value, const Knobs& knobs) { check_method(value, knobs); }

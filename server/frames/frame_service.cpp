@@ -44,7 +44,7 @@ struct Job {
   std::shared_ptr<Scene> scene;
   FrameRequest request;
   std::function<bool()> abandoned;
-  std::optional<PastFields> past = {};  // what the overlay compares with
+  FramePast past = {};
   Stopwatch asked = {};
   std::promise<Result<DrawnFrame>> answer;
   // While it is drawn:
@@ -60,6 +60,8 @@ struct Job {
   bool same_view(const Job& other) const {
     return !request.view.empty() && scene == other.scene && request.view == other.request.view;
   }
+  /// Whether both draw what the renderer has of one scene, which changes with the scene.
+  bool same_subject(const Job& other) const { return scene == other.scene && past.copy == other.past.copy; }
 };
 
 }  // namespace
@@ -79,6 +81,7 @@ struct FrameService::Impl {
   std::atomic<std::size_t> drawn{0};
   std::atomic<double> seconds{0};
   RendererMemory memory;
+  PastScenes past_scenes;
   FramePlanner planner;
   CostUnit unit;
   PngEncoder png;  // of whoever asked, not of the render thread
@@ -125,7 +128,7 @@ void FrameService::Impl::serve(Renderer& renderer) {
     bool forgot = false;
     {
       std::unique_lock lock(mutex);
-      wake.wait(lock, [&] { return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty(); });
+      wake.wait(lock, [&] { return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone(); });
       forgot = forget_gone(renderer);
       if (stopping) break;
       job = jobs.take();
@@ -144,8 +147,11 @@ void FrameService::Impl::serve(Renderer& renderer) {
 }
 
 bool FrameService::Impl::forget_gone(Renderer& renderer) {
-  if (forgotten.empty()) return false;
-  for (const std::uint64_t model : std::exchange(forgotten, {})) renderer.forget(model), memory.forget(renderer, model);
+  std::vector<std::uint64_t> gone = past_scenes.take_gone();
+  gone.insert(gone.end(), forgotten.begin(), forgotten.end());
+  forgotten.clear();
+  if (gone.empty()) return false;
+  for (const std::uint64_t model : gone) renderer.forget(model), memory.forget(renderer, model);
   return true;
 }
 
@@ -165,7 +171,7 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
 bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
   const Stopwatch passed;
   const auto may = [&](const std::unique_ptr<Job>& other) {
-    return job.restarts < max_restarts || other->scene != job.scene;
+    return job.restarts < max_restarts || !other->same_subject(job);
   };
   // Once it has taken longer than was expected, others are short beside it.
   const double taken = job.begun.milliseconds() - job.paused;
@@ -183,7 +189,7 @@ bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
 
 void FrameService::Impl::mark_outdated(const Job& job) {
   for (Job* other : running)
-    other->outdated = other->outdated || (other->scene == job.scene && other->revision != job.revision);
+    other->outdated = other->outdated || (other->same_subject(job) && other->revision != job.revision);
 }
 
 void FrameService::Impl::count(double milliseconds, const Status& outcome) {
@@ -198,7 +204,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   frame.timings.queue = job.asked.milliseconds();
   const Stopwatch passed;
   const double paused = job.paused;
-  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, false, planner.looks_at(job.request));
+  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, false, planner.looks_at(job.request));
   if (!shown) return shown.status();
   job.revision = shown->revision;
   mark_outdated(job);
@@ -296,7 +302,7 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
                                         const std::function<bool()>& abandoned) {
   const YieldGate::Turn turn = impl_->gate.go_first();
   auto job = std::make_unique<Job>(Job{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
-  Result<std::optional<PastFields>> past = past_of(*scene, request);
+  Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
   if (!past) return past.status();
   job->past = std::move(*past);
   std::future<Result<DrawnFrame>> answer = job->answer.get_future();
@@ -316,13 +322,13 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
 }
 
 Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
-  const Result<std::optional<PastFields>> past = past_of(*scene, request);
+  Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
   if (!past) return past.status();
   const Stopwatch asked;
   return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
     FrameTimings timings{.queue = asked.milliseconds()};
     const Stopwatch passed;
-    Result<Shown> shown = show(renderer, *scene, request, *past, true, false);
+    Result<Shown> shown = show(renderer, *scene, request, *past, impl_->past_scenes, true, false);
     if (!shown) return shown.status();
     timings.upload = passed.milliseconds();
     DrawTimes times;
@@ -332,7 +338,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
     return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings,
-                      times.counters};
+                      times.counters,          past->copy};
   });
 }
 
@@ -362,10 +368,16 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   return answer;
 }
 
-std::size_t FrameService::copy_bytes(std::uint64_t model_id) const { return impl_->memory.of_copies(model_id); }
+std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
+  std::size_t bytes = impl_->memory.of_copies(model_id);
+  for (const PastCopy& copy : impl_->past_scenes.kept(model_id))
+    bytes += copy->bytes() + impl_->memory.of_copies(copy->view().copy_id);
+  return bytes;
+}
 std::size_t FrameService::gl_bytes() const { return impl_->memory.of_gl(); }
 
 void FrameService::forget(std::uint64_t model_id) {
+  impl_->past_scenes.forget(model_id);
   const std::lock_guard lock(impl_->mutex);
   impl_->forgotten.push_back(model_id);
   impl_->wake.notify_one();

@@ -35,6 +35,7 @@ struct TraceStart {
   Backplate base;
   FrameTimings timings;
   FrameCounters counters;
+  std::shared_ptr<const SceneCopy> past = {};  // as TracedPicture has it
 };
 
 /// Thread-safe. Encoding runs on the caller's thread.
@@ -55,23 +56,22 @@ class FrameService {
   /// long ones, and between the pieces of one that is drawn; a frame whose scene changed meanwhile begins anew.
   /// Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked on the render
   /// thread before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused
-  /// (invalid,
-  /// "/overlay_from") when the scene's model has no such revision.
+  /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
 
-  /// Of the scene as it is now; draws what lies under the strands. Waits until no frame does. Refused as frame is.
+  /// Of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits until no frame does. Refused as frame is.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
   /// model that the scene no longer has. Waits until no frame does.
   Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request);
 
-  /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame. Waits for no
-  /// frame.
+  /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame, and what is
+  /// kept of its earlier revisions. Waits for no frame.
   std::size_t copy_bytes(std::uint64_t model_id) const;
   /// Storage of all GL objects, as of the last frame.
   std::size_t gl_bytes() const;
-  /// Forgets GPU copies of a model that is gone.
+  /// Forgets GPU copies of a model that is gone, and its earlier revisions.
   void forget(std::uint64_t model_id);
 
   /// "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5".

@@ -35,7 +35,8 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
             .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
             .placement = start->placement,
             .timings = start->timings,
-            .counters = start->counters};
+            .counters = start->counters,
+            .past = std::move(start->past)};
   Status status = tracer_.begin(make_model(view, arrays_of(view)), make_fields(view, skin, std::span(&all, 1)),
                                 *begun_.frame, std::move(start->base), aovs_, go_on);
   if (!status.ok()) return status;

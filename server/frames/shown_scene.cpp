@@ -10,30 +10,55 @@
 
 namespace pelage {
 
-Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, const std::optional<PastFields>& past,
-                   bool with_copy, bool with_features) {
+namespace {
+
+Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& request, const FramePast& past,
+                        bool with_copy, bool with_features) {
   Shown shown;
   bool comparable = true;
-  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
+  const auto show_view = [&](const SceneView& view, const std::vector<VertexRange>& dirty) {
     shown.revision = view.revision, shown.copy_id = view.copy_id;
     shown.fur = make_frame(view, request);
     const Mesh& mesh = view.model.surface.mesh();
     shown.placement = {mesh.centre, mesh.size};
     sync_scene(renderer, view, dirty);
-    comparable = !past || past->model.get() == &view.model;
-    if (past && comparable) shown.fur.difference = change_shares(past->fields, view.fields);
+    comparable = !past.compared || past.compared->model.get() == &view.model;
+    if (past.compared && comparable) shown.fur.difference = change_shares(past.compared->fields, view.fields);
     if (with_copy) shown.copy.emplace(view);
     if (with_features) shown.features = view_features(shown.fur, furred_skin(view));
-  });
+  };
+  if (past.copy)
+    show_view(past.copy->view(), {});  // which never changes
+  else
+    scene.read_for_drawing(show_view);
   if (comparable) return shown;
   return failure(Code::conflict, "the scene has another model since the frame was asked for");
 }
 
-Result<std::optional<PastFields>> past_of(const Scene& scene, const FrameRequest& request) {
-  if (request.overlay != Overlay::difference) return std::optional<PastFields>();
-  Result<PastFields> past = scene.past_fields(request.overlay_from.value_or(0));
-  if (!past) return past.status();
-  return std::optional(std::move(past).value());
+}  // namespace
+
+Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, FramePast& past, PastScenes& scenes,
+                   bool with_copy, bool with_features) {
+  Result<Shown> shown = show_once(renderer, scene, request, past, with_copy, with_features);
+  if (!shown || !request.revision || shown->revision == *request.revision) return shown;
+  Result<PastCopy> copy = scenes.find(scene, *request.revision);
+  if (!copy) return copy.status();
+  past.copy = std::move(*copy);
+  return show_once(renderer, scene, request, past, with_copy, with_features);
+}
+
+Result<FramePast> past_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes) {
+  FramePast past;
+  if (request.revision) {
+    Result<PastCopy> copy = scenes.find(scene, *request.revision);
+    if (!copy) return copy.status();
+    past.copy = std::move(*copy);
+  }
+  if (request.overlay != Overlay::difference) return past;
+  Result<PastFields> compared = scene.past_fields(request.overlay_from.value_or(0));
+  if (!compared) return compared.status();
+  past.compared = std::move(*compared);
+  return past;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "renderer/quality/view_features.h"
 #include "server/fields/field_set.h"
 #include "server/frames/frame_parts.h"
+#include "server/frames/past_scenes.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -25,13 +26,20 @@ struct Shown {
   std::optional<ViewFeatures> features = {};  // where the frame is planned or can be estimated
 };
 
-/// Brings the renderer's copy of the scene up to date; all of the answer is of one revision.
-/// Conflict where the overlay compares with fields of a model that the scene no longer has.
-Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, const std::optional<PastFields>& past,
+/// What a frame needs of its scene's past.
+struct FramePast {
+  PastCopy copy = {};                       // what is drawn; null for the scene as it is
+  std::optional<PastFields> compared = {};  // what the overlay compares with
+};
+
+/// Brings the renderer's copy of the scene, or of its past, up to date; all of the answer is of one revision. A scene
+/// that has left the asked revision since past_of is drawn from a copy, which `past` then has. Conflict where the
+/// overlay compares with fields of a model that the scene no longer has.
+Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, FramePast& past, PastScenes& scenes,
                    bool with_copy, bool with_features);
 
 /// Read by whoever asks, where it holds up no other frame.
-Result<std::optional<PastFields>> past_of(const Scene& scene, const FrameRequest& request);
+Result<FramePast> past_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes);
 
 // What two states of the fields differ in, as one number for each vertex.
 

@@ -24,6 +24,8 @@ struct TracedPicture {
   ModelPlacement placement = {};
   FrameTimings timings = {};
   FrameCounters counters = {};  // of what lies under the strands
+  // Of an earlier revision what it was drawn from: for as long as it lives, the renderer has it for overlays.
+  std::shared_ptr<const SceneCopy> past = {};
 };
 
 /// The request that draws a progressive picture's pictures: by strands, and without `progressive`.

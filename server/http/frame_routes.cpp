@@ -45,6 +45,8 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
   if (request.has_param("after")) {
     news.after = parsed<Revision>(request.get_param_value("after"));
     if (!news.after) return failure(Code::invalid, "This is no revision.", "/after", "[0, 18446744073709551615]");
+    if (wanted.revision)
+      return failure(Code::invalid, "An earlier revision has no news to wait for.", "/after", "without revision");
   }
   if (request.has_param("after_pass")) {
     const auto passes = parsed<int>(request.get_param_value("after_pass"));
@@ -154,9 +156,11 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
   if (!wanted) return reply_problem(response, wanted.status());
   const auto news = news_of(request, *wanted);
   if (!news) return reply_problem(response, news.status());
+  const Status there = wanted->revision ? scene->has_revision(*wanted->revision) : Status{};
+  if (!there.ok()) return reply_problem(response, there);
   const ClientSocket client(request);
   const Status status = wait_for_news(service, scene, *wanted, *news, client);
-  const Revision revision = scene->revision();
+  const Revision revision = wanted->revision ? *wanted->revision : scene->revision();
   const int passes = known_passes(*wanted, *news);
   const bool known = request.method != "POST" && none_match_names(request, revision, passes);
   if (known || status.code == Code::precondition) {

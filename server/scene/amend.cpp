@@ -166,9 +166,25 @@ Result<SettingsAnswer> Scene::settings(std::optional<Revision> revision) const {
   return SettingsAnswer{at, history_.settings_at(at)};
 }
 
-Result<PastFields> Scene::past_fields(Revision revision) const {
+Status Scene::has_revision(Revision revision) const {
+  const std::lock_guard lock(mutex_);
+  return check_revision(revision);
+}
+
+Result<SceneCopy> Scene::copy_at(Revision revision, std::uint64_t copy_id) const {
+  Result<PastFields> past = past_fields(revision, "/revision");
+  if (!past) return past.status();
+  const std::lock_guard lock(mutex_);
+  if (Status gone = check_revision(revision); !gone.ok()) return gone;  // with the model, meanwhile
+  const SceneSettings& settings = history_.settings_at(revision);
+  Result<LaidPicture> picture = picture_of(settings);
+  if (!picture) return picture.status();
+  return SceneCopy(std::move(*past), settings, std::move(picture->image), revision, copy_id);
+}
+
+Result<PastFields> Scene::past_fields(Revision revision, const std::string& pointer) const {
   std::unique_lock lock(mutex_);
-  if (Status bad = check_revision(revision, "/overlay_from"); !bad.ok()) return bad;
+  if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
   PastFields past{model_, fields_};
   const Revision present = history_.revision();
   lock.unlock();  // entries stay as they are for as long as the model does
@@ -180,7 +196,7 @@ Result<PastFields> Scene::past_fields(Revision revision) const {
   if (read.ok() && fits) return past;
   lock.lock();
   if (Status gone = admit({}); !gone.ok()) return gone;
-  if (Status bad = check_revision(revision, "/overlay_from"); !bad.ok()) return bad;
+  if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
   return read.ok() ? damaged_journal() : read;
 }
 

@@ -68,6 +68,8 @@ struct PastFields {
   FieldSet fields;
 };
 
+class SceneCopy;
+
 struct ExecuteOptions {
   std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
   bool dry_run = false;                   // answer what it would do; nothing changes
@@ -128,8 +130,13 @@ class Scene {
   Result<std::shared_ptr<Scene>> branch(const std::string& id, const std::string& name, std::optional<Revision> at,
                                         std::uint64_t copy_id) const;
 
-  /// Reads the journal without holding up commands. Refused (invalid, "/overlay_from") as compare does.
-  Result<PastFields> past_fields(Revision revision) const;
+  /// Refused (invalid, "/revision") when this model has no such revision.
+  Status has_revision(Revision revision) const;
+  /// Reads the journal without holding up commands. Refused (invalid, with the pointer) as compare does.
+  Result<PastFields> past_fields(Revision revision, const std::string& pointer = "/overlay_from") const;
+  /// All that drawing reads, as it was, under a `copy_id` of its own. Reads the journal as past_fields does. Refused
+  /// (invalid, "/revision") when this model has no such revision.
+  Result<SceneCopy> copy_at(Revision revision, std::uint64_t copy_id) const;
 
   SceneSummary summary() const;
   /// As it was after the last change, without waiting for one that goes on. For lists.
@@ -268,10 +275,22 @@ class SceneCopy {
         settings_(scene.settings),
         revision_(scene.revision),
         copy_id_(scene.copy_id) {}
+  SceneCopy(PastFields past, SceneSettings settings, std::shared_ptr<const RawImage> picture, Revision revision,
+            std::uint64_t copy_id)
+      : model_(std::move(past.model)),
+        picture_(std::move(picture)),
+        fields_(std::move(past.fields)),
+        settings_(std::move(settings)),
+        revision_(revision),
+        copy_id_(copy_id) {}
 
   /// For as long as the copy lives.
   SceneView view() const {
     return {*model_, fields_, settings_, revision_, picture_.get(), copy_id_, model_, picture_};
+  }
+  /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
+  std::size_t bytes() const {
+    return sizeof(SceneCopy) + fields_.bytes() + (picture_ ? picture_->rgba.capacity() : 0);
   }
 
  private:

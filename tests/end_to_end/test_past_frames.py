@@ -1,0 +1,161 @@
+"""Frames of earlier revisions, beside those that were drawn when the scene was there."""
+
+import json
+import pathlib
+import tempfile
+import threading
+import unittest
+
+from support.pictures import png
+from support.server import ServedTest, comb, flood
+
+VIEW = {"camera": {"auto": "front"}, "width": 96, "height": 96, "quality": "draft"}
+RED = {"op": "paint", "field": "tip_colour", "colour": "#ff0000", "flood": True}
+
+
+class PastFrames(ServedTest):
+    def groomed(self, **request):
+        """A scene with one revision for each kind of change, and what was drawn at each."""
+        scene = self.server.new_scene("sphere", 2000)
+        seen = [scene.frame(**VIEW, **request).body]
+
+        def see(answer):
+            self.assertEqual(answer.status, 200, answer)
+            seen.append(scene.frame(**VIEW, **request).body)
+
+        see(scene.run(flood([0, -1, 0], lean=0.6)))
+        see(scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3)))
+        see(scene.run(RED))
+        see(scene.post("undo", {"steps": 2}))
+        see(scene.run({"op": "set_coat", "coat": {"bend": 0.9, "ramp": [{"at": 0, "colour": "#000080"}]}}))
+        see(scene.run({"op": "set_lights", "lights": [{"kind": "directional", "direction": [1, 0, 0]}]}))
+        see(scene.run({"op": "set_skin", "regions": [{"centre": [0, 0, 1], "radii": [0.2, 0.2, 0.2]}]}))
+        see(scene.post("revert", {"revision": 2}))
+        return scene, seen
+
+    def test_they_are_what_was_drawn_then(self):
+        scene, seen = self.groomed()
+        self.assertGreater(len(set(seen)), 6)
+        for revision in (*range(len(seen)), 3, 3, 0, 8, 5):
+            answer = scene.frame(**VIEW, revision=revision)
+            self.assertEqual(answer.body, seen[revision], revision)
+            self.assertEqual((answer.headers["etag"], answer.headers["pelage-revision"]), (f'"{revision}"', str(revision)))
+            self.assertEqual(scene.frame(**VIEW).body, seen[-1], f"the present after {revision}")
+        address = f"{scene.path}/frame.png?camera=front&width=96&height=96&quality=draft&revision=3"
+        self.assertEqual(self.server.get(address).body, seen[3])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "then.png"
+            self.pelage("frame", scene.id, "-o", file, "--camera", "front", "--width", 96, "--height", 96, "--quality", "draft", "--revision", 3)
+            self.assertEqual(file.read_bytes(), seen[3])
+
+    def test_a_past_frame_leaves_the_present_uploaded(self):
+        scene, _ = self.groomed()
+
+        def sent(**request):
+            return json.loads(scene.frame(**VIEW, **request).headers["pelage-counters"])["bytes"]
+
+        first, present = sent(revision=3), sent()
+        self.assertEqual(sent(), present)
+        again = sent(revision=3)
+        self.assertGreater(first, 10 * again)
+        self.assertEqual(sent(), present)
+        self.assertEqual(sent(revision=3), again)
+
+    def test_at_other_cameras_and_with_an_overlay(self):
+        scene = self.server.new_scene("sphere", 2000)
+        scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3))
+        for request in ({"overlay": "length"}, {"overlay": "difference", "overlay_from": 0}, {"camera": {"auto": "left"}},
+                        {"format": "exr", "aovs": ["beauty", "depth"]}, {"budget_ms": 50}):
+            ask = {**VIEW, **request}
+            if "budget_ms" in ask:
+                del ask["quality"]
+            scene.post("revert", {"revision": 1})
+            now = scene.frame(**ask)
+            scene.run(RED)
+            then = scene.frame(**ask, revision=1)
+            if "budget_ms" not in ask:  # whose knobs may change as frames are learnt from
+                self.assertEqual(then.body, now.body, request)
+            self.assertEqual(then.headers["pelage-revision"], "1")
+
+    def test_traced(self):
+        trace = {"quality": {"method": "strands", "trace": {"passes": 2, "strands": 2000}}, "overlay": "mask"}
+        view = {**VIEW, **trace}
+        scene = self.server.new_scene("sphere", 500)
+        scene.run({"op": "mask", "sphere": {"centre": [0.8, 0, 0.6], "radius": 0.5}, "combine": "subtract"})
+        now = scene.frame(**view)
+        scene.run(RED, {"op": "length", "flood": True, "value": 0.1}, flood([1, 0, 0]))
+        self.assertNotEqual(scene.frame(**view).body, now.body)
+        then = scene.frame(**view, revision=1)
+        self.assertEqual((then.body, then.headers["etag"]), (now.body, '"1.2"'))
+
+    def test_with_another_skin_texture(self):
+        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
+        scene = self.server.new_scene("sphere", 500)
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj", model).status, 200)
+        seen = [scene.frame(**VIEW).body]
+        for colour in ((255, 0, 0), (0, 255, 0)):
+            picture = png([[colour] * 4] * 4)
+            self.assertEqual(self.server.call("PUT", f"{scene.path}/skin_texture", picture).status, 200)
+            seen.append(scene.frame(**VIEW).body)
+        self.assertEqual(len(set(seen)), 3)
+        for step in (2, 0, 1, 0):
+            self.assertEqual(scene.frame(**VIEW, revision=1 + step).body, seen[step])
+            self.assertEqual(scene.frame(**VIEW).body, seen[2])
+
+    def test_not_modified(self):
+        scene = self.server.new_scene("sphere", 500)
+        scene.run(flood([0, -1, 0]))
+        address = f"{scene.path}/frame.png?width=16&height=16&revision="
+        self.assertEqual(self.server.get(f"{address}0", headers={"If-None-Match": '"0"'}).status, 304)
+        self.assertEqual(self.server.get(f"{address}0", headers={"If-None-Match": '"1"'}).status, 200)
+        self.assert_problem(self.server.get(f"{address}2", headers={"If-None-Match": '"2"'}), 422, "/revision")
+
+    def test_refusals(self):
+        scene = self.server.new_scene("sphere", 500)
+        scene.run(flood([0, -1, 0]))
+        self.assert_problem(scene.post("frames", {**VIEW, "revision": 2}), 422, "/revision")
+        self.assert_problem(scene.post("frames", {**VIEW, "revision": -1}), 422, "/revision")
+        self.assert_problem(scene.post("frames", {**VIEW, "revision": 0, "progressive": True}), 422, "/progressive")
+        for query in ("after=0", "after=0&wait=1"):
+            self.assert_problem(scene.post(f"frames?{query}", {**VIEW, "revision": 0}), 422, "/after")
+            self.assert_problem(self.server.get(f"{scene.path}/frame.png?revision=0&{query}"), 422, "/after")
+        traced = {"quality": {"method": "strands", "trace": {"passes": 1}}}
+        self.assert_problem(scene.post("frames", {**traced, "revision": 2}), 422, "/revision")
+        self.assert_problem(self.server.get(f"{scene.path}/frame.png?revision=2"), 422, "/revision")
+
+    def test_a_new_model_drops_them(self):
+        scene = self.server.new_scene("sphere", 500)
+        scene.run(flood([0, -1, 0]))
+        scene.frame(**VIEW, revision=0)
+        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj", model).status, 200)
+        for revision in (0, 1):
+            self.assert_problem(scene.post("frames", {**VIEW, "revision": revision}), 422, "/revision")
+        first = scene.frame(**VIEW, revision=2).body
+        scene.run(flood([0, -1, 0]))
+        self.assertEqual(scene.frame(**VIEW, revision=2).body, first)
+
+    def test_while_the_scene_changes(self):
+        scene = self.server.new_scene("sphere", 2000)
+        first = scene.frame(**VIEW).body
+        failures = []
+
+        def look(revision):
+            for _ in range(12):
+                answer = scene.post("frames", {**VIEW, "revision": revision()})
+                if answer.status != 200 or (answer.headers["pelage-revision"] == "0" and answer.body != first):
+                    failures.append(answer)
+
+        watchers = [threading.Thread(target=look, args=(which,))
+                    for which in (lambda: 0, lambda: scene.info()["revision"], lambda: scene.info()["revision"] // 2)]
+        for watcher in watchers:
+            watcher.start()
+        for k in range(12):
+            scene.run(flood([1, k - 6, 0.5]))
+        for watcher in watchers:
+            watcher.join()
+        self.assertEqual(failures, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
