@@ -20,6 +20,11 @@ export type Field = Schemas["Field"];
 export type ChangeEvent = Schemas["ChangeEvent"];
 export type SceneEvent = Schemas["SceneEvent"];
 export type Settings = Schemas["Settings"];
+export type Bounds = Schemas["Bounds"];
+export type Repair = Schemas["Repair"];
+export type NewScene = Schemas["NewScene"];
+export type ModelFormat = Schemas["ImportOptions"]["format"];
+export type Tracing = Schemas["Tracing"];
 export type AutoView = Schemas["AutoView"];
 export type Op = Schemas["Command"]["op"];
 
