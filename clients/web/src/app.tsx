@@ -18,6 +18,7 @@ import {TopBar} from "./shell/top_bar";
 import {NoScene, Welcome} from "./shell/welcome";
 import {loadContract} from "./tools/schema";
 import {Palette} from "./tools/palette";
+import {ReferenceCompare} from "./view/reference_compare";
 import {Viewport} from "./view/viewport";
 
 /** Whether it is known which scenes there are. */
@@ -59,6 +60,7 @@ export function App() {
       <Panels />
       <Messages />
       <KeySheet />
+      <ReferenceCompare />
       <TokenDialog />
       <OfflineBanner />
       <DropTarget />

@@ -1,5 +1,5 @@
 // Calls of the server. Every refusal becomes a Refusal with the words of its problem document.
-import type {CommandAnswer, Comparison, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, Scene, SceneList, Settings, TraceReport} from "./types";
+import type {CommandAnswer, Comparison, FrameCounters, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, Scene, SceneList, Settings, TraceReport} from "./types";
 import {author, otherToken, token} from "./identity";
 
 /** The server said no, and why. */
@@ -94,6 +94,8 @@ export interface Picture {
   knobs: Knobs;
   trace: TraceReport | null;
   estimate: FrameEstimate | null;
+  /** Share of it that was drawn for this answer: 0 where it was cached. */
+  redrawn: number;
   /** Milliseconds by name, from Server-Timing. */
   timings: Record<string, number>;
 }
@@ -124,6 +126,7 @@ export async function drawFrame(id: string, request: FrameRequest, news: FrameNe
     knobs: json_header(answer, "Pelage-Quality") as Knobs,
     trace: json_header(answer, "Pelage-Trace") as TraceReport | null,
     estimate: json_header(answer, "Pelage-Error") as FrameEstimate | null,
+    redrawn: (json_header(answer, "Pelage-Counters") as FrameCounters | null)?.redrawn ?? 1,
     timings: timingsOf(answer.headers.get("Server-Timing") ?? ""),
   };
 }

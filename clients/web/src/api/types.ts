@@ -13,6 +13,7 @@ export type Knobs = Schemas["Knobs"];
 export type Tier = Schemas["Tier"];
 export type FrameRequest = Partial<Schemas["FrameRequest"]>;
 export type FrameEstimate = Schemas["FrameEstimate"];
+export type FrameCounters = Schemas["FrameCounters"];
 export type TraceReport = Schemas["TraceReport"];
 export type Pick = Schemas["Pick"];
 export type Comparison = Schemas["Comparison"];
