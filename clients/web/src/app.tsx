@@ -1,21 +1,30 @@
 // The page: tools on the left, the picture, panels on the right.
-import {effect} from "@preact/signals";
+import {effect, signal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
-import {listScenes, openScene, last_scene, scenes} from "./scene/session";
+import {listScenes, openScene, last_scene, scene, scenes} from "./scene/session";
 import {sayError, say} from "./scene/messages";
 import {followNews} from "./scene/news";
 import {sendLeftovers} from "./api/outbox";
+import {makeSample, samples} from "./files/samples";
 import {Panels} from "./panels";
+import {DropTarget, listenToDrops} from "./shell/drop_target";
 import {KeySheet} from "./shell/key_sheet";
 import {listenToKeys} from "./shell/keys";
 import {Messages} from "./shell/messages";
+import {OfflineBanner, warnOfLoss} from "./shell/offline";
 import {theme} from "./shell/places";
+import {TokenDialog} from "./shell/token";
 import {TopBar} from "./shell/top_bar";
+import {NoScene, Welcome} from "./shell/welcome";
 import {loadContract} from "./tools/schema";
 import {Palette} from "./tools/palette";
+import {ReferenceCompare} from "./view/reference_compare";
 import {Viewport} from "./view/viewport";
 
-/** The scene of the address, the one that was open last, or the first. */
+/** Whether it is known which scenes there are. */
+const looked = signal(false);
+
+/** The scene of the address, the one that was open last, the first, or on a server without any a fox. */
 async function openFirst() {
   const left = sendLeftovers();
   if (left) say(`${left} changes of a page that was closed are sent now.`);
@@ -23,11 +32,19 @@ async function openFirst() {
   const wanted = new URLSearchParams(location.search).get("scene") ?? last_scene.value;
   const found = scenes.value.find(({id, name}) => id === wanted || name === wanted) ?? scenes.value[0];
   if (found) await openScene(found.id);
+  else await makeSample(samples[0]!);
+  looked.value = true;
+}
+
+/** The address leads to the open scene, so that it can be sent to somebody. */
+function followAddress() {
+  const id = scene.value?.id;
+  if (id) history.replaceState(null, "", `?scene=${encodeURIComponent(id)}`);
 }
 
 function useStart() {
   useEffect(() => {
-    const stops = [listenToKeys(), followNews(), effect(() => { document.documentElement.dataset["theme"] = theme.value; })];
+    const stops = [listenToKeys(), listenToDrops(), warnOfLoss(), followNews(), effect(followAddress), effect(() => { document.documentElement.dataset["theme"] = theme.value; })];
     openFirst().catch(sayError);
     return () => stops.forEach((stop) => stop());
   }, []);
@@ -39,10 +56,14 @@ export function App() {
     <div class="app">
       <TopBar />
       <Palette />
-      <main><Viewport /></main>
+      <main><Viewport /><NoScene looked={looked.value} /><Welcome /></main>
       <Panels />
       <Messages />
       <KeySheet />
+      <ReferenceCompare />
+      <TokenDialog />
+      <OfflineBanner />
+      <DropTarget />
     </div>
   );
 }

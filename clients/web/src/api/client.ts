@@ -1,6 +1,6 @@
 // Calls of the server. Every refusal becomes a Refusal with the words of its problem document.
-import type {CommandAnswer, Comparison, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, Scene, SceneList, Settings, TraceReport} from "./types";
-import {author, token} from "./identity";
+import type {CommandAnswer, Comparison, FrameCounters, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, Scene, SceneList, Settings, TraceReport} from "./types";
+import {author, otherToken, token} from "./identity";
 
 /** The server said no, and why. */
 export class Refusal extends Error {
@@ -17,17 +17,40 @@ export interface CallOptions { method?: string; body?: BodyInit | null; json?: u
 
 const no_problem: Problem = {type: "about:blank", title: "The server refused.", status: 500, detail: ""};
 
-async function problemOf(answer: Response): Promise<Refusal> {
-  const problem = await answer.json().catch(() => no_problem) as Problem;
-  return new Refusal(answer.status, {...no_problem, ...problem});
+const problemOf = (status: number, problem: Partial<Problem> | null) => new Refusal(status, {...no_problem, ...problem});
+
+/** Headers that every request has. */
+export function commonHeaders(method: string): Record<string, string> {
+  const headers: Record<string, string> = {};
+  if (token.value) headers["Authorization"] = `Bearer ${token.value}`;
+  if (method !== "GET") headers["Pelage-Author"] = encodeURIComponent(author.value);
+  return headers;
 }
 
-/** Answers of 200 to 304; anything else is thrown. */
-export async function call(path: string, options: CallOptions = {}): Promise<Response> {
-  const headers: Record<string, string> = {...options.headers};
-  if (token.value) headers["Authorization"] = `Bearer ${token.value}`;
+/** The refusal of an answer that is not of 200 to 304. */
+export function refusalOf(status: number, text: string): Refusal {
+  try {
+    return problemOf(status, JSON.parse(text) as Problem);
+  } catch {
+    return problemOf(status, null);
+  }
+}
+
+/** Tries again with another token as long as the server wants one and somebody gives it. */
+export async function withToken<T>(attempt: () => Promise<T>): Promise<T> {
+  for (;;) {
+    const tried = token.value;
+    try {
+      return await attempt();
+    } catch (error) {
+      if (!(error instanceof Refusal) || error.status !== 401 || !(await otherToken(tried))) throw error;
+    }
+  }
+}
+
+async function callOnce(path: string, options: CallOptions): Promise<Response> {
   const method = options.method ?? (options.json === undefined ? "GET" : "POST");
-  if (method !== "GET") headers["Pelage-Author"] = encodeURIComponent(author.value);
+  const headers: Record<string, string> = {...options.headers, ...commonHeaders(method)};
   if (options.json !== undefined) headers["Content-Type"] = "application/json";
   const body = options.json === undefined ? options.body : JSON.stringify(options.json);
   let answer: Response;
@@ -38,8 +61,11 @@ export async function call(path: string, options: CallOptions = {}): Promise<Res
     throw new Offline(String(error));
   }
   if (answer.ok || answer.status === 304) return answer;
-  throw await problemOf(answer);
+  throw refusalOf(answer.status, await answer.text().catch(() => ""));
 }
+
+/** Answers of 200 to 304; anything else is thrown. */
+export const call = (path: string, options: CallOptions = {}): Promise<Response> => withToken(() => callOnce(path, options));
 
 async function read<T>(path: string, options: CallOptions = {}): Promise<T> {
   return await (await call(path, options)).json() as T;
@@ -68,6 +94,8 @@ export interface Picture {
   knobs: Knobs;
   trace: TraceReport | null;
   estimate: FrameEstimate | null;
+  /** Share of it that was drawn for this answer: 0 where it was cached. */
+  redrawn: number;
   /** Milliseconds by name, from Server-Timing. */
   timings: Record<string, number>;
 }
@@ -98,6 +126,7 @@ export async function drawFrame(id: string, request: FrameRequest, news: FrameNe
     knobs: json_header(answer, "Pelage-Quality") as Knobs,
     trace: json_header(answer, "Pelage-Trace") as TraceReport | null,
     estimate: json_header(answer, "Pelage-Error") as FrameEstimate | null,
+    redrawn: (json_header(answer, "Pelage-Counters") as FrameCounters | null)?.redrawn ?? 1,
     timings: timingsOf(answer.headers.get("Server-Timing") ?? ""),
   };
 }

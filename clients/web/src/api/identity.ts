@@ -27,3 +27,19 @@ export const author = kept("author", `${animals[Math.floor(Math.random() * anima
 export const token = kept("token", "");
 /** This page among all that are open. */
 export const page_id = crypto.getRandomValues(new Uint32Array(2)).join("-");
+
+/** The token that the server refused, while it wants another one; null when it wants none. */
+export const refused_token = signal<string | null>(null);
+
+/** Waits until another token than `refused` is given; false where whoever sits here gives none. */
+export function otherToken(refused: string): Promise<boolean> {
+  if (token.value !== refused) return Promise.resolve(true);
+  refused_token.value = refused;
+  return new Promise((done) => {
+    const stop = refused_token.subscribe((wanted) => {
+      if (wanted !== null) return;
+      done(token.value !== refused);
+      queueMicrotask(() => stop());
+    });
+  });
+}

@@ -20,6 +20,8 @@ const retry_seconds = [0.25, 0.5, 1, 2, 4];
 
 /** How many changes are not answered yet. */
 export const unsent = signal(0);
+/** Whether the changes that are not answered yet are kept in this browser: not where its store is full or forbidden. */
+export const keeps = signal(true);
 /** Whether the last try found no server. */
 export const offline = signal(false);
 
@@ -33,8 +35,9 @@ function remember() {
     const kept = queue.map(({scene, path, body, key}) => ({scene, path, body, key}));
     if (kept.length) localStorage.setItem(`${store}.${page_id}`, JSON.stringify(kept));
     else localStorage.removeItem(`${store}.${page_id}`);
+    keeps.value = true;
   } catch {
-    // a full store: the changes are still sent from this page
+    keeps.value = false;  // the changes are still sent from this page
   }
 }
 

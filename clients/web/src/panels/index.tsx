@@ -3,11 +3,13 @@ import type {ComponentType} from "preact";
 import {panel} from "../shell/places";
 import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
+import {FilesPanel} from "./files";
 
 interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
 
 const panels: Panel[] = [
   {id: "tool", label: "Tool", sign: "tool", show: ToolPanel},
+  {id: "files", label: "Files", sign: "files", show: FilesPanel},
 ];
 
 /** Arrow keys go from tab to tab, as tab lists do everywhere. */

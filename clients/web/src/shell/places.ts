@@ -3,5 +3,5 @@ import {signal} from "@preact/signals";
 import {kept} from "../api/identity";
 
 export const panel = kept("panel", "tool");
-export const dialog = signal<"keys" | "welcome" | "compare" | null>(null);
+export const dialog = signal<"keys" | "welcome" | "compare" | "reference" | null>(null);
 export const theme = kept<"system" | "dark" | "light">("theme", "system");

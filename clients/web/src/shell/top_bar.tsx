@@ -3,6 +3,7 @@ import {author} from "../api/identity";
 import {unsent} from "../api/outbox";
 import {redo, scene, settings, undo} from "../scene/session";
 import {Icon} from "../tools/icons";
+import {DialControl} from "./dial";
 import {toggleMirror} from "./keys";
 import {dialog, panel, theme} from "./places";
 
@@ -21,6 +22,7 @@ export function TopBar() {
       </div>
       <button type="button" aria-pressed={mirror} aria-label="Mirror" title="Mirror across the middle (X)" disabled={!open} onClick={toggleMirror}><Icon sign="mirror" /></button>
       <span class="grow" />
+      <DialControl />
       {unsent.value > 3 && <span class="unsent" role="status">{unsent.value} changes on their way</span>}
       <label class="author" title="Others see this name beside your edits"><Icon sign="people" />
         <input type="text" aria-label="Your name" value={author.value} maxLength={40} size={Math.max(6, author.value.length)}

@@ -2,6 +2,7 @@
 import {offline, unsent} from "../api/outbox";
 import {revision} from "../scene/session";
 import {shown, type Shown} from "./frames";
+import {millisecondsOf} from "./measured";
 
 function stageWords({stage, picture}: Shown): string {
   if (stage === "draft") return "draft";
@@ -9,11 +10,6 @@ function stageWords({stage, picture}: Shown): string {
   if (stage === "rest" || passes === 0) return `${picture.knobs.shells ?? ""} shells`;
   const samples = Math.round(picture.trace!.samples);
   return picture.trace!.end === "none" ? `strands, ${samples} samples` : `strands, ${samples} samples, done`;
-}
-
-function millisecondsOf({picture}: Shown): number {
-  const {draw = 0, shadow = 0, upload = 0, read = 0, encode = 0, trace = 0} = picture.timings;
-  return draw + shadow + upload + read + encode + trace;
 }
 
 export function Badge() {
@@ -24,7 +20,7 @@ export function Badge() {
       {seen && <>
         <span class={`dot dot-${seen.stage}`} aria-hidden="true" />
         <span class="badge-stage">{stageWords(seen)}</span>
-        <span title="Time that the server took for this picture">{Math.round(millisecondsOf(seen))} ms</span>
+        <span title="Time that the server took for this picture">{Math.round(millisecondsOf(seen.picture))} ms</span>
         <span title="Revision of the picture">r{seen.picture.revision}{seen.picture.revision < revision.value ? "…" : ""}</span>
       </>}
     </div>

@@ -6,7 +6,8 @@ import {page_id} from "../api/identity";
 import type {FrameRequest, Pinhole} from "../api/types";
 import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
-import {rest_quality, shared_request, wants_trace} from "./quality";
+import {note} from "./measured";
+import {dial, rest_quality, shared_request, wants_trace, type Dial} from "./quality";
 
 export type Stage = "draft" | "rest" | "traced";
 export interface Shown { stage: Stage; picture: Picture; asked: number; shown: number }
@@ -25,7 +26,7 @@ export const shown = signal<Shown | null>(null);
 const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
 
 /** `slot`: of several frames of one view the server draws only the newest, so each request in flight is a view of its own. */
-interface Ask { number: number; state: number; stage: Stage; slot: number; stop: AbortController }
+interface Ask { number: number; state: number; stage: Stage; slot: number; dial: Dial; stop: AbortController }
 
 export class FrameLoop {
   private state = 0;             // grows with each change of what is to be seen
@@ -86,7 +87,7 @@ export class FrameLoop {
   }
 
   private async ask(stage: Stage, wish: Wish) {
-    const ask: Ask = {number: ++this.asked, state: this.state, stage, slot: this.freeSlot(), stop: new AbortController()};
+    const ask: Ask = {number: ++this.asked, state: this.state, stage, slot: this.freeSlot(), dial: dial.value, stop: new AbortController()};
     this.in_flight.add(ask);
     const asked = performance.now();
     try {
@@ -127,6 +128,7 @@ export class FrameLoop {
     await this.present(picture.bytes);
     const now = performance.now();
     mark("frame", {stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
+    note(ask.stage, ask.dial, picture);
     shown.value = {stage: ask.stage, picture, asked, shown: now};
     this.finish(ask, picture, now);
   }

@@ -5,7 +5,7 @@ import type {FrameRequest, Tier} from "../api/types";
 
 export type Dial = {kind: "tier"; tier: Tier} | {kind: "budget"; milliseconds: number} | {kind: "error"; error: number};
 
-export const dial = kept<Dial>("dial", {kind: "tier", tier: "detailed"});
+export const dial = kept<Dial>("dial", {kind: "tier", tier: "interactive"});
 /** Whether strands are traced once the picture has rested. */
 export const trace_at_rest = kept("trace-at-rest", true);
 /** Fields of the frame request that hold for every picture. */

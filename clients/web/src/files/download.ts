@@ -1,0 +1,94 @@
+// What can be taken away: pictures, maps, the steps of the groom.
+import {signal} from "@preact/signals";
+import {Aborted, call, drawFrame, readLines, scenePath, type Picture} from "../api/client";
+import {page_id} from "../api/identity";
+import type {FrameRequest, Scene} from "../api/types";
+import {sayError} from "../scene/messages";
+import {scene} from "../scene/session";
+import type {Values} from "../tools/state";
+import {orbit, pinholeOf} from "../view/camera";
+import {dial, rest_quality, shared_request} from "../view/quality";
+import {traceToEnd} from "../view/trace";
+import {viewport_size} from "../view/viewport";
+
+/** What is made now; `share` null where nobody knows how far it is. */
+export interface Making { says: string; share: number | null; stop: AbortController }
+export const making = signal<Making | null>(null);
+
+const picture_passes = 64, picture_noise = 0.004;
+const max_side = 8192;
+const wide_pixels = 3840;
+
+function save(bytes: Blob, name: string) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(bytes);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+const fileName = (open: Scene, ending: string) => `${open.name.replace(/[^\p{L}\p{N} ._-]+/gu, "_")}.${ending}`;
+
+/** Runs one download at a time, with its words and a way to stop it. */
+async function make(says: string, work: (open: Scene, stop: AbortController) => Promise<void>) {
+  const open = scene.value;
+  if (!open || making.value) return;
+  const stop = new AbortController();
+  making.value = {says, share: null, stop};
+  try {
+    await work(open, stop);
+  } catch (error) {
+    if (!(error instanceof Aborted)) sayError(error);
+  } finally {
+    making.value = null;
+  }
+}
+
+export type Size = "1x" | "2x" | "4K";
+export const sizes: Size[] = ["1x", "2x", "4K"];
+
+/** Pixels of a picture with the window's shape. */
+export function pixelsOf(size: Size): {width: number; height: number} {
+  const {width, height} = viewport_size.value;
+  const factor = size === "4K" ? wide_pixels / width : size === "2x" ? 2 : 1;
+  const scale = Math.min(factor, max_side / width, max_side / height);
+  return {width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale))};
+}
+
+function draw(open: Scene, request: FrameRequest, says: string, stop: AbortController): Promise<Picture | null> {
+  const chosen = dial.value;
+  if (chosen.kind !== "tier" || chosen.tier !== "reference") return drawFrame(open.id, request, null, stop.signal);
+  const seen = ({trace}: Picture) => {
+    const passes = trace?.passes ?? 0;
+    making.value = {says: passes ? `${says}: pass ${passes} of at most ${picture_passes}` : says, share: passes / picture_passes, stop};
+  };
+  return traceToEnd(open.id, request, {passes: picture_passes, noise: picture_noise}, seen, stop.signal);
+}
+
+export const downloadPicture = (format: "png" | "exr", size: Size, transparent: boolean) => make("Drawing the picture", async (open, stop) => {
+  const {overlay, background, ...shared} = shared_request.value;
+  const request: FrameRequest = {...shared, ...rest_quality.value, ...pixelsOf(size), camera: pinholeOf(orbit.value), view: `${page_id}-file`, format};
+  if (background !== undefined) request.background = transparent ? "transparent" : background;
+  if (format === "png" && overlay !== undefined && !transparent) request.overlay = overlay;
+  const picture = await draw(open, request, "Drawing the picture", stop);
+  if (picture) save(picture.bytes, fileName(open, format));
+});
+
+/** `request` has the members of MapRequest. */
+export const downloadMap = (request: Values) => make(`Making the map of ${String(request["field"])}`, async (open, stop) => {
+  const {field, ...rest} = request;
+  const query = new URLSearchParams(Object.entries(rest).map(([name, value]) => [name, String(value)]));
+  const answer = await call(`${scenePath(open.id)}/maps/${String(field)}?${query}`, {signal: stop.signal});
+  save(await answer.blob(), fileName(open, `${String(field)}.${String(rest["format"] ?? "png16").startsWith("exr") ? "exr" : "png"}`));
+});
+
+export const downloadLog = () => make("Reading the steps", async (open) => {
+  save(new Blob([await readLines(open.id)], {type: "application/jsonl"}), fileName(open, "jsonl"));
+});
+
+/** The steps as docs/recipes.md has them. `pelage run` and a drop onto this page do them again. */
+export const downloadRecipe = () => make("Reading the steps", async (open) => {
+  const steps = (await readLines(open.id)).split("\n").filter((line) => line.trim()).map((line) => JSON.parse(line) as unknown);
+  const recipe = {description: `The groom of ${open.name}.`, steps};
+  save(new Blob([JSON.stringify(recipe, null, 1) + "\n"], {type: "application/json"}), fileName(open, "recipe.json"));
+});

@@ -1,0 +1,108 @@
+// The upload of a model into a scene of its own, from the question about its axes to the report.
+import {signal} from "@preact/signals";
+import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "../api/client";
+import type {Command, CommandAnswer, Repair, Scene} from "../api/types";
+import {upload} from "../api/upload";
+import {say, sayError} from "../scene/messages";
+import {hear, listScenes, openScene, run, scene} from "../scene/session";
+import {panel} from "../shell/places";
+import {PlanError, planOf, type Plan} from "./plan";
+import {stepsOf, type Recipe} from "./recipe";
+import {baseOf, endingOf, type Taken} from "./take";
+
+export type Import =
+  | {stage: "reading"}
+  | {stage: "asking"; plan: Plan; into: string}     // into: id of the scene that gets it; "" for a new one
+  | {stage: "sending" | "preparing"; plan: Plan; what: string; share: number; stop: AbortController}
+  | {stage: "done"; plan: Plan; into: string; triangles: number; repairs: Repair[]; notes: string[]}
+  | {stage: "failed"; says: string; next: string; plan: Plan | null; into: string};
+
+export const importing = signal<Import | null>(null);
+export const leave = () => { importing.value = null; };
+
+const max_name_bytes = 200;
+
+/** What the user can do about a refusal. */
+function nextOf(error: unknown): string {
+  if (error instanceof Offline) return "Nothing was changed. Try again once the server answers.";
+  if (!(error instanceof Refusal)) return "Try again, or export the model in another format.";
+  const {limit} = error.problem;
+  if (error.status === 413) return `Reduce the mesh${limit ? ` (${limit})` : ""} and try again.`;
+  if (error.status === 429 || error.status === 503) return "The server is busy: try again in a moment.";
+  return `${limit ? `Allowed: ${limit}. ` : ""}Mend the file, or export it again, best as GLB or OBJ.`;
+}
+
+function nameOf(plan: Plan): string {
+  let name = plan.name.replace(/[\u0000-\u001f\u007f]/g, "") || "model";
+  while (new TextEncoder().encode(name).length > max_name_bytes) name = name.slice(0, -1);
+  return name;
+}
+
+async function send(plan: Plan, id: string, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
+  const show = (what: string) => (share: number) => { importing.value = {stage: share < 1 ? "sending" : "preparing", plan, what, share, stop}; };
+  const query = new URLSearchParams(Object.entries({format: plan.format, ...plan.options}).map(([name, value]) => [name, String(value)]));
+  show("the model")(0);
+  let description = await upload<Scene>(`${scenePath(id)}/model?${query}`, plan.bytes, show("the model"), stop.signal);
+  const notes = [...plan.notes];
+  if (plan.texture) {
+    try {
+      const answer = await upload<CommandAnswer>(`${scenePath(id)}/skin_texture`, plan.texture, show("the picture"), stop.signal);
+      description = {...description, revision: answer.revision};
+    } catch (error) {
+      if (error instanceof Aborted) throw error;
+      notes.push(`The picture was not laid on: ${(error as Error).message}`);
+    }
+  }
+  return {description, notes};
+}
+
+/** Uploads the plan; a new scene is taken away again where the model is refused. */
+export async function startImport(plan: Plan, into: string) {
+  const stop = new AbortController();
+  let made = "";
+  importing.value = {stage: "sending", plan, what: "the model", share: 0, stop};
+  try {
+    const id = into || (made = (await createScene({name: nameOf(plan), model: {builtin: "plane", triangles: 2}})).id);
+    const {description, notes} = await send(plan, id, stop);
+    await Promise.all([openScene(id), listScenes()]);
+    hear(description.revision);
+    importing.value = {stage: "done", plan, into: id, triangles: description.triangles, repairs: description.repairs, notes};
+  } catch (error) {
+    if (made) await removeScene(made).then(listScenes).catch(() => undefined);
+    importing.value = error instanceof Aborted ? {stage: "asking", plan, into}
+      : {stage: "failed", says: error instanceof Offline ? "The connection to the server broke." : (error as Error).message, next: nextOf(error), plan, into};
+  }
+}
+
+/** Runs the steps of a recipe or a log on the open scene, each as one undo step. */
+async function runFile(main: Taken, all: Taken[]) {
+  const open = scene.value;
+  if (!open) return say("Open a scene first.", "A recipe grooms the model that is open.", "error");
+  const files: Record<string, Recipe> = {...(await import("./sample_grooms")).recipes};
+  for (const {path, file} of all) if (endingOf(path) === "json") files[baseOf(path).replace(/\.json$/i, "")] = JSON.parse(await file.text()) as Recipe;
+  const steps = stepsOf(await main.file.text(), files, open.bounds);
+  let done = 0;
+  for (const step of steps) {
+    const answer = await run(...("commands" in step ? step.commands as Command[] : [step]));
+    if (!answer) break;
+    ++done;
+  }
+  say(done === steps.length ? `${main.file.name}: ${done} steps are done.` : `${main.file.name} stopped after ${done} of ${steps.length} steps.`,
+      "Each is one step to undo.", done === steps.length ? "info" : "error");
+}
+
+/** Files came onto the page. */
+export async function take(all: Taken[]) {
+  if (all.length === 0) return;
+  const recipe = all.find(({path}) => ["json", "jsonl"].includes(endingOf(path)));
+  const has_model = all.some(({path}) => ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"].includes(endingOf(path)));
+  if (recipe && !has_model) return runFile(recipe, all).catch((error: Error) => say(`${recipe.file.name}: ${error.message}`, "docs/recipes.md says what a recipe is.", "error"));
+  panel.value = "files";
+  importing.value = {stage: "reading"};
+  try {
+    importing.value = {stage: "asking", plan: await planOf(all), into: ""};
+  } catch (error) {
+    if (!(error instanceof PlanError)) { leave(); return sayError(error); }
+    importing.value = {stage: "failed", says: error.message, next: error.next, plan: null, into: ""};
+  }
+}

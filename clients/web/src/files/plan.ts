@@ -1,0 +1,58 @@
+// What is to be uploaded: one model among the files that were dropped, packed where it names others.
+import type {ModelFormat} from "../api/types";
+import type {Values} from "../tools/state";
+import {MissingFiles, packGltf} from "./pack_gltf";
+import {endingOf, type Taken} from "./take";
+import {textureOf} from "./texture";
+
+export interface Plan {
+  name: string;
+  format: ModelFormat;
+  bytes: Blob;
+  texture: Blob | null;
+  /** Options that differ from the contract's defaults. */
+  options: Values;
+  notes: string[];
+}
+/** Words to the user: what is wrong, and what to do. */
+export class PlanError extends Error {
+  constructor(message: string, readonly next: string) { super(message); }
+}
+
+export const model_endings = ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"] as const;
+const max_model_bytes = 256 * 1024 * 1024;
+const mebibytes = (bytes: number) => `${Math.ceil(bytes / 1024 / 1024)} MiB`;
+
+const isModel = ({path}: Taken) => (model_endings as readonly string[]).includes(endingOf(path));
+
+/** The likeliest of several: by kind, then the largest. */
+export function chooseModel(all: Taken[]): {model: Taken | undefined; others: number} {
+  const rank = ({path}: Taken) => (model_endings as readonly string[]).indexOf(endingOf(path));
+  const models = all.filter(isModel).sort((a, b) => rank(a) - rank(b) || b.file.size - a.file.size);
+  return {model: models[0], others: models.length - 1};
+}
+
+/** Formats of printers and modellers have z up as a rule; glTF has y up by its standard. */
+const axesOf = (format: ModelFormat): Values => (["stl", "3ds"].includes(format) ? {up: "z", front: "-y"} : {up: "y", front: "z"});
+
+async function pack(model: Taken, all: Taken[]): Promise<Blob> {
+  try {
+    return await packGltf(model, all);
+  } catch (error) {
+    if (error instanceof MissingFiles) throw new PlanError(`${model.file.name}: ${error.message}`, "Drop the whole folder, or choose it with “Folder”.");
+    throw new PlanError(`${model.file.name} is no glTF that can be read.`, "Export it again, best as GLB.");
+  }
+}
+
+export async function planOf(all: Taken[]): Promise<Plan> {
+  const {model, others} = chooseModel(all);
+  if (!model) throw new PlanError("There is no model among these files.", `Models end in ${model_endings.map((one) => `.${one}`).join(", ")}; recipes in .json or .jsonl.`);
+  const ending = endingOf(model.path) as ModelFormat;
+  const notes = others > 0 ? [`${others + 1} models were dropped: ${model.file.name} is taken.`] : [];
+  const bytes = ending === "gltf" ? await pack(model, all) : model.file;
+  if (bytes.size > max_model_bytes) throw new PlanError(`${model.file.name} has ${mebibytes(bytes.size)}.`, "The server takes 256 MiB: reduce the mesh, or leave out pictures.");
+  if (bytes.size === 0) throw new PlanError(`${model.file.name} is empty.`, "Export it again.");
+  const texture = ending === "obj" ? await textureOf(model, all) : {picture: null, notes: []};
+  const format = ending === "gltf" ? "glb" : ending;
+  return {name: model.file.name.replace(/\.[^.]+$/, ""), format, bytes, texture: texture.picture, options: axesOf(format), notes: [...notes, ...texture.notes]};
+}

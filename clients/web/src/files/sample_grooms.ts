@@ -1,0 +1,21 @@
+// Looks and recipes of the repository, a chunk of their own that is loaded when one is wanted.
+import type {Command} from "../api/types";
+import bear from "../../../looks/bear.json";
+import fox from "../../../looks/fox.json";
+import leopard from "../../../looks/leopard.json";
+import rabbit from "../../../looks/rabbit.json";
+import sheep from "../../../looks/sheep.json";
+import shorthair_cat from "../../../looks/shorthair_cat.json";
+import toy_plush from "../../../looks/toy_plush.json";
+import wet_dog from "../../../looks/wet_dog.json";
+import zebra from "../../../looks/zebra.json";
+import best_in_show from "../../../recipes/best_in_show.json";
+import creature from "../../../recipes/creature.json";
+import dot from "../../../recipes/dot.json";
+import portrait_light from "../../../recipes/portrait_light.json";
+import tint from "../../../recipes/tint.json";
+import type {Recipe} from "./recipe";
+
+export const looks = {bear, fox, leopard, rabbit, sheep, shorthair_cat, toy_plush, wet_dog, zebra} as unknown as Record<string, {commands: Command[]}>;
+/** By the names that `use` has for them. */
+export const recipes = {best_in_show, creature, dot, portrait_light, tint} as unknown as Record<string, Recipe>;

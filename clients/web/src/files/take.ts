@@ -1,0 +1,57 @@
+// What is dropped or chosen: files with their paths, out of folders too.
+export interface Taken { path: string; file: File }
+
+const max_files = 4000;
+
+const readAll = (reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> => new Promise((done, failed) => {
+  const all: FileSystemEntry[] = [];
+  const next = () => reader.readEntries((some) => {  // gives about a hundred at a time
+    if (some.length === 0 || all.length > max_files) return done(all);
+    all.push(...some);
+    next();
+  }, failed);
+  next();
+});
+
+async function walk(entry: FileSystemEntry, found: Taken[]) {
+  if (found.length >= max_files) return;
+  if (entry.isFile) {
+    const file = await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed));
+    found.push({path: entry.fullPath.replace(/^\//, ""), file});
+    return;
+  }
+  for (const inner of await readAll((entry as FileSystemDirectoryEntry).createReader())) await walk(inner, found);
+}
+
+/** To be called while the drop is handled: the browser empties it afterwards. */
+export function takeDropped(data: DataTransfer): Promise<Taken[]> {
+  const entries = [...data.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+  const plain = [...data.files].map((file) => ({path: file.name, file}));
+  if (entries.length === 0) return Promise.resolve(plain);
+  return (async () => {
+    const found: Taken[] = [];
+    for (const entry of entries) await walk(entry, found);
+    return found;
+  })();
+}
+
+export const takeChosen = (files: FileList): Taken[] => [...files].map((file) => ({path: file.webkitRelativePath || file.name, file}));
+
+export const endingOf = (path: string) => /\.([^./]+)$/.exec(path)?.[1]?.toLowerCase() ?? "";
+export const baseOf = (path: string) => path.replaceAll("\\", "/").split("/").pop()!;
+const folderOf = (path: string) => path.slice(0, path.lastIndexOf("/") + 1);
+
+function tidy(path: string): string {
+  const parts: string[] = [];
+  for (const part of path.replaceAll("\\", "/").split("/")) {
+    if (part === "..") parts.pop();
+    else if (part !== "." && part !== "") parts.push(part);
+  }
+  return parts.join("/").toLowerCase();
+}
+
+/** The file that `from` names: by its path, else by its name alone, whatever its capitals. */
+export function findNamed(all: Taken[], from: string, name: string): Taken | undefined {
+  const wanted = tidy(folderOf(from) + name);
+  return all.find(({path}) => tidy(path) === wanted) ?? all.find(({path}) => baseOf(path).toLowerCase() === baseOf(name).toLowerCase());
+}

@@ -1,0 +1,59 @@
+// The picture that an OBJ's materials name, as the server takes it: one PNG or JPEG of at most 4096 pixels a side.
+import {baseOf, findNamed, type Taken} from "./take";
+
+export interface Texture { picture: Blob | null; notes: string[] }
+
+const max_side = 4096;
+const head_bytes = 1 << 20;  // where an OBJ names its materials
+
+/** File names of `map_Kd` lines, without their options. */
+export function diffuseMaps(mtl: string): string[] {
+  const names: string[] = [];
+  for (const line of mtl.split(/\r?\n/)) {
+    const match = /^\s*map_Kd\s+(.*\S)/i.exec(line);
+    if (!match) continue;
+    const name = match[1]!.replace(/^(?:-(?:s|o|t)(?:\s+-?[\d.]+){1,3}\s+|-mm(?:\s+-?[\d.]+){2}\s+|-(?:blendu|blendv|cc|clamp|texres|boost|bm|imfchan|type)\s+\S+\s+)*/i, "");
+    if (!names.includes(name)) names.push(name);
+  }
+  return names;
+}
+
+/** Made smaller or turned into PNG where the server would refuse it; null where the browser cannot read it. */
+async function fitting(file: File): Promise<{picture: Blob | null; note: string}> {
+  const bitmap = await createImageBitmap(file).catch(() => null);
+  if (!bitmap) return {picture: null, note: `${file.name} is no picture that a browser reads: save it as PNG and drop it again.`};
+  const {width, height} = bitmap;
+  const scale = Math.min(1, max_side / Math.max(width, height));
+  if (scale === 1 && ["image/png", "image/jpeg"].includes(file.type)) return {picture: file, note: ""};
+  const canvas = new OffscreenCanvas(Math.round(width * scale), Math.round(height * scale));
+  canvas.getContext("2d")!.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+  const note = scale < 1 ? `${file.name} was made smaller, from ${width} x ${height} to ${canvas.width} x ${canvas.height} pixels.` : "";
+  return {picture: await canvas.convertToBlob({type: "image/png"}), note};
+}
+
+async function namesOf(model: Taken, all: Taken[], notes: string[]): Promise<[string, Taken][]> {
+  const head = await model.file.slice(0, head_bytes).text();
+  const libraries = [...head.matchAll(/^\s*mtllib\s+(.*\S)/gim)].map((match) => match[1]!);
+  const found: [string, Taken][] = [];
+  for (const library of libraries) {
+    const mtl = findNamed(all, model.path, library);
+    if (!mtl) { notes.push(`${baseOf(library)} was not dropped with it: for its colours drop the whole folder.`); continue; }
+    for (const name of diffuseMaps(await mtl.file.text())) found.push([name, mtl]);
+  }
+  return found;
+}
+
+/** The server can lay one picture on a model: the first that is there. */
+export async function textureOf(model: Taken, all: Taken[]): Promise<Texture> {
+  const notes: string[] = [];
+  const names = await namesOf(model, all, notes);
+  const files = names.map(([name, mtl]) => findNamed(all, mtl.path, name));
+  const missing = names.filter((_, k) => !files[k]).map(([name]) => baseOf(name));
+  if (missing.length) notes.push(`Not there: ${missing.join(", ")}.`);
+  const first = files.find((file) => file !== undefined);
+  if (!first) return {picture: null, notes};
+  if (names.length > 1) notes.push(`Its materials name ${names.length} pictures, and one can be laid on the model: ${first.file.name} is used.`);
+  const {picture, note} = await fitting(first.file);
+  if (note) notes.push(note);
+  return {picture, notes};
+}

@@ -1,0 +1,61 @@
+// Scenes, models from files, samples and downloads.
+import {useEffect} from "preact/hooks";
+import {sayError} from "../scene/messages";
+import {listScenes} from "../scene/session";
+import {importing, take} from "../files/import";
+import {model_endings} from "../files/plan";
+import {makeSample, preparing, samples} from "../files/samples";
+import {takeChosen} from "../files/take";
+import {Downloads} from "./downloads";
+import {ImportCard} from "./import_card";
+import {SceneList} from "./scene_list";
+
+const accept = [...model_endings.map((one) => `.${one}`), ".bin", ".mtl", ".png", ".jpg", ".jpeg", ".json", ".jsonl"].join(",");
+
+function choose(folder: boolean) {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.multiple = true;
+  if (folder) input.webkitdirectory = true;
+  else input.accept = accept;
+  input.onchange = () => { if (input.files) void take(takeChosen(input.files)); };
+  input.click();
+}
+
+function OpenFiles() {
+  return (
+    <div>
+      <h3>A model of yours</h3>
+      <div class="pair">
+        <button type="button" class="wide" onClick={() => choose(false)}>Files…</button>
+        <button type="button" class="wide" onClick={() => choose(true)}>Folder…</button>
+      </div>
+      <p class="help">Or drop them anywhere on the page: {model_endings.join(", ")}, with their pictures. A recipe (.json, .jsonl) grooms the open scene.</p>
+    </div>
+  );
+}
+
+function Samples() {
+  return (
+    <section>
+      <h3>Samples</h3>
+      <p class="help">A creature with a coat, as a scene of its own.</p>
+      <div class="chips presets" role="group" aria-label="Samples">
+        {samples.map((sample) => <button key={sample.name} type="button" class="chip" disabled={preparing.value !== ""} onClick={() => void makeSample(sample)}>{sample.name}</button>)}
+      </div>
+    </section>
+  );
+}
+
+export function FilesPanel() {
+  useEffect(() => { listScenes().catch(sayError); }, []);
+  return (
+    <>
+      {importing.value && <ImportCard now={importing.value} />}
+      <OpenFiles />
+      <SceneList />
+      <Samples />
+      <Downloads />
+    </>
+  );
+}

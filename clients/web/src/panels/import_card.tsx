@@ -1,0 +1,96 @@
+// A model on its way to the server: the question about its axes, how far it is, what was repaired.
+import {leave, startImport, type Import, importing} from "../files/import";
+import type {Repair} from "../api/types";
+import type {Plan} from "../files/plan";
+import {Form} from "../tools/form";
+import {membersOf, schemas, words} from "../tools/schema";
+
+const repair_words: Record<string, string> = {
+  welded_vertices: "equal positions became one", flipped_triangles: "triangles were turned to point outwards", split_polygons: "polygons were made into triangles",
+  invalid_faces: "faces that named no vertices were left out", degenerate_faces: "faces without area were left out", repeated_faces: "faces that were there twice were left out",
+  unused_vertices: "vertices without a face were left out", open_edges: "edges are open: the model has holes", non_manifold_edges: "edges have more than two faces",
+  one_sided_edges: "edges stand between faces that disagree which side is out",
+};
+
+function Asking({plan, into}: {plan: Plan; into: string}) {
+  const members = membersOf(schemas.value["ImportOptions"] ?? {}, ["format"]);
+  const set = (name: string, value: unknown) => { importing.value = {stage: "asking", plan: {...plan, options: {...plan.options, [name]: value}}, into}; };
+  return (
+    <>
+      <h3>{into ? "Upload again" : "Upload"}: {plan.name} ({plan.format})</h3>
+      <Notes notes={plan.notes} />
+      {plan.texture && <p class="help">Its picture comes with it.</p>}
+      {into && <p class="help">The scene's groom starts anew.</p>}
+      <p class="help">Tools and looks expect an animal on its feet that faces +z. The axes are a guess: if it comes out lying, upload it again with others.</p>
+      <Form members={members} values={plan.options} set={set} />
+      <div class="pair">
+        <button type="button" class="primary" onClick={() => void startImport(plan, into)}>Upload</button>
+        <button type="button" onClick={leave}>Cancel</button>
+      </div>
+    </>
+  );
+}
+
+function Notes({notes}: {notes: string[]}) {
+  if (notes.length === 0) return null;
+  return <ul class="notes">{notes.map((note) => <li key={note}>{note}</li>)}</ul>;
+}
+
+function Repairs({repairs}: {repairs: Repair[]}) {
+  const some = repairs.filter(({count}) => count > 0);
+  if (some.length === 0) return <p class="help">Nothing had to be repaired.</p>;
+  return <ul class="notes">{some.map(({code, count}) => <li key={code}>{count.toLocaleString()} {repair_words[code] ?? words(code)}</li>)}</ul>;
+}
+
+function Underway({now}: {now: Extract<Import, {stage: "sending" | "preparing"}>}) {
+  const says = now.stage === "sending" ? `Sending ${now.what}: ${Math.round(now.share * 100)}%` : "The server prepares the model: repairs, patches, the first fur.";
+  return (
+    <>
+      <h3>{now.plan.name}</h3>
+      <p role="status">{says}</p>
+      <progress aria-label={says} max={1} {...(now.stage === "sending" ? {value: now.share} : {})} />
+      <button type="button" onClick={() => now.stop.abort()}>Cancel</button>
+    </>
+  );
+}
+
+function Done({now}: {now: Extract<Import, {stage: "done"}>}) {
+  return (
+    <>
+      <h3>{now.plan.name} is there</h3>
+      <p role="status">{now.triangles.toLocaleString()} triangles.</p>
+      <Repairs repairs={now.repairs} />
+      <Notes notes={now.notes} />
+      <div class="pair">
+        <button type="button" onClick={() => { importing.value = {stage: "asking", plan: now.plan, into: now.into}; }}>Other axes…</button>
+        <button type="button" onClick={leave}>Good</button>
+      </div>
+    </>
+  );
+}
+
+function Failed({now}: {now: Extract<Import, {stage: "failed"}>}) {
+  const {plan, into} = now;
+  return (
+    <>
+      <p role="alert">{now.says}</p>
+      <p class="help">{now.next}</p>
+      <div class="pair">
+        {plan && <button type="button" onClick={() => { importing.value = {stage: "asking", plan, into}; }}>Try again…</button>}
+        <button type="button" onClick={leave}>Close</button>
+      </div>
+    </>
+  );
+}
+
+export function ImportCard({now}: {now: Import}) {
+  return (
+    <div class={`card${now.stage === "failed" ? " card-bad" : ""}`} role="group" aria-label="Upload">
+      {now.stage === "reading" && <p role="status">Reading the files…</p>}
+      {now.stage === "asking" && <Asking plan={now.plan} into={now.into} />}
+      {(now.stage === "sending" || now.stage === "preparing") && <Underway now={now} />}
+      {now.stage === "done" && <Done now={now} />}
+      {now.stage === "failed" && <Failed now={now} />}
+    </div>
+  );
+}

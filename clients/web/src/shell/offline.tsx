@@ -1,0 +1,25 @@
+// What is said while the server does not answer, and before a page is closed that would lose changes.
+import {keeps, offline, unsent} from "../api/outbox";
+
+const counted = (count: number) => (count === 1 ? "1 change is" : `${count} changes are`);
+
+function wordsOf(count: number): string {
+  if (count === 0) return "Nothing is lost.";
+  if (keeps.value) return `${counted(count)} kept in this browser and sent when it is back.`;
+  return `${counted(count)} waiting in this page: leave it open, since this browser's store takes no more.`;
+}
+
+export function OfflineBanner() {
+  return (
+    <div class="offline-place" role="status">
+      {offline.value && <p class="offline">The server does not answer; trying again. {wordsOf(unsent.value)}</p>}
+    </div>
+  );
+}
+
+/** Asks before the page is closed, only where that would lose something. */
+export function warnOfLoss(): () => void {
+  const ask = (event: BeforeUnloadEvent) => { if (unsent.value > 0 && !keeps.value) event.preventDefault(); };
+  addEventListener("beforeunload", ask);
+  return () => removeEventListener("beforeunload", ask);
+}

@@ -1,0 +1,25 @@
+// A server that others can reach wants a token: asked for once, kept in this browser.
+import {useSignal} from "@preact/signals";
+import {refused_token, token} from "../api/identity";
+import {Dialog} from "./dialog";
+
+export function TokenDialog() {
+  const typed = useSignal("");
+  const refused = refused_token.value;
+  if (refused === null) return null;
+  const give = (event: Event) => {
+    event.preventDefault();
+    token.value = typed.value.trim();
+    typed.value = "";
+    refused_token.value = null;
+  };
+  return (
+    <Dialog title="The server's token" close={() => { refused_token.value = null; }}>
+      <form class="token-form" onSubmit={give}>
+        <p>{refused ? "The server does not take this token." : "This server answers only those who have its token."} Whoever started it with <code>--token</code> knows it.</p>
+        <label>Token <input type="password" autoComplete="current-password" autoFocus value={typed.value} onInput={(event) => { typed.value = event.currentTarget.value; }} /></label>
+        <button type="submit" class="primary" disabled={!typed.value.trim()}>Go on</button>
+      </form>
+    </Dialog>
+  );
+}

@@ -1,0 +1,39 @@
+// The first visit: what the hand can do, said once. And what stands where no picture is yet.
+import {kept} from "../api/identity";
+import {makeSample, preparing, samples} from "../files/samples";
+import {scene} from "../scene/session";
+import {panel} from "./places";
+
+const welcomed = kept("welcomed", false);
+
+const hints = [
+  ["Drag on the fur", "combs it the way you move."],
+  ["Drag beside it", "turns the view; the wheel comes closer."],
+  ["Ctrl+Z", "takes back what you did."],
+] as const;
+
+export function Welcome() {
+  if (welcomed.value || !scene.value || preparing.value) return null;
+  return (
+    <section class="welcome" aria-label="First steps">
+      <h2>Groom it</h2>
+      <dl>{hints.map(([what, does]) => <div key={what}><dt>{what}</dt><dd>{does}</dd></div>)}</dl>
+      <button type="button" class="primary" onClick={() => { welcomed.value = true; }}>Begin</button>
+    </section>
+  );
+}
+
+/** In the place of the picture while there is no scene. */
+export function NoScene({looked}: {looked: boolean}) {
+  if (preparing.value) return <div class="no-scene" role="status"><p>{preparing.value}…</p><progress aria-label={preparing.value} /></div>;
+  if (scene.value || !looked) return null;
+  return (
+    <div class="no-scene">
+      <p>No scene is open.</p>
+      <div class="pair">
+        <button type="button" class="primary" onClick={() => void makeSample(samples[0]!)}>A fox</button>
+        <button type="button" onClick={() => { panel.value = "files"; }}>Scenes and files</button>
+      </div>
+    </div>
+  );
+}

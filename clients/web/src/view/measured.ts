@@ -1,0 +1,46 @@
+// What pictures of each stop of the dial took in this window, and how far the server estimates them from the truth.
+import {signal} from "@preact/signals";
+import type {Picture} from "../api/client";
+import type {Tier} from "../api/types";
+import type {Dial} from "./quality";
+
+export type Stop = Tier | "budget" | "error";
+export interface Measure {
+  /** Of the newest picture that was drawn whole; null before there is one. */
+  milliseconds: number | null;
+  /** Mean FLIP where there is fur; null where the calibration does not know these knobs. */
+  error: number | null;
+  /** Of traced pictures: estimated mean error of a shown channel. */
+  noise: number | null;
+  samples: number;
+}
+
+export const measured = signal<Partial<Record<Stop, Measure>>>({});
+
+export function millisecondsOf({timings}: Picture): number {
+  const {draw = 0, shadow = 0, upload = 0, read = 0, encode = 0, trace = 0} = timings;
+  return draw + shadow + upload + read + encode + trace;
+}
+
+export const stopOf = (dial: Dial): Stop => (dial.kind === "tier" ? dial.tier : dial.kind);
+
+function stopShown(stage: "draft" | "rest" | "traced", dial: Dial): Stop {
+  if (stage === "draft") return "draft";
+  const stop = stopOf(dial);
+  return stage === "rest" && stop === "reference" ? "detailed" : stop;  // what is seen until the first strands come
+}
+
+/** Takes note of a picture that was asked for while the dial stood so. */
+export function note(stage: "draft" | "rest" | "traced", dial: Dial, picture: Picture) {
+  const {trace, estimate} = picture;
+  if (stage === "traced" && trace && trace.passes > 0) {
+    const entry = {milliseconds: trace.grow_ms + trace.trace_ms, error: null, noise: trace.noise, samples: trace.samples};
+    measured.value = {...measured.value, reference: entry};
+    return;
+  }
+  if (stage === "traced") return;
+  const stop = stopShown(stage, dial);
+  const before = measured.value[stop]?.milliseconds ?? null;
+  const milliseconds = picture.redrawn < 1 ? before : millisecondsOf(picture);  // cached or partly drawn pictures say nothing
+  measured.value = {...measured.value, [stop]: {milliseconds, error: estimate?.error ?? null, noise: null, samples: 0}};
+}

@@ -1,0 +1,18 @@
+// Pictures that are waited for to their end: for files and comparisons, not for the viewport.
+import {drawFrame, type Picture} from "../api/client";
+import type {FrameRequest, Tracing} from "../api/types";
+
+const wait_seconds = 20;
+
+/** Traces until it ends by `tracing`; `seen` hears each better picture, first the shells of pass 0. */
+export async function traceToEnd(id: string, request: FrameRequest, tracing: Partial<Tracing>, seen: (picture: Picture) => void, stop: AbortSignal): Promise<Picture> {
+  const progressive = tracing as NonNullable<FrameRequest["progressive"]>;
+  let news: {after: number; after_pass: number; wait: number} | null = null;
+  for (;;) {
+    const picture: Picture | null = await drawFrame(id, {...request, progressive}, news, stop);
+    if (!picture) continue;
+    seen(picture);
+    if (picture.trace && picture.trace.end !== "none") return picture;
+    news = {after: picture.revision, after_pass: picture.trace?.passes ?? 0, wait: wait_seconds};
+  }
+}
