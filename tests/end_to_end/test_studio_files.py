@@ -16,7 +16,7 @@ TYPES = {"js": "text/javascript; charset=utf-8", "css": "text/css; charset=utf-8
 
 
 def assets_in(text):
-    return set(re.findall(r'["\'(]/assets/([A-Za-z0-9_.-]+)["\')]', text))
+    return set(re.findall(r'["\'(`](?:/assets/|\./)([A-Za-z0-9_.-]+\.(?:js|css|svg|png|jpg|json))["\')`]', text))
 
 
 class StudioFiles(ServedTest):
