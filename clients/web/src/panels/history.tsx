@@ -57,7 +57,7 @@ function about(row: Row): string {
   if (row.replays.length) return `${by(step)}${row.replays.length === 1 ? "1 step" : `${row.replays.length} steps`} ran again`;
   const {count, exact} = touchedBy(step);
   const layer = layerOf(step);
-  const changed = step.kind !== "revert" && count === 0 ? "a setting" : vertices(count, exact);
+  const changed = step.kind !== "revert" && count === 0 ? "setting" : vertices(count, exact);
   return `${by(step)}${changed}${layer ? `, in ${layer}` : ""}`;
 }
 

@@ -43,8 +43,11 @@ export function MaskSection() {
       <div class="section-head"><h3>Mask</h3>
         <button type="button" class="chip" aria-pressed={shown} title="Yellow where tools work, violet where they do not (M)" onClick={toggleMask}><Icon sign="eye" />Show</button></div>
       <div class="mask-buttons">
+        <span>Paint</span>
         <button type="button" aria-pressed={paints(0)} title="Paint what tools leave alone" onClick={() => paint(0)}>Protect</button>
         <button type="button" aria-pressed={paints(1)} title="Paint what tools may change" onClick={() => paint(1)}>Free</button>
+      </div>
+      <div class="mask-buttons">
         <button type="button" title="Protect what is free, free what is protected (Ctrl+I)" onClick={invertMask}>Invert</button>
         <button type="button" title="More is free" onClick={() => change("grow")}>Grow</button>
         <button type="button" title="Less is free" onClick={() => change("shrink")}>Shrink</button>

@@ -107,7 +107,7 @@ export function StepForm({step, close}: {step: Step; close: () => void}) {
       <div class="step-actions">
         {tried.value
           ? <button type="button" class="primary" disabled={busy.value} onClick={() => void amend(commands.value, `Changed ${stepWords(step)}.`)}>Apply</button>
-          : <button type="button" class="primary" disabled={busy.value || !touched} onClick={() => void attempt()}>See what would change</button>}
+          : <button type="button" class="primary" disabled={busy.value || !touched} title="Says what would change; changes nothing" onClick={() => void attempt()}>Try</button>}
         <span class="grow" />
         <button type="button" class="danger" disabled={busy.value} onClick={() => void amend([], `Dropped ${stepWords(step)}.`)}>Drop this step</button>
       </div>

@@ -62,13 +62,16 @@ const typing = (target: EventTarget | null) =>
   target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName) &&
     !["range", "checkbox", "button"].includes((target as HTMLInputElement).type));
 
+/** Home there goes to the slider's beginning. */
+const ofSlider = (target: EventTarget | null) => target instanceof HTMLInputElement && target.type === "range";
+
 function down(event: KeyboardEvent) {
   if (event.key === "Control" || event.key === "Meta") inverting.value = true;
   if (event.key === "Shift") smoothing.value = true;
   if (event.key === "Escape") { dialog.value = null; place_request.value = null; }
   if (typing(event.target)) return;
   const found = shortcuts.find((shortcut) => shortcut.keys === keysOf(event));
-  if (!found) return;
+  if (!found || (event.key === "Home" && ofSlider(event.target))) return;
   event.preventDefault();
   found.run();
 }

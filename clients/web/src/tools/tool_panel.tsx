@@ -92,10 +92,10 @@ export function ToolPanel() {
         <Form members={main} values={brush.value} set={setBrush} />
         <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
       </section>
-      <MaskSection />
       {tool.floods && <button type="button" class="wide" onClick={() => flood(tool)}>{words(op)} everywhere</button>}
       {(op === "flow" || op === "interpolate") && <Guides op={op} />}
       {(op === "blow" || op === "attract") && <Standing op={op} />}
+      <MaskSection />
     </>
   );
 }
