@@ -5,7 +5,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {setTimeout as sleep} from "node:timers/promises";
 
-const bin = process.env.PELAGE_BIN ?? new URL("../../../build/release/bin", import.meta.url).pathname;
+export const bin = process.env.PELAGE_BIN ?? new URL("../../../build/release/bin", import.meta.url).pathname;
 const start_seconds = 120;  // a loaded machine
 
 export class Server {

@@ -82,6 +82,8 @@ export const readLines = async (id: string) => (await call(`${at(id)}/log?format
 export const branchScene = (id: string, json: unknown) => read<Scene>(`${at(id)}/branch`, {json});
 export const compareRevisions = (id: string, from: number, to: number) => read<Comparison>(`${at(id)}/compare?from=${from}&to=${to}`);
 export const pick = (id: string, json: unknown) => read<Pick>(`${at(id)}/pick`, {json});
+/** What an amendment would do; nothing changes. */
+export const tryAmend = (id: string, json: unknown, signal?: AbortSignal) => read<CommandAnswer>(`${at(id)}/amend?dry_run=1`, {json, ...(signal ? {signal} : {})});
 export const scenePath = at;
 
 /** A change of a scene: what the outbox sends. `path` is below the scene's. */

@@ -4,11 +4,15 @@ import {panel} from "../shell/places";
 import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
 import {FilesPanel} from "./files";
+import {HistoryPanel} from "./history";
+import {LayersPanel} from "./layers";
 
 interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
 
 const panels: Panel[] = [
   {id: "tool", label: "Tool", sign: "tool", show: ToolPanel},
+  {id: "layers", label: "Layers", sign: "layers", show: LayersPanel},
+  {id: "history", label: "History", sign: "history", show: HistoryPanel},
   {id: "files", label: "Files", sign: "files", show: FilesPanel},
 ];
 

@@ -2,6 +2,7 @@
 import type {Op} from "../api/types";
 import {redo, run, scene, settings, undo} from "../scene/session";
 import {brush, current, inverting, setBrush, smoothing} from "../tools/state";
+import {invertMask, toggleMask} from "../panels/mask";
 import {tools} from "../tools/catalogue";
 import {place_request} from "../view/viewport";
 import {focus, moveTo} from "../view/views";
@@ -42,6 +43,8 @@ export const shortcuts: Shortcut[] = [
   {keys: "5", says: "from above", group: "View", run: () => moveTo("top")},
   {keys: "Ctrl+Z", says: "undo", group: "Groom", run: () => void undo()},
   {keys: "Ctrl+Shift+Z", says: "redo", group: "Groom", run: () => void redo()},
+  {keys: "M", says: "show the mask", group: "Groom", run: toggleMask},
+  {keys: "Ctrl+I", says: "invert the mask", group: "Groom", run: invertMask},
   {keys: "H", says: "the steps so far", group: "Groom", run: () => { panel.value = "history"; }},
   {keys: "?", says: "this sheet", group: "Groom", run: () => { dialog.value = dialog.value === "keys" ? null : "keys"; }},
   ...tool_keys.map(([keys, op]): Shortcut => ({keys, says: op, group: "Tools", run: hold(op)})),
@@ -59,13 +62,16 @@ const typing = (target: EventTarget | null) =>
   target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName) &&
     !["range", "checkbox", "button"].includes((target as HTMLInputElement).type));
 
+/** Home there goes to the slider's beginning. */
+const ofSlider = (target: EventTarget | null) => target instanceof HTMLInputElement && target.type === "range";
+
 function down(event: KeyboardEvent) {
   if (event.key === "Control" || event.key === "Meta") inverting.value = true;
   if (event.key === "Shift") smoothing.value = true;
   if (event.key === "Escape") { dialog.value = null; place_request.value = null; }
   if (typing(event.target)) return;
   const found = shortcuts.find((shortcut) => shortcut.keys === keysOf(event));
-  if (!found) return;
+  if (!found || (event.key === "Home" && ofSlider(event.target))) return;
   event.preventDefault();
   found.run();
 }

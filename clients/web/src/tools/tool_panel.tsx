@@ -1,5 +1,6 @@
 // The tool in hand: what it does, its settings, the brush, and the same everywhere at once.
 import {run, settings} from "../scene/session";
+import {MaskSection} from "../panels/mask";
 import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
 import {Form} from "./form";
 import {removeGuide, guidesOf, setGuides} from "./guides";
@@ -94,6 +95,7 @@ export function ToolPanel() {
       {tool.floods && <button type="button" class="wide" onClick={() => flood(tool)}>{words(op)} everywhere</button>}
       {(op === "flow" || op === "interpolate") && <Guides op={op} />}
       {(op === "blow" || op === "attract") && <Standing op={op} />}
+      <MaskSection />
     </>
   );
 }

@@ -1,7 +1,8 @@
 // The dial: what a picture at rest is made with, from fast to true, or by a budget.
-import {computed} from "@preact/signals";
+import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {FrameRequest, Tier} from "../api/types";
+import {compared} from "./compared";
 
 export type Dial = {kind: "tier"; tier: Tier} | {kind: "budget"; milliseconds: number} | {kind: "error"; error: number};
 
@@ -10,6 +11,8 @@ export const dial = kept<Dial>("dial", {kind: "tier", tier: "interactive"});
 export const trace_at_rest = kept("trace-at-rest", true);
 /** Fields of the frame request that hold for every picture. */
 export const overlay = kept<NonNullable<FrameRequest["overlay"]>>("overlay", "none");
+/** Revision that the overlay "difference" compares with: of this scene, so it is not kept; without it there is no such overlay. */
+export const overlay_from = signal<number | null>(null);
 export const background = kept<string>("background", "studio");
 export const exposure = kept("exposure", 0);
 
@@ -20,11 +23,17 @@ export const rest_quality = computed<Partial<FrameRequest>>(() => {
   return {quality: chosen.tier === "reference" ? "detailed" : chosen.tier};
 });
 
+const overlay_request = computed<Partial<FrameRequest>>(() => {
+  if (overlay.value !== "difference") return {overlay: overlay.value};
+  return overlay_from.value === null ? {overlay: "none"} : {overlay: "difference", overlay_from: overlay_from.value};
+});
+
 /** What all requests of this window share. */
 export const shared_request = computed<Partial<FrameRequest>>(() => ({
-  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value, overlay: overlay.value,
+  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value, ...overlay_request.value,
 }));
 
-/** Traced strands come by themselves at rest, and at once where the dial stands at reference. An overlay shows fields, not strands. */
-export const wants_trace = computed(() => overlay.value === "none" && dial.value.kind === "tier" &&
+/** Traced strands come by themselves at rest, and at once where the dial stands at reference. An overlay shows fields, not strands;
+ *  beside an earlier revision, which is drawn with shells, strands would look like a difference. */
+export const wants_trace = computed(() => shared_request.value.overlay === "none" && compared.value === null && dial.value.kind === "tier" &&
   (trace_at_rest.value || dial.value.tier === "reference"));

@@ -8,6 +8,8 @@ import {brush, in_hand, worldRadius} from "../tools/state";
 import {takeUp, type Hold} from "../tools/hand";
 import {orbit, pinholeOf, Projection} from "./camera";
 import {Badge} from "./badge";
+import {Compare} from "./compare";
+import {compared} from "./compared";
 import {FrameLoop} from "./frames";
 import {GuideHandles} from "./guide_handles";
 import {Gizmos} from "./gizmos";
@@ -162,7 +164,7 @@ function follow(shown: View): () => void {
   const stops = [
     effect(() => { if (model_id.value && scene.value) void loadProxy(scene.value.id); }),
     effect(() => { void revision.value; void model_id.value; shown.frames.touch(); }),
-    effect(() => { void [dial.value, rest_quality.value, shared_request.value]; shown.frames.touch(); }),
+    effect(() => { void [dial.value, rest_quality.value, shared_request.value, compared.value]; shown.frames.touch(); }),
     effect(() => { void viewport_size.value; shown.frames.touch(); shown.sketchSoon(); }),
     effect(() => { void [brush.value, in_hand.value, settings.value, proxy.value, orbit.value]; shown.sketchSoon(); }),
     effect(() => { if (model_id.value && scene.value) moveTo("three_quarter", true); }),
@@ -201,6 +203,7 @@ export function Viewport() {
         <canvas class="sketch" ref={sketch} aria-hidden="true" />
       </div>
       {place_request.value && <div class="hint-line" role="status">{place_request.value.says} <kbd>Esc</kbd> leaves it.</div>}
+      <Compare />
       <Gizmos />
       <GuideHandles />
       <ViewCube />

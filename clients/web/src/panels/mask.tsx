@@ -1,0 +1,62 @@
+// Where tools work: 1 is free, 0 is protected.
+import {kept} from "../api/identity";
+import type {Command} from "../api/types";
+import {run, scene} from "../scene/session";
+import {schemaOf} from "../tools/catalogue";
+import {Form} from "../tools/form";
+import {Icon} from "../tools/icons";
+import {forbidden, membersOf} from "../tools/schema";
+import {current, setValue, valuesOf} from "../tools/state";
+import {overlay} from "../view/quality";
+
+/** How far the edge goes and how soft it gets; the contract's defaults unless set by hand. */
+const edge = kept<Record<string, unknown>>("mask-edge", {});
+const edge_members = ["distance", "units", "passes"];
+
+export function toggleMask() {
+  overlay.value = overlay.value === "mask" ? "none" : "mask";
+}
+
+function change(action: string) {
+  const command: Command = {op: "mask", action, ...edge.value};
+  for (const name of forbidden(schemaOf("mask"), command)) delete command[name];
+  if (command["distance"] === undefined) delete command["units"];
+  if (scene.value) void run(command);
+}
+export const invertMask = () => change("invert");
+
+function paint(value: number) {
+  setValue("paint", "field", "mask");
+  setValue("paint", "value", value);
+  current.value = "paint";
+  overlay.value = "mask";
+}
+
+export function MaskSection() {
+  const schema = schemaOf("mask");
+  const members = membersOf(schema).filter(({name}) => edge_members.includes(name));
+  const {field, value} = valuesOf("paint");
+  const paints = (what: number) => current.value === "paint" && field === "mask" && value === what;
+  const shown = overlay.value === "mask";
+  return (
+    <section aria-label="Mask">
+      <div class="section-head"><h3>Mask</h3>
+        <button type="button" class="chip" aria-pressed={shown} title="Yellow where tools work, violet where they do not (M)" onClick={toggleMask}><Icon sign="eye" />Show</button></div>
+      <div class="mask-buttons">
+        <span>Paint</span>
+        <button type="button" aria-pressed={paints(0)} title="Paint what tools leave alone" onClick={() => paint(0)}>Protect</button>
+        <button type="button" aria-pressed={paints(1)} title="Paint what tools may change" onClick={() => paint(1)}>Free</button>
+      </div>
+      <div class="mask-buttons">
+        <button type="button" title="Protect what is free, free what is protected (Ctrl+I)" onClick={invertMask}>Invert</button>
+        <button type="button" title="More is free" onClick={() => change("grow")}>Grow</button>
+        <button type="button" title="Less is free" onClick={() => change("shrink")}>Shrink</button>
+        <button type="button" title="Soften the edge" onClick={() => change("smooth")}>Blur</button>
+        <button type="button" title="Everything is free" onClick={() => change("select")}>Clear</button>
+      </div>
+      <details class="group"><summary>Grow, shrink and blur by</summary>
+        <Form members={members} values={edge.value} set={(name, to) => { edge.value = {...edge.value, [name]: to}; }} />
+      </details>
+    </section>
+  );
+}

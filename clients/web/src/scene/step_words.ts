@@ -1,0 +1,46 @@
+// A step in a few words.
+import type {Command} from "../api/types";
+import {words} from "../tools/schema";
+import {commandsIn, type Step} from "./steps";
+
+const named: Partial<Record<Command["op"], (command: Command) => string>> = {
+  paint: (command) => `Paint ${String(command["field"] ?? "density").replaceAll("_", " ")}`,
+  map: (command) => `Map of ${String(command["field"] ?? "").replaceAll("_", " ")}`,
+  mask: (command) => (command["action"] === undefined || command["action"] === "select" ? maskWords(command) : `Mask: ${String(command["action"])}`),
+  checkpoint: (command) => `Checkpoint “${String(command["name"])}”`,
+  edit_layer: (command) => layerWords(command),
+  blow: (command) => (command["blower"] ? `Blow with ${String(command["blower"])}` : "Blow"),
+  attract: (command) => (command["attractor"] ? `Attract to ${String(command["attractor"])}` : "Attract"),
+};
+
+const shapes = ["vertices", "box", "sphere", "part", "picture"];
+const maskWords = (command: Command) => (shapes.some((shape) => command[shape]) ? "Mask: choose" : "Mask: all free");
+
+function layerWords(command: Command): string {
+  const name = `“${String(command["name"])}”`;
+  if (command["action"] === "set") {
+    if (command["rename"]) return `Layer ${name}: now “${String(command["rename"])}”`;
+    if (command["muted"] !== undefined) return `Layer ${name}: ${command["muted"] ? "mute" : "unmute"}`;
+    return `Layer ${name}: weight ${Number(command["weight"])}`;
+  }
+  return `Layer ${name}: ${String(command["action"] ?? "add").replaceAll("_", " ")}`;
+}
+
+export function commandWords(command: Command): string {
+  const name = named[command.op]?.(command) ?? words(command.op.replace(/^set_/, ""));
+  const inverted = (command["brush"] as {invert?: boolean} | undefined)?.invert ? ", inverted" : "";
+  return name + (command["flood"] ? " everywhere" : "") + inverted;
+}
+
+/** The first command and how many more. */
+export function stepWords(step: Step): string {
+  if (step.kind === "revert") return "Went back";
+  const commands = commandsIn(step.entries[0]!);
+  const first = commands[0];
+  if (!first) return "Nothing";
+  const more = commands.length - 1;
+  return commandWords(first) + (more > 0 ? ` and ${more} more` : "");
+}
+
+export const layerOf = (step: Step) => String(commandsIn(step.entries[0]!)[0]?.["edit_layer"] ?? "");
+export const vertices = (count: number, exact = true) => `${count.toLocaleString("en")}${exact ? "" : "+"} ${count === 1 ? "vertex" : "vertices"}`;

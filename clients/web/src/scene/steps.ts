@@ -1,0 +1,88 @@
+// The log as a person thinks of it: steps, with the parts of a stroke joined and what an amendment replayed below it.
+import {computed} from "@preact/signals";
+import type {Command, LogEntry} from "../api/types";
+import {log, revision, settings} from "./session";
+
+export interface Step {
+  kind: "do" | "replay" | "revert";
+  /** Revisions of its entries: `last` is the state after it, `before` the one that it began from. */
+  before: number;
+  first: number;
+  last: number;
+  entries: LogEntry[];
+  in_effect: boolean;
+  author: string;
+}
+
+/** The entry's commands; none for undo, redo and revert. */
+export function commandsIn(entry: LogEntry): Command[] {
+  return entry.commands === undefined ? [] : [entry.commands as unknown as Command | Command[]].flat();
+}
+
+function begun(entry: LogEntry, kind: Step["kind"]): Step {
+  const {revision: first, in_effect, author} = entry;
+  return {kind, before: first - 1, first, last: first, entries: [entry], in_effect, author};
+}
+
+/** Oldest first. Undo and redo make no step: they only say which steps are in effect. */
+export function stepsOf(entries: LogEntry[]): Step[] {
+  const steps: Step[] = [];
+  for (const entry of entries) {
+    const {kind} = entry;
+    const newest = steps[steps.length - 1];
+    if (kind === "join" && newest) {
+      newest.entries.push(entry);
+      newest.last = entry.revision;
+    } else if (kind === "do" || kind === "replay" || kind === "revert") {
+      steps.push(begun(entry, kind));
+    }
+  }
+  return steps;
+}
+
+export const steps = computed(() => stepsOf(log.value));
+/** The revision that the model came with. */
+export const first_revision = computed(() => (log.value[0] ? log.value[0].revision - 1 : revision.value));
+/** The newest step that is in effect: where the scene is now. Null at the first groom. */
+export const present = computed(() => steps.value.filter((step) => step.in_effect).pop() ?? null);
+
+const is_stroke = (value: unknown): value is {samples: unknown[]} => typeof value === "object" && value !== null && "samples" in value;
+
+/** A command without what says which part of a stroke it is. */
+function whole(command: Command): Command {
+  const stroke = command["stroke"];
+  if (!is_stroke(stroke)) return command;
+  const {id: _id, part: _part, last: _last, ...rest} = stroke as unknown as Record<string, unknown>;
+  return {...command, stroke: rest};
+}
+
+/** What a step ran, with strokes whole: all parts have the same settings, so their samples in order are the stroke. */
+export function wholeCommands(step: Step): Command[] {
+  const [first, ...joined] = step.entries.map(commandsIn);
+  const commands = (first ?? []).map(whole);
+  const stroke = commands[0]?.["stroke"];
+  if (joined.length === 0 || !is_stroke(stroke)) return commands;
+  const samples = [...stroke.samples];
+  for (const part of joined) {
+    const more = part[0]?.["stroke"];
+    if (is_stroke(more)) samples.push(...more.samples);
+  }
+  return [{...commands[0]!, stroke: {...stroke, samples}}];
+}
+
+/** Vertices that a step changed. Parts of a stroke overlap, so of several only the least that it can be is known. */
+export function touchedBy(step: Step): {count: number; exact: boolean} {
+  return {count: Math.max(...step.entries.map(({touched}) => touched)), exact: step.entries.length === 1};
+}
+
+/** Names of revisions, also of those that were gone back past: they are in the log still. */
+export const checkpoints = computed(() => {
+  const named = new Map<string, number>();
+  for (const entry of log.value) {
+    for (const command of commandsIn(entry)) {
+      if (command.op === "checkpoint") named.set(String(command["name"]), Number(command["revision"] ?? entry.revision));
+    }
+  }
+  for (const {name, revision: at} of settings.value?.checkpoints ?? []) named.set(name, at);
+  return [...named].map(([name, at]) => ({name, revision: at})).sort((a, b) => b.revision - a.revision);
+});

@@ -1,0 +1,55 @@
+// Going to another state. Undo and redo where they lead there, so that the way back stays what people expect of redo; else a
+// revert, which is a step that can be undone.
+import type {CommandAnswer, LogEntry} from "../api/types";
+import {log, redo, revertTo, revision, scene, undo} from "./session";
+import {first_revision, present, steps, type Step} from "./steps";
+
+export type Route = {by: "undo" | "redo"; steps: number} | {by: "revert"} | null;
+interface Past { entries: LogEntry[]; steps: Step[]; undo_steps: number; redo_steps: number }
+
+/** How many undos lead to revision `to`, which is in effect or the first; 0 where they do not. */
+function undosTo(to: number, past: Past): number {
+  const later = past.steps.filter((step) => step.in_effect && step.first > to);
+  const oldest = later[0];
+  // A revert among them is an undo step of its own, and undoing it leads elsewhere.
+  if (!oldest || later.some((step) => step.kind !== "do") || past.steps.some((step) => step.kind === "revert" && step.first > oldest.first)) return 0;
+  return later.length <= past.undo_steps ? later.length : 0;
+}
+
+/** How many redos lead to revision `to`; 0 where they do not, or where the log does not say. */
+function redosTo(to: number, past: Past): number {
+  if (past.redo_steps === 0) return 0;
+  const moves = (entry: LogEntry | undefined) => entry?.kind === "undo" || entry?.kind === "redo";
+  let end = past.entries.length;
+  while (moves(past.entries[end - 1])) --end;
+  let begin = end;
+  while (begin > 0 && !moves(past.entries[begin - 1])) --begin;
+  const from = past.entries[begin]?.revision ?? Infinity;
+  const until = past.entries[end - 1]?.revision ?? 0;
+  // Steps that were made one after the other and then undone, the newest first; what an amendment replayed is one with it.
+  const undone = past.steps.filter((step) => step.first >= from && step.last <= until && step.kind !== "replay");
+  const newer = undone.filter((step) => step.first > to).length;
+  const there = undone.some((step) => step.last === to && past.steps[past.steps.indexOf(step) + 1]?.kind !== "replay");
+  return there && newer < past.redo_steps ? past.redo_steps - newer : 0;
+}
+
+/** The way to the state at a revision; null where the scene is there. */
+export function routeTo(to: number, here: number, in_effect: boolean, past: Past): Route {
+  if (to === here) return null;
+  const undos = in_effect ? undosTo(to, past) : 0;
+  if (undos) return {by: "undo", steps: undos};
+  const redos = in_effect ? 0 : redosTo(to, past);
+  return redos ? {by: "redo", steps: redos} : {by: "revert"};
+}
+
+export async function goTo(to: number): Promise<CommandAnswer | null> {
+  const open = scene.value;
+  if (!open) return null;
+  const first = first_revision.value;
+  const step = steps.value.find(({last}) => last === to);
+  const here = present.value?.last ?? first;
+  const route = routeTo(to, here, step?.in_effect ?? to === first, {entries: log.value, steps: steps.value, undo_steps: open.undo_steps, redo_steps: open.redo_steps});
+  if (!route || revision.value === to) return null;
+  if (route.by === "revert") return revertTo(to);
+  return route.by === "undo" ? undo(route.steps) : redo(route.steps);
+}
