@@ -14,8 +14,8 @@ const max_error = kept("dial-error", 0.05);
 
 const tiers = ["draft", "interactive", "detailed", "reference"] as const;
 const says: Record<Stop, string> = {
-  draft: "Coarse and quick", interactive: "For grooming", detailed: "Sharp, with shadows", reference: "Strands, path traced",
-  budget: "The best within a time", error: "The quickest within an error",
+  draft: "Coarse and quick", interactive: "For grooming", detailed: "Sharp, with shadows", reference: "Every strand, traced",
+  budget: "The best within it", error: "The quickest within it",
 };
 
 export function durationOf(milliseconds: number): string {

@@ -1,0 +1,173 @@
+// Models, recipes and samples into the studio, pictures and steps out of it.
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {after, before, test} from "node:test";
+import {gltfFolder, objFolder} from "./support/models.mjs";
+import {Server} from "./support/server.mjs";
+import {Studio, browser} from "./support/studio.mjs";
+
+const bin = process.env.PELAGE_BIN ?? new URL("../../build/release/bin", import.meta.url).pathname;
+const recipes = new URL("../../clients/recipes/", import.meta.url).pathname;
+let server, chrome, studio, folder;
+
+before(async () => {
+  server = await Server.start();
+  chrome = await browser();
+  folder = mkdtempSync(join(tmpdir(), "pelage-files-"));
+  const {id} = await server.creature("start", 2000);
+  studio = await Studio.open(chrome, server.address, {scene: id});
+  studio.expected.push(/Failed to load resource/);  // what the server refuses is part of the tests
+  await studio.ready();
+  await studio.panel("Files");
+});
+after(async () => {
+  studio?.quiet();
+  await studio?.close();
+  await chrome?.close();
+  await server?.stop();
+  rmSync(folder, {recursive: true, force: true});
+});
+
+/** A drop as the system makes it, with real files and folders. */
+async function drop(...paths) {
+  const session = await studio.context.newCDPSession(studio.page);
+  for (const type of ["dragEnter", "dragOver", "drop"]) {
+    await session.send("Input.dispatchDragEvent", {type, x: 600, y: 400, data: {items: [], files: paths, dragOperationsMask: 1}});
+  }
+  await session.detach();
+}
+const card = () => studio.page.getByRole("group", {name: "Upload"});
+const press = (name) => studio.page.getByRole("button", {name, exact: true}).click();
+const openId = () => studio.page.evaluate(() => new URLSearchParams(location.search).get("scene"));
+const linesOf = async (id) => (await (await fetch(`${server.address}/v1/scenes/${id}/log?format=jsonl`)).text()).trim();
+
+async function uploaded(name) {
+  await press("Upload");
+  await card().getByText(`${name} is there`).waitFor({timeout: 60000});
+  return server.get(`/v1/scenes/${await openId()}`);
+}
+
+test("a folder with an OBJ, its materials and its picture becomes a scene with a skin texture", async () => {
+  await drop(objFolder(folder));
+  await card().getByText("Its picture comes with it.").waitFor();
+  const scene = await uploaded("box");
+  assert.equal(scene.model, "obj");
+  assert.equal(scene.triangles, 12);
+  assert.match(await linesOf(scene.id), /set_skin_texture/);
+  await card().getByText("polygons were made into triangles").waitFor();
+});
+
+test("of several pictures one is used, and the card says which", async () => {
+  await drop(objFolder(folder, {two: true}));
+  await card().getByText(/name 2 pictures.*Skin\.PNG is used/).waitFor();
+  await press("Cancel");
+});
+
+test("an OBJ without its materials comes, and says what is missing", async () => {
+  await drop(join(objFolder(folder), "box.obj"));
+  await card().getByText(/the box\.mtl was not dropped with it/).waitFor();
+  await press("Cancel");
+});
+
+test("a glTF in pieces is packed; without its pieces it says which", async () => {
+  const gltf = gltfFolder(folder);
+  await drop(gltf);
+  const scene = await uploaded("box");
+  assert.equal(scene.model, "glb");
+  assert.equal(scene.triangles, 12);
+  await drop(join(gltf, "box.gltf"));
+  await card().getByText("It needs the box.bin, skin.png beside it.").waitFor();
+  await press("Close");
+});
+
+test("other axes are another upload into the same scene", async () => {
+  await drop(objFolder(folder));
+  const first = await uploaded("box");
+  await press("Other axes…");
+  await card().getByLabel("Up", {exact: true}).selectOption("z");
+  await card().getByLabel("Front", {exact: true}).selectOption("-y");
+  const second = await uploaded("box");
+  assert.equal(second.id, first.id);
+  assert.ok(second.revision > first.revision);
+});
+
+test("what is no model is refused in words, and leaves no scene", async () => {
+  const broken = join(folder, "broken.ply");
+  writeFileSync(broken, "ply\nformat nonsense 1.0\n");
+  const scenes = async () => (await server.get("/v1/scenes")).scenes.length;
+  const before_drop = await scenes();
+  await drop(broken);
+  await press("Upload");
+  await card().getByRole("alert").waitFor();
+  assert.equal(await scenes(), before_drop);
+  await press("Close");
+  const text = join(folder, "notes.txt");
+  writeFileSync(text, "no model");
+  await drop(text);
+  await card().getByText("There is no model among these files.").waitFor();
+  await press("Close");
+});
+
+test("a sample's recipe gives the very steps that the command line gives", async () => {
+  await press("Best in show");
+  await studio.page.waitForFunction(() => document.querySelector(".scene-name").textContent === "Best in show", null, {timeout: 240000});
+  const sample = await server.get(`/v1/scenes/${await openId()}`);
+  const other = await server.post("/v1/scenes", {name: "cli", model: {builtin: "creature", triangles: 20000}, fur: {form: "animal", length: 0.03}});
+  execFileSync(join(bin, "pelage"), ["--server", server.address, "run", "cli", join(recipes, "creature.json")], {stdio: "ignore"});
+  assert.equal(await linesOf(sample.id), await linesOf(other.id));
+});
+
+test("the groom goes out as a recipe and comes in again", async () => {
+  const id = await openId();
+  const waiting = studio.page.waitForEvent("download");
+  await press("Recipe");
+  const path = join(folder, "groom.recipe.json");
+  await (await waiting).saveAs(path);
+  const lines = (await linesOf(id)).split("\n");
+  assert.deepEqual(JSON.parse(readFileSync(path, "utf8")).steps, lines.map((line) => JSON.parse(line)));
+  const bare = await server.post("/v1/scenes", {name: "bare", model: {builtin: "creature", triangles: 20000}, fur: {form: "animal", length: 0.03}});
+  await studio.page.goto(`${server.address}/?scene=${bare.id}`);
+  await studio.ready();
+  await drop(path);
+  await studio.page.getByText(`${lines.length} steps are done.`).waitFor({timeout: 240000});
+  assert.equal((await server.get(`/v1/scenes/${bare.id}`)).fields_hash, (await server.get(`/v1/scenes/${id}`)).fields_hash);
+});
+
+test("pictures have the size that was asked for; maps and the log come too", async () => {
+  const {id} = await server.post("/v1/scenes", {name: "torus", model: {builtin: "torus", triangles: 2000}});
+  await studio.page.goto(`${server.address}/?scene=${id}`);
+  await studio.ready();
+  await studio.panel("Files");
+  const taken = async (button) => {
+    const waiting = studio.page.waitForEvent("download", {timeout: 120000});
+    await press(button);
+    const got = await waiting;
+    return {name: got.suggestedFilename(), bytes: readFileSync(await got.path())};
+  };
+  await studio.page.getByLabel("Size", {exact: true}).first().selectOption("2x");
+  const picture = await taken("PNG");
+  const box = await studio.page.locator(".surface").boundingBox();
+  assert.equal(picture.name, "torus.png");
+  assert.deepEqual([picture.bytes.readUInt32BE(16), picture.bytes.readUInt32BE(20)], [2 * Math.round(box.width), 2 * Math.round(box.height)]);
+  assert.equal((await taken("EXR")).bytes.readUInt32LE(0), 0x01312f76);
+  await studio.page.getByText("Maps of the groom").click();
+  const map = await taken("Map");
+  assert.equal(map.name, "torus.length.png");
+  assert.equal((await taken("Log (lines)")).name, "torus.jsonl");
+});
+
+test("scenes are branched and removed, with a question", async () => {
+  await studio.page.getByRole("button", {name: "Branch torus", exact: true}).click();
+  await studio.page.waitForFunction(() => document.querySelector(".scene-name").textContent === "torus, branch");
+  const branched = await openId();
+  await studio.page.getByRole("button", {name: "Remove torus, branch", exact: true}).click();
+  await press("Keep");
+  assert.ok((await server.get("/v1/scenes")).scenes.some(({id}) => id === branched));
+  await studio.page.getByRole("button", {name: "Remove torus, branch", exact: true}).click();
+  await studio.page.getByRole("dialog").getByRole("button", {name: "Remove", exact: true}).click();
+  await studio.page.waitForFunction((gone) => new URLSearchParams(location.search).get("scene") !== gone, branched);
+  assert.ok(!(await server.get("/v1/scenes")).scenes.some(({id}) => id === branched));
+});
