@@ -62,7 +62,7 @@ async function compare(pair: Signal<Pair | null>, stop: AbortController) {
 function Report({pair: {picture, reference, difference}}: {pair: Pair}) {
   const {passes, samples, noise, end, grow_ms, trace_ms} = reference.trace!;
   return (
-    <dl class="compare-report" role="status">
+    <dl class="compare-report">
       <div><dt>Mean absolute difference, sRGB, where the model is</dt><dd>{difference.mean.toFixed(4)} <small>of 1; largest {difference.largest.toFixed(2)}</small></dd></div>
       {picture.estimate && <div><dt>The server's estimate of the picture's error, mean FLIP</dt><dd>{picture.estimate.error.toFixed(3)}</dd></div>}
       <div><dt>This picture</dt><dd>{picture.redrawn > 0 ? durationOf(millisecondsOf(picture)) : "cached"}</dd></div>

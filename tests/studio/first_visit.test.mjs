@@ -1,0 +1,143 @@
+// The first visit, a server that wants a token, a lost connection, the dial, and no violation that axe finds in any of it.
+import assert from "node:assert/strict";
+import {readFileSync} from "node:fs";
+import {createRequire} from "node:module";
+import {after, before, test} from "node:test";
+import {Server} from "./support/server.mjs";
+import {Studio, browser} from "./support/studio.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8");
+let chrome;
+const servers = [];
+
+before(async () => { chrome = await browser(); });
+after(async () => {
+  await chrome?.close();
+  for (const server of servers) await server.stop();
+});
+
+async function serverWith(...arguments_) {
+  const server = await Server.start(arguments_);
+  servers.push(server);
+  return server;
+}
+
+async function accessible(page, colorScheme) {
+  await page.emulateMedia({colorScheme});
+  await page.evaluate(axe);
+  const {violations} = await page.evaluate(() => window.axe.run());
+  assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html).join(" | ")}`), []);
+}
+const bothColours = async (page) => { for (const colours of ["dark", "light"]) await accessible(page, colours); };
+
+test("a first visit finds a fox and three hints, which go for good", async () => {
+  const server = await serverWith();
+  const studio = await Studio.open(chrome, server.address);
+  await studio.page.evaluate(() => localStorage.removeItem("pelage.welcomed"));
+  await studio.page.getByText(/The creature grows its fur|The first picture is drawn/).waitFor();
+  await studio.seen("rest");
+  const {scenes} = await server.get("/v1/scenes");
+  assert.deepEqual(scenes.map(({name, model}) => [name, model]), [["Fox", "creature"]]);
+  await studio.close();
+  const second = await chrome.newContext({viewport: {width: 1440, height: 900}});  // Studio.open welcomes nobody
+  const page = await second.newPage();
+  await page.goto(server.address);
+  await page.getByRole("heading", {name: "Groom it"}).waitFor();
+  await bothColours(page);
+  await page.getByRole("button", {name: "Begin"}).click();
+  await page.reload();
+  await page.locator(".badge .dot").waitFor();
+  assert.equal(await page.getByRole("heading", {name: "Groom it"}).count(), 0);
+  assert.equal((await server.get("/v1/scenes")).scenes.length, 1);
+  await second.close();
+});
+
+test("a server with a token is asked again once the token is given", async () => {
+  const server = await serverWith("--token", "secret");
+  const studio = await Studio.open(chrome, server.address);
+  studio.expected.push(/401/);
+  const {page} = studio;
+  const box = page.getByRole("dialog", {name: "The server's token"});
+  await box.waitFor();
+  await bothColours(page);
+  await box.getByLabel("Token").fill("wrong");
+  await page.keyboard.press("Enter");
+  await box.getByText("does not take this token").waitFor();
+  await box.getByLabel("Token").fill("secret");
+  await page.keyboard.press("Enter");
+  await studio.seen();
+  assert.equal(await box.count(), 0);
+  await page.reload();
+  await studio.seen();
+  assert.equal(await box.count(), 0);
+  studio.quiet();
+  await studio.close();
+});
+
+test("a lost connection is said with what is kept, until it is mended", async () => {
+  const server = await serverWith();
+  const {id} = await server.creature("lost");
+  const studio = await Studio.open(chrome, server.address, {scene: id});
+  studio.expected.push(/Failed to load resource/, /ERR_/);
+  await studio.ready();
+  await server.kill();
+  await studio.drag([[0.45, 0.5], [0.6, 0.45]]);
+  await studio.page.locator(".offline", {hasText: "kept in this browser"}).waitFor();
+  await bothColours(studio.page);
+  await server.run();
+  await studio.settled(server, id, 1);
+  await studio.page.locator(".offline").waitFor({state: "detached", timeout: 30000});
+  studio.quiet();
+  await studio.close();
+});
+
+test("the dial is chosen by keys, says what its stops take, and compares with the reference", async () => {
+  const server = await serverWith();
+  const {id} = await server.creature("dial");
+  const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1024, height: 700}}});
+  const {page} = studio;
+  await studio.seen("rest");
+  await page.getByRole("button", {name: /^Quality/}).focus();
+  await page.keyboard.press("Enter");
+  const stop = (name) => page.locator(".dial-stop", {hasText: name});
+  await stop("Interactive").getByText(/about \d.*, error \.?\d/).waitFor();
+  await bothColours(page);
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("ArrowUp");
+  assert.ok(await page.getByRole("radio", {name: /Draft/}).isChecked());
+  await page.getByLabel("Milliseconds of a picture").fill("800");
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", {name: "Quality: 800 ms"}).waitFor();
+  await stop("Time").getByText(/about \d/).waitFor({timeout: 60000});
+  assert.deepEqual(await page.evaluate(() => JSON.parse(localStorage.getItem("pelage.dial"))), {kind: "budget", milliseconds: 800});
+  await page.getByRole("button", {name: "Compare with the reference"}).click();
+  await page.getByRole("slider", {name: /Divider/}).waitFor({timeout: 120000});
+  const divider = page.getByRole("slider", {name: /Divider/});
+  await divider.focus();
+  await page.keyboard.press("Shift+ArrowLeft");
+  assert.equal(await divider.getAttribute("aria-valuenow"), "40");
+  const mean = Number((await page.locator(".compare-report dd").first().textContent()).split(" ")[0]);
+  assert.ok(mean > 0.001 && mean < 0.5, String(mean));
+  for (const mode of ["Wipe", "Side by side", "Difference"]) {
+    await page.getByRole("button", {name: mode}).click();
+    await bothColours(page);
+  }
+  await page.keyboard.press("Escape");
+  assert.equal(await page.getByRole("dialog").count(), 0);
+  studio.quiet();
+  await studio.close();
+});
+
+test("the panel of files has no violation", async () => {
+  const server = await serverWith();
+  const {id} = await server.creature("axe");
+  const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1024, height: 700}}});
+  await studio.seen();
+  await studio.panel("Files");
+  for (const group of ["New scene from a built-in model", "Maps of the groom"]) await studio.page.getByText(group).click();
+  await bothColours(studio.page);
+  await studio.page.getByRole("button", {name: "Remove axe", exact: true}).click();
+  await bothColours(studio.page);
+  studio.quiet();
+  await studio.close();
+});
