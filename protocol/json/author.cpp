@@ -9,8 +9,7 @@
 namespace pelage {
 
 Status check_author(std::string_view name) {
-  const bool good =
-      !name.empty() && name.size() <= limits::name_bytes && !has_control_character(name) && is_utf8(name);
+  const bool good = !name.empty() && name.size() <= limits::name_bytes && !has_control_character(name) && is_utf8(name);
   if (good) return {};
   return failure(Code::malformed, std::string(author_header) + " is no name of an author.", "",
                  "percent-encoded UTF-8, 1 to 200 bytes without control characters");

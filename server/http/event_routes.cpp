@@ -96,11 +96,11 @@ void follow(Service& service, const std::shared_ptr<Scene>& scene, const Request
                                            fmt::format("{}", service.streams.all())));
   }
   response.set_header("Cache-Control", "no-store");
-  response.set_header("X-Accel-Buffering", "no");  // nginx hands events on at once
+  response.set_header("X-Accel-Buffering", "no");                            // nginx hands events on at once
   if (request.method != "HEAD") response.set_header("Connection", "close");  // send() ends with false
   const auto stream = std::make_shared<EventStream>(service, scene, *seen, std::move(pass), request);
-  response.set_chunked_content_provider(
-      "text/event-stream", [stream](std::size_t, httplib::DataSink& sink) { return stream->send(sink); });
+  response.set_chunked_content_provider("text/event-stream",
+                                        [stream](std::size_t, httplib::DataSink& sink) { return stream->send(sink); });
 }
 
 }  // namespace

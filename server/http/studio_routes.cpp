@@ -36,10 +36,10 @@ void set_security_headers(Response& response) {
 
 /// Not set_content, whose bytes cpp-httplib would compress once more.
 void send(std::string_view bytes, std::string_view type, Response& response) {
-  response.set_content_provider(
-      bytes.size(), std::string(type), [bytes](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-        return sink.write(bytes.data() + offset, length);
-      });
+  response.set_content_provider(bytes.size(), std::string(type),
+                                [bytes](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+                                  return sink.write(bytes.data() + offset, length);
+                                });
 }
 
 void answer_file(const StudioFile& file, const Request& request, Response& response) {

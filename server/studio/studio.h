@@ -8,11 +8,11 @@ namespace pelage {
 
 /// All views are of the program's own constants.
 struct StudioFile {
-  std::string_view path;  // of its address: "/" for the page, "/assets/..." for the rest
-  std::string_view type;  // for Content-Type
+  std::string_view path;                    // of its address: "/" for the page, "/assets/..." for the rest
+  std::string_view type;                    // for Content-Type
   std::string_view identity, gzip, brotli;  // its bytes; the compressed forms are empty where they would not be shorter
-  std::string_view etag;  // of what it holds, without quotes
-  bool hashed;            // the name has a hash of the content: what is at this address never changes
+  std::string_view etag;                    // of what it holds, without quotes
+  bool hashed;                              // the name has a hash of the content: what is at this address never changes
 };
 
 /// All of them; one is the page.

@@ -1,6 +1,7 @@
 """Live news of a scene, and who made each change."""
 
 import collections
+import contextlib
 import http.client
 import json
 import socket
@@ -10,7 +11,7 @@ import unittest
 import urllib.parse
 
 from support.pictures import hdr, png
-from support.server import Server, ServedTest, flood
+from support.server import Answer, Server, ServedTest, flood
 
 QUIET = 4  # comments, of 15 seconds each, after which nothing more is expected
 TRIANGLE = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
@@ -31,10 +32,10 @@ def author(name):
 class Stream:
     """Follows a scene. Events come as they are asked for; None is the end of the stream."""
 
-    def __init__(self, scene, last=None, *, method="GET", headers=None):
+    def __init__(self, scene, last=None, *, query="", headers=None):
         self.connection = http.client.HTTPConnection("127.0.0.1", scene.server.port, timeout=60)
         last_id = {} if last is None else {"Last-Event-ID": str(last)}
-        self.connection.request(method, f"{scene.path}/events", headers={**last_id, **(headers or {})})
+        self.connection.request("GET", f"{scene.path}/events{query}", headers={**last_id, **(headers or {})})
         self.answer = self.connection.getresponse()
         self.comments = 0
         self.retry = None
@@ -48,6 +49,10 @@ class Stream:
     def close(self):
         self.answer.close()
         self.connection.close()
+
+    def refusal(self):
+        assert self.answer.status != 200, "the stream began"
+        return Answer(self.answer.status, self.answer.getheaders(), self.answer.read())
 
     def block(self):
         """The lines up to an empty one, or None."""
@@ -220,10 +225,12 @@ class Events(ServedTest):
     def test_refusals(self):
         nobody = f"{self.scene.path}x/events"
         self.assert_problem(self.server.get(nobody), 404)
-        self.assert_problem(self.server.get(f"{self.scene.path}/events?after=3"), 422, "/after")
+        with Stream(self.scene, query="?after=3") as stream:
+            self.assert_problem(stream.refusal(), 422, "/after")
         self.assert_problem(self.server.post(f"{self.scene.path}/events", {}), 405)
         for last in ("x", "-1", "1.5", "0x1", str(2 ** 64)):
-            self.assert_problem(self.server.get(f"{self.scene.path}/events", headers={"Last-Event-ID": last}), 400)
+            with Stream(self.scene, last) as stream:
+                self.assert_problem(stream.refusal(), 400)
 
     def test_a_head_ends(self):
         answer = self.server.call("HEAD", f"{self.scene.path}/events", timeout=20)
@@ -262,7 +269,8 @@ class Places(ServedTest):
         try:
             self.assertEqual({stream.answer.status for stream in streams}, {200})
             self.assertEqual(self.held(), STREAMS)
-            refused = self.server.get(f"{scene.path}/events")
+            with Stream(scene) as one_more:
+                refused = one_more.refusal()
             self.assert_problem(refused, 503)
             self.assertTrue(refused.headers["retry-after"])
             self.assertEqual(scene.run(flood([1, 0, 0])).status, 200)
@@ -371,12 +379,20 @@ class Stopping(unittest.TestCase):
         self.scene = self.server.new_scene("plane", 50)
 
     def test_streams_end_when_the_server_stops(self):
-        with Stream(self.scene) as first, Stream(self.scene) as second:
-            for stream in (first, second):
-                self.assertEqual(stream.next().name, "scene")
+        request = f"GET {self.scene.path}/events HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
+        with contextlib.ExitStack() as stack:
+            streams = [stack.enter_context(socket.create_connection(("127.0.0.1", self.server.port), timeout=60)) for _ in range(3)]
+            for stream in streams:
+                stream.sendall(request)
+                received = b""
+                while b"model_id" not in received:
+                    received += stream.recv(4096)
             self.assertEqual(self.server.terminate(), 0)
-            for stream in (first, second):
-                self.assertIsNone(stream.next())  # not an end in the middle, which raises
+            for stream in streams:
+                received = b""
+                while block := stream.recv(4096):
+                    received += block
+                self.assertTrue(received.endswith(b"0\r\n\r\n"), received)  # the end, and not one in the middle
 
     def test_a_restart_loses_nothing(self):
         with Stream(self.scene) as stream:

@@ -13,7 +13,8 @@ TEST(Author, NamesOfUtf8AreTaken) {
 }
 
 TEST(Author, WhatIsNoNameIsRefused) {
-  for (const std::string& name : {""s, std::string(201, 'x'), "a\nb"s, "a\0b"s, "\x7f"s, "\xff"s, "\xc3"s, "\xed\xa0\x80"s}) {
+  for (const std::string& name :
+       {""s, std::string(201, 'x'), "a\nb"s, "a\0b"s, "\x7f"s, "\xff"s, "\xc3"s, "\xed\xa0\x80"s}) {
     EXPECT_EQ(check_author(name).code, Code::malformed) << name;
     EXPECT_NE(check_author(name).limit.find("200 bytes"), std::string::npos);
   }
