@@ -153,7 +153,7 @@ struct FrameRequest {
   Overlay overlay = Overlay::none;                 // not in an EXR
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
   std::optional<Tracing> progressive =
-      {};            // shells now, and strands traced while somebody waits for them (`after_pass`)
+      {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
   std::optional<std::uint64_t> revision = {};  // of this model: the scene as it was then; without progressive
   std::string view;  // name of the viewer; of several frames asked for one view only the newest is drawn
 

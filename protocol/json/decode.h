@@ -31,8 +31,8 @@ Result<FrameRequest> decode_frame_request(std::string_view text);
 using Query = std::vector<std::pair<std::string, std::string>>;
 /// The same request as parameters of an address: width, height, camera (an automatic view) or eye, target, up (three
 /// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view,
-/// format, jpeg_quality, exr_type, layers (names with commas), overlay, overlay_from, revision. Pointers name the member of the
-/// request that the parameter stands for.
+/// format, jpeg_quality, exr_type, layers (names with commas), overlay, overlay_from, revision. Pointers name the
+/// member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How strands are traced: the members of Tracing by their names.
 Result<Tracing> decode_tracing_query(const Query& query);

@@ -135,9 +135,10 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "something else, or nobody has asked for 30 seconds. Refused with 503 while 16 pictures wait to be traced.");
   v.counter("overlay_from", c.overlay_from,
             "The revision that the overlay `difference` compares what is drawn with: one of this model. Only with it.");
-  v.counter("revision", c.revision,
-            "Draws the scene as it was at this revision of its model, fields and settings; the present one when it is not "
-            "given. Neither with `progressive` nor with `after`.");
+  v.counter(
+      "revision", c.revision,
+      "Draws the scene as it was at this revision of its model, fields and settings; the present one when it is not "
+      "given. Neither with `progressive` nor with `after`.");
 }
 
 }  // namespace pelage::json_parts

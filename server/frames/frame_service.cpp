@@ -128,7 +128,9 @@ void FrameService::Impl::serve(Renderer& renderer) {
     bool forgot = false;
     {
       std::unique_lock lock(mutex);
-      wake.wait(lock, [&] { return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone(); });
+      wake.wait(lock, [&] {
+        return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
+      });
       forgot = forget_gone(renderer);
       if (stopping) break;
       job = jobs.take();
@@ -204,7 +206,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   frame.timings.queue = job.asked.milliseconds();
   const Stopwatch passed;
   const double paused = job.paused;
-  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, false, planner.looks_at(job.request));
+  Result<Shown> shown =
+      show(renderer, *job.scene, job.request, job.past, past_scenes, false, planner.looks_at(job.request));
   if (!shown) return shown.status();
   job.revision = shown->revision;
   mark_outdated(job);
@@ -337,8 +340,13 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     impl_->count(passed.milliseconds(), base ? Status{} : base.status());
     if (!base) return base.status();
     timings.draw = times.draw, timings.read = times.read;
-    return TraceStart{std::move(*shown->copy), std::move(shown->fur), shown->placement, std::move(*base), timings,
-                      times.counters,          past->copy};
+    return TraceStart{std::move(*shown->copy),
+                      std::move(shown->fur),
+                      shown->placement,
+                      std::move(*base),
+                      timings,
+                      times.counters,
+                      past->copy};
   });
 }
 

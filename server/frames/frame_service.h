@@ -60,7 +60,8 @@ class FrameService {
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
 
-  /// Of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits until no frame does. Refused as frame is.
+  /// Of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits until no frame
+  /// does. Refused as frame is.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
   /// model that the scene no longer has. Waits until no frame does.

@@ -20,9 +20,8 @@ Result<PastCopy> PastScenes::find(const Scene& scene, Revision revision) {
 
 PastCopy PastScenes::find_kept(std::uint64_t present, Revision revision) {
   const std::lock_guard lock(mutex_);
-  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) {
-    return one.present == present && one.revision == revision;
-  });
+  const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                  [&](const Kept& one) { return one.present == present && one.revision == revision; });
   if (found == kept_.end()) return nullptr;
   std::rotate(found, found + 1, kept_.end());
   return kept_.back().copy;

@@ -279,9 +279,7 @@ class SceneCopy {
     return {*model_, fields_, settings_, revision_, picture_.get(), copy_id_, model_, picture_};
   }
   /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
-  std::size_t bytes() const {
-    return sizeof(SceneCopy) + fields_.bytes() + (picture_ ? picture_->rgba.capacity() : 0);
-  }
+  std::size_t bytes() const { return sizeof(SceneCopy) + fields_.bytes() + (picture_ ? picture_->rgba.capacity() : 0); }
 
  private:
   std::shared_ptr<const SceneModel> model_;

@@ -57,8 +57,9 @@ std::vector<Command> placed_settings() {
   group.curves = {{near(), near() + 3.0}};
   SkinRegion region;
   region.centre = near(), region.axis = testing::direction();
-  return {SetEyes{{eye}},      SetBlowers{{fan}}, SetAttractors{{stick}},
-          SetCurves{{group}},  SetSkin{{region}}, SetSymmetry{{.planes = {{near(), testing::direction()}}, .count = 3}},
+  return {SetEyes{{eye}},         SetBlowers{{fan}},
+          SetAttractors{{stick}}, SetCurves{{group}},
+          SetSkin{{region}},      SetSymmetry{{.planes = {{near(), testing::direction()}}, .count = 3}},
           Checkpoint{"here", {}}};
 }
 
