@@ -208,6 +208,7 @@ class Requests(ServedTest):
         exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "aovs": ["depth", "beauty"], "overlay": "none"}
         jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
         difference = {"width": 8, "height": 8, "overlay": "difference", "overlay_from": 0}
+        past = {"width": 8, "height": 8, "revision": 0, "progressive": False}
         trace = {"passes": 1, "transport": "paths", "scattering": "energy_conserving", "bounces": 2, "strands": 100,
                  "noise": 0, "seconds": 0.1, "filter": True, "seed": 1}
         strands = {"width": 8, "height": 8, "quality": {"method": "strands", "eye_steps": 2, "trace": trace}, "overlay": "length"}
@@ -215,7 +216,7 @@ class Requests(ServedTest):
         progressive = {"width": 8, "height": 8, "quality": "draft", "progressive": trace, "overlay": "shell_count"}
         switched = {"width": 8, "height": 8, "quality": "reference", "progressive": False, "overlay": "shell_count"}
         several = [frame, exr, jpeg, difference, strands, look, {**progressive, "overlay": "mask"}, progressive, {**progressive, "progressive": True},
-                   switched]
+                   switched, past]
         for variation in (v for request in several for v in self.variations(request)):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}

@@ -71,6 +71,17 @@ TEST(DecodeFrame, ADifferenceIsFromARevision) {
   EXPECT_EQ(decode_frame_query({{"overlay", "difference"}, {"overlay_from", "7"}})->overlay_from, std::uint64_t{7});
 }
 
+TEST(DecodeFrame, OfAnEarlierRevision) {
+  const auto taken = decode_frame_request(R"({"revision": 0})");
+  ASSERT_TRUE(taken.ok()) << taken.status().message;
+  EXPECT_EQ(taken->revision, std::uint64_t{0});
+  EXPECT_FALSE(decode_frame_request("{}")->revision);
+  EXPECT_EQ(decode_frame_query({{"revision", "7"}})->revision, std::uint64_t{7});
+  EXPECT_EQ(decode_frame_request(R"({"revision": -1})").status().pointer, "/revision");
+  EXPECT_TRUE(decode_frame_request(R"({"revision": 3, "progressive": false, "quality": "reference"})").ok());
+  EXPECT_EQ(decode_frame_request(R"({"revision": 3, "progressive": true})").status().pointer, "/progressive");
+}
+
 TEST(DecodeFrame, AovsTogetherHaveALimit) {
   const auto with = [](const char* more) {
     return decode_frame_request(
