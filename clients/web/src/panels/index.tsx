@@ -4,12 +4,14 @@ import {panel} from "../shell/places";
 import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
 import {FilesPanel} from "./files";
+import {CoatPanel} from "./coat";
 
 interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
 
 const panels: Panel[] = [
   {id: "tool", label: "Tool", sign: "tool", show: ToolPanel},
   {id: "files", label: "Files", sign: "files", show: FilesPanel},
+  {id: "coat", label: "Coat", sign: "coat", show: CoatPanel},
 ];
 
 /** Arrow keys go from tab to tab, as tab lists do everywhere. */

@@ -1,0 +1,98 @@
+// The coat: how the strands of the tile are made, a patch of it close by, and looks to begin with.
+import {useEffect, useRef} from "preact/hooks";
+import {useSignal} from "@preact/signals";
+import {Aborted} from "../api/client";
+import type {Settings} from "../api/types";
+import {drawCoat, forgetPatch} from "../scene/coat_preview";
+import {coat, look} from "../scene/live_setting";
+import {Form} from "../tools/form";
+import {membersOf, schemas, type Member} from "../tools/schema";
+import {Looks} from "./looks";
+import {Ramp} from "./ramp";
+
+type Coat = Settings["coat"];
+
+/** Where a member is shown, by its name; what no rule takes comes last. */
+const groups: {label: string; of: RegExp; open?: boolean}[] = [
+  {label: "Colour", of: /^(ramp|colour|warmth|ticking)/, open: true},
+  {label: "Strands", of: /^(count|tile|width|length|root|lean|bend|mess)/, open: true},
+  {label: "Clumps and tufts", of: /^(clump|fine_clump|lodge|tufts|wetness)/},
+  {label: "Curls and waves", of: /^(curl|wave)/},
+  {label: "Undercoat", of: /^undercoat$/},
+  {label: "Pattern", of: /^pattern$/},
+  {label: "Variation over the body", of: /^variation$/},
+  {label: "More", of: /^/},
+];
+const groupOf = (member: Member) => groups.find(({of}) => of.test(member.name));
+const patch_size = {width: 288, height: 160};
+const wait = 120;  // ms without a change before the patch is drawn
+
+/** The newest coat wins; one picture at a time. */
+function usePatch() {
+  const address = useSignal("");
+  const drawing = useSignal(false);
+  const stop = useRef<AbortController | null>(null);
+  const now = coat.value.value, shading = look.value.value;
+  useEffect(() => {
+    if (!now || !shading) return;
+    const stopped = new AbortController();
+    const timer = setTimeout(() => void draw(now, shading, stopped.signal), wait);
+    stop.current = stopped;
+    return () => { clearTimeout(timer); stopped.abort(); };
+  }, [JSON.stringify([now, shading])]);
+  useEffect(() => () => URL.revokeObjectURL(address.peek()), []);
+  const draw = async (shown: Coat, shaded: Settings["look"], signal: AbortSignal) => {
+    drawing.value = true;
+    try {
+      const bytes = await drawCoat(shown, shaded, patch_size, signal);
+      if (!bytes || signal.aborted) return;
+      URL.revokeObjectURL(address.peek());
+      address.value = URL.createObjectURL(bytes);
+    } catch (error) {
+      if (!(error instanceof Aborted)) forgetPatch();  // the next change makes a patch anew
+    } finally {
+      if (!signal.aborted) drawing.value = false;
+    }
+  };
+  return {address, drawing};
+}
+
+function Patch() {
+  const {address, drawing} = usePatch();
+  return (
+    <div class="patch" aria-busy={drawing.value}>
+      {address.value && <img src={address.value} alt="A patch of this coat" {...patch_size} />}
+    </div>
+  );
+}
+
+function Group({label, members, open}: {label: string; members: Member[]; open?: boolean | undefined}) {
+  const now = coat.value.value as Record<string, unknown>;
+  const set = (change: Record<string, unknown>, done: boolean) => coat.set({...now, ...change} as Coat, done);
+  const only = members.length === 1 && members[0]!.kind === "object" ? members[0]! : null;
+  const inner = (only ? now[only.name] : now) as Record<string, unknown>;
+  const shown = only ? membersOf(only.schema) : members;
+  const hidden = only?.name === "pattern" && inner["kind"] === "none" ? new Set(shown.map(({name}) => name).filter((name) => name !== "kind")) : undefined;
+  return (
+    <details class="group" open={open}>
+      <summary>{label}</summary>
+      {members.some(({name}) => name === "ramp") && <Ramp stops={coat.value.value!.ramp!} set={(ramp, done) => set({ramp}, done)} />}
+      <Form members={shown} values={inner} hidden={hidden} set={(name, value, done) => set(only ? {[only.name]: {...inner, [name]: value}} : {[name]: value}, done)} />
+    </details>
+  );
+}
+
+export function CoatPanel() {
+  if (!coat.value.value) return null;
+  const members = membersOf(schemas.value["Coat"] ?? {});
+  return (
+    <>
+      <Patch />
+      <details class="group"><summary>Looks to begin with</summary><Looks /></details>
+      {groups.map((group) => {
+        const own = members.filter((member) => groupOf(member) === group);
+        return own.length > 0 && <Group key={group.label} label={group.label} members={own} open={group.open} />;
+      })}
+    </>
+  );
+}
