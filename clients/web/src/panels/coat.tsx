@@ -1,13 +1,10 @@
 // The coat: how the strands of the tile are made, a patch of it close by, and looks to begin with.
-import {useEffect, useRef} from "preact/hooks";
-import {useSignal} from "@preact/signals";
-import {Aborted} from "../api/client";
 import type {Settings} from "../api/types";
-import {drawCoat, forgetPatch} from "../scene/coat_preview";
 import {coat, look} from "../scene/live_setting";
 import {Form} from "../tools/form";
 import {membersOf, schemas, type Member} from "../tools/schema";
 import {Looks} from "./looks";
+import {Patch} from "./patch";
 import {Ramp} from "./ramp";
 
 type Coat = Settings["coat"];
@@ -24,48 +21,6 @@ const groups: {label: string; of: RegExp; open?: boolean}[] = [
   {label: "More", of: /^/},
 ];
 const groupOf = (member: Member) => groups.find(({of}) => of.test(member.name));
-const patch_size = {width: 288, height: 160};
-const wait = 120;  // ms without a change before the patch is drawn
-
-/** The newest coat wins; one picture at a time. */
-function usePatch() {
-  const address = useSignal("");
-  const drawing = useSignal(false);
-  const stop = useRef<AbortController | null>(null);
-  const now = coat.value.value, shading = look.value.value;
-  useEffect(() => {
-    if (!now || !shading) return;
-    const stopped = new AbortController();
-    const timer = setTimeout(() => void draw(now, shading, stopped.signal), wait);
-    stop.current = stopped;
-    return () => { clearTimeout(timer); stopped.abort(); };
-  }, [JSON.stringify([now, shading])]);
-  useEffect(() => () => URL.revokeObjectURL(address.peek()), []);
-  const draw = async (shown: Coat, shaded: Settings["look"], signal: AbortSignal) => {
-    drawing.value = true;
-    try {
-      const bytes = await drawCoat(shown, shaded, patch_size, signal);
-      if (!bytes || signal.aborted) return;
-      URL.revokeObjectURL(address.peek());
-      address.value = URL.createObjectURL(bytes);
-    } catch (error) {
-      if (!(error instanceof Aborted)) forgetPatch();  // the next change makes a patch anew
-    } finally {
-      if (!signal.aborted) drawing.value = false;
-    }
-  };
-  return {address, drawing};
-}
-
-function Patch() {
-  const {address, drawing} = usePatch();
-  return (
-    <div class="patch" aria-busy={drawing.value}>
-      {address.value && <img src={address.value} alt="A patch of this coat" {...patch_size} />}
-    </div>
-  );
-}
-
 function Group({label, members, open}: {label: string; members: Member[]; open?: boolean | undefined}) {
   const now = coat.value.value as Record<string, unknown>;
   const set = (change: Record<string, unknown>, done: boolean) => coat.set({...now, ...change} as Coat, done);
@@ -76,9 +31,19 @@ function Group({label, members, open}: {label: string; members: Member[]; open?:
   return (
     <details class="group" open={open}>
       <summary>{label}</summary>
+      {members.some(({name}) => name === "ramp") && <ColourSource />}
       {members.some(({name}) => name === "ramp") && <Ramp stops={coat.value.value!.ramp!} set={(ramp, done) => set({ramp}, done)} />}
       <Form members={shown} values={inner} hidden={hidden} set={(name, value, done) => set(only ? {[only.name]: {...inner, [name]: value}} : {[name]: value}, done)} />
     </details>
+  );
+}
+
+/** A model that comes with colours hides those of the coat, unless it is told not to. */
+function ColourSource() {
+  const now = look.value.value;
+  if (!now || now.colour_source === "coat") return null;
+  return (
+    <p class="help">A model that has colours of its own shows those, not these. <button type="button" onClick={() => look.set({...now, colour_source: "coat"}, true)}>Show the coat's</button></p>
   );
 }
 

@@ -5,6 +5,8 @@ import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
 import {FilesPanel} from "./files";
 import {CoatPanel} from "./coat";
+import {LightPanel} from "./light";
+import {LookPanel} from "./look";
 
 interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
 
@@ -12,6 +14,8 @@ const panels: Panel[] = [
   {id: "tool", label: "Tool", sign: "tool", show: ToolPanel},
   {id: "files", label: "Files", sign: "files", show: FilesPanel},
   {id: "coat", label: "Coat", sign: "coat", show: CoatPanel},
+  {id: "look", label: "Look", sign: "look", show: LookPanel},
+  {id: "light", label: "Light", sign: "light", show: LightPanel},
 ];
 
 /** Arrow keys go from tab to tab, as tab lists do everywhere. */

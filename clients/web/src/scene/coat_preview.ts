@@ -1,7 +1,7 @@
 // A patch of fur on a flat model: a scene of its own that shows a coat close by, whatever the model is. One on each server.
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
-import type {Scene, Settings, Vector} from "../api/types";
+import type {FrameRequest, Scene, Settings, Vector} from "../api/types";
 
 const name = "coat preview";
 const max_revision = 400;  // its log is of no use to anybody
@@ -16,17 +16,25 @@ async function findScene(): Promise<Scene> {
   return api.createScene({name, model: {builtin: "plane", triangles: 200}, fur: {length: 0.045, inclination: 0.5}});
 }
 
-/** At its edge, where hairs are seen from root to tip. */
-const camera = {position: [0.98, 0.26, 0.3] as Vector, target: [0.42, 0.035, 0.1] as Vector, up: [0, 1, 0] as Vector, fov_degrees: 30};
+const camera = {position: [0.2, 0.3, 0.2] as Vector, target: [0, 0.02, 0] as Vector, up: [0, 1, 0] as Vector, fov_degrees: 30};
+/** Of the picture that stays: hairs are thinner than its pixels. */
+const fine: NonNullable<FrameRequest["quality"]> = {shells: 24, scale: 1.5};
 
-/** A picture of a coat; null where somebody else's coat came between. */
-export async function drawCoat(coat: Settings["coat"], look: Settings["look"], size: {width: number; height: number}, signal: AbortSignal): Promise<Blob | null> {
+export interface Patch { scene: string; revision: number }
+
+/** Gives the patch a coat. */
+export async function dressPatch(coat: Settings["coat"], look: Settings["look"]): Promise<Patch> {
   found ??= findScene();
-  const patch = await found;
+  const {id} = await found;
   const commands = [{op: "set_coat", coat}, {op: "set_look", look: {...look, colour_source: "coat"}}];
-  const answer = await api.change(patch.id, "commands", {commands}, `${page_id}-patch-${++serial}`);
-  const picture = await api.drawFrame(patch.id, {...size, camera, quality: "interactive", background: "studio", format: "jpeg", view: `${page_id}-patch`}, null, signal);
-  return picture?.revision === answer.revision ? picture.bytes : null;
+  return {scene: id, revision: (await api.change(id, "commands", {commands}, `${page_id}-patch-${++serial}`)).revision};
+}
+
+/** Its picture; null where somebody else's coat came between. */
+export async function drawPatch(patch: Patch, at_rest: boolean, size: {width: number; height: number}, signal: AbortSignal): Promise<Blob | null> {
+  const quality = at_rest ? fine : "interactive";
+  const picture = await api.drawFrame(patch.scene, {...size, camera, quality, format: "jpeg", view: `${page_id}-patch`}, null, signal);
+  return picture?.revision === patch.revision ? picture.bytes : null;
 }
 
 /** After an error: the scene may be gone. */
