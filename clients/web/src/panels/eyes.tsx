@@ -18,7 +18,7 @@ type Eye = Settings["eyes"][number];
 /** Whether a change of one eye is a change of all. */
 const alike = kept("eyes-alike", true);
 const first_radius = 0.02;   // sizes: as a new creature's
-const sunk = 0.55;           // radii of the ball that lie under the skin
+const sunk = 0.35;           // radii of the ball that lie under the skin
 /** What each eye has for itself. */
 const own = ["position", "gaze", "look_at"];
 

@@ -24,10 +24,12 @@ function newLight(): Light {
   return {kind: "directional", direction: unit(add(forward, add(scale(right, 0.8), scale(up, -0.9)))), intensity: 0.8, cast_shadow: "penumbra"};
 }
 
-/** A description that speaks of "a point or spot light" holds for those kinds alone. */
+/** The kinds that a member is for: a description that speaks of "a point or spot light" holds for those alone. */
+const kindsOf = ({name, description}: Member) => (name === "kind" ? undefined : /\ban? ((?:\w+(?:, | or ))*\w+) light\b(?!')/.exec(description)?.[1]?.split(/, | or /));
+
 function notOf(light: Light, members: Member[]): Set<string> {
-  const kinds = (description: string) => /\ban? ((?:\w+(?:, | or ))*\w+) light\b(?!')/.exec(description)?.[1]?.split(/, | or /);
-  return new Set(members.filter((member) => { const of = kinds(member.description); return of && !of.includes(light.kind ?? "directional"); }).map(({name}) => name));
+  const kind = light.kind ?? "directional";
+  return new Set(members.filter((member) => !(kindsOf(member)?.includes(kind) ?? true)).map(({name}) => name));
 }
 
 /** A light that gets a place stands where its handle was, and shines at the model. */

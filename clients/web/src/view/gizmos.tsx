@@ -53,7 +53,7 @@ function attractors(all: Settings): Gizmo[] {
 export function lightBall(): {middle: Vector; radius: number} | null {
   if (!scene.value) return null;
   const {min, max} = scene.value.bounds as {min: Vector; max: Vector};
-  return {middle: scale(add(min, max), 0.5), radius: 0.62 * scene.value.size};
+  return {middle: scale(add(min, max), 0.5), radius: 0.4 * scene.value.size};
 }
 
 /** Where a pixel's ray meets the ball, on the side where the handle is; its rim where the ray passes by. */
