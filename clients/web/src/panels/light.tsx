@@ -3,7 +3,7 @@ import {useEffect} from "preact/hooks";
 import type {Settings, Vector} from "../api/types";
 import {environment, ground, lights} from "../scene/live_setting";
 import {scene} from "../scene/session";
-import {upload} from "../scene/upload";
+import {takePicture} from "../scene/upload";
 import {toHex} from "../tools/colour";
 import {Form} from "../tools/form";
 import {membersOf, schemas, words, type Member} from "../tools/schema";
@@ -85,12 +85,11 @@ function Around() {
   const members = membersOf(schemas.value["Environment"] ?? {});
   const from_picture = Boolean(now.harmonics);
   const hidden = new Set(members.filter(({name, kind}) => (from_picture ? kind === "colour" : picture_members.includes(name))).map(({name}) => name));
-  const query = new URLSearchParams(Object.entries({intensity: now.intensity, turn_degrees: now.turn_degrees}).filter(([, value]) => value !== undefined).map(([name, value]) => [name, String(value)]));
   return (
     <section>
       <h3>Light from all around</h3>
       <Form members={members} values={now} hidden={hidden} set={(name, value, done) => environment.set({...now, [name]: value} as Environment, done)} />
-      <FileButton accept=".hdr,.exr" take={(file) => upload(`environment?${query}`, file)}>{from_picture ? "Another picture" : "From a picture"} (HDR, EXR)…</FileButton>
+      <FileButton accept=".hdr,.exr" take={takePicture}>{from_picture ? "Another picture" : "From a picture"} (HDR, EXR)…</FileButton>
       {from_picture && <button type="button" onClick={() => environment.set({intensity: now.intensity ?? 1}, true)}>Back to three colours</button>}
     </section>
   );

@@ -2,7 +2,7 @@
 import type {Settings} from "../api/types";
 import {look} from "../scene/live_setting";
 import {run, settings} from "../scene/session";
-import {upload} from "../scene/upload";
+import {takePicture} from "../scene/upload";
 import {Form} from "../tools/form";
 import {membersOf, resolved, schemas, words, type Member} from "../tools/schema";
 import {background, exposure, overlay} from "../view/quality";
@@ -67,7 +67,7 @@ function Skin({now}: {now: Look}) {
       <h3>Skin</h3>
       <Form members={colour} values={now} set={(name, value, done) => look.set({...now, [name]: value} as Look, done)} />
       <p class="help">{own ? "A picture can be laid on the model by its texture coordinates." : "A picture lies on the model."}</p>
-      <FileButton accept="image/png,image/jpeg" take={(file) => upload("skin_texture", file)}>Skin texture (PNG, JPEG)…</FileButton>
+      <FileButton accept="image/*" take={takePicture}>Skin texture…</FileButton>
       {!own && <button type="button" onClick={() => void run({op: "set_skin_texture", picture: "own"})}>Take the picture off</button>}
     </section>
   );

@@ -2,18 +2,18 @@
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
 import type {FrameRequest, Scene, Settings, Vector} from "../api/types";
+import {preview_name} from "./scratch";
 
-const name = "coat preview";
 const max_revision = 400;  // its log is of no use to anybody
 
 let found: Promise<Scene> | null = null;
 let serial = 0;
 
 async function findScene(): Promise<Scene> {
-  const there = (await api.listScenes()).find((one) => one.name === name && one.model === "plane");
+  const there = (await api.listScenes()).find((one) => one.name === preview_name && one.model === "plane");
   if (there && there.revision < max_revision) return there;
   if (there) await api.removeScene(there.id);
-  return api.createScene({name, model: {builtin: "plane", triangles: 200}, fur: {length: 0.045, inclination: 0.5}});
+  return api.createScene({name: preview_name, model: {builtin: "plane", triangles: 200}, fur: {length: 0.045, inclination: 0.5}});
 }
 
 const camera = {position: [0.2, 0.3, 0.2] as Vector, target: [0, 0.02, 0] as Vector, up: [0, 1, 0] as Vector, fov_degrees: 30};

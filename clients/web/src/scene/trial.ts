@@ -4,6 +4,7 @@ import {signal} from "@preact/signals";
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
 import type {Command, Scene} from "../api/types";
+import {isStale, trialName} from "./scratch";
 import {revision, run, scene} from "./session";
 
 /** The copy to draw in place of the scene; null while nothing is tried. */
@@ -17,12 +18,14 @@ let serial = 0;
 
 class Copy {
   private readonly made: Promise<Scene>;
+  private id = "";
   private waiting: Command | null = null;
   private busy = false;
 
-  constructor(readonly of: string, readonly at: number) {
-    this.made = api.branchScene(of, {name: "trial", revision: at});
-    this.made.catch(() => undefined);  // a full server: what is tried is seen once it is sent
+  /** `at` is the revision whose state it has, but for what is tried. */
+  constructor(readonly of: string, public at: number) {
+    this.made = api.branchScene(of, {name: trialName(), revision: at});
+    this.made.then(({id}) => { this.id = id; }, () => undefined);  // a full server: what is tried is seen once it is sent
   }
 
   show(command: Command) {
@@ -46,27 +49,51 @@ class Copy {
     this.busy = false;
   }
 
+  /** The scene has this now, too. */
+  follow(command: Command, at: number) {
+    this.at = at;
+    this.show(command);
+  }
+
   async remove() {
     this.waiting = null;
     await this.made.then(({id}) => api.removeScene(id)).catch(() => undefined);
+  }
+
+  /** While the page goes away: no time for anything but the request. */
+  removeNow() {
+    if (this.id) api.removeScene(this.id).catch(() => undefined);
   }
 }
 
 let open: Copy | null = null;
 let trying = false;
 let timer = 0;
+const leaving = new Set<Copy>();
 
-function drop(after = remove_after) {
+function drop() {
   const left = open;
   open = null;
-  if (left) setTimeout(() => void left.remove(), after);
+  if (!left) return;
+  leaving.add(left);
+  setTimeout(() => void left.remove().then(() => leaving.delete(left)), remove_after);
+}
+
+/** Copies of pages that died are of no use to anybody. */
+async function removeStale() {
+  for (const {id, name} of await api.listScenes()) if (isStale(name)) await api.removeScene(id);
+}
+
+function begin(of: string): Copy {
+  removeStale().catch(() => undefined);
+  return new Copy(of, revision.value);
 }
 
 /** Shows what a command would do. */
 export function tryOut(command: Command) {
   if (!scene.value) return;
   if (open && (open.of !== scene.value.id || open.at !== revision.value)) drop();
-  open ??= new Copy(scene.value.id, revision.value);
+  open ??= begin(scene.value.id);
   trying = true;
   clearTimeout(timer);
   open.show(command);
@@ -83,8 +110,13 @@ export function endTrial() {
 
 /** Runs a command in the scene, as one step, and shows the scene again. */
 export async function commit(command: Command) {
-  await run(command);
+  const answer = await run(command);
+  if (answer && open && open.at + 1 === answer.revision) open.follow(command, answer.revision);
   endTrial();
 }
 
-addEventListener("pagehide", () => drop(0));
+addEventListener("pagehide", () => {
+  for (const copy of [...leaving, ...(open ? [open] : [])]) copy.removeNow();
+  leaving.clear();
+  open = null;
+});
