@@ -13,7 +13,7 @@ export class Offline extends Error {}
 /** The request was given up by whoever sent it. */
 export class Aborted extends Error {}
 
-export interface CallOptions { method?: string; body?: BodyInit | null; json?: unknown; headers?: Record<string, string>; signal?: AbortSignal }
+export interface CallOptions { method?: string; body?: BodyInit | null; json?: unknown; headers?: Record<string, string>; signal?: AbortSignal; keepalive?: boolean }
 
 const no_problem: Problem = {type: "about:blank", title: "The server refused.", status: 500, detail: ""};
 
@@ -55,7 +55,7 @@ async function callOnce(path: string, options: CallOptions): Promise<Response> {
   const body = options.json === undefined ? options.body : JSON.stringify(options.json);
   let answer: Response;
   try {
-    answer = await fetch(path, {method, headers, body: body ?? null, signal: options.signal ?? null, cache: "no-store"});
+    answer = await fetch(path, {method, headers, body: body ?? null, signal: options.signal ?? null, cache: "no-store", keepalive: options.keepalive ?? false});
   } catch (error) {
     if (options.signal?.aborted) throw new Aborted();
     throw new Offline(String(error));
@@ -76,7 +76,7 @@ const at = (id: string) => `/v1/scenes/${encodeURIComponent(id)}`;
 export const listScenes = async () => (await read<SceneList>("/v1/scenes")).scenes;
 export const describeScene = (id: string) => read<Scene>(at(id));
 export const createScene = (json: unknown) => read<Scene>("/v1/scenes", {json});
-export const removeScene = (id: string) => call(at(id), {method: "DELETE"});
+export const removeScene = (id: string) => call(at(id), {method: "DELETE", keepalive: true});
 export const readLog = async (id: string) => (await read<{entries: LogEntry[]}>(`${at(id)}/log`)).entries;
 export const readLines = async (id: string) => (await call(`${at(id)}/log?format=jsonl`)).text();
 export const branchScene = (id: string, json: unknown) => read<Scene>(`${at(id)}/branch`, {json});

@@ -4,6 +4,7 @@ import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "..
 import type {Command, CommandAnswer, Repair, Scene} from "../api/types";
 import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
+import {isPicture, takePicture} from "../scene/upload";
 import {hear, listScenes, openScene, run, scene} from "../scene/session";
 import {panel} from "../shell/places";
 import {PlanError, planOf, type Plan} from "./plan";
@@ -97,6 +98,8 @@ export async function take(all: Taken[]) {
   const recipe = all.find(({path}) => ["json", "jsonl"].includes(endingOf(path)));
   const has_model = all.some(({path}) => ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"].includes(endingOf(path)));
   if (recipe && !has_model) return runFile(recipe, all).catch((error: Error) => say(`${recipe.file.name}: ${error.message}`, "docs/recipes.md says what a recipe is.", "error"));
+  const beside = has_model ? undefined : all.find(({path}) => isPicture(path));
+  if (beside) return takePicture(beside.file);
   panel.value = "files";
   importing.value = {stage: "reading"};
   try {

@@ -19,7 +19,7 @@ export function diffuseMaps(mtl: string): string[] {
 }
 
 /** Made smaller or turned into PNG where the server would refuse it; null where the browser cannot read it. */
-async function fitting(file: File): Promise<{picture: Blob | null; note: string}> {
+export async function fitting(file: File): Promise<{picture: Blob | null; note: string}> {
   const bitmap = await createImageBitmap(file).catch(() => null);
   if (!bitmap) return {picture: null, note: `${file.name} is no picture that a browser reads: save it as PNG and drop it again.`};
   const {width, height} = bitmap;

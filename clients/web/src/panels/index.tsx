@@ -3,15 +3,21 @@ import type {ComponentType} from "preact";
 import {panel} from "../shell/places";
 import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
+import {CoatPanel} from "./coat";
 import {FilesPanel} from "./files";
 import {HistoryPanel} from "./history";
 import {LayersPanel} from "./layers";
+import {LightPanel} from "./light";
+import {LookPanel} from "./look";
 
 interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
 
 const panels: Panel[] = [
   {id: "tool", label: "Tool", sign: "tool", show: ToolPanel},
   {id: "layers", label: "Layers", sign: "layers", show: LayersPanel},
+  {id: "coat", label: "Coat", sign: "coat", show: CoatPanel},
+  {id: "look", label: "Look", sign: "look", show: LookPanel},
+  {id: "light", label: "Light", sign: "light", show: LightPanel},
   {id: "history", label: "History", sign: "history", show: HistoryPanel},
   {id: "files", label: "Files", sign: "files", show: FilesPanel},
 ];

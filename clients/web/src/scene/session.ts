@@ -5,6 +5,7 @@ import {send} from "../api/outbox";
 import {kept} from "../api/identity";
 import type {Command, CommandAnswer, EditLayer, LogEntry, Scene, Settings} from "../api/types";
 import {sayError} from "./messages";
+import {isScratch} from "./scratch";
 
 export const scenes = signal<Scene[]>([]);
 export const scene = signal<Scene | null>(null);
@@ -70,7 +71,7 @@ export async function openScene(id: string) {
 }
 
 export async function listScenes() {
-  scenes.value = await api.listScenes();
+  scenes.value = (await api.listScenes()).filter(({name}) => !isScratch(name));
 }
 
 /** Takes note of a change that this page made. */

@@ -30,5 +30,5 @@ export function listenToDrops(): () => void {
 
 export function DropTarget() {
   if (!over.value) return null;
-  return <div class="drop-target" aria-hidden="true"><p>Drop a model, its folder, or a recipe</p></div>;
+  return <div class="drop-target" aria-hidden="true"><p>Drop a model, its folder, a recipe, a skin texture, or light from all around (HDR, EXR)</p></div>;
 }

@@ -8,3 +8,13 @@ export function toHex(colour: unknown): string {
   if (Array.isArray(colour) && colour.length === 3) return "#" + colour.map((part) => two(encode(Number(part)))).join("");
   return "#ffffff";
 }
+
+const decode = (encoded: number) => (encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4));
+
+/** Linear red, green and blue of either form. */
+export function toLinear(colour: unknown): [number, number, number] {
+  if (Array.isArray(colour) && colour.length === 3) return [Number(colour[0]), Number(colour[1]), Number(colour[2])];
+  const hex = toHex(colour);
+  const part = (at: number) => decode(parseInt(hex.slice(at, at + 2), 16) / 255);
+  return [part(1), part(3), part(5)];
+}

@@ -1,7 +1,7 @@
 // Forms made from the contract: one row for each member, with its range, unit, default and explanation.
 import type {ComponentChildren} from "preact";
 import {useId} from "preact/hooks";
-import {membersOf, plain, resolved, unitOf, words, type Member} from "./schema";
+import {membersOf, plain, resolved, unitOf, words, type Member, type Schema} from "./schema";
 import {toHex} from "./colour";
 
 type Values = Record<string, unknown>;
@@ -88,6 +88,22 @@ function Choices({member, value, set}: {member: Member; value: unknown; set: (va
   );
 }
 
+/** A number, or a word for the server's own choice. */
+function NumberOrWord({member, value, set, units}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void; units: unknown}) {
+  const [number, word] = member.schema.oneOf! as [Schema, Schema];
+  const free = typeof value === "number";
+  const middle = ((number.minimum ?? 0) + (number.maximum ?? 1)) / 2;
+  return (
+    <>
+      <Row member={member}>{(id) => (
+        <select id={id} value={free ? "number" : "word"} onChange={(event) => set(event.currentTarget.value === "word" ? word.const : middle, true)}>
+          <option value="word">{words(String(word.const))}</option><option value="number">By hand</option>
+        </select>)}</Row>
+      {free && <NumberRow member={{...member, schema: number, kind: "number", fallback: middle}} value={value} set={set} units={units} />}
+    </>
+  );
+}
+
 function Fields({member, value, set}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void}) {
   const inner = (value ?? {}) as Values;
   return (
@@ -113,6 +129,7 @@ function MemberRow({member, value, set, units}: {member: Member; value: unknown;
       return <Row member={member}>{(id) => <input id={id} type="color" value={toHex(value ?? member.fallback)} onInput={(event) => set(event.currentTarget.value, false)} onChange={(event) => set(event.currentTarget.value, true)} />}</Row>;
     case "text":
       return <Row member={member}>{(id) => <input id={id} type="text" value={String(value ?? "")} maxLength={member.schema.maxLength ?? 200} onChange={(event) => set(event.currentTarget.value, true)} />}</Row>;
+    case "number_or_word": return <NumberOrWord member={member} value={value} set={set} units={units} />;
     case "vector": return <VectorInputs member={member} value={value} set={set} />;
     case "choices": return <Choices member={member} value={value} set={set} />;
     case "object": return <Fields member={member} value={value} set={set} />;

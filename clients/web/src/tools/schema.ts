@@ -9,7 +9,7 @@ export interface Schema {
   oneOf?: Schema[]; anyOf?: Schema[]; allOf?: Schema[]; not?: Schema; if?: Schema; then?: Schema; else?: Schema;
   discriminator?: {mapping: Record<string, string>};
 }
-export type Kind = "number" | "integer" | "boolean" | "choice" | "choices" | "colour" | "vector" | "text" | "object" | "list" | "other";
+export type Kind = "number" | "integer" | "boolean" | "choice" | "choices" | "colour" | "vector" | "text" | "object" | "list" | "number_or_word" | "other";
 export interface Member { name: string; kind: Kind; schema: Schema; description: string; fallback: unknown; required: boolean }
 
 /** Schemas by name; empty until the contract is there. */
@@ -36,6 +36,7 @@ export function kindOf(schema: Schema): Kind {
   if (schema.$ref && vector_names.includes(nameOf(schema.$ref))) return "vector";
   const full = resolved(schema);
   if (full.enum) return "choice";
+  if (full.oneOf?.length === 2 && full.oneOf[0]!.type === "number" && typeof full.oneOf[1]!.const === "string") return "number_or_word";
   if (full.type === "array") {
     if (full.items && resolved(full.items).enum) return "choices";
     return full.items && ["object", "array"].includes(String(resolved(full.items).type)) ? "list" : "other";

@@ -1,14 +1,16 @@
 // Named blowers, attractors and placed lights as handles in the picture.
-import {useSignal} from "@preact/signals";
+import {signal, useSignal} from "@preact/signals";
 import type {Command, Settings, Vector} from "../api/types";
+import {lights as live_lights} from "../scene/live_setting";
 import {run, scene, settings} from "../scene/session";
 import {current} from "../tools/state";
-import {signal} from "@preact/signals";
-import {add, scale, subtract, unit} from "./vector";
+import {add, dot, norm, scale, subtract, unit} from "./vector";
 import {Handle, projectionNow} from "./handle";
 
 /** Whether the panel of lights is open, which shows their handles. */
 export const shows_lights = signal(false);
+/** The one that the panel shows. */
+export const chosen_light = signal(0);
 
 interface Gizmo {
   name: string;
@@ -17,7 +19,12 @@ interface Gizmo {
   /** The other end of its line. */
   to?: Vector;
   /** The command that puts it there. */
-  moved: (to: Vector) => Command;
+  moved?: (to: Vector) => Command;
+  /** Or what puts it there while it is dragged, too. */
+  live?: (to: Vector, done: boolean) => void;
+  place?: (x: number, y: number) => Vector;
+  chosen?: boolean;
+  pressed?: () => void;
 }
 
 const replaced = <T,>(list: readonly T[], index: number, change: Partial<T>): T[] => list.map((one, k) => (k === index ? {...one, ...change} : one));
@@ -42,19 +49,40 @@ function attractors(all: Settings): Gizmo[] {
   }));
 }
 
-/** A directional light is dragged on a ball about the model; the others have a place. */
-function lights(all: Settings): Gizmo[] {
-  if (!scene.value) return [];
+/** The ball about the model that directional lights stand on. */
+export function lightBall(): {middle: Vector; radius: number} | null {
+  if (!scene.value) return null;
   const {min, max} = scene.value.bounds as {min: Vector; max: Vector};
-  const middle = scale(add(min, max), 0.5);
-  return all.lights.map((light, k) => {
+  return {middle: scale(add(min, max), 0.5), radius: 0.4 * scene.value.size};
+}
+
+/** Where a pixel's ray meets the ball, on the side where the handle is; its rim where the ray passes by. */
+function onBall(x: number, y: number, at: Vector, {middle, radius}: {middle: Vector; radius: number}): Vector {
+  const {origin, direction} = projectionNow().ray(x, y);
+  const along = dot(subtract(middle, origin), direction);
+  const beside = subtract(add(origin, scale(direction, along)), middle);
+  const inside = radius * radius - dot(beside, beside);
+  if (inside <= 0) return add(middle, scale(unit(beside), radius));
+  const behind = norm(subtract(at, origin)) > norm(subtract(middle, origin));
+  return add(origin, scale(direction, along + (behind ? 1 : -1) * Math.sqrt(inside)));
+}
+
+/** A directional light is dragged on a ball about the model; the others have a place. All shine at its middle then. */
+function lights(): Gizmo[] {
+  const ball = lightBall(), list = live_lights.value.value;
+  if (!ball || !list) return [];
+  return list.map((light, k) => {
     const directional = (light.kind ?? "directional") === "directional";
-    const from = add(middle, scale(unit((light.direction ?? [0, -1, 0]) as Vector), -0.62 * scene.value!.size));
-    const command = (to: Vector): Command => {
-      const turned = {direction: subtract(middle, to)};
-      return {op: "set_lights", lights: replaced(all.lights, k, directional ? turned : {position: to, ...(light.kind === "point" ? {} : turned)})};
+    const from = add(ball.middle, scale(unit((light.direction ?? [0, -1, 0]) as Vector), -ball.radius));
+    const at = directional ? from : ((light.position ?? [0, 0, 0]) as Vector);
+    const live = (to: Vector, done: boolean) => {
+      const turned = {direction: unit(subtract(ball.middle, to))};
+      const next = replaced(list, k, directional ? turned : {position: to, ...(light.kind === "point" ? {} : turned)});
+      live_lights.set(next, false);
+      if (done) live_lights.set(next, true);
     };
-    return {name: `Light ${k + 1}`, shape: "light" as const, at: directional ? from : ((light.position ?? [0, 0, 0]) as Vector), to: middle, moved: command};
+    return {name: `Light ${k + 1}`, shape: "light" as const, at, to: ball.middle, live, chosen: k === chosen_light.value, pressed: () => { chosen_light.value = k; },
+            ...(directional ? {place: (x: number, y: number) => onBall(x, y, at, ball)} : {})};
   });
 }
 
@@ -63,7 +91,7 @@ export function Gizmos() {
   const all = settings.value;
   if (!all) return null;
   const placed = current.value === "blow" || current.value === "attract" ? [...blowers(all), ...attractors(all)] : [];
-  const shown = [...placed, ...(shows_lights.value ? lights(all) : [])];
+  const shown = [...placed, ...(shows_lights.value ? lights() : [])];
   if (shown.length === 0) return null;
   const projection = projectionNow();
   return (
@@ -76,9 +104,11 @@ export function Gizmos() {
       </svg>
       {shown.map((gizmo) => (
         <Handle key={gizmo.name} at={dragged.value?.name === gizmo.name ? dragged.value.to : gizmo.at} shape={gizmo.shape} label={gizmo.name}
+                chosen={gizmo.chosen ?? false} {...(gizmo.place ? {place: gizmo.place} : {})} {...(gizmo.pressed ? {pressed: gizmo.pressed} : {})}
                 moved={(to, done) => {
+                  if (gizmo.live) return gizmo.live(to, done);
                   dragged.value = {name: gizmo.name, to};
-                  if (done) void run(gizmo.moved(to)).then(() => { dragged.value = null; });
+                  if (done) void run(gizmo.moved!(to)).then(() => { dragged.value = null; });
                 }} />
       ))}
     </div>

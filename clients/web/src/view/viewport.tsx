@@ -2,6 +2,7 @@
 import {effect, signal, useSignal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {model_id, revision, scene, settings} from "../scene/session";
+import {trial} from "../scene/trial";
 import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
 import {brush, in_hand, worldRadius} from "../tools/state";
@@ -68,7 +69,8 @@ class View {
     if (!scene.value) return null;
     const {width, height} = viewport_size.value;
     const ratio = Math.min(devicePixelRatio || 1, max_ratio);
-    return {scene: scene.value.id, camera: pinholeOf(orbit.value), width, height, ratio, revision: revision.value};
+    const drawn = trial.value ?? {scene: scene.value.id, revision: revision.value};
+    return {...drawn, camera: pinholeOf(orbit.value), width, height, ratio};
   }
 
   private async present(bytes: Blob) {
@@ -165,6 +167,7 @@ function follow(shown: View): () => void {
     effect(() => { if (model_id.value && scene.value) void loadProxy(scene.value.id); }),
     effect(() => { void revision.value; void model_id.value; shown.frames.touch(); }),
     effect(() => { void [dial.value, rest_quality.value, shared_request.value, compared.value]; shown.frames.touch(); }),
+    effect(() => { shown.frames.touch({moving: trial.value !== null}); }),
     effect(() => { void viewport_size.value; shown.frames.touch(); shown.sketchSoon(); }),
     effect(() => { void [brush.value, in_hand.value, settings.value, proxy.value, orbit.value]; shown.sketchSoon(); }),
     effect(() => { if (model_id.value && scene.value) moveTo("three_quarter", true); }),

@@ -1,0 +1,63 @@
+// The coat: how the strands of the tile are made, a patch of it close by, and looks to begin with.
+import type {Settings} from "../api/types";
+import {coat, look} from "../scene/live_setting";
+import {Form} from "../tools/form";
+import {membersOf, schemas, type Member} from "../tools/schema";
+import {Looks} from "./looks";
+import {Patch} from "./patch";
+import {Ramp} from "./ramp";
+
+type Coat = Settings["coat"];
+
+/** Where a member is shown, by its name; what no rule takes comes last. */
+const groups: {label: string; of: RegExp; open?: boolean}[] = [
+  {label: "Colour", of: /^(ramp|colour|warmth|ticking)/, open: true},
+  {label: "Strands", of: /^(count|tile|width|length|root|lean|bend|mess)/, open: true},
+  {label: "Clumps and tufts", of: /^(clump|fine_clump|lodge|tufts|wetness)/},
+  {label: "Curls and waves", of: /^(curl|wave)/},
+  {label: "Undercoat", of: /^undercoat$/},
+  {label: "Pattern", of: /^pattern$/},
+  {label: "Variation over the body", of: /^variation$/},
+  {label: "More", of: /^/},
+];
+const groupOf = (member: Member) => groups.find(({of}) => of.test(member.name));
+function Group({label, members, open}: {label: string; members: Member[]; open?: boolean | undefined}) {
+  const now = coat.value.value as Record<string, unknown>;
+  const set = (change: Record<string, unknown>, done: boolean) => coat.set({...now, ...change} as Coat, done);
+  const only = members.length === 1 && members[0]!.kind === "object" ? members[0]! : null;
+  const inner = (only ? now[only.name] : now) as Record<string, unknown>;
+  const shown = only ? membersOf(only.schema) : members;
+  const hidden = only?.name === "pattern" && inner["kind"] === "none" ? new Set(shown.map(({name}) => name).filter((name) => name !== "kind")) : undefined;
+  return (
+    <details class="group" open={open}>
+      <summary>{label}</summary>
+      {members.some(({name}) => name === "ramp") && <ColourSource />}
+      {members.some(({name}) => name === "ramp") && <Ramp stops={coat.value.value!.ramp!} set={(ramp, done) => set({ramp}, done)} />}
+      <Form members={shown} values={inner} hidden={hidden} set={(name, value, done) => set(only ? {[only.name]: {...inner, [name]: value}} : {[name]: value}, done)} />
+    </details>
+  );
+}
+
+/** A model that comes with colours hides those of the coat, unless it is told not to. */
+function ColourSource() {
+  const now = look.value.value;
+  if (!now || now.colour_source === "coat") return null;
+  return (
+    <p class="help">A model that has colours of its own shows those, not these. <button type="button" onClick={() => look.set({...now, colour_source: "coat"}, true)}>Show the coat's</button></p>
+  );
+}
+
+export function CoatPanel() {
+  if (!coat.value.value) return null;
+  const members = membersOf(schemas.value["Coat"] ?? {});
+  return (
+    <>
+      <Patch />
+      <details class="group"><summary>Looks to begin with</summary><Looks /></details>
+      {groups.map((group) => {
+        const own = members.filter((member) => groupOf(member) === group);
+        return own.length > 0 && <Group key={group.label} label={group.label} members={own} open={group.open} />;
+      })}
+    </>
+  );
+}

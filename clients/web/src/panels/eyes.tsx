@@ -1,0 +1,96 @@
+// Eyes: placed by a press on the model, in pairs where the scene is mirrored.
+import {useSignal} from "@preact/signals";
+import {useEffect} from "preact/hooks";
+import type {Settings, Vector} from "../api/types";
+import {kept} from "../api/identity";
+import {eyes} from "../scene/live_setting";
+import {scene, settings} from "../scene/session";
+import {Form} from "../tools/form";
+import {membersOf, schemas} from "../tools/schema";
+import {orbit, pinholeOf} from "../view/camera";
+import {mirrored} from "../view/mirror";
+import type {Hit} from "../view/proxy";
+import {scale, subtract, unit} from "../view/vector";
+import {place_request, proxy} from "../view/viewport";
+
+type Eye = Settings["eyes"][number];
+
+/** Whether a change of one eye is a change of all. */
+const alike = kept("eyes-alike", true);
+const first_radius = 0.02;   // sizes: as a new creature's
+const sunk = 0.35;           // radii of the ball that lie under the skin
+/** What each eye has for itself. */
+const own = ["position", "gaze", "look_at"];
+
+const maxEyes = () => schemas.value["SetEyes"] && membersOf(schemas.value["SetEyes"]).find(({name}) => name === "eyes")?.schema.maxItems || 8;
+
+/** An eye at a place, like the one before but for where it is. */
+function eyeAt(hit: Hit, like: Eye | undefined): Eye {
+  const radius = like?.radius ?? first_radius;
+  const {look_at: _, ...rest} = like ?? {lids: {}} as Partial<Eye>;
+  const lids = rest.lids ? {...rest.lids, facing: hit.normal} : undefined;
+  return {...rest, ...(lids ? {lids} : {}), radius, gaze: hit.normal, position: subtract(hit.point, scale(hit.normal, sunk * radius * (scene.value?.size ?? 1)))};
+}
+
+function place(now: Eye[], took: (index: number) => void) {
+  place_request.value = {says: "Press where the eye is to be.", take: (hit) => {
+    const pair = proxy.value ? mirrored(hit, settings.value?.symmetry, proxy.value) : [];
+    const next = [...now, eyeAt(hit, now[now.length - 1]), ...pair.map((image) => eyeAt(image, now[now.length - 1]))].slice(0, maxEyes());
+    took(now.length);
+    eyes.set(next, true);
+  }};
+}
+
+/** One member of one eye, and of the others where they are alike. The tilt of lids is mirrored, not copied. */
+function changed(now: Eye[], index: number, name: string, value: unknown): Eye[] {
+  return now.map((eye, k) => {
+    if (k === index) {
+      const {gaze, look_at, ...rest} = eye;
+      const looks = name === "gaze" ? {} : name === "look_at" ? {} : {...(gaze ? {gaze} : {}), ...(look_at ? {look_at} : {})};
+      return {...rest, ...looks, [name]: value} as Eye;
+    }
+    if (!alike.value || own.includes(name)) return eye;
+    if (name !== "lids" || !eye.lids || !value) return {...eye, [name]: value} as Eye;
+    const {facing, tilt_degrees} = eye.lids;
+    return {...eye, lids: {...value, ...(facing ? {facing} : {}), ...(tilt_degrees === undefined ? {} : {tilt_degrees})}};
+  });
+}
+
+const without = ({lids: _, ...eye}: Eye): Eye => eye;
+
+function OneEye({now, index}: {now: Eye[]; index: number}) {
+  const eye = now[index]!;
+  const members = membersOf(schemas.value["Eye"] ?? {}).map((member) => (member.name === "radius" ? {...member, schema: {...member.schema, minimum: 0.002, maximum: 0.2}} : member));
+  const hidden = new Set([eye.look_at ? "gaze" : "look_at", ...(eye.lids ? [] : ["lids"])]);
+  const camera = () => pinholeOf(orbit.value).position;
+  const lids = (on: boolean) => eyes.set(now.map((one, k) => (k !== index && !alike.value ? one : on ? {...one, lids: {}} : without(one))), true);
+  return (
+    <div class="eye">
+      <div class="buttons">
+        <button type="button" onClick={() => eyes.set(changed(now, index, "gaze", unit(subtract(camera(), eye.position as Vector))), true)}>Look at me</button>
+        <button type="button" onClick={() => eyes.set(now.filter((_, k) => k !== index), true)}>Delete</button>
+        <label><input type="checkbox" checked={Boolean(eye.lids)} onChange={(event) => lids(event.currentTarget.checked)} /> Lids</label>
+      </div>
+      <Form members={members} values={eye} hidden={hidden} set={(name, value, done) => eyes.set(changed(now, index, name, value), done)} />
+    </div>
+  );
+}
+
+export function Eyes() {
+  const chosen = useSignal(0);
+  useEffect(() => () => { place_request.value = null; }, []);
+  const now = eyes.value.value;
+  if (!now) return null;
+  const index = Math.min(chosen.value, now.length - 1);
+  return (
+    <section>
+      <h3>Eyes</h3>
+      <div class="chips presets" role="group" aria-label="Eyes">
+        {now.map((_, k) => <button key={k} type="button" class="chip" aria-pressed={k === index} onClick={() => { chosen.value = k; }}>Eye {k + 1}</button>)}
+      </div>
+      {now.length > 1 && <label class="check"><input type="checkbox" checked={alike.value} onChange={(event) => { alike.value = event.currentTarget.checked; }} /> All eyes alike</label>}
+      <button type="button" aria-pressed={place_request.value !== null} disabled={now.length >= maxEyes()} onClick={() => { if (place_request.value) place_request.value = null; else place(now, (k) => { chosen.value = k; }); }}>Place an eye</button>
+      {index >= 0 && <details class="group"><summary>Eye {index + 1}</summary><OneEye now={now} index={index} /></details>}
+    </section>
+  );
+}

@@ -1,0 +1,125 @@
+// Lights, the light from all around and the ground. Lights have handles in the picture while this panel is open.
+import {useEffect} from "preact/hooks";
+import type {Settings, Vector} from "../api/types";
+import {environment, ground, lights} from "../scene/live_setting";
+import {scene} from "../scene/session";
+import {takePicture} from "../scene/upload";
+import {toHex} from "../tools/colour";
+import {Form} from "../tools/form";
+import {membersOf, schemas, words, type Member} from "../tools/schema";
+import {axes, orbit} from "../view/camera";
+import {chosen_light, lightBall, shows_lights} from "../view/gizmos";
+import {add, scale, unit} from "../view/vector";
+import {FileButton} from "./file_button";
+
+type Light = Settings["lights"][number];
+type Environment = Settings["environment"];
+type Ground = Settings["ground"];
+
+const maxLights = () => membersOf(schemas.value["SetLights"] ?? {}).find(({name}) => name === "lights")?.schema.maxItems ?? 8;
+
+/** From above and beside whoever looks. */
+function newLight(): Light {
+  const {right, up, forward} = axes(orbit.value);
+  return {kind: "directional", direction: unit(add(forward, add(scale(right, 0.8), scale(up, -0.9)))), intensity: 0.8, cast_shadow: "penumbra"};
+}
+
+/** The kinds that a member is for: a description that speaks of "a point or spot light" holds for those alone. */
+const kindsOf = ({name, description}: Member) => (name === "kind" ? undefined : /\ban? ((?:\w+(?:, | or ))*\w+) light\b(?!')/.exec(description)?.[1]?.split(/, | or /));
+
+function notOf(light: Light, members: Member[]): Set<string> {
+  const kind = light.kind ?? "directional";
+  return new Set(members.filter((member) => !(kindsOf(member)?.includes(kind) ?? true)).map(({name}) => name));
+}
+
+/** A light that gets a place stands where its handle was, and shines at the model. */
+function changed(light: Light, name: string, value: unknown): Light {
+  const next = {...light, [name]: value} as Light;
+  const ball = lightBall();
+  if (name !== "kind" || value === "directional" || light.kind !== "directional" || !ball) return next;
+  return {...next, position: add(ball.middle, scale(unit((light.direction ?? [0, -1, 0]) as Vector), -ball.radius))};
+}
+
+function OneLight({now, index}: {now: Light[]; index: number}) {
+  const light = now[index]!;
+  const members = membersOf(schemas.value["Light"] ?? {}).map((member) => (member.name === "intensity" ? {...member, schema: {...member.schema, maximum: Math.max(5, Number(light.intensity ?? 1))}} : member));
+  const set = (name: string, value: unknown, done: boolean) => lights.set(now.map((one, k) => (k === index ? changed(one, name, value) : one)), done);
+  return (
+    <>
+      <Form members={members} values={light} hidden={notOf(light, members)} set={set} />
+      <button type="button" onClick={() => lights.set(now.filter((_, k) => k !== index), true)}>Delete light {index + 1}</button>
+    </>
+  );
+}
+
+function Lights() {
+  const now = lights.value.value;
+  if (!now) return null;
+  const index = Math.min(chosen_light.value, now.length - 1);
+  const put = () => {
+    chosen_light.value = now.length;
+    lights.set([...now, newLight()], true);
+  };
+  return (
+    <>
+      <h3>Lights</h3>
+      <div class="light-list" role="group" aria-label="Lights">
+        {now.map((light, k) => (
+          <button key={k} type="button" aria-pressed={k === index} onClick={() => { chosen_light.value = k; }}>
+            <span class="swatch" style={{background: toHex(light.colour)}} aria-hidden="true" />Light {k + 1}<small>{words(light.kind ?? "directional")}</small>
+          </button>
+        ))}
+      </div>
+      <button type="button" disabled={now.length >= maxLights()} onClick={put}>Add a light</button>
+      {now.length > 0 && <p class="help">Drag the handles around the model.</p>}
+      {index >= 0 && <OneLight now={now} index={index} />}
+    </>
+  );
+}
+
+const picture_members = ["turn_degrees"];
+
+function Around() {
+  const now = environment.value.value;
+  if (!now) return null;
+  const members = membersOf(schemas.value["Environment"] ?? {});
+  const from_picture = Boolean(now.harmonics);
+  const hidden = new Set(members.filter(({name, kind}) => (from_picture ? kind === "colour" : picture_members.includes(name))).map(({name}) => name));
+  return (
+    <section>
+      <h3>Light from all around</h3>
+      <Form members={members} values={now} hidden={hidden} set={(name, value, done) => environment.set({...now, [name]: value} as Environment, done)} />
+      <FileButton accept=".hdr,.exr" take={takePicture}>{from_picture ? "Another picture" : "From a picture"} (HDR, EXR)…</FileButton>
+      {from_picture && <button type="button" onClick={() => environment.set({intensity: now.intensity ?? 1}, true)}>Back to three colours</button>}
+    </section>
+  );
+}
+
+/** Its height is free; a slider goes from the model's middle to as far below it. */
+function heightRange(): {minimum: number; maximum: number; fallback: number} {
+  const {min, max} = scene.value!.bounds as {min: Vector; max: Vector};
+  const half = (max[1] - min[1]) / 2;
+  return {minimum: min[1] - half, maximum: min[1] + half, fallback: min[1]};
+}
+
+function Below() {
+  const now = ground.value.value;
+  if (!now || !scene.value) return null;
+  const {fallback, ...range} = heightRange();
+  const members = membersOf(schemas.value["Ground"] ?? {}).map((member) => (member.name === "height" ? {...member, fallback, schema: {...member.schema, ...range}} : member));
+  const hidden = new Set(now.visible ? [] : members.map(({name}) => name).filter((name) => name !== "visible"));
+  return (
+    <section>
+      <h3>Ground</h3>
+      <Form members={members} values={now} hidden={hidden} set={(name, value, done) => ground.set({...now, [name]: value} as Ground, done)} />
+    </section>
+  );
+}
+
+export function LightPanel() {
+  useEffect(() => {
+    shows_lights.value = true;
+    return () => { shows_lights.value = false; };
+  }, []);
+  return <><Lights /><Around /><Below /></>;
+}

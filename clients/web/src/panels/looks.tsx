@@ -1,0 +1,23 @@
+// Looks to begin with, by picture. They are loaded when the panel is opened for the first time.
+import {signal} from "@preact/signals";
+import {useEffect} from "preact/hooks";
+import {sayError} from "../scene/messages";
+import {run} from "../scene/session";
+import type {Look} from "../scene/looks";
+
+const looks = signal<Look[]>([]);
+
+export function Looks() {
+  useEffect(() => {
+    if (looks.value.length === 0) import("../scene/looks").then((loaded) => { looks.value = loaded.looks; }, sayError);
+  }, []);
+  return (
+    <div class="looks" role="group" aria-label="Looks to begin with">
+      {looks.value.map(({name, picture, commands}) => (
+        <button key={name} type="button" onClick={() => void run(...commands)}>
+          <img src={picture} alt="" width="84" height="84" loading="lazy" /><span>{name}</span>
+        </button>
+      ))}
+    </div>
+  );
+}

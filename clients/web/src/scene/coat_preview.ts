@@ -1,0 +1,41 @@
+// A patch of fur on a flat model: a scene of its own that shows a coat close by, whatever the model is. One on each server.
+import * as api from "../api/client";
+import {page_id} from "../api/identity";
+import type {FrameRequest, Scene, Settings, Vector} from "../api/types";
+import {preview_name} from "./scratch";
+
+const max_revision = 400;  // its log is of no use to anybody
+
+let found: Promise<Scene> | null = null;
+let serial = 0;
+
+async function findScene(): Promise<Scene> {
+  const there = (await api.listScenes()).find((one) => one.name === preview_name && one.model === "plane");
+  if (there && there.revision < max_revision) return there;
+  if (there) await api.removeScene(there.id);
+  return api.createScene({name: preview_name, model: {builtin: "plane", triangles: 200}, fur: {length: 0.045, inclination: 0.5}});
+}
+
+const camera = {position: [0.2, 0.3, 0.2] as Vector, target: [0, 0.02, 0] as Vector, up: [0, 1, 0] as Vector, fov_degrees: 30};
+/** Of the picture that stays: hairs are thinner than its pixels. */
+const fine: NonNullable<FrameRequest["quality"]> = {shells: 24, scale: 1.5};
+
+export interface Patch { scene: string; revision: number }
+
+/** Gives the patch a coat. */
+export async function dressPatch(coat: Settings["coat"], look: Settings["look"]): Promise<Patch> {
+  found ??= findScene();
+  const {id} = await found;
+  const commands = [{op: "set_coat", coat}, {op: "set_look", look: {...look, colour_source: "coat"}}];
+  return {scene: id, revision: (await api.change(id, "commands", {commands}, `${page_id}-patch-${++serial}`)).revision};
+}
+
+/** Its picture; null where somebody else's coat came between. */
+export async function drawPatch(patch: Patch, at_rest: boolean, size: {width: number; height: number}, signal: AbortSignal): Promise<Blob | null> {
+  const quality = at_rest ? fine : "interactive";
+  const picture = await api.drawFrame(patch.scene, {...size, camera, quality, format: "jpeg", view: `${page_id}-patch`}, null, signal);
+  return picture?.revision === patch.revision ? picture.bytes : null;
+}
+
+/** After an error: the scene may be gone. */
+export function forgetPatch() { found = null; }

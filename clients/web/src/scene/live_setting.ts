@@ -1,0 +1,62 @@
+// A setting of the scene under a hand: the value on the screen follows at once, a copy of the scene shows what it does, and each
+// finished change is one command. Commands go one at a time; what comes meanwhile is sent once, as it is then.
+import {computed, signal, type ReadonlySignal} from "@preact/signals";
+import type {Command, Settings} from "../api/types";
+import {scene, settings} from "./session";
+import {commit, endTrial, tryOut} from "./trial";
+
+const key_press = 12;   // ms within which a key press both moves a slider and lets it go
+const settle = 400;     // ms after the last key press
+
+const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
+
+export interface LiveSetting<T> {
+  /** As it stands on the screen; null before the scene is read. */
+  value: ReadonlySignal<T | null>;
+  /** `done` is false while it is dragged. */
+  set: (next: T, done: boolean) => void;
+}
+
+export function liveSetting<T>(read: (all: Settings) => T, command: (value: T) => Command): LiveSetting<T> {
+  const draft = signal<{scene: string; value: T} | null>(null);
+  let since = 0, timer = 0, sending = false, again = false;
+
+  const stored = () => (settings.value ? read(settings.value) : null);
+  const value = computed(() => (draft.value && draft.value.scene === scene.value?.id ? draft.value.value : stored()));
+
+  async function send() {
+    again = sending;
+    if (sending) return;
+    sending = true;
+    do {
+      again = false;
+      const sent = draft.value;
+      if (!sent || sent.scene !== scene.value?.id || same(sent.value, stored())) endTrial();
+      else await commit(command(sent.value));
+      if (draft.value === sent) draft.value = null;
+    } while (again);
+    sending = false;
+  }
+
+  function set(next: T, done: boolean) {
+    if (!scene.value) return;
+    draft.value = {scene: scene.value.id, value: next};
+    clearTimeout(timer);
+    if (!done) {
+      since ||= performance.now();
+      return tryOut(command(next));
+    }
+    const by_key = since > 0 && performance.now() - since < key_press;
+    since = 0;
+    if (by_key) timer = window.setTimeout(() => void send(), settle);
+    else void send();
+  }
+  return {value, set};
+}
+
+export const coat = liveSetting((all) => all.coat, (value) => ({op: "set_coat", coat: value}));
+export const look = liveSetting((all) => all.look, (value) => ({op: "set_look", look: value}));
+export const lights = liveSetting((all) => all.lights, (value) => ({op: "set_lights", lights: value}));
+export const environment = liveSetting((all) => all.environment, (value) => ({op: "set_environment", environment: value}));
+export const ground = liveSetting((all) => all.ground, (value) => ({op: "set_ground", ground: value}));
+export const eyes = liveSetting((all) => all.eyes, (value) => ({op: "set_eyes", eyes: value}));

@@ -1,0 +1,122 @@
+// A copy of the scene in which settings are tried while a slider is dragged: pictures follow the hand, and the scene itself gets
+// one step at the end. The server shares baked coats between scenes, so that a copy draws as fast as its scene.
+import {signal} from "@preact/signals";
+import * as api from "../api/client";
+import {page_id} from "../api/identity";
+import type {Command, Scene} from "../api/types";
+import {isStale, trialName} from "./scratch";
+import {revision, run, scene} from "./session";
+
+/** The copy to draw in place of the scene; null while nothing is tried. */
+export const trial = signal<{scene: string; revision: number} | null>(null);
+
+const pause = 60;           // ms from one command to the next
+const keep = 15000;         // ms that a copy waits for the next try
+const remove_after = 8000;  // ms until the last pictures of a copy are drawn
+
+let serial = 0;
+
+class Copy {
+  private readonly made: Promise<Scene>;
+  private id = "";
+  private waiting: Command | null = null;
+  private busy = false;
+
+  /** `at` is the revision whose state it has, but for what is tried. */
+  constructor(readonly of: string, public at: number) {
+    this.made = api.branchScene(of, {name: trialName(), revision: at});
+    this.made.then(({id}) => { this.id = id; }, () => undefined);  // a full server: what is tried is seen once it is sent
+  }
+
+  show(command: Command) {
+    this.waiting = command;
+    if (!this.busy) void this.work();
+  }
+
+  private async work() {
+    this.busy = true;
+    try {
+      const {id} = await this.made;
+      for (let command = this.waiting; command; command = this.waiting) {
+        this.waiting = null;
+        const answer = await api.change(id, "commands", command, `${page_id}-trial-${++serial}`);
+        if (trying && open === this) trial.value = {scene: id, revision: answer.revision};
+        await new Promise((wake) => setTimeout(wake, pause));
+      }
+    } catch {
+      // the server says why once the command is sent to the scene
+    }
+    this.busy = false;
+  }
+
+  /** The scene has this now, too. */
+  follow(command: Command, at: number) {
+    this.at = at;
+    this.show(command);
+  }
+
+  async remove() {
+    this.waiting = null;
+    await this.made.then(({id}) => api.removeScene(id)).catch(() => undefined);
+  }
+
+  /** While the page goes away: no time for anything but the request. */
+  removeNow() {
+    if (this.id) api.removeScene(this.id).catch(() => undefined);
+  }
+}
+
+let open: Copy | null = null;
+let trying = false;
+let timer = 0;
+const leaving = new Set<Copy>();
+
+function drop() {
+  const left = open;
+  open = null;
+  if (!left) return;
+  leaving.add(left);
+  setTimeout(() => void left.remove().then(() => leaving.delete(left)), remove_after);
+}
+
+/** Copies of pages that died are of no use to anybody. */
+async function removeStale() {
+  for (const {id, name} of await api.listScenes()) if (isStale(name)) await api.removeScene(id);
+}
+
+function begin(of: string): Copy {
+  removeStale().catch(() => undefined);
+  return new Copy(of, revision.value);
+}
+
+/** Shows what a command would do. */
+export function tryOut(command: Command) {
+  if (!scene.value) return;
+  if (open && (open.of !== scene.value.id || open.at !== revision.value)) drop();
+  open ??= begin(scene.value.id);
+  trying = true;
+  clearTimeout(timer);
+  open.show(command);
+}
+
+/** The scene is drawn again. */
+export function endTrial() {
+  if (!trying) return;
+  trying = false;
+  trial.value = null;
+  clearTimeout(timer);
+  timer = window.setTimeout(drop, keep);
+}
+
+/** Runs a command in the scene, as one step, and shows the scene again. */
+export async function commit(command: Command) {
+  const answer = await run(command);
+  if (answer && open && open.at + 1 === answer.revision) open.follow(command, answer.revision);
+  endTrial();
+}
+
+addEventListener("pagehide", () => {
+  for (const copy of [...leaving, ...(open ? [open] : [])]) copy.removeNow();
+  leaving.clear();
+  open = null;
+});
