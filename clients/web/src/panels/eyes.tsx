@@ -84,7 +84,7 @@ export function Eyes() {
   const index = Math.min(chosen.value, now.length - 1);
   return (
     <section>
-      <h3>Eyes</h3>
+      <h2>Eyes</h2>
       <div class="chips presets" role="group" aria-label="Eyes">
         {now.map((_, k) => <button key={k} type="button" class="chip" aria-pressed={k === index} onClick={() => { chosen.value = k; }}>Eye {k + 1}</button>)}
       </div>

@@ -43,7 +43,7 @@ export function Panels() {
                   tabIndex={id === open.id ? 0 : -1} onClick={() => { panel.value = id; }}><Icon sign={sign} /><span>{label}</span></button>
         ))}
       </div>
-      <div class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${open.id}`} tabIndex={0}><Show /></div>
+      <div key={open.id} class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${open.id}`} tabIndex={0}><Show /></div>
     </aside>
   );
 }

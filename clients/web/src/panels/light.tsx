@@ -62,7 +62,7 @@ function Lights() {
   };
   return (
     <>
-      <h3>Lights</h3>
+      <h2>Lights</h2>
       <div class="light-list" role="group" aria-label="Lights">
         {now.map((light, k) => (
           <button key={k} type="button" aria-pressed={k === index} onClick={() => { chosen_light.value = k; }}>
@@ -87,7 +87,7 @@ function Around() {
   const hidden = new Set(members.filter(({name, kind}) => (from_picture ? kind === "colour" : picture_members.includes(name))).map(({name}) => name));
   return (
     <section>
-      <h3>Light from all around</h3>
+      <h2>Light from all around</h2>
       <Form members={members} values={now} hidden={hidden} set={(name, value, done) => environment.set({...now, [name]: value} as Environment, done)} />
       <FileButton accept=".hdr,.exr" take={takePicture}>{from_picture ? "Another picture" : "From a picture"} (HDR, EXR)…</FileButton>
       {from_picture && <button type="button" onClick={() => environment.set({intensity: now.intensity ?? 1}, true)}>Back to three colours</button>}
@@ -110,7 +110,7 @@ function Below() {
   const hidden = new Set(now.visible ? [] : members.map(({name}) => name).filter((name) => name !== "visible"));
   return (
     <section>
-      <h3>Ground</h3>
+      <h2>Ground</h2>
       <Form members={members} values={now} hidden={hidden} set={(name, value, done) => ground.set({...now, [name]: value} as Ground, done)} />
     </section>
   );

@@ -64,7 +64,7 @@ function Skin({now}: {now: Look}) {
   const own = settings.value?.skin_texture === "own";
   return (
     <section>
-      <h3>Skin</h3>
+      <h2>Skin</h2>
       <Form members={colour} values={now} set={(name, value, done) => look.set({...now, [name]: value} as Look, done)} />
       <p class="help">{own ? "A picture can be laid on the model by its texture coordinates." : "A picture lies on the model."}</p>
       <FileButton accept="image/*" take={takePicture}>Skin texture…</FileButton>
@@ -84,7 +84,7 @@ function View() {
   const plain = background.value !== "studio";
   return (
     <section>
-      <h3>View</h3>
+      <h2>View</h2>
       <p class="help">For you alone; the scene stays as it is.</p>
       <div class="row"><label for="view-background">Background</label>
         <select id="view-background" value={plain ? "plain" : "studio"} onChange={(event) => { background.value = event.currentTarget.value === "studio" ? "studio" : "#8f9498"; }}>

@@ -69,9 +69,10 @@ export function Ramp({stops, set}: Props) {
       </div>
       <div class="ramp-ends" aria-hidden="true"><span>root</span><span>tip</span></div>
       <div class="row"><label for={id}>Colour at {Math.round(stop.at * 100)}%</label>
-        <input id={id} type="color" value={toHex(stop.colour)} onInput={(event) => colour(event.currentTarget.value, false)} onChange={(event) => colour(event.currentTarget.value, true)} />
-        <button type="button" disabled={stops.length >= maxStops()} onClick={() => add(widestGap(stops))}>Add</button>
-        <button type="button" disabled={stops.length < 2} onClick={() => remove(at)}>Delete</button>
+        <input id={id} type="color" value={toHex(stop.colour)} onInput={(event) => colour(event.currentTarget.value, false)} onChange={(event) => colour(event.currentTarget.value, true)} /></div>
+      <div class="buttons">
+        <button type="button" disabled={stops.length >= maxStops()} onClick={() => add(widestGap(stops))}>Add a stop</button>
+        <button type="button" disabled={stops.length < 2} onClick={() => remove(at)}>Delete it</button>
       </div>
     </div>
   );
@@ -100,7 +101,7 @@ function Stop({stops, index, chosen, share, set, choose, remove}: StopProps) {
   const up = () => {
     const last = dragged.current;
     dragged.current = null;
-    if (last && last[index]!.at !== undefined) set(last, true);
+    if (last && last !== stops) set(last, true);
   };
   const key = (event: KeyboardEvent) => {
     const step = (event.shiftKey ? 0.1 : 0.01) * ({ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[event.key] ?? 0);
