@@ -45,7 +45,7 @@ export function Patch() {
   useEffect(() => () => URL.revokeObjectURL(address.peek()), []);
   return (
     <div class="patch" aria-busy={drawing.value}>
-      {address.value && <img src={address.value} alt="A patch of this coat" {...size} />}
+      {address.value ? <img src={address.value} alt="A patch of this coat" {...size} /> : <p class="help">A patch of this coat is being drawn.</p>}
     </div>
   );
 }

@@ -81,7 +81,7 @@ export function Ramp({stops, set}: Props) {
 interface StopProps extends Props { index: number; chosen: boolean; share: (event: PointerEvent) => number; choose: () => void; remove: () => void }
 
 function Stop({stops, index, chosen, share, set, choose, remove}: StopProps) {
-  const dragged = useRef<Stops | null>(null);
+  const dragged = useRef<{stops: Stops; moved: boolean} | null>(null);
   const stop = stops[index]!;
   const moved = (to: number): Stops => {
     const [low, high] = [index > 0 ? stops[index - 1]!.at + gap : 0, index < stops.length - 1 ? stops[index + 1]!.at - gap : 1];
@@ -91,17 +91,17 @@ function Stop({stops, index, chosen, share, set, choose, remove}: StopProps) {
   const down = (event: PointerEvent) => {
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     choose();
-    dragged.current = stops;
+    dragged.current = {stops, moved: false};
   };
   const move = (event: PointerEvent) => {
     if (!dragged.current) return;
-    dragged.current = moved(share(event));
-    set(dragged.current, false);
+    dragged.current = {stops: moved(share(event)), moved: true};
+    set(dragged.current.stops, false);
   };
   const up = () => {
     const last = dragged.current;
     dragged.current = null;
-    if (last && last !== stops) set(last, true);
+    if (last?.moved) set(last.stops, true);
   };
   const key = (event: KeyboardEvent) => {
     const step = (event.shiftKey ? 0.1 : 0.01) * ({ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[event.key] ?? 0);
