@@ -142,8 +142,9 @@ class PastFrames(ServedTest):
 
         def look(revision):
             for _ in range(12):
-                answer = scene.post("frames", {**VIEW, "revision": revision()})
-                if answer.status != 200 or (answer.headers["pelage-revision"] == "0" and answer.body != first):
+                asked = revision()
+                answer = scene.post("frames", {**VIEW, "revision": asked})
+                if answer.status != 200 or answer.headers["pelage-revision"] != str(asked) or (asked == 0 and answer.body != first):
                     failures.append(answer)
 
         watchers = [threading.Thread(target=look, args=(which,))

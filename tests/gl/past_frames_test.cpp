@@ -1,5 +1,6 @@
 // Frames of earlier revisions through the frame service, on a context of its own.
 #include "server/frames/frame_service.h"
+#include "server/frames/shown_scene.h"
 #include "tests/gl/backends.h"
 #include "tests/unit/scene/store_fixture.h"
 
@@ -10,8 +11,7 @@ class PastFrames : public StoreTest, public ::testing::WithParamInterface<Backen
  protected:
   void SetUp() override {
     StoreTest::SetUp();
-    auto started =
-        FrameService::start(GetParam() == Backend::osmesa ? GlChoice::osmesa : GlChoice::egl, 2, gate_);
+    auto started = FrameService::start(GetParam() == Backend::osmesa ? GlChoice::osmesa : GlChoice::egl, 2, gate_);
     if (started) {
       frames_ = std::move(*started);
       return;
@@ -103,7 +103,27 @@ TEST_P(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
   EXPECT_EQ(frames_->frame(scene, request).status().pointer, "/revision");
   draw(make(Builtin::plane, 2));  // after the render thread has forgotten
   EXPECT_EQ(frames_->copy_bytes(id), 0u);
-  EXPECT_LT(frames_->gl_bytes(), held);
+  EXPECT_LT(frames_->gl_bytes() + alone, held) << "more than its own copy went";
+}
+
+TEST_P(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
+  ASSERT_TRUE(stage.context(GetParam()).ok());
+  const Result<Renderer*> renderer = stage.renderer(GetParam());
+  ASSERT_TRUE(renderer.ok());
+  const auto scene = make();
+  FrameRequest request;
+  request.revision = 0;
+  PastScenes scenes;
+  Result<FramePast> past = past_of(*scene, request, scenes);
+  ASSERT_TRUE(past.ok());
+  EXPECT_FALSE(past->copy) << "of the present as long as it is asked for";
+  execute(*scene, {comb_at(*scene, 5)});
+  const Result<Shown> shown = show(**renderer, *scene, request, *past, scenes, false, false);
+  ASSERT_TRUE(shown.ok());
+  EXPECT_EQ(shown->revision, 0u);
+  ASSERT_TRUE(past->copy);
+  EXPECT_EQ(shown->copy_id, past->copy->view().copy_id);
+  for (const std::uint64_t id : {shown->copy_id, scene->last_memory().copy_id}) (*renderer)->forget(id);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, PastFrames, both_backends(), name_of);
