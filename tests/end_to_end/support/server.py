@@ -12,6 +12,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import urllib.parse
 
 import numpy
 from PIL import Image
@@ -174,6 +175,11 @@ def comb(begin, end, *, samples=5, radius=0.15, **more):
 
 def flood(direction, **more):
     return {"op": "comb", "flood": True, "direction": direction, **more}
+
+
+def author(name):
+    """The header that names who makes a change."""
+    return {"Pelage-Author": urllib.parse.quote(name, safe="")}
 
 
 class ServedTest(unittest.TestCase):
