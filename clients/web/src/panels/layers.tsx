@@ -2,6 +2,7 @@
 import {effect, signal, useSignal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import type {Command, EditLayer} from "../api/types";
+import {sayError} from "../scene/messages";
 import {edit_layer, layers, run, scene} from "../scene/session";
 import {schemaOf} from "../tools/catalogue";
 import {Icon} from "../tools/icons";
@@ -19,6 +20,13 @@ const weightRange = () => {
   return {min: minimum, max: maximum};
 };
 
+let turn: Promise<unknown> = Promise.resolve();
+/** One change after the other, each made from what the one before left: buttons are pressed faster than a server answers. */
+function inTurn(work: () => unknown) {
+  turn = turn.then(work).catch(sayError);
+}
+const current = (name: string) => layers().find((layer) => layer.name === name);
+
 /** The layer that is seen alone, and what was muted before. */
 const solo = signal<{name: string; muted: Record<string, boolean>} | null>(null);
 const isSolo = (layer: EditLayer) => solo.value?.name === layer.name && layers().every((other) => other.muted === (other.name !== layer.name));
@@ -26,7 +34,9 @@ const isSolo = (layer: EditLayer) => solo.value?.name === layer.name && layers()
 // Whatever takes a layer away, undo and other people too, takes it out of the tools' hand.
 effect(() => { if (edit_layer.value && scene.value && !layers().some(({name}) => name === edit_layer.value)) edit_layer.value = ""; });
 
-function toggleSolo(layer: EditLayer) {
+async function toggleSolo(name: string) {
+  const layer = current(name);
+  if (!layer) return;
   const on = isSolo(layer);
   const before = solo.value?.muted ?? {};
   const wanted = (other: EditLayer) => (on ? before[other.name] ?? false : other.name !== layer.name);
@@ -35,15 +45,16 @@ function toggleSolo(layer: EditLayer) {
   const muted = from_solo ? before : Object.fromEntries(layers().map((other) => [other.name, other.muted]));
   const commands = layers().filter((other) => other.muted !== wanted(other)).map((other) => set(other.name, {muted: wanted(other)}));
   solo.value = on ? null : {name: layer.name, muted};
-  if (commands.length) void run(...commands);
+  if (commands.length) await run(...commands);
 }
 
-/** Moves a layer to lie at `at`, counted from the lowest. */
-function moveTo(name: string, at: number) {
+/** Moves a layer to a place, counted from the lowest. */
+async function moveBy(name: string, placeOf: (now: number) => number) {
+  const now = layers().findIndex((layer) => layer.name === name);
+  if (now < 0) return;
   const others = layers().filter((layer) => layer.name !== name);
-  const to = Math.max(0, Math.min(others.length, at));
-  if (layers()[to]?.name === name) return;
-  void run({op: "edit_layer", action: "move", name, above: others[to - 1]?.name ?? ""});
+  const to = Math.max(0, Math.min(others.length, placeOf(now)));
+  if (to !== now) await run({op: "edit_layer", action: "move", name, above: others[to - 1]?.name ?? ""});
 }
 
 async function add(name: string) {
@@ -111,14 +122,15 @@ function Grip({layer, at}: {layer: EditLayer; at: number}) {
   };
   const move = (event: PointerEvent) => { if (dragged.value?.name === layer.name) dragged.value = {name: layer.name, to: placeOf(event)}; };
   const up = () => {
-    if (dragged.value?.name === layer.name) moveTo(layer.name, dragged.value.to);
+    const to = dragged.value;
+    if (to?.name === layer.name) inTurn(() => moveBy(layer.name, () => to.to));
     dragged.value = null;
   };
   const press = (event: KeyboardEvent) => {
     const step = {ArrowUp: 1, ArrowDown: -1}[event.key];
     if (!step) return;
     event.preventDefault();
-    moveTo(layer.name, at + step);
+    inTurn(() => moveBy(layer.name, (now) => now + step));
   };
   return (
     <button type="button" class="quiet grip" aria-label={`Move ${layer.name}`} title="Drag to reorder; arrow keys move it up and down" onPointerDown={down} onPointerMove={move} onPointerUp={up}
@@ -142,14 +154,14 @@ function LayerRow({layer, at, editing}: {layer: EditLayer; at: number; editing: 
           <Name layer={layer} editing={editing} />
         </label>
         <button type="button" class="quiet" aria-label={`Rename ${name}`} title="Rename" onClick={() => { editing.value = name; }}><Icon sign="edit" /></button>
-        <button type="button" class="quiet" aria-pressed={isSolo(layer)} aria-label={`Only ${name}`} title="Solo: mute all others" onClick={() => toggleSolo(layer)}><Icon sign="solo" /></button>
-        <button type="button" class="quiet" aria-pressed={muted} aria-label={`Mute ${name}`} title={muted ? "Muted: show it" : "Mute"} onClick={() => void run(set(name, {muted: !muted}))}><Icon sign={muted ? "eye_off" : "eye"} /></button>
+        <button type="button" class="quiet" aria-pressed={isSolo(layer)} aria-label={`Only ${name}`} title="Solo: mute all others" onClick={() => inTurn(() => toggleSolo(name))}><Icon sign="solo" /></button>
+        <button type="button" class="quiet" aria-pressed={muted} aria-label={`Mute ${name}`} title={muted ? "Muted: show it" : "Mute"} onClick={() => inTurn(() => run(set(name, {muted: !current(name)?.muted})))}><Icon sign={muted ? "eye_off" : "eye"} /></button>
       </div>
       <div class="layer-line">
         <Weight layer={layer} />
         <button type="button" class="quiet" disabled={!merges} aria-label={`Merge ${name} down`} title={merges ? `Merge into ${below?.name ?? "the base groom"}` : "Muted layers do not merge"}
-                onClick={() => void run({op: "edit_layer", action: "merge_down", name})}><Icon sign="merge" /></button>
-        <button type="button" class="quiet" aria-label={`Remove ${name}`} title="Remove" onClick={() => void run({op: "edit_layer", action: "remove", name})}><Icon sign="trash" /></button>
+                onClick={() => inTurn(() => run({op: "edit_layer", action: "merge_down", name}))}><Icon sign="merge" /></button>
+        <button type="button" class="quiet" aria-label={`Remove ${name}`} title="Remove" onClick={() => inTurn(() => run({op: "edit_layer", action: "remove", name}))}><Icon sign="trash" /></button>
       </div>
     </li>
   );
@@ -170,7 +182,7 @@ export function LayersPanel() {
   return (
     <>
       <p class="help">Layers keep changes apart from the groom below: weigh, mute, move or merge them at any time. Tools write to the chosen one.</p>
-      <button type="button" class="wide" disabled={full} title={full ? `${all.length} layers are all that there can be` : ""} onClick={() => void add(freshName())}><Icon sign="plus" />Add a layer</button>
+      <button type="button" class="wide" disabled={full} title={full ? `${all.length} layers are all that there can be` : ""} onClick={() => inTurn(() => add(freshName()))}><Icon sign="plus" />Add a layer</button>
       <ol class="layers" aria-label="Layers, highest first" reversed>
         {all.map((layer, at) => <LayerRow key={layer.name} layer={layer} at={at} editing={editing} />).reverse()}
         <li class="layer">

@@ -103,7 +103,7 @@ export function StepForm({step, close}: {step: Step; close: () => void}) {
         </select>
       )}
       <CommandForm command={commands.value[chosen.value]!} set={set} />
-      {tried.value && <ul class="verdict" role="status">{tried.value.map((line, k) => <li key={k}>{line}</li>)}</ul>}
+      {tried.value && <div class="verdict" role="status"><ul>{tried.value.map((line, k) => <li key={k}>{line}</li>)}</ul></div>}
       <div class="step-actions">
         {tried.value
           ? <button type="button" class="primary" disabled={busy.value} onClick={() => void amend(commands.value, `Changed ${stepWords(step)}.`)}>Apply</button>

@@ -1,5 +1,5 @@
 // A wipe between an earlier revision and the present: its picture lies over the present one's, cut at a divider.
-import {effect, signal, useComputed} from "@preact/signals";
+import {computed, effect, signal, useComputed} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Aborted, Offline, Refusal, drawFrame} from "../api/client";
 import {page_id} from "../api/identity";
@@ -20,6 +20,15 @@ const large_key_step = 10;
 
 /** Where the divider is, percent from the left. */
 const divide = signal(50);
+
+let last_shared: FrameRequest = {};
+/** What both pictures share. What changed is shown on the present one alone; the object stays the same while that is all that changes. */
+const past_shared = computed<FrameRequest>(() => {
+  const {overlay_from: _from, ...shared} = shared_request.value;
+  const wanted: FrameRequest = {...shared, overlay: shared.overlay === "difference" ? "none" : shared.overlay ?? "none"};
+  if (JSON.stringify(wanted) !== JSON.stringify(last_shared)) last_shared = wanted;
+  return last_shared;
+});
 
 /** Asks for pictures of the earlier revision: a draft at a time while the camera moves, the full picture once it rests. */
 class PastLoop {
@@ -76,11 +85,10 @@ class PastLoop {
     if (!id || !compared.value) return;
     const {width, height} = viewport_size.value;
     const ratio = rests ? Math.min(devicePixelRatio || 1, max_ratio) : 1;
-    const {overlay_from: _from, ...shared} = shared_request.value;
     const request: FrameRequest = {
-      ...shared, ...(rests ? rest_quality.value : {quality: "draft" as const, format: "jpeg" as const, jpeg_quality: 85}),
-      overlay: shared.overlay === "difference" ? "none" : shared.overlay!, camera: pinholeOf(orbit.value), view: `${page_id}-past`,
-      width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)), revision: compared.value.revision,
+      ...past_shared.value, ...(rests ? rest_quality.value : {quality: "draft" as const, format: "jpeg" as const, jpeg_quality: 85}),
+      camera: pinholeOf(orbit.value), view: `${page_id}-past`, revision: compared.value.revision,
+      width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)),
     };
     const picture = await drawFrame(id, request, null, signal);
     if (picture) await this.present(picture.bytes);
@@ -159,7 +167,7 @@ function Past() {
       canvas.current!.height = bitmap.height;
       picture.transferFromImageBitmap(bitmap);
     });
-    const follow = effect(() => { void [compared.value, orbit.value, viewport_size.value, rest_quality.value, shared_request.value]; loop.touch(); });
+    const follow = effect(() => { void [compared.value, orbit.value, viewport_size.value, rest_quality.value, past_shared.value]; loop.touch(); });
     const wake = () => loop.touch();
     document.addEventListener("visibilitychange", wake);
     return () => {
