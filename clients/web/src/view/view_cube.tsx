@@ -28,7 +28,7 @@ export function ViewCube() {
           const [nx, ny] = flat(side.normal), [ux, uy] = flat(side.u), [vx, vy] = flat(side.v);
           const matrix = `matrix(${ux / half} ${uy / half} ${-vx / half} ${-vy / half} ${nx} ${ny})`;
           const go = () => side.view && moveTo(side.view);
-          const button = side.view ? {role: "button" as const, tabIndex: 0, "aria-label": `${side.label} view`} : {};
+          const button = side.view ? {role: "button" as const, tabindex: 0, "aria-label": `${side.label} view`} : {};
           return (
             <g key={side.normal.join()} transform={matrix} class="cube-side" onClick={go}
                onKeyDown={(event) => { if (event.key === "Enter" || event.key === " ") go(); }} {...button}>
