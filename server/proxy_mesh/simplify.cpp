@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "protocol/base/limits.h"
 #include "server/proxy_mesh/proxy_mesh.h"
@@ -37,20 +38,25 @@ Welded weld_positions(const Mesh& mesh) {
   return welded;
 }
 
-/// Vertices of the mesh; empty where the whole model would vanish.
+std::vector<glm::uvec3> with_vertices_of_mesh(std::vector<glm::uvec3> triangles, const Welded& welded) {
+  for (glm::uvec3& triangle : triangles) {
+    for (int k = 0; k < 3; ++k) triangle[k] = welded.vertices[triangle[k]];
+  }
+  return triangles;
+}
+
+/// Empty where the whole model would vanish.
 std::vector<glm::uvec3> fewer_triangles(const Mesh& mesh, std::size_t triangles) {
   constexpr float any_error = 1;  // of the model's box: only the number of triangles ends the work
   const Welded welded = weld_positions(mesh);
-  std::vector<glm::uvec3> fewer(welded.triangles.size());
-  if (fewer.empty()) return fewer;
-  fewer.resize(meshopt_simplify(&fewer.front().x, &welded.triangles.front().x, 3 * welded.triangles.size(),
-                                &welded.positions.front().x, welded.positions.size(), sizeof(glm::vec3), 3 * triangles,
-                                any_error, 0, nullptr) /
-               3);
-  for (glm::uvec3& triangle : fewer) {
-    for (int k = 0; k < 3; ++k) triangle[k] = welded.vertices[triangle[k]];
+  std::vector<glm::uvec3> fewer = welded.triangles;
+  if (fewer.size() > triangles) {  // which the simplifier insists on
+    fewer.resize(meshopt_simplify(&fewer.front().x, &welded.triangles.front().x, 3 * welded.triangles.size(),
+                                  &welded.positions.front().x, welded.positions.size(), sizeof(glm::vec3),
+                                  3 * triangles, any_error, 0, nullptr) /
+                 3);
   }
-  return fewer;
+  return with_vertices_of_mesh(std::move(fewer), welded);
 }
 
 /// Numbers the vertices of the triangles anew, in order of their first use, and copies them.

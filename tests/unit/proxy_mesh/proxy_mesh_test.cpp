@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "protocol/base/limits.h"
@@ -146,6 +147,7 @@ TEST(ProxyMesh, TrianglesWithoutAreaDoNoHarm) {
   EXPECT_LE(file.indices().size() / 3, 300u);
   EXPECT_GT(radii(file, glm::dvec3(0)).first, .9);
   file_of(mesh, mesh.triangles.size());
+  EXPECT_EQ(file_of(mesh, mesh.triangles.size() - 1).indices().size() / 3, whole) << "without them it has few enough";
 }
 
 TEST(ProxyMesh, WhatCannotBeSimplerIsSentAllTheSame) {
@@ -159,6 +161,26 @@ TEST(ProxyMesh, WhatCannotBeSimplerIsSentAllTheSame) {
     fan.corners.insert(fan.corners.end(), {0, 1, k + 2});
   }
   EXPECT_EQ(file_of(*shapes::prepared(fan), 100).indices().size() / 3, leaves);
+}
+
+TEST(ProxyMesh, AnyTrianglesAtAll) {  // the library ends the process where it is asked for what it does not do
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
+  for (int turn = 0; turn < 3000; ++turn) {
+    Mesh mesh;
+    const std::size_t vertices = 3 + below(60), steps = 1 + below(8), triangles = 1 + below(300);
+    for (std::size_t v = 0; v < vertices; ++v) {
+      const glm::vec3 cell(below(steps), below(steps), below(steps));
+      mesh.positions.push_back((below(2) ? 1.f : -1.f) * cell / static_cast<float>(steps));
+    }
+    mesh.normals.assign(vertices, {0, 1, 0});
+    while (mesh.triangles.size() < triangles) {
+      const glm::uvec3 t(below(vertices), below(vertices), below(vertices));
+      if (t.x != t.y && t.y != t.z && t.z != t.x) mesh.triangles.push_back(t);
+    }
+    file_of(mesh, below(2 * triangles));
+    ASSERT_FALSE(HasFailure()) << "turn " << turn;
+  }
 }
 
 TEST(ProxyMesh, IndicesAreAsShortAsTheyCanBe) {
