@@ -94,6 +94,25 @@ test("other axes are another upload into the same scene", async () => {
   assert.ok(second.revision > first.revision);
 });
 
+test("an upload says how far it is, and cancelled it leaves no scene", async () => {
+  const large = join(folder, "large.obj");
+  writeFileSync(large, readFileSync(join(objFolder(folder), "box.obj"), "utf8") + "# what takes its time\n".repeat(200000));
+  const ids = async () => (await server.get("/v1/scenes")).scenes.map(({id}) => id);
+  const before_upload = await ids();
+  const line = await studio.context.newCDPSession(studio.page);
+  await line.send("Network.emulateNetworkConditions", {offline: false, latency: 0, downloadThroughput: -1, uploadThroughput: 400000});
+  await drop(large);
+  await press("Upload");
+  await card().getByText(/Sending the model: [1-9]\d?%/).waitFor();
+  assert.equal((await ids()).length, before_upload.length + 1);
+  await press("Cancel");
+  await card().getByRole("button", {name: "Upload", exact: true}).waitFor();
+  await line.send("Network.emulateNetworkConditions", {offline: false, latency: 0, downloadThroughput: -1, uploadThroughput: -1});
+  await line.detach();
+  await press("Cancel");
+  assert.deepEqual(await ids(), before_upload);
+});
+
 test("what is no model is refused in words, and leaves no scene", async () => {
   const broken = join(folder, "broken.ply");
   writeFileSync(broken, "ply\nformat nonsense 1.0\n");

@@ -42,12 +42,12 @@ test("a first visit finds a fox and three hints, which go for good", async () =>
   const second = await chrome.newContext({viewport: {width: 1440, height: 900}});  // Studio.open welcomes nobody
   const page = await second.newPage();
   await page.goto(server.address);
-  await page.getByRole("heading", {name: "Groom it"}).waitFor();
+  await page.getByRole("region", {name: "First steps"}).waitFor();
   await bothColours(page);
   await page.getByRole("button", {name: "Begin"}).click();
   await page.reload();
   await page.locator(".badge .dot").waitFor();
-  assert.equal(await page.getByRole("heading", {name: "Groom it"}).count(), 0);
+  assert.equal(await page.getByRole("region", {name: "First steps"}).count(), 0);
   assert.equal((await server.get("/v1/scenes")).scenes.length, 1);
   await second.close();
 });
@@ -108,15 +108,15 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
   await page.getByLabel("Milliseconds of a picture").fill("800");
   await page.keyboard.press("Enter");
   await page.getByRole("button", {name: "Quality: 800 ms"}).waitFor();
-  await stop("Time").getByText(/about \d/).waitFor({timeout: 60000});
+  await stop("Time").getByText(/about \d/).waitFor({timeout: 120000});
   assert.deepEqual(await page.evaluate(() => JSON.parse(localStorage.getItem("pelage.dial"))), {kind: "budget", milliseconds: 800});
   await page.getByRole("button", {name: "Compare with the reference"}).click();
-  await page.getByRole("slider", {name: /Divider/}).waitFor({timeout: 120000});
+  await page.getByRole("slider", {name: /Divider/}).waitFor({timeout: 400000});
   const divider = page.getByRole("slider", {name: /Divider/});
   await divider.focus();
   await page.keyboard.press("Shift+ArrowLeft");
   assert.equal(await divider.getAttribute("aria-valuenow"), "40");
-  const mean = Number((await page.locator(".compare-report dd").first().textContent()).split(" ")[0]);
+  const mean = Number((await page.locator(".versus-report dd").first().textContent()).split(" ")[0]);
   assert.ok(mean > 0.001 && mean < 0.5, String(mean));
   for (const mode of ["Wipe", "Side by side", "Difference"]) {
     await page.getByRole("button", {name: mode}).click();

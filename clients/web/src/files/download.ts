@@ -7,7 +7,7 @@ import {sayError} from "../scene/messages";
 import {scene} from "../scene/session";
 import type {Values} from "../tools/state";
 import {orbit, pinholeOf} from "../view/camera";
-import {dial, rest_quality, shared_request} from "../view/quality";
+import {dial, plain_request, rest_quality, shared_request} from "../view/quality";
 import {traceToEnd} from "../view/trace";
 import {viewport_size} from "../view/viewport";
 
@@ -57,7 +57,8 @@ export function pixelsOf(size: Size): {width: number; height: number} {
 
 function draw(open: Scene, request: FrameRequest, says: string, stop: AbortController): Promise<Picture | null> {
   const chosen = dial.value;
-  if (chosen.kind !== "tier" || chosen.tier !== "reference") return drawFrame(open.id, request, null, stop.signal);
+  const traced = chosen.kind === "tier" && chosen.tier === "reference" && (request.overlay ?? "none") === "none";
+  if (!traced) return drawFrame(open.id, request, null, stop.signal);
   const seen = ({trace}: Picture) => {
     const passes = trace?.passes ?? 0;
     making.value = {says: passes ? `${says}: pass ${passes} of at most ${picture_passes}` : says, share: passes / picture_passes, stop};
@@ -66,10 +67,9 @@ function draw(open: Scene, request: FrameRequest, says: string, stop: AbortContr
 }
 
 export const downloadPicture = (format: "png" | "exr", size: Size, transparent: boolean) => make("Drawing the picture", async (open, stop) => {
-  const {overlay, background, ...shared} = shared_request.value;
+  const shared = format === "exr" ? plain_request.value : shared_request.value;  // an EXR has no overlay
   const request: FrameRequest = {...shared, ...rest_quality.value, ...pixelsOf(size), camera: pinholeOf(orbit.value), view: `${page_id}-file`, format};
-  if (background !== undefined) request.background = transparent ? "transparent" : background;
-  if (format === "png" && overlay !== undefined && !transparent) request.overlay = overlay;
+  if (transparent) request.background = "transparent";
   const picture = await draw(open, request, "Drawing the picture", stop);
   if (picture) save(picture.bytes, fileName(open, format));
 });

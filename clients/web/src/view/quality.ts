@@ -28,10 +28,11 @@ const overlay_request = computed<Partial<FrameRequest>>(() => {
   return overlay_from.value === null ? {overlay: "none"} : {overlay: "difference", overlay_from: overlay_from.value};
 });
 
-/** What all requests of this window share. */
-export const shared_request = computed<Partial<FrameRequest>>(() => ({
-  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value, ...overlay_request.value,
+/** What all requests of this window share, without the overlay. */
+export const plain_request = computed<Partial<FrameRequest>>(() => ({
+  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value,
 }));
+export const shared_request = computed<Partial<FrameRequest>>(() => ({...plain_request.value, ...overlay_request.value}));
 
 /** Traced strands come by themselves at rest, and at once where the dial stands at reference. An overlay shows fields, not strands;
  *  beside an earlier revision, which is drawn with shells, strands would look like a difference. */

@@ -12,7 +12,7 @@ import {durationOf} from "../shell/dial";
 import {orbit, pinholeOf} from "./camera";
 import {differenceOf, full_scale, type Difference} from "./difference";
 import {millisecondsOf} from "./measured";
-import {rest_quality, shared_request} from "./quality";
+import {plain_request, rest_quality} from "./quality";
 import {traceToEnd} from "./trace";
 import {viewport_size} from "./viewport";
 import {Wipe} from "./wipe";
@@ -39,8 +39,7 @@ const drop = (pair: Pair | null) => [pair?.left, pair?.right, pair?.map].forEach
 /** Draws the picture, then the reference until it is good, and shows each that is better. */
 async function compare(pair: Signal<Pair | null>, stop: AbortController) {
   const {width, height} = viewport_size.value;
-  const {overlay: _, ...shared} = shared_request.value;
-  const request: FrameRequest = {...shared, background: "transparent", width: Math.round(width), height: Math.round(height), camera: pinholeOf(orbit.value)};
+  const request: FrameRequest = {...plain_request.value, background: "transparent", width: Math.round(width), height: Math.round(height), camera: pinholeOf(orbit.value)};
   const id = scene.value!.id;
   const picture = await drawFrame(id, {...request, ...rest_quality.value, view: `${page_id}-shells`}, null, stop.signal);
   if (!picture) return;
@@ -62,9 +61,9 @@ async function compare(pair: Signal<Pair | null>, stop: AbortController) {
 function Report({pair: {picture, reference, difference}}: {pair: Pair}) {
   const {passes, samples, noise, end, grow_ms, trace_ms} = reference.trace!;
   return (
-    <dl class="compare-report">
-      <div><dt>Mean absolute difference, sRGB, where the model is</dt><dd>{difference.mean.toFixed(4)} <small>of 1; largest {difference.largest.toFixed(2)}</small></dd></div>
-      {picture.estimate && <div><dt>The server's estimate of the picture's error, mean FLIP</dt><dd>{picture.estimate.error.toFixed(3)}</dd></div>}
+    <dl class="versus-report">
+      <div><dt>Mean absolute difference, sRGB, where the model is</dt><dd>{difference.mean.toFixed(4)} <small>of 1{end === "none" ? ", so far, noise included" : ""}; largest {difference.largest.toFixed(2)}</small></dd></div>
+      {picture.estimate && <div><dt>The server's estimate, mean FLIP against sorted shells</dt><dd>{picture.estimate.error.toFixed(3)}</dd></div>}
       <div><dt>This picture</dt><dd>{picture.redrawn > 0 ? durationOf(millisecondsOf(picture)) : "cached"}</dd></div>
       <div><dt>Reference{end === "none" ? `, pass ${passes} of at most ${reference_passes}` : ""}</dt><dd>{durationOf(grow_ms + trace_ms)} <small>{Math.round(samples)} samples, noise {noise.toFixed(3)}</small></dd></div>
     </dl>
@@ -73,10 +72,10 @@ function Report({pair: {picture, reference, difference}}: {pair: Pair}) {
 
 function Pictures({pair, mode}: {pair: Pair; mode: Mode}) {
   if (mode === "wipe") return <Wipe left={pair.left} right={pair.right} left_label="This picture" right_label="Reference" />;
-  if (mode === "beside") return <div class="compare-beside"><figure><img src={pair.left} alt="This picture" /><figcaption>This picture</figcaption></figure><figure><img src={pair.right} alt="Reference" /><figcaption>Reference</figcaption></figure></div>;
+  if (mode === "beside") return <div class="versus-beside"><figure><img src={pair.left} alt="This picture" /><figcaption>This picture</figcaption></figure><figure><img src={pair.right} alt="Reference" /><figcaption>Reference</figcaption></figure></div>;
   return (
-    <figure class="compare-map"><img src={pair.map} alt="Where the pictures differ" />
-      <figcaption><span>0</span><span class="compare-scale" aria-hidden="true" /><span>{full_scale} and more: mean of red, green and blue</span></figcaption></figure>
+    <figure class="versus-map"><img src={pair.map} alt="Where the pictures differ" />
+      <figcaption><span>0</span><span class="versus-scale" aria-hidden="true" /><span>{full_scale} and more: mean of red, green and blue</span></figcaption></figure>
   );
 }
 
@@ -89,12 +88,12 @@ function Body() {
     return () => { stop.abort(); drop(pair.value); };
   }, []);
   return (
-    <div class="compare">
+    <div class="versus">
       <div class="chips" role="group" aria-label="How to compare">
         {(Object.keys(modes) as Mode[]).map((one) => <button key={one} type="button" class="chip" aria-pressed={mode.value === one} onClick={() => { mode.value = one; }}>{modes[one]}</button>)}
       </div>
       {pair.value ? <><Pictures pair={pair.value} mode={mode.value} /><Report pair={pair.value} /></>
-        : <div class="compare-wait" role="status"><p>Drawing the picture, then tracing strands…</p><progress aria-label="Drawing" /></div>}
+        : <div class="versus-wait" role="status"><p>Drawing the picture, then tracing strands…</p><progress aria-label="Drawing" /></div>}
     </div>
   );
 }
