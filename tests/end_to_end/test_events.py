@@ -9,12 +9,7 @@ import threading
 import time
 import unittest
 
-<<<<<<< Updated upstream
-from support.pictures import hdr, png
-from support.server import Answer, Server, ServedTest, flood
-=======
 from support.server import Answer, Server, ServedTest, author, flood
->>>>>>> Stashed changes
 
 QUIET = 4  # comments, of 15 seconds each, after which nothing more is expected
 TRIANGLE = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
