@@ -94,11 +94,12 @@ export function DialControl() {
   const stop = stopOf(dial.value);
   const measure = measured.value[stop];
   const name = stop === "budget" ? `${shownNumber(budget_ms.value)} ms` : stop === "error" ? `error ${shownNumber(max_error.value)}` : words(stop);
+  const time = measure?.milliseconds != null ? ` ${durationOf(measure.milliseconds)}` : "";
   return (
     <>
-      <button type="button" class="dial-button" popovertarget={id} title="Quality at rest, from fast to true" aria-label={`Quality: ${name}`}>
+      <button type="button" class="dial-button" popovertarget={id} title="Quality at rest, from fast to true" aria-label={`Quality: ${name}${time}`}>
         <span class="dial-scale" data-stop={stop} aria-hidden="true"><i /><i /><i /><i /></span>
-        <b>{name}</b>{measure?.milliseconds != null && <small>{durationOf(measure.milliseconds)}</small>}
+        <b>{name}</b>{time && <small>{time}</small>}
       </button>
       <div class="dial-card" id={id} ref={card} popover="auto" role="group" aria-label="Quality"><Card close={() => card.current?.hidePopover()} /></div>
     </>
