@@ -5,7 +5,7 @@ import type {Command, CommandAnswer} from "../api/types";
 import {say, sayError} from "../scene/messages";
 import {change, scene} from "../scene/session";
 import {commandsIn, steps, touchedBy, wholeCommands, type Step} from "../scene/steps";
-import {commandWords, stepWords, vertices} from "../scene/step_words";
+import {amount, commandWords, stepWords, vertices} from "../scene/step_words";
 import {alternatives, forbidden, membersOf, type Member} from "../tools/schema";
 import {brush_members, schemaOf} from "../tools/catalogue";
 import {Form} from "../tools/form";
@@ -36,7 +36,7 @@ const sum = (results: CommandAnswer["results"]) => results.reduce((total, {touch
 function verdict(step: Step, count: number, answer: CommandAnswer): string[] {
   const {results} = answer;
   const was = touchedBy(step);
-  const lines = [`${stepWords(step)}: ${vertices(sum(results.slice(0, count)))}, now ${vertices(was.count, was.exact)}`];
+  const lines = [`${stepWords(step)}: ${vertices(sum(results.slice(0, count)))} (now ${amount(was.count, was.exact)})`];
   const later = laterThan(step);
   let at = count;
   let same = 0;
@@ -46,7 +46,7 @@ function verdict(step: Step, count: number, answer: CommandAnswer): string[] {
     at += many;
     const before = touchedBy(one);
     if (touched === before.count || !before.exact) ++same;
-    else lines.push(`${stepWords(one)}: ${vertices(touched)}, now ${vertices(before.count)}`);
+    else lines.push(`${stepWords(one)}: ${vertices(touched)} (now ${amount(before.count)})`);
   }
   if (later.length) lines.push(same === later.length ? `${same} later ${same === 1 ? "step runs" : "steps run"} again.` : `${same} of ${later.length} later steps touch as many as now.`);
   return [...lines, ...new Set(results.flatMap(({warnings}) => warnings))];

@@ -43,4 +43,6 @@ export function stepWords(step: Step): string {
 }
 
 export const layerOf = (step: Step) => String(commandsIn(step.entries[0]!)[0]?.["edit_layer"] ?? "");
-export const vertices = (count: number, exact = true) => `${count.toLocaleString("en")}${exact ? "" : "+"} ${count === 1 ? "vertex" : "vertices"}`;
+/** A count; "+" behind one of which only the least is known. */
+export const amount = (count: number, exact = true) => `${count.toLocaleString("en")}${exact ? "" : "+"}`;
+export const vertices = (count: number, exact = true) => `${amount(count, exact)} ${count === 1 ? "vertex" : "vertices"}`;

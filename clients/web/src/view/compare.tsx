@@ -1,5 +1,5 @@
 // A wipe between an earlier revision and the present: its picture lies over the present one's, cut at a divider.
-import {computed, effect, signal, useComputed} from "@preact/signals";
+import {computed, effect, signal, untracked, useComputed} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Aborted, Offline, Refusal, drawFrame} from "../api/client";
 import {page_id} from "../api/identity";
@@ -167,7 +167,7 @@ function Past() {
       canvas.current!.height = bitmap.height;
       picture.transferFromImageBitmap(bitmap);
     });
-    const follow = effect(() => { void [compared.value, orbit.value, viewport_size.value, rest_quality.value, past_shared.value]; loop.touch(); });
+    const follow = effect(() => { void [compared.value, orbit.value, viewport_size.value, rest_quality.value, past_shared.value]; untracked(() => loop.touch()); });
     const wake = () => loop.touch();
     document.addEventListener("visibilitychange", wake);
     return () => {

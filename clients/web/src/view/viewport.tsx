@@ -1,5 +1,5 @@
 // The picture, the brush over it and what the pointer does. The picture comes from the server; all else is drawn here.
-import {effect, signal, useSignal} from "@preact/signals";
+import {effect, signal, untracked, useSignal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {model_id, revision, scene, settings} from "../scene/session";
 import {trial} from "../scene/trial";
@@ -161,16 +161,21 @@ async function loadProxy(id: string) {
   }
 }
 
+/** Runs `work` when what `seen` reads changes. What the work reads does not count: asking for a frame reads the camera, and a camera
+ *  that followed itself would never turn. */
+const when = (seen: () => unknown, work: () => void) => effect(() => { seen(); untracked(work); });
+
 /** What the picture follows: every signal that changes it makes the loop ask anew. */
 function follow(shown: View): () => void {
+  const touch = () => shown.frames.touch();
   const stops = [
-    effect(() => { if (model_id.value && scene.value) void loadProxy(scene.value.id); }),
-    effect(() => { void revision.value; void model_id.value; shown.frames.touch(); }),
-    effect(() => { void [dial.value, rest_quality.value, shared_request.value, compared.value]; shown.frames.touch(); }),
-    effect(() => { shown.frames.touch({moving: trial.value !== null}); }),
-    effect(() => { void viewport_size.value; shown.frames.touch(); shown.sketchSoon(); }),
-    effect(() => { void [brush.value, in_hand.value, settings.value, proxy.value, orbit.value]; shown.sketchSoon(); }),
-    effect(() => { if (model_id.value && scene.value) moveTo("three_quarter", true); }),
+    when(() => model_id.value, () => { if (scene.value) void loadProxy(scene.value.id); }),
+    when(() => [revision.value, model_id.value], touch),
+    when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], touch),
+    when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
+    when(() => viewport_size.value, () => { touch(); shown.sketchSoon(); }),
+    when(() => [brush.value, in_hand.value, settings.value, proxy.value, orbit.value], () => shown.sketchSoon()),
+    when(() => model_id.value, () => moveTo("three_quarter", true)),
   ];
   return () => stops.forEach((stop) => stop());
 }
