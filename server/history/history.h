@@ -37,6 +37,7 @@ struct Entry {
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
   std::vector<std::string> pictures = {};         // that its commands name; not read back
   std::string author = {};                        // as in LogEntry
+  std::string request_key = {};                   // Idempotency-Key of the request that made it; not read back
 };
 
 /// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back

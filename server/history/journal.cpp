@@ -31,7 +31,8 @@ constexpr const char* schema = R"(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
     hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL, author TEXT NOT NULL DEFAULT '',
-    PRIMARY KEY(scene, revision));
+    request_key TEXT NOT NULL DEFAULT '', PRIMARY KEY(scene, revision));
+  CREATE INDEX entries_by_request ON entries(scene, request_key) WHERE request_key <> '';
   CREATE TABLE pictures(name TEXT PRIMARY KEY, bytes BLOB NOT NULL);
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
@@ -133,7 +134,7 @@ Status write_entry(Database& database, const std::string& scene, const Entry& en
   for (const std::string& picture : entry.pictures) {
     if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
   }
-  Statement insert = database.prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?,?)");
+  Statement insert = database.prepare("INSERT INTO entries VALUES(?,?,?,?,?,?,?,?,?,?,?)");
   insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
   insert.text(entry.commands);
   if (entry.settings)
@@ -141,7 +142,7 @@ Status write_entry(Database& database, const std::string& scene, const Entry& en
   else
     insert.null();
   insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta);
-  return insert.text(entry.author).run();
+  return insert.text(entry.author).text(entry.request_key).run();
 }
 
 Result<Entry> read_entry(const Statement& row) {
@@ -249,7 +250,7 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
     Statement entries = database_->prepare(
         "INSERT INTO entries SELECT ?, revision, kind, argument, commands, settings, hash_low, hash_high, delta,"
-        " author FROM entries WHERE scene = ? AND revision <= ?");
+        " author, '' FROM entries WHERE scene = ? AND revision <= ?");
     if (Status copied = entries.text(branch).text(scene).number(last).run(); !copied.ok()) return copied;
     return database_->prepare("INSERT INTO picture_uses SELECT ?, picture FROM picture_uses WHERE scene = ?")
         .text(branch)
@@ -336,6 +337,19 @@ Status Journal::for_each_entry(const std::string& scene, Revision after,
     if (Status used = use(*entry); !used.ok()) return used;
   }
   return row ? Status{} : row.status();
+}
+
+Result<std::optional<RequestedChange>> Journal::change_of_request(const std::string& scene,
+                                                                  const std::string& key) const {
+  if (key.empty()) return std::optional<RequestedChange>();
+  const std::lock_guard lock(mutex_);
+  Statement rows = database_->prepare(
+      "SELECT revision, hash_low, hash_high FROM entries WHERE scene = ? AND request_key = ? AND request_key <> ''"
+      " ORDER BY revision DESC LIMIT 1");
+  const Result<bool> row = rows.text(scene).text(key).step();
+  if (!row) return row.status();
+  if (!*row) return std::optional<RequestedChange>();
+  return std::optional(RequestedChange{rows.number_at(0), {rows.number_at(1), rows.number_at(2)}});
 }
 
 Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision after) const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct StoredScene {
   Revision first_revision = 0;                                    // at which the model came
   FieldDelta first_groom;                                         // from fur upright and of length 0
   std::shared_ptr<const SceneSettings> first_settings = nullptr;  // null: those that a scene of this model begins with
+};
+
+/// What a request made of a scene.
+struct RequestedChange {
+  Revision revision = 0;
+  FieldsHash fields_hash;
 };
 
 class Database;
@@ -71,6 +78,8 @@ class Journal {
   Result<StoredScene> scene(const std::string& id) const;
   /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails.
   Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use) const;
+  /// The last change that the request of this Idempotency-Key made; none where there is no such change in the log.
+  Result<std::optional<RequestedChange>> change_of_request(const std::string& scene, const std::string& key) const;
   /// All of them.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
   /// Calls `use` with the change of each entry with a revision in (after, last], in order. Fails (internal) when one is

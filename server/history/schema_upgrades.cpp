@@ -38,9 +38,13 @@ Status to_version_6(Database& database) {
   return current.ok() ? database.execute("PRAGMA user_version = 6") : current;
 }
 
-/// Before it nobody was named.
+/// Before it nobody was named, and no change knew its request.
 Status to_version_7(Database& database) {
-  return database.execute("ALTER TABLE entries ADD COLUMN author TEXT NOT NULL DEFAULT ''; PRAGMA user_version = 7");
+  return database.execute(
+      "ALTER TABLE entries ADD COLUMN author TEXT NOT NULL DEFAULT '';"
+      "ALTER TABLE entries ADD COLUMN request_key TEXT NOT NULL DEFAULT '';"
+      "CREATE INDEX entries_by_request ON entries(scene, request_key) WHERE request_key <> '';"
+      "PRAGMA user_version = 7");
 }
 
 // The step from each version to the next, from oldest_upgraded_version on.

@@ -99,7 +99,7 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
   const std::string format = request.has_param("format") ? request.get_param_value("format") : "json";
   if (format == "json" && request.has_param("for"))
     return reply_problem(response, failure(Code::invalid, "Only lines are carried.", "/for", "with format jsonl"));
-  if (format == "json") return reply_json(response, 200, encode(Log{scene.log()}));
+  if (format == "json") return reply_uncompressed(response, "application/json", encode(Log{scene.log()}));
   if (format != "jsonl") {
     return reply_problem(response, failure(Code::invalid, "The log has no such format.", "/format", "json | jsonl"));
   }
@@ -107,8 +107,15 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
   if (!steps) return reply_problem(response, steps.status());
   std::string lines;
   for (const std::vector<Command>& step : *steps) lines += encode(step) + "\n";
-  response.status = 200;
-  response.set_content(lines, "application/jsonl");
+  reply_uncompressed(response, "application/jsonl", std::move(lines));
+}
+
+/// Whether the request changed the scene before, maybe before a restart; then that is the answer.
+bool answered_before(const Scene& scene, const Request& request, Response& response) {
+  const auto before = scene.answer_of_request(request.get_header_value(idempotency_header));
+  if (before && !*before) return false;
+  reply_answer(response, before ? Result<CommandAnswer>(**before) : Result<CommandAnswer>(before.status()));
+  return true;
 }
 
 using SceneHandler = std::function<void(Scene&, const Request&, Response&)>;
@@ -118,7 +125,9 @@ void post(httplib::Server& server, Service& service, const char* name, const Sce
   add_post(server, pattern, [&service, handle](const Request& request, Response& response) {
     const YieldGate::Turn turn = service.gate.go_first();
     service.idempotency.answer(request, response, [&] {
-      with_scene(service, request, response, [&](const auto& scene) { handle(*scene, request, response); });
+      with_scene(service, request, response, [&](const auto& scene) {
+        if (!answered_before(*scene, request, response)) handle(*scene, request, response);
+      });
     });
   });
 }

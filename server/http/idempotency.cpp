@@ -21,7 +21,7 @@ std::uint64_t hash_of(const std::string& text, std::uint64_t hash) {
 
 void IdempotencyCache::answer(const httplib::Request& request, httplib::Response& response,
                               const std::function<void()>& run) {
-  const std::string key = request.get_header_value("Idempotency-Key");
+  const std::string key = request.get_header_value(idempotency_header);
   if (key.empty()) return run();
   if (key.size() > limits::name_bytes) {
     return reply_problem(response,

@@ -12,6 +12,8 @@
 
 namespace pelage {
 
+inline constexpr const char* idempotency_header = "Idempotency-Key";
+
 /// Thread-safe. Keeps the answers of the newest requests that succeeded and had an Idempotency-Key.
 class IdempotencyCache {
  public:

@@ -37,6 +37,14 @@ void reply_json(httplib::Response& response, int http_status, const std::string&
   set_etag(response, revision);
 }
 
+void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body) {
+  response.status = 200;
+  const auto whole = std::make_shared<const std::string>(std::move(body));
+  response.set_content_provider(whole->size(), content_type, [whole](size_t from, size_t size, httplib::DataSink& sink) {
+    return sink.write(whole->data() + from, size);
+  });
+}
+
 void reply_problem(httplib::Response& response, const Status& status, int http_status) {
   response.status = http_status;
   response.set_content(encode_problem(status, http_status), "application/problem+json");

@@ -39,6 +39,7 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   Result<Replay> replay = begin_replay(amended->before);
   if (!replay) return replay.status();
   replay->entries.front().author = options.author;
+  replay->entries.front().request_key = options.request_key;
   if (Status refused = replay_step(*replay, request.commands, options); !refused.ok()) return refused;
   for (auto later = amended + 1; later != steps.end(); ++later) {
     if (Status refused = replay_step(*replay, later->commands, options); !refused.ok())
@@ -103,7 +104,8 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands, 
   if (outcome.settings) replay.settings = outcome.settings;
   const std::vector<Command> logged = chosen(resolved, outcome.effective);
   replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta), replay.fields.hash(),
-                            outcome.settings, pictures_read_by(logged), options.author});
+                            outcome.settings, pictures_read_by(logged), options.author,
+                            options.request_key});
   return {};
 }
 

@@ -7,7 +7,7 @@ import threading
 import time
 import unittest
 
-from support.server import ServedTest, comb, flood
+from support.server import ServedTest, Server, comb, flood
 
 
 class Revisions(ServedTest):
@@ -19,8 +19,8 @@ class Revisions(ServedTest):
         self.assertEqual(scene.info()["revision"], 0)
         self.assertEqual(scene.run(flood([0, 1, 0]), headers={"If-Match": '"0"'}).status, 200)
         self.assertEqual(scene.run(flood([1, 0, 0]), headers={"If-Match": "*"}).status, 200)
-        self.assert_problem(scene.post("undo", headers={"If-Match": '"1"'}), 412)
-        self.assertEqual(scene.post("undo", headers={"If-Match": '"2"'}).json["revision"], 3)
+        self.assert_problem(scene.post("undo", {}, headers={"If-Match": '"1"'}), 412)
+        self.assertEqual(scene.post("undo", {}, headers={"If-Match": '"2"'}).json["revision"], 3)
 
     def test_only_one_of_many_rivals_wins(self):
         scene = self.server.new_scene()
@@ -63,6 +63,21 @@ class Idempotency(ServedTest):
         self.assert_problem(scene.run(flood([1, 0, 0]), headers=key), 422)
         self.assert_problem(scene.run(flood([0, 1, 0]), headers=key, query="?dry_run=1"), 422)
         self.assertEqual(self.server.new_scene().run(flood([0, 1, 0]), headers=key).status, 200)
+
+    def test_a_change_is_known_after_a_kill(self):
+        server = Server()
+        self.addCleanup(server.close)
+        scene = server.new_scene()
+        made = [scene.run(flood([0, 1, 0]), headers={"Idempotency-Key": "a"}), scene.post("undo", {}, headers={"Idempotency-Key": "b"})]
+        self.assertEqual([answer.status for answer in made], [200, 200])
+        server.kill()
+        server.start()
+        again = [scene.run(flood([0, 1, 0]), headers={"Idempotency-Key": "a"}), scene.post("undo", {}, headers={"Idempotency-Key": "b"})]
+        for first, answer in zip(made, again):
+            expected = first.json | {"results": []}
+            self.assertEqual((answer.status, answer.json, answer.headers["etag"]), (200, expected, first.headers["etag"]))
+        self.assertEqual(scene.info()["revision"], 2)
+        self.assertEqual(scene.run(flood([0, 1, 0]), headers={"Idempotency-Key": "c"}).json["revision"], 3)
 
     def test_what_failed_may_be_tried_again(self):
         scene = self.server.new_scene()

@@ -228,11 +228,29 @@ TEST_F(JournalTest, LoggedNamesOfVersionFiveAreTakenOver) {
     logged.commands = R"([{"op":"length","layer":"a \"layer\": b","mode":"least"},{"op":"layer","name":"layer"}])";
     ASSERT_TRUE(journal->append("a", logged).ok());
   }
-  execute("ALTER TABLE entries DROP COLUMN author; PRAGMA user_version = 5");
+  execute("DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN request_key; PRAGMA user_version = 5");
   const auto entries = open()->entries("a", 0);
   ASSERT_TRUE(entries.ok()) << entries.status().message;
   EXPECT_EQ(entries->at(0).commands,
             R"([{"op":"length","edit_layer":"a \"layer\": b","mode":"min"},{"op":"edit_layer","name":"layer"}])");
+}
+
+TEST_F(JournalTest, ChangesAreFoundByTheirRequestAfterARestart) {
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    std::vector<Entry> amended{entry(4), entry(5), entry(6)};
+    amended[1].request_key = amended[2].request_key = "k";
+    ASSERT_TRUE(journal->append("a", amended).ok());
+    ASSERT_TRUE(journal->branch("a", "b", "b", 6).ok());
+  }
+  const auto journal = open();
+  const auto found = journal->change_of_request("a", "k");
+  ASSERT_TRUE(found.ok() && *found);
+  EXPECT_EQ((*found)->revision, 6u) << "the last of them";
+  EXPECT_EQ((*found)->fields_hash, entry(6).fields_hash);
+  for (const char* other : {"", "K", "other"}) EXPECT_FALSE(*journal->change_of_request("a", other)) << other;
+  EXPECT_FALSE(*journal->change_of_request("b", "k")) << "a branch has no requests of its own";
 }
 
 TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
@@ -243,7 +261,7 @@ TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
     named.author = "Ann";
     ASSERT_TRUE(journal->append("a", named).ok());
   }
-  execute("ALTER TABLE entries DROP COLUMN author; PRAGMA user_version = 6");
+  execute("DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN request_key; PRAGMA user_version = 6");
   {
     const auto journal = open();
     ASSERT_EQ(journal->entries("a", 0)->size(), 1u);
