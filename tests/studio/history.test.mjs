@@ -296,3 +296,10 @@ test("an earlier revision is wiped over the present one and follows the camera",
   await divider.waitFor({state: "detached"});
   await finish();
 });
+
+test("a batch is one step with the words of its first command", async () => {
+  await open("batch", "history", [{commands: [{op: "length", flood: true, value: 0.02}, {op: "noise", flood: true, amount: 0.2}]}]);
+  await page.locator(".step-name", {hasText: "Length everywhere and 1 more"}).waitFor();
+  await more(1);
+  await finish();
+});

@@ -4,13 +4,15 @@ import {change, createScene} from "../api/client";
 import {page_id} from "../api/identity";
 import {sayError} from "../scene/messages";
 import {listScenes, openScene} from "../scene/session";
+import type {Scene} from "../api/types";
 import {expand, type Step} from "./recipe";
 
+/** Without look and recipe: the creature as it comes, in its own colours. */
 export interface Sample { name: string; look?: string; recipe?: string; length?: number }
 
 /** The first is what a first visit shows. */
 export const samples: Sample[] = [
-  {name: "Fox", look: "fox"}, {name: "Best in show", recipe: "creature"}, {name: "Leopard", look: "leopard"}, {name: "Tabby", look: "shorthair_cat", length: 0.02},
+  {name: "Fox"}, {name: "Shaggy fox", look: "fox"}, {name: "Best in show", recipe: "creature"}, {name: "Leopard", look: "leopard"}, {name: "Tabby", look: "shorthair_cat", length: 0.02},
   {name: "Zebra", look: "zebra", length: 0.018}, {name: "Bear", look: "bear"}, {name: "Rabbit", look: "rabbit"}, {name: "Sheep", look: "sheep"},
   {name: "Wet dog", look: "wet_dog"}, {name: "Plush", look: "toy_plush", length: 0.02},
 ];
@@ -20,14 +22,19 @@ export const preparing = signal("");
 
 const sample_triangles = 20000;
 
+async function stepsOf({look, recipe}: Sample, made: Scene): Promise<Step[]> {
+  if (!look && !recipe) return [];
+  const {looks, recipes} = await import("./sample_grooms");
+  return look ? [looks[look]!] : expand(recipes[recipe!]!, recipes, made.bounds);
+}
+
 /** Makes the scene on the server and opens it. */
 export async function makeSample(sample: Sample) {
   if (preparing.value) return;
   try {
     preparing.value = "The creature grows its fur";
     const made = await createScene({name: sample.name, model: {builtin: "creature", triangles: sample_triangles}, fur: {form: "animal", length: sample.length ?? 0.03}});
-    const {looks, recipes} = await import("./sample_grooms");
-    const steps: Step[] = sample.look ? [looks[sample.look]!] : expand(recipes[sample.recipe!]!, recipes, made.bounds);
+    const steps = await stepsOf(sample, made);
     let done = 0;
     for (const step of steps) {
       if (steps.length > 1) preparing.value = `Grooming, step ${done + 1} of ${steps.length}`;

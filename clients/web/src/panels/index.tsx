@@ -1,5 +1,6 @@
 // The panels on the right, in the order of their tabs.
 import type {ComponentType} from "preact";
+import {useErrorBoundary} from "preact/hooks";
 import {panel} from "../shell/places";
 import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
@@ -32,9 +33,14 @@ function arrows(event: KeyboardEvent) {
   document.getElementById(`tab-${panel.value}`)?.focus();
 }
 
+/** A panel that fails says so; the others and the picture go on. */
+function Guarded({show: Show}: {show: ComponentType}) {
+  const [error] = useErrorBoundary((thrown: unknown) => { console.error(thrown); });
+  return error ? <p class="help" role="alert">This panel does not work: {String(error)}. Reload the page; your groom is on the server.</p> : <Show />;
+}
+
 export function Panels() {
   const open = panels.find(({id}) => id === panel.value) ?? panels[0]!;
-  const Show = open.show;
   return (
     <aside class="panels" aria-label="Panels">
       <div class="tabs" role="tablist" aria-label="Panels" onKeyDown={arrows}>
@@ -43,7 +49,7 @@ export function Panels() {
                   tabIndex={id === open.id ? 0 : -1} onClick={() => { panel.value = id; }}><Icon sign={sign} /><span>{label}</span></button>
         ))}
       </div>
-      <div key={open.id} class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${open.id}`} tabIndex={0}><Show /></div>
+      <div key={open.id} class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${open.id}`} tabIndex={0}><Guarded key={open.id} show={open.show} /></div>
     </aside>
   );
 }

@@ -14,9 +14,11 @@ export interface Step {
   author: string;
 }
 
-/** The entry's commands; none for undo, redo and revert. */
+/** The entry's commands, one or a batch; none for undo, redo and revert. */
 export function commandsIn(entry: LogEntry): Command[] {
-  return entry.commands === undefined ? [] : [entry.commands as unknown as Command | Command[]].flat();
+  if (entry.commands === undefined) return [];
+  const logged = entry.commands as unknown as Command | {commands: Command[]};
+  return "commands" in logged ? (logged.commands as Command[]) : [logged];
 }
 
 function begun(entry: LogEntry, kind: Step["kind"]): Step {
