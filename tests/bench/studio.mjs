@@ -51,7 +51,7 @@ async function turn(studio) {
     await studio.page.waitForTimeout(15);
   }
   await studio.page.mouse.up({button: "middle"});
-  const frames = (await studio.page.evaluate(() => window.marks.frame)).filter(({stage}) => stage === "draft");
+  const frames = (await studio.page.evaluate(() => window.marks.frame)).filter(({stage}) => stage === "turning");
   console.log(`orbit: ${(frames.length / seconds).toFixed(1)} pictures a second`);
   row("  the server's time for a picture", frames.map(serverTime));
   row("  asked to shown", frames.map(({asked, shown}) => shown - asked));

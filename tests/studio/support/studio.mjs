@@ -12,7 +12,7 @@ export async function browser(options = {}) {
 
 /** One window on a scene. Everything that the console says is kept, and is to be nothing at the end. */
 export class Studio {
-  static async open(chrome, address, {scene = "", context: context_options = {}, kept = {}} = {}) {
+  static async open(chrome, address, {scene = "", context: context_options = {}, kept = {}, before = () => {}} = {}) {
     const studio = new Studio();
     studio.context = await chrome.newContext({viewport: {width: 1440, height: 900}, acceptDownloads: true, ...context_options});
     // Pictures that two busy cores draw soon, unless the test is about others.
@@ -22,6 +22,7 @@ export class Studio {
       window.marks = {frame: [], part: [], ring: [], proxy: []};
       for (const name of Object.keys(window.marks)) addEventListener(`pelage:${name}`, ({detail}) => window.marks[name].push(detail));
     }, settings);
+    await studio.context.addInitScript(before);
     studio.page = await studio.context.newPage();
     studio.said = [];
     studio.expected = [];

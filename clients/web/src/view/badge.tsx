@@ -5,7 +5,7 @@ import {shown, type Shown} from "./frames";
 import {millisecondsOf} from "./measured";
 
 function stageWords({stage, picture}: Shown): string {
-  if (stage === "draft") return "draft";
+  if (stage === "draft" || stage === "turning") return "draft";
   const passes = picture.trace?.passes ?? 0;
   if (stage === "rest" || passes === 0) return `${picture.knobs.shells ?? ""} shells`;
   const samples = Math.round(picture.trace!.samples);

@@ -1,4 +1,5 @@
-// Which picture to ask for next: drafts while something moves, the dial's picture at rest, traced strands when it rests longer.
+// Which picture to ask for next: what a short time gives while the camera moves, drafts of strokes and settings, the dial's picture
+// at rest, traced strands when it rests longer.
 // At most two requests are in flight; the newest picture wins.
 import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, drawFrame, type FrameNews, type Picture} from "../api/client";
@@ -9,11 +10,12 @@ import {sayError} from "../scene/messages";
 import {note} from "./measured";
 import {dial, rest_quality, shared_request, wants_trace, type Dial} from "./quality";
 
-export type Stage = "draft" | "rest" | "traced";
+export type Stage = "turning" | "draft" | "rest" | "traced";
 export interface Shown { stage: Stage; picture: Picture; asked: number; shown: number }
 export interface Wish { scene: string; camera: Pinhole; width: number; height: number; ratio: number; revision: number }
 
 const rest_after = 140;      // ms without movement
+const turning_budget = 60;   // ms of a picture while the camera moves
 const trace_after = 1200;    // ms after the picture at rest
 const max_in_flight = 2;
 const again_after = 1000;     // ms after a lost connection or a full server
@@ -32,8 +34,9 @@ export class FrameLoop {
   private state = 0;             // grows with each change of what is to be seen
   private asked = 0;
   private shown_number = 0;
-  private done: Record<Stage, number> = {draft: -1, rest: -1, traced: -1};  // the state that each stage has shown
+  private done: Record<Stage, number> = {turning: -1, draft: -1, rest: -1, traced: -1};  // the state that each stage has shown
   private moving_until = 0;
+  private turning_until = 0;
   private rested_at = 0;
   private blocked_until = 0;
   private passes = 0;
@@ -44,13 +47,15 @@ export class FrameLoop {
   /** `present` puts a picture on the screen. */
   constructor(private readonly wish: () => Wish | null, private readonly present: (bytes: Blob) => Promise<void>) {}
 
-  /** Something that is seen has changed. `moving`: more will follow at once. `news`: a stroke is on its way to the server. */
-  touch({moving = false, news = false} = {}) {
+  /** Something that is seen has changed. `moving`: more will follow at once. `turning`: it is the camera that moves. `news`: a stroke
+   * is on its way to the server. */
+  touch({moving = false, turning = false, news = false} = {}) {
     ++this.state;
     this.passes = 0;
     this.news ||= news;
-    if (moving) this.moving_until = performance.now() + rest_after;
-    for (const ask of this.in_flight) if (ask.stage !== "draft") ask.stop.abort();
+    if (moving || turning) this.moving_until = performance.now() + rest_after;
+    if (turning) this.turning_until = this.moving_until;
+    for (const ask of this.in_flight) if (ask.stage === "rest" || ask.stage === "traced") ask.stop.abort();
     this.pump();
   }
 
@@ -74,6 +79,7 @@ export class FrameLoop {
     const asks = [...this.in_flight];
     if (asks.length >= max_in_flight) return null;
     const asking = (stage: Stage) => asks.some((ask) => ask.stage === stage && ask.state === this.state);
+    if (now < this.turning_until) return this.done.turning === this.state || asking("turning") ? null : "turning";
     if (this.done.draft !== this.state) return asking("draft") ? null : "draft";
     if (now < this.moving_until) return null;
     if (this.done.rest !== this.state) return asking("rest") ? null : "rest";
@@ -102,10 +108,11 @@ export class FrameLoop {
   }
 
   private requestOf({stage, slot}: Ask, wish: Wish): FrameRequest {
-    const ratio = stage === "draft" ? 1 : wish.ratio;
+    const moves = stage === "draft" || stage === "turning";
+    const ratio = moves ? 1 : wish.ratio;
     const size = {width: Math.max(1, Math.round(wish.width * ratio)), height: Math.max(1, Math.round(wish.height * ratio))};
     const request: FrameRequest = {...shared_request.value, ...size, camera: wish.camera, view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
-    if (stage === "draft") return {...request, quality: "draft", format: "jpeg", jpeg_quality: 85};
+    if (moves) return {...request, ...(stage === "draft" ? {quality: "draft"} : {budget_ms: turning_budget}), format: "jpeg", jpeg_quality: 85};
     if (stage === "traced") return {...request, ...rest_quality.value, progressive: tracing};
     return {...request, ...rest_quality.value};
   }

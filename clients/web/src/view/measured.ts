@@ -2,6 +2,7 @@
 import {signal} from "@preact/signals";
 import type {Picture} from "../api/client";
 import type {Tier} from "../api/types";
+import type {Stage} from "./frames";
 import type {Dial} from "./quality";
 
 export type Stop = Tier | "budget" | "error";
@@ -24,14 +25,15 @@ export function millisecondsOf({timings}: Picture): number {
 
 export const stopOf = (dial: Dial): Stop => (dial.kind === "tier" ? dial.tier : dial.kind);
 
-function stopShown(stage: "draft" | "rest" | "traced", dial: Dial): Stop {
+function stopShown(stage: Exclude<Stage, "turning">, dial: Dial): Stop {
   if (stage === "draft") return "draft";
   const stop = stopOf(dial);
   return stage === "rest" && stop === "reference" ? "detailed" : stop;  // what is seen until the first strands come
 }
 
 /** Takes note of a picture that was asked for while the dial stood so. */
-export function note(stage: "draft" | "rest" | "traced", dial: Dial, picture: Picture) {
+export function note(stage: Stage, dial: Dial, picture: Picture) {
+  if (stage === "turning") return;  // a stop of its own on no dial
   const {trace, estimate} = picture;
   if (stage === "traced" && trace && trace.passes > 0) {
     const entry = {milliseconds: trace.grow_ms + trace.trace_ms, error: null, noise: trace.noise, samples: trace.samples};

@@ -51,7 +51,7 @@ class View {
       size: () => scene.value?.size ?? 1,
       height: () => viewport_size.value.height,
       hits: (x, y) => this.cast(x, y) !== null,
-      changed: () => { this.frames.touch({moving: true}); this.sketchSoon(); },
+      changed: () => { this.frames.touch({turning: true}); this.sketchSoon(); },
       toolDown: (event) => this.toolDown(event),
       toolMove: (events) => this.toolMove(events),
       toolUp: (_, cancelled) => { this.hold?.up(cancelled); this.hold = null; this.sketchSoon(); },

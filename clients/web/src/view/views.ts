@@ -18,7 +18,7 @@ export function glide(to: Orbit, at_once: boolean) {
   const step = (now: number) => {
     const t = Math.min(1, Math.max(0, (now - start) / glide_ms));
     orbit.value = between(from, to, t * t * (3 - 2 * t));
-    view.value?.frames.touch({moving: true});
+    view.value?.frames.touch({turning: true});
     if (t < 1) gliding = requestAnimationFrame(step);
   };
   gliding = requestAnimationFrame(step);
