@@ -39,10 +39,11 @@ void reply_json(httplib::Response& response, int http_status, const std::string&
 
 void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body) {
   response.status = 200;
+  if (body.empty()) return response.set_content(body, content_type);  // a provider of nothing never ends
   const auto whole = std::make_shared<const std::string>(std::move(body));
-  response.set_content_provider(whole->size(), content_type, [whole](size_t from, size_t size, httplib::DataSink& sink) {
-    return sink.write(whole->data() + from, size);
-  });
+  response.set_content_provider(
+      whole->size(), content_type,
+      [whole](size_t from, size_t size, httplib::DataSink& sink) { return sink.write(whole->data() + from, size); });
 }
 
 void reply_problem(httplib::Response& response, const Status& status, int http_status) {

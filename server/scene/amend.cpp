@@ -104,8 +104,7 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands, 
   if (outcome.settings) replay.settings = outcome.settings;
   const std::vector<Command> logged = chosen(resolved, outcome.effective);
   replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta), replay.fields.hash(),
-                            outcome.settings, pictures_read_by(logged), options.author,
-                            options.request_key});
+                            outcome.settings, pictures_read_by(logged), options.author, options.request_key});
   return {};
 }
 

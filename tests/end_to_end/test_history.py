@@ -176,6 +176,13 @@ class Checkpoints(ServedTest):
         self.assertIn("tip_colour", [field["field"] for field in comparison["fields"]])
 
 
+class Lines(ServedTest):
+    def test_of_no_steps_there_are_none(self):
+        scene = self.server.new_scene()
+        answer = self.server.get(f"{scene.path}/log?format=jsonl", timeout=20)
+        self.assertEqual((answer.status, answer.body, answer.headers["content-type"]), (200, b"", "application/jsonl"))
+
+
 class Restart(unittest.TestCase):
     def test_branches_and_amendments_outlive_a_kill(self):
         server = Server()

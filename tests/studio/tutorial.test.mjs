@@ -73,3 +73,26 @@ test("a fox, groomed and downloaded", async () => {
   studio.quiet();
   await studio.close();
 });
+
+const windows = {
+  "window-dark": {viewport: {width: 1440, height: 900}, colorScheme: "dark"},
+  "window-light": {viewport: {width: 1440, height: 900}, colorScheme: "light"},
+  "tablet-dark": {viewport: {width: 1180, height: 820}, colorScheme: "dark", hasTouch: true},
+  "tablet-light": {viewport: {width: 1180, height: 820}, colorScheme: "light", hasTouch: true},
+};
+const panels = {"window-dark": "coat", "window-light": "layers", "tablet-dark": "light", "tablet-light": "tool"};
+
+if (folder) {
+  for (const [name, context] of Object.entries(windows)) {
+    test(`a picture of the ${name.replace("-", ", ")}`, async () => {
+      const kept = {dial: {kind: "tier", tier: "detailed"}, panel: panels[name], "trace-at-rest": true};
+      const studio = await Studio.open(chrome, server.address, {context, kept});
+      await studio.ready();
+      await studio.page.mouse.move(...await studio.at(0.52, 0.55));
+      await studio.seen("traced");
+      await studio.page.waitForFunction(() => window.marks.frame.at(-1).stage === "traced" && window.marks.frame.filter(({stage}) => stage === "traced").length > 5, null, {timeout: 120000});
+      await studio.page.screenshot({path: join(folder, `${name}.jpg`), type: "jpeg", quality: 82});
+      await studio.close();
+    });
+  }
+}

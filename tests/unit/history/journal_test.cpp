@@ -228,7 +228,9 @@ TEST_F(JournalTest, LoggedNamesOfVersionFiveAreTakenOver) {
     logged.commands = R"([{"op":"length","layer":"a \"layer\": b","mode":"least"},{"op":"layer","name":"layer"}])";
     ASSERT_TRUE(journal->append("a", logged).ok());
   }
-  execute("DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN request_key; PRAGMA user_version = 5");
+  execute(
+      "DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN "
+      "request_key; PRAGMA user_version = 5");
   const auto entries = open()->entries("a", 0);
   ASSERT_TRUE(entries.ok()) << entries.status().message;
   EXPECT_EQ(entries->at(0).commands,
@@ -261,7 +263,9 @@ TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
     named.author = "Ann";
     ASSERT_TRUE(journal->append("a", named).ok());
   }
-  execute("DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN request_key; PRAGMA user_version = 6");
+  execute(
+      "DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN "
+      "request_key; PRAGMA user_version = 6");
   {
     const auto journal = open();
     ASSERT_EQ(journal->entries("a", 0)->size(), 1u);
