@@ -10,18 +10,26 @@ const points = 48;
 const max_drop = 0.6;   // radii: what lies deeper or higher is another part of the model
 const max_glow = 400;  // triangles
 
+/** How far the surface lies above the tangent plane around the hit, in points of a circle; what lies too far is another part. */
+function heightsOf(proxy: Proxy, normal: Vector, flat: Vector[], radius: number): number[] {
+  const heights = flat.map((point) => {
+    const down = proxy.cast(add(point, scale(normal, radius)), scale(normal, -1));
+    const height = down ? radius - down.distance : 0;
+    return Math.abs(height) < max_drop * radius ? height : 0;
+  });
+  const near = (k: number) => heights[(k + heights.length) % heights.length]!;
+  return heights.map((_, k) => (near(k - 2) + 2 * near(k - 1) + 3 * near(k) + 2 * near(k + 1) + near(k + 2)) / 9);  // no jump at folds
+}
+
 /** Points of a circle about the hit, laid down on the surface along the hit's normal. */
 function ringPoints(proxy: Proxy, hit: Hit, radius: number): Vector[] {
   const [u, v] = tangents(hit.normal);
-  const ring: Vector[] = [];
-  for (let k = 0; k < points; ++k) {
+  const flat = Array.from({length: points}, (_, k) => {
     const angle = (2 * Math.PI * k) / points;
-    const flat = add(hit.point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
-    const above = add(flat, scale(hit.normal, radius));
-    const down = proxy.cast(above, scale(hit.normal, -1));
-    ring.push(down && Math.abs(down.distance - radius) < max_drop * radius ? down.point : flat);
-  }
-  return ring;
+    return add(hit.point, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
+  });
+  const heights = heightsOf(proxy, hit.normal, flat, radius);
+  return flat.map((point, k) => add(point, scale(hit.normal, heights[k]!)));
 }
 
 function trace(context: CanvasRenderingContext2D, projection: Projection, ring: Vector[]) {
