@@ -1,0 +1,97 @@
+// Coat, look, light and eyes: each finished change is one undo step, and what the server then has is what the panel shows.
+import assert from "node:assert/strict";
+import {after, before, test} from "node:test";
+import {Server} from "./support/server.mjs";
+import {Studio, browser} from "./support/studio.mjs";
+
+let server, chrome, studio, page, id;
+
+before(async () => {
+  server = await Server.start();
+  chrome = await browser();
+});
+after(async () => {
+  await chrome?.close();
+  await server?.stop();
+});
+
+async function open(name, panel) {
+  id = (await server.creature(name, 2000)).id;
+  studio = await Studio.open(chrome, server.address, {scene: id, kept: {panel}});
+  page = studio.page;
+  await studio.ready();
+}
+async function finish() {
+  studio.quiet();
+  await studio.close();
+}
+const settings = () => server.get(`/v1/scenes/${id}/settings`);
+const steps = async () => (await server.get(`/v1/scenes/${id}`)).undo_steps;
+
+async function stepsAre(count) {
+  for (let tries = 0; tries < 400 && await steps() < count; ++tries) await page.waitForTimeout(50);
+  assert.equal(await steps(), count);
+}
+
+test("a look by its picture is one step", async () => {
+  await open("looks", "coat");
+  const before_look = (await settings()).coat;
+  await page.getByText("Looks to begin with").click();
+  await page.getByRole("group", {name: "Looks to begin with"}).getByRole("button", {name: /leopard/i}).click();
+  await stepsAre(1);
+  const {coat} = await settings();
+  assert.notDeepEqual(coat, before_look);
+  assert.equal(coat.pattern.kind, "rosettes");
+  await finish();
+});
+
+test("a slider that is dragged is one step, tried in the picture meanwhile", async () => {
+  await open("slider", "coat");
+  const slider = page.getByLabel("Bend", {exact: true});
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.3, box.y + box.height / 2);
+  await page.mouse.down();
+  for (let k = 0; k <= 10; ++k) await page.mouse.move(box.x + box.width * (0.3 + 0.05 * k), box.y + box.height / 2);
+  await page.waitForTimeout(800);
+  assert.equal(await steps(), 0, "nothing of the scene changes while it is dragged");
+  await page.mouse.up();
+  await stepsAre(1);
+  assert.ok((await settings()).coat.bend > 0.5);
+  await finish();
+});
+
+test("a light is added, dragged around the model and taken away", async () => {
+  await open("lights", "light");
+  const first = (await settings()).lights;
+  await page.getByRole("button", {name: "Add a light"}).click();
+  await stepsAre(1);
+  assert.equal((await settings()).lights.length, first.length + 1);
+  const handle = page.getByRole("button", {name: "Light 1", exact: true}).and(page.locator(".handle"));
+  const box = await handle.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x - 90, box.y + 40, {steps: 10});
+  await page.mouse.up();
+  await stepsAre(2);
+  assert.notDeepEqual((await settings()).lights[0].direction, first[0].direction);
+  await page.getByRole("button", {name: /^Delete light/}).click();
+  await stepsAre(3);
+  assert.equal((await settings()).lights.length, first.length);
+  await finish();
+});
+
+test("an eye stands where the model is pressed", async () => {
+  await open("eyes", "look");
+  const {length} = (await settings()).eyes;
+  await page.getByRole("button", {name: /place an eye/i}).click();
+  await page.locator(".hint-line").waitFor();
+  await page.mouse.click(...await studio.at(0.5, 0.5));
+  await stepsAre(1);
+  const {eyes} = await settings();
+  assert.equal(eyes.length, length + 1);
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled);
+  assert.equal((await settings()).eyes.length, length);
+  await finish();
+});
