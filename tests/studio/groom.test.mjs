@@ -171,3 +171,49 @@ test("one finger grooms, two move the camera", async () => {
   assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 1);
   await finish();
 });
+
+test("guides are drawn, moved and deleted, and stay one step", async () => {
+  await fresh("guides");
+  await studio.tool("flow");
+  await studio.drag([[0.56, 0.52], [0.53, 0.56], [0.5, 0.6]], {steps: 12});
+  await studio.settled(server, id, 1);
+  const handle = () => studio.page.getByRole("button", {name: /^Guide 1, point 1;/});
+  await handle().waitFor();
+  const before_move = commandsOf((await steps()).at(-1))[0].curves[0];
+  const box = await handle().boundingBox();
+  await studio.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await studio.page.mouse.down();
+  await studio.page.mouse.move(box.x - 25, box.y + 5, {steps: 6});
+  await studio.page.mouse.up();
+  await studio.settled(server, id, 2);
+  const lines = async () => (await (await fetch(`${server.address}/v1/scenes/${id}/log?format=jsonl`)).text()).trim().split("\n").filter(Boolean).map((line) => JSON.parse(line));
+  for (let tries = 0; tries < 100 && JSON.stringify((await lines())[0]?.curves[0]) === JSON.stringify(before_move); ++tries) await studio.page.waitForTimeout(50);
+  assert.equal((await lines()).length, 1);
+  assert.notDeepEqual((await lines())[0].curves[0], before_move);
+  await handle().focus();
+  await studio.page.keyboard.press("Delete");
+  for (let tries = 0; tries < 100 && (await lines()).length > 0; ++tries) await studio.page.waitForTimeout(50);
+  assert.deepEqual(await lines(), []);
+  await finish();
+});
+
+test("a flood, and a blower that stays and is moved in the picture", async () => {
+  await fresh("standing");
+  await studio.tool("lift");
+  await studio.page.getByRole("button", {name: "Lift everywhere"}).click();
+  await studio.settled(server, id, 1);
+  await studio.tool("blow");
+  await studio.page.getByRole("button", {name: "Place one"}).click();
+  await studio.settled(server, id, 2);
+  const blower = async () => (await server.get(`/v1/scenes/${id}/settings`)).blowers[0];
+  const placed = await blower();
+  const handle = studio.page.getByRole("button", {name: `Blower ${placed.name}`, exact: true});
+  await handle.focus();
+  await studio.page.keyboard.press("ArrowRight");
+  await studio.settled(server, id, 3);
+  assert.notDeepEqual((await blower()).source, placed.source);
+  await studio.page.getByRole("button", {name: "Use", exact: true}).click();
+  await studio.settled(server, id, 4);
+  assert.equal(commandsOf((await steps()).at(-1))[0].blower, placed.name);
+  await finish();
+});

@@ -12,7 +12,7 @@ export type Guide = Vector[];
 
 /** Guide and point that are dragged or chosen; -1 for none. */
 export const chosen = signal<{guide: number; point: number}>({guide: -1, point: -1});
-const max_points = 24;
+const max_points = 8;  // as many as a hand can take hold of
 
 /** The newest step that laid guides of this kind and is still in effect. */
 function stepOf(op: GuideOp): {revision: number; command: Command} | null {
@@ -31,7 +31,7 @@ export function guidesOf(op: GuideOp): Guide[] {
   return (command["keys"] as Key[]).map(({position, direction}) => [position, [0, 1, 2].map((k) => position[k]! + (direction?.[k] ?? 0)) as Vector]);
 }
 
-/** Evenly thinned to what the contract takes. */
+/** Evenly thinned. */
 function thinned(points: Guide): Guide {
   if (points.length <= max_points) return points;
   return Array.from({length: max_points}, (_, k) => points[Math.round((k * (points.length - 1)) / (max_points - 1))]!);

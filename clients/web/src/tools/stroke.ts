@@ -34,9 +34,12 @@ export class Stroke {
     void this.work();
   }
 
+  /** What is left goes to the outbox at once, which keeps it if the page is closed. */
   end() {
     this.ended = true;
-    void this.work();
+    const samples = this.nextSamples();
+    if (samples.length) void this.sendPart(samples, this.waiting.length === 0);
+    if (this.waiting.length) void this.work();
   }
 
   private begin() {
@@ -66,32 +69,31 @@ export class Stroke {
     const id = scene.value?.id;
     if (!id) return;
     if (this.count + samples.length > max_samples) this.begin();
-    const start = performance.now(), newest = this.newest;
+    const start = performance.now(), newest = this.newest, part = this.part++;
     try {
-      const answer = send(id, "commands", this.bodyOf(samples, last));
+      const answer = send(id, "commands", this.bodyOf(samples, last, part));
+      this.count += samples.length;
       this.sent();
       this.note(await answer, samples, last);
       mark("part", {start, end: performance.now(), newest, revision: (await answer).revision});
     } catch (error) {
-      await this.mend(error, samples, last);
+      await this.mend(error, samples, last, part);
     }
   }
 
-  private bodyOf(samples: StrokeSample[], last: boolean): Command {
-    return {...this.command, stroke: {id: this.id, part: this.part, last, view: this.view, samples}};
+  private bodyOf(samples: StrokeSample[], last: boolean, part: number): Command {
+    return {...this.command, stroke: {id: this.id, part, last, view: this.view, samples}};
   }
 
   private note(answer: CommandAnswer, samples: StrokeSample[], last: boolean) {
-    this.part += 1;
-    this.count += samples.length;
     this.last_sent = samples[samples.length - 1]!;
     accept(answer);
     this.answered(answer, last);
   }
 
   /** Somebody else's edit, or a restart of the server, ends a live stroke: what is left goes on as a new one. */
-  private async mend(error: unknown, samples: StrokeSample[], last: boolean) {
-    const interrupted = error instanceof Refusal && this.part > 0 && [409, 422].includes(error.status) && /\/stroke/.test(error.problem.pointer ?? "");
+  private async mend(error: unknown, samples: StrokeSample[], last: boolean, part: number) {
+    const interrupted = error instanceof Refusal && part > 0 && [409, 422].includes(error.status) && /\/stroke/.test(error.problem.pointer ?? "");
     if (!interrupted) {
       sayError(error);
       this.answered(null, true);
@@ -100,6 +102,7 @@ export class Stroke {
       return;
     }
     const joined = this.last_sent ? [this.last_sent, ...samples] : samples;
+    this.last_sent = samples[samples.length - 1]!;
     this.begin();
     await this.sendPart(joined, last);
   }

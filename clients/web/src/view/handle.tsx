@@ -23,6 +23,7 @@ export const projectionNow = () => new Projection(orbit.value, viewport_size.val
 export function Handle({at, label, shape = "dot", chosen = false, moved, pressed, remove, place}: HandleProps) {
   const dragging = useRef(false);
   const last = useRef(at);
+  const start = useRef(at);
   const projection = projectionNow();
   const pixel = projection.project(at);
   if (!pixel) return null;
@@ -36,7 +37,7 @@ export function Handle({at, label, shape = "dot", chosen = false, moved, pressed
     event.stopPropagation();
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     dragging.current = true;
-    last.current = at;
+    last.current = start.current = at;
     pressed?.();
   };
   const move = (event: PointerEvent) => {
@@ -47,7 +48,7 @@ export function Handle({at, label, shape = "dot", chosen = false, moved, pressed
   const up = () => {
     if (!dragging.current) return;
     dragging.current = false;
-    if (last.current !== at) moved(last.current, true);
+    if (last.current !== start.current) moved(last.current, true);
   };
   const key = (event: KeyboardEvent) => {
     const steps: Record<string, [number, number]> = {ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6]};
