@@ -1,7 +1,7 @@
 // The page: tools on the left, the picture, panels on the right.
-import {effect, signal} from "@preact/signals";
+import {effect, signal, untracked} from "@preact/signals";
 import {useEffect} from "preact/hooks";
-import {listScenes, openScene, last_scene, scene, scenes} from "./scene/session";
+import {listScenes, log_read, openScene, last_scene, refresh, scene, scenes, wants_log} from "./scene/session";
 import {sayError, say} from "./scene/messages";
 import {followNews} from "./scene/news";
 import {sendLeftovers} from "./api/outbox";
@@ -12,14 +12,26 @@ import {KeySheet} from "./shell/key_sheet";
 import {listenToKeys} from "./shell/keys";
 import {Messages} from "./shell/messages";
 import {OfflineBanner, warnOfLoss} from "./shell/offline";
-import {theme} from "./shell/places";
+import {panel, theme} from "./shell/places";
 import {TokenDialog} from "./shell/token";
 import {TopBar} from "./shell/top_bar";
 import {NoScene, Welcome} from "./shell/welcome";
 import {loadContract} from "./tools/schema";
 import {Palette} from "./tools/palette";
+import {current} from "./tools/state";
 import {ReferenceCompare} from "./view/reference_compare";
 import {Viewport} from "./view/viewport";
+
+/** The log is read for the panel that shows it and for the tools whose guides stand in it. */
+function followLog(): () => void {
+  return effect(() => {
+    const wanted = panel.value === "history" || current.value === "flow" || current.value === "interpolate";
+    untracked(() => {
+      wants_log.value = wanted;
+      if (wanted && !log_read.value) void refresh();
+    });
+  });
+}
 
 /** Whether it is known which scenes there are. */
 const looked = signal(false);
@@ -46,7 +58,7 @@ function followAddress() {
 
 function useStart() {
   useEffect(() => {
-    const stops = [listenToKeys(), listenToDrops(), warnOfLoss(), followNews(), effect(followAddress), effect(() => { document.documentElement.dataset["theme"] = theme.value; })];
+    const stops = [listenToKeys(), listenToDrops(), warnOfLoss(), followNews(), followLog(), effect(followAddress), effect(() => { document.documentElement.dataset["theme"] = theme.value; })];
     openFirst().catch(sayError);
     return () => stops.forEach((stop) => stop());
   }, []);

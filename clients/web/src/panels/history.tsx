@@ -1,7 +1,7 @@
 // Every step of the log, newest on top. A press goes there; the button beside it opens what can be done with a step.
 import {signal} from "@preact/signals";
 import {kept, author} from "../api/identity";
-import {scene, settings} from "../scene/session";
+import {log_read, scene, settings} from "../scene/session";
 import {checkpoints, commandsIn, first_revision, present, steps, touchedBy, type Step} from "../scene/steps";
 import {layerOf, stepWords, vertices} from "../scene/step_words";
 import {goTo} from "../scene/travel";
@@ -111,7 +111,7 @@ function FirstRow() {
 
 export function HistoryPanel() {
   if (!scene.value) return <p class="help">No scene is open.</p>;
-  if (!settings.value) return <p class="help" role="status">Reading the steps…</p>;
+  if (!settings.value || !log_read.value) return <p class="help" role="status">Reading the steps…</p>;
   const all = steps.value;
   const rows = rowsOf(only_in_effect.value ? all.filter(({in_effect}) => in_effect) : all);
   const seen = rows.slice(0, shown_rows.value);

@@ -9,7 +9,12 @@ import {isScratch} from "./scratch";
 
 export const scenes = signal<Scene[]>([]);
 export const scene = signal<Scene | null>(null);
+/** Empty until `log_read`. */
 export const log = signal<LogEntry[]>([]);
+/** Whether somebody looks at the log. It grows with every stroke, so that it is read only then. */
+export const wants_log = signal(false);
+/** Whether `log` is that of the scene as it is described. */
+export const log_read = signal(false);
 /** Everything in the scene beside its fields: coat, look, lights, ... */
 export const settings = signal<Settings | null>(null);
 /** The newest revision that is known of; frames follow it. */
@@ -21,6 +26,7 @@ export const edit_layer = signal("");  // that tools write to; "" for the groom 
 
 /** What this page changed, to tell it from what others did. */
 const own_revisions = new Set<number>();
+const max_own_revisions = 1000;  // news of older ones have come
 export const isOwn = (of: number) => own_revisions.has(of);
 
 export function layers(): EditLayer[] { return scene.value?.edit_layers ?? []; }
@@ -29,11 +35,13 @@ let reading: Promise<void> | null = null;
 let read_again = false;
 
 async function readOnce(id: string) {
-  const [description, entries, all] = await Promise.all([api.describeScene(id), api.readLog(id), api.readSettings(id)]);
+  const entries_read = wants_log.value ? api.readLog(id) : null;
+  const [description, entries, all] = await Promise.all([api.describeScene(id), entries_read, api.readSettings(id)]);
   if (scene.value && scene.value.id !== id) return;
   batch(() => {
     scene.value = description;
-    log.value = entries;
+    log.value = entries ?? [];
+    log_read.value = entries !== null;
     settings.value = all;
     revision.value = Math.max(revision.value, description.revision);
   });
@@ -62,6 +70,7 @@ export async function openScene(id: string) {
     scene.value = description;
     revision.value = description.revision;
     log.value = [];
+    log_read.value = false;
     settings.value = null;
     edit_layer.value = "";
     last_scene.value = id;
@@ -77,6 +86,7 @@ export async function listScenes() {
 /** Takes note of a change that this page made. */
 export function accept(answer: CommandAnswer) {
   own_revisions.add(answer.revision);
+  if (own_revisions.size > max_own_revisions) own_revisions.delete(own_revisions.values().next().value!);
   revision.value = Math.max(revision.value, answer.revision);
 }
 

@@ -2,7 +2,7 @@
 // is one thing however often it is moved.
 import {signal} from "@preact/signals";
 import type {Command, Vector} from "../api/types";
-import {change, log, run} from "../scene/session";
+import {change, log, log_read, refresh, run} from "../scene/session";
 import {norm, subtract} from "../view/vector";
 import {commandOf} from "./state";
 
@@ -43,17 +43,26 @@ function membersFor(op: GuideOp, guides: Guide[]) {
     .filter((key) => norm(key.direction) > 0)};
 }
 
-/** Lays these guides in place of those that are there. */
-export async function setGuides(op: GuideOp, guides: Guide[]) {
-  const step = stepOf(op);
-  const command = commandOf(op, membersFor(op, guides));
-  if (!step) return guides.length ? run(command) : null;
-  return change("amend", {revision: step.revision, commands: guides.length ? [command] : []});
+let editing: Promise<unknown> = Promise.resolve();
+
+/** Lays other guides in place of those that are there; one edit after the other, each on what the one before left. */
+function edit(op: GuideOp, next: (guides: Guide[]) => Guide[]): Promise<unknown> {
+  editing = editing.then(async () => {
+    if (!log_read.value) await refresh();
+    const step = stepOf(op);
+    const guides = next(guidesOf(op));
+    const commands = guides.length ? [commandOf(op, membersFor(op, guides))] : [];
+    if (step) await change("amend", {revision: step.revision, commands});
+    else if (commands[0]) await run(commands[0]);
+  });
+  return editing;
 }
 
-export const placeGuide = (op: GuideOp, points: Guide) => setGuides(op, [...guidesOf(op), points]);
-export const removeGuide = (op: GuideOp, guide: number) => setGuides(op, guidesOf(op).filter((_, k) => k !== guide));
+/** The guides that are there, with the settings of the form. */
+export const layAgain = (op: GuideOp) => edit(op, (guides) => guides);
+export const placeGuide = (op: GuideOp, points: Guide) => edit(op, (guides) => [...guides, points]);
+export const removeGuide = (op: GuideOp, guide: number) => edit(op, (guides) => guides.filter((_, k) => k !== guide));
 
 export function movePoint(op: GuideOp, guide: number, point: number, to: Vector) {
-  return setGuides(op, guidesOf(op).map((points, k) => (k === guide ? points.map((old, j) => (j === point ? to : old)) : points)));
+  return edit(op, (guides) => guides.map((points, k) => (k === guide ? points.map((old, j) => (j === point ? to : old)) : points)));
 }

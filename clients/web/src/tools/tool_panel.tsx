@@ -3,7 +3,7 @@ import {run, settings} from "../scene/session";
 import {MaskSection} from "../panels/mask";
 import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
 import {Form} from "./form";
-import {removeGuide, guidesOf, setGuides} from "./guides";
+import {removeGuide, guidesOf, layAgain} from "./guides";
 import {ToolIcon} from "./icons";
 import {presets} from "./presets";
 import {forbidden, plain, words} from "./schema";
@@ -42,7 +42,7 @@ function Guides({op}: {op: "flow" | "interpolate"}) {
         <div class="list-row" key={k}><span>{op === "flow" ? "Guide" : "Key"} {k + 1}</span><small>{guide.length} points</small>
           <button type="button" onClick={() => void removeGuide(op, k)}>Delete</button></div>
       ))}
-      {guides.length > 0 && <button type="button" onClick={() => void setGuides(op, guides)}>Lay again with these settings</button>}
+      {guides.length > 0 && <button type="button" onClick={() => void layAgain(op)}>Lay again with these settings</button>}
     </section>
   );
 }
