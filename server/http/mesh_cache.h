@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "protocol/base/status.h"
 #include "server/http/guard.h"
@@ -34,6 +35,9 @@ class MeshCache {
     std::size_t triangles;
     std::mutex making = {};  // held while `file` is made
     File file = {};
+
+    Entry(std::weak_ptr<const SceneModel> of, std::uint64_t id, std::size_t wanted)
+        : model(std::move(of)), model_id(id), triangles(wanted) {}
   };
 
   std::shared_ptr<Entry> entry_of(const std::shared_ptr<const SceneModel>& model, std::size_t triangles);
