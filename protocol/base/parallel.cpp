@@ -36,4 +36,9 @@ void run_on_threads(int threads, const std::function<void()>& run) {
   if (failure) std::rethrow_exception(failure);
 }
 
+void run_on_this_thread(const std::function<void()>& run) {
+  tbb::task_arena arena(1);
+  arena.execute(run);
+}
+
 }  // namespace pelage

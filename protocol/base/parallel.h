@@ -17,6 +17,9 @@ int default_threads();
 /// run is thrown again when all have ended.
 void run_on_threads(int threads, const std::function<void()>& run);
 
+/// Calls `run` on the caller's thread, and keeps on it what a library inside would spread over oneTBB's threads.
+void run_on_this_thread(const std::function<void()>& run);
+
 /// Calls work(0) ... work(count - 1) on at most `threads` threads, in no order. Each call writes its own results only.
 /// After an exception, which is thrown again, no further call begins.
 template <class Work>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/parallel.h"
+
 namespace pelage {
 
 namespace {
@@ -62,7 +64,7 @@ bool StrandPart::set(RTCDevice device, StrandSet strands) {
     index_.reset(rtcNewScene(device));
     rtcSetSceneFlags(index_.get(), RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     rtcAttachGeometryByID(index_.get(), ribbons.get(), 0);
-    rtcCommitScene(index_.get());
+    run_on_this_thread([&] { rtcCommitScene(index_.get()); });
   }
   const bool indexed = rtcGetDeviceError(device) == RTC_ERROR_NONE && ribbons;
   if (!indexed) drop();

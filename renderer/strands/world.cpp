@@ -6,14 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include "protocol/base/parallel.h"
 #include "renderer/strands/strand_part.h"
 
 namespace pelage {
 
 namespace {
 
-/// At most AVX2, so that the same CPUs give the same bits whatever they have beyond. Threads are ours.
-constexpr const char* device_settings = "max_isa=avx2,threads=1,set_affinity=0,hugepages=0";
+/// At most AVX2, so that the same CPUs give the same bits whatever they have beyond. Without a number of threads, which
+/// would bound oneTBB's for the whole process: scenes are built on the caller's own.
+constexpr const char* device_settings = "max_isa=avx2,set_affinity=0,hugepages=0";
 constexpr double strands_of_part = 6000;
 constexpr float farthest = 1e18f;    // sizes; Embree's own limit is 1.8e18
 constexpr float black_depth = 5.5f;  // optical depth beyond which light counts as nothing
@@ -214,7 +216,7 @@ bool World::Impl::join(const FurFrame& frame) {
       rtcAttachGeometryByID(all.get(), instance.get(), part->number());
     }
   }
-  rtcCommitScene(all.get());
+  run_on_this_thread([&] { rtcCommitScene(all.get()); });
   return rtcGetDeviceError(device.get()) == RTC_ERROR_NONE;
 }
 

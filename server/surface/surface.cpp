@@ -10,6 +10,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "protocol/base/parallel.h"
+
 namespace pelage {
 
 namespace {
@@ -118,8 +120,9 @@ struct Releaser {
 using Device = std::unique_ptr<RTCDeviceTy, Releaser<RTCDevice, rtcReleaseDevice>>;
 using Scene = std::unique_ptr<RTCSceneTy, Releaser<RTCScene, rtcReleaseScene>>;
 
-/// One instruction set on every CPU, because hits differ between them.
-constexpr const char* device_settings = "isa=sse4.2,threads=1,set_affinity=0,hugepages=0";
+/// One instruction set on every CPU, because hits differ between them. A number of threads would bound oneTBB's for the
+/// whole process: scenes are built on the caller's own instead.
+constexpr const char* device_settings = "isa=sse4.2,set_affinity=0,hugepages=0";
 
 /// Copies: Embree reads 16 bytes from each vertex, and pads the buffers that it makes itself.
 void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
@@ -159,7 +162,7 @@ Scene make_scene(RTCDevice device, const Mesh& mesh) {
   fill_geometry(geometry, mesh);
   rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene.get());
+  run_on_this_thread([&] { rtcCommitScene(scene.get()); });
   assert(rtcGetDeviceError(device) == RTC_ERROR_NONE);
   return scene;
 }

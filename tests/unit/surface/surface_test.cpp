@@ -1,9 +1,11 @@
 #include "server/surface/surface.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <limits>
 #include <numeric>
+#include <thread>
 
 #include "tests/unit/surface/shapes.h"
 
@@ -27,6 +29,12 @@ TEST(Surface, RaysHitFromEitherSideAndFromFarAway) {
     EXPECT_NEAR(glm::length(cube.position(*hit) - glm::dvec3(0.1, expected, 0.05)), 0, 1e-5) << distance;
     EXPECT_NEAR(hit->barycentric.x + hit->barycentric.y + hit->barycentric.z, 1, 1e-12);
   }
+}
+
+TEST(Surface, LeavesOtherWorkItsThreads) {
+  const Surface cube = surface_of(shapes::cube());
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  EXPECT_GE(allowed, std::thread::hardware_concurrency()) << "Embree bounds oneTBB for the whole process";
 }
 
 TEST(Surface, RaysThatMissOrAreNone) {
