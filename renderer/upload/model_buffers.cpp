@@ -5,34 +5,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <numeric>
+#include <utility>
 
 #include "renderer/shaders/constants.h"
 #include "renderer/skin/bare.h"
+#include "renderer/upload/split_corners.h"
 
 namespace pelage {
-
-struct RenderVertex {
-  glm::vec3 position, normal, tangent;
-  glm::vec2 tile_uv;
-  glm::vec3 tile_axis, image_uv, colour;
-  float weight;
-};
 
 namespace {
 
 GLuint place_of(Attribute attribute) { return static_cast<GLuint>(attribute); }
-
-bool same_look(const FurCorner& a, const FurCorner& b) {
-  return a.tile_uv == b.tile_uv && a.tile_axis == b.tile_axis && a.image_uv == b.image_uv && a.colour == b.colour &&
-         a.image == b.image && a.weight == b.weight;
-}
-
-RenderVertex make_vertex(const FurModel& model, std::uint32_t vertex, const FurCorner& corner) {
-  return {model.positions[vertex], model.normals[vertex], model.tangents[vertex],
-          corner.tile_uv,          corner.tile_axis,      {corner.image_uv, static_cast<float>(corner.image)},
-          corner.colour,           corner.weight};
-}
 
 /// A copy of the image at another size, nearest texel.
 std::vector<std::uint8_t> resized(const ImageView& image, int width, int height) {
@@ -75,12 +58,12 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
       paint_(gl),
       original_(model.original ? model.original : model.id),
       has_colours_(model.has_colours) {
-  std::vector<RenderVertex> vertices;
-  split(model, vertices);
-  const auto bytes = vertices.size() * sizeof(RenderVertex);
-  gl.NamedBufferData(fixed_.id(), static_cast<GLsizeiptr>(bytes), vertices.data(), GL_STATIC_DRAW);
-  gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)), nullptr,
+  SplitModel split = split_corners(model);
+  const auto bytes = split.vertices.size() * sizeof(RenderVertex);
+  gl.NamedBufferData(fixed_.id(), static_cast<GLsizeiptr>(bytes), split.vertices.data(), GL_STATIC_DRAW);
+  gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(split.vertices.size() * sizeof(glm::vec3)), nullptr,
                      GL_DYNAMIC_DRAW);
+  keep(model, std::move(split));
   count.bytes += bytes, count.buffers += 1;
   const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};
   update(gl, {fields.direction, fields.length, {&all, 1}, fields.skin, fields.paint}, count);
@@ -88,33 +71,9 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
   send_images(gl, model, count);
 }
 
-void ModelBuffers::split(const FurModel& model, std::vector<RenderVertex>& vertices) {
-  const std::size_t corners = 3 * model.triangles.size();
-  const auto vertex_of = [&](std::uint32_t c) { return model.triangles[c / 3][static_cast<int>(c % 3)]; };
-  const auto corner_of = [&](std::uint32_t c) -> const FurCorner& { return model.corners[c / 3][c % 3]; };
-  std::vector<std::uint32_t> order(corners);
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return vertex_of(a) < vertex_of(b); });
-
-  triangles_.resize(model.triangles.size());
-  first_.assign(model.positions.size() + 1, 0);
-  std::vector<std::uint32_t> chosen;  // the corner that made each render vertex
-  for (std::size_t i = 0; i < corners;) {
-    const std::uint32_t vertex = vertex_of(order[i]);
-    const std::size_t begin = chosen.size();
-    for (; i < corners && vertex_of(order[i]) == vertex; ++i) {
-      const auto same = std::find_if(chosen.begin() + static_cast<std::ptrdiff_t>(begin), chosen.end(),
-                                     [&](auto c) { return same_look(corner_of(c), corner_of(order[i])); });
-      const auto index = static_cast<std::uint32_t>(same - chosen.begin());
-      if (same == chosen.end()) chosen.push_back(order[i]), welded_.push_back(vertex);
-      triangles_[order[i] / 3][static_cast<int>(order[i] % 3)] = index;
-    }
-    first_[vertex + 1] = static_cast<std::uint32_t>(chosen.size() - begin);
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-
-  vertices.reserve(chosen.size());
-  for (const std::uint32_t c : chosen) vertices.push_back(make_vertex(model, vertex_of(c), corner_of(c)));
+void ModelBuffers::keep(const FurModel& model, SplitModel split) {
+  triangles_ = std::move(split.triangles), welded_ = std::move(split.welded), first_ = std::move(split.first);
+  const std::vector<RenderVertex>& vertices = split.vertices;
   positions_.reserve(vertices.size()), normals_.reserve(vertices.size()), tangents_.reserve(vertices.size());
   for (const RenderVertex& vertex : vertices) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);

@@ -40,7 +40,7 @@ struct UploadCount {
   std::size_t buffers = 0;
 };
 
-struct RenderVertex;
+struct SplitModel;
 
 class ModelBuffers {
  public:
@@ -107,7 +107,7 @@ class ModelBuffers {
   }
 
  private:
-  void split(const FurModel& model, std::vector<RenderVertex>& vertices);
+  void keep(const FurModel& model, SplitModel split);
   const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
   DrawLists lists_of_skin() const;
   bool touched_by_skin(const glm::uvec3& triangle) const;

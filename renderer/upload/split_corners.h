@@ -1,0 +1,29 @@
+// A model's vertices, split where the corners of its triangles differ: what is sent to a GPU, and what is marched.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderer/input/fur_scene.h"
+
+namespace pelage {
+
+/// As vertex_floats of renderer/shaders/constants.glsl counts it.
+struct RenderVertex {
+  glm::vec3 position, normal, tangent;
+  glm::vec2 tile_uv;
+  glm::vec3 tile_axis, image_uv, colour;
+  float weight;
+};
+
+struct SplitModel {
+  std::vector<RenderVertex> vertices;
+  std::vector<glm::uvec3> triangles;  // in render vertices
+  std::vector<std::uint32_t> welded;  // the model's vertex of each render vertex, rising
+  std::vector<std::uint32_t> first;   // of each model's vertex, its first render vertex; one more at the end
+};
+
+SplitModel split_corners(const FurModel& model);
+
+}  // namespace pelage
