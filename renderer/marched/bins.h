@@ -1,0 +1,33 @@
+// The triangles of all shells by the tiles that they touch.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/marched/march_scene.h"
+
+namespace pelage {
+
+class Bins {
+ public:
+  /// Of a scene whose vertices are placed. In each tile roughly from near to far: first what faces the camera, the
+  /// outer shells first, then what faces away, the inner shells first.
+  explicit Bins(const MarchScene& scene);
+
+  int count() const { return across_ * down_; }
+  Tile tile(int index) const;
+
+ private:
+  struct Box {
+    std::int16_t left, right, top, bottom;  // tiles; none where right < left
+    bool empty() const { return right < left; }
+  };
+  Box box_of(const MarchScene& scene, int shell, const glm::uvec3& triangle, bool& facing) const;
+
+  int across_ = 0, down_ = 0;
+  std::vector<std::uint32_t> first_;  // of each tile, in triangles_; one more at the end
+  std::vector<ShellTriangle> triangles_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,46 @@
+// A model and its fields as the marcher reads them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/input/fur_scene.h"
+#include "renderer/marched/march_scene.h"
+
+namespace pelage {
+
+class FurMesh {
+ public:
+  FurMesh(const FurModel& model, const FurFields& fields);
+
+  /// Takes over the dirty ranges, or all where other skin is bare or other fields are painted.
+  void update(const FurFields& fields);
+
+  /// Valid until the next update.
+  MarchMesh view() const;
+  std::uint64_t original() const { return original_; }
+  bool has_colours() const { return has_colours_; }
+  bool has_images() const { return has_images_; }
+  bool paints_fur() const { return !paint_.empty(); }
+  std::size_t bytes() const;
+
+ private:
+  void find_patches(const std::vector<std::uint32_t>& welded);
+  void change(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
+  bool set_paint(const FurPaint& paint);                                         // whether other fields are painted
+
+  std::uint64_t original_ = 0;
+  bool has_colours_ = false, has_images_ = false;
+  std::vector<glm::vec3> positions_, normals_, tangents_, image_uvs_, colours_, groom_;
+  std::vector<glm::vec2> tiles_;
+  std::vector<float> weights_, fur_share_;
+  std::vector<std::array<float, 6>> paint_;
+  std::vector<std::array<float, 8>> painted_;
+  std::vector<glm::uvec3> triangles_;
+  std::vector<std::uint32_t> patches_, welded_, first_;
+  std::vector<PieceAxes> axes_;
+  std::vector<FurSkinRegion> skin_;
+};
+
+}  // namespace pelage

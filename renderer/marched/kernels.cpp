@@ -1,0 +1,157 @@
+#include "renderer/marched/kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/marched/kernels.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+
+#include "renderer/marched/march-inl.h"
+#include "renderer/marched/skin-inl.h"
+#include "renderer/marched/vertices-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+void PlaceShellVertices(MarchScene& scene, std::size_t begin, std::size_t end) { place_vertices(scene, begin, end); }
+
+/// Crossings of each lane of a group, sorted, and the segments between them. The most of any lane.
+std::size_t find_group_segments(const MarchScene& scene, TileScratch& scratch, int group) {
+  for (int lane = 0; lane < lane_count; ++lane) {
+    scratch.crossings[static_cast<std::size_t>(lane)].clear();
+    scratch.segments[static_cast<std::size_t>(lane)].clear();
+  }
+  const auto numbers = static_cast<std::size_t>(scene.varyings.count() * lane_count);
+  constexpr int u = (Varyings::tile - Varyings::first) * lane_count, v = u + lane_count;
+  for (std::uint32_t at = scratch.first[static_cast<std::size_t>(group)]; at != 0; at = scratch.records[at - 1].next) {
+    const float* inverse = &scratch.values[(at - 1) * numbers];
+    for (std::uint32_t lanes = scratch.records[at - 1].lanes; lanes != 0; lanes &= lanes - 1) {
+      const int lane = std::countr_zero(lanes);
+      const float distance = 1 / inverse[lane];
+      const glm::vec2 place(inverse[u + lane] * distance, inverse[v + lane] * distance);
+      scratch.crossings[static_cast<std::size_t>(lane)].push_back({inverse[lane], at - 1, place});
+    }
+  }
+  std::size_t most = 0;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const auto at = static_cast<std::size_t>(lane);
+    sort_by_depth(scratch.crossings[at]);
+    find_segments(scratch.crossings[at], scratch.records, scene.reach, scratch.segments[at]);
+    most = std::max(most, scratch.segments[at].size());
+  }
+  return most;
+}
+
+HWY_INLINE Segments segments_at(const MarchScene& scene, const TileScratch& scratch, std::size_t step) {
+  Segments segments;
+  float highest = 0;
+  std::uint32_t there = 0;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const std::vector<Segment>& of_lane = scratch.segments[static_cast<std::size_t>(lane)];
+    if (step < of_lane.size()) there |= 1u << lane;
+  }
+  const auto any_lane = static_cast<std::size_t>(std::countr_zero(there));
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const std::size_t from = there >> lane & 1 ? static_cast<std::size_t>(lane) : any_lane;
+    const Segment& segment = scratch.segments[from][step];
+    const Record &near = scratch.records[segment.near], &far = scratch.records[segment.far];
+    segments.near[lane] = segment.near, segments.far[lane] = segment.far;
+    segments.near_height[lane] = near.height, segments.far_height[lane] = far.height;
+    highest = std::max(highest, std::abs(near.height - far.height));
+    segments.dense[lane] = 0.5f * (near.dense + far.dense);
+    segments.piece[lane] = static_cast<std::int32_t>(near.piece);
+  }
+  segments.there = mask_of_bits(there);
+  segments.samples =
+      std::max(static_cast<int>(std::ceil(static_cast<float>(scene.samples) * highest - 0.01f)), scene.min_samples);
+  return segments;
+}
+
+HWY_INLINE Ray ray_of(const MarchScene& scene, int left, int top) {
+  const Real x = lanes_x() + static_cast<float>(left), y = lanes_y() + static_cast<float>(top);
+  Ray ray;
+  ray.way = Vec3(scene.ray_0) + x * Vec3(scene.ray_x) + y * Vec3(scene.ray_y);
+  ray.size = length(ray.way), ray.unit_way = ray.way * (1.0f / ray.size);
+  float offset[lane_count];
+  constexpr float order[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};  // of a 4 x 4 dither
+  for (int i = 0; i < lane_count; ++i) {
+    const int px = left + i % group_width, py = top + i / group_width;
+    offset[i] = (order[4 * (py & 3) + (px & 3)] + 0.5f) / 16;
+  }
+  ray.offset = load(offset);
+  return ray;
+}
+
+void write_pixels(const MarchScene& scene, int left, int top, const Vec3& light, Real alpha, float* picture) {
+  float numbers[4][lane_count];
+  store(light.x, numbers[0]), store(light.y, numbers[1]), store(light.z, numbers[2]), store(alpha, numbers[3]);
+  for (int i = 0; i < lane_count; ++i) {
+    const int x = left + i % group_width, y = top + i / group_width;
+    if (x >= scene.width || y >= scene.height) continue;
+    float* to = picture +
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x));
+    for (int k = 0; k < 4; ++k) to[k] = numbers[k][i];
+  }
+}
+
+void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch, int group, float* picture) {
+  const int left = tile.left + group % groups_across * group_width,
+            top = tile.top + group / groups_across * group_height;
+  const Ray ray = ray_of(scene, left, top);
+  Seen seen{Vec3(0.0f), 1.0f};
+  const std::size_t steps = find_group_segments(scene, scratch, group);
+  Segments segments;
+  std::optional<End> last;  // mostly where the next segments begin
+  for (std::size_t step = 0; step < steps; ++step) {
+    const Segments next = segments_at(scene, scratch, step);
+    const bool goes_on = last && std::equal(next.near, next.near + lane_count, segments.far);
+    segments = next;
+    const End near = goes_on ? *last : End(scene, scratch, segments.near), far(scene, scratch, segments.far);
+    march(scene, ray, segments, near, far, seen);
+    if (!any(seen.through > 0.004f)) break;
+    last.emplace(far);
+  }
+  const SkinPoint skin(scene, scratch.skin, group);
+  if (any(skin.there() & (seen.through > 0.002f))) {
+    const Real weight = select(skin.there(), seen.through, 0.0f);
+    const Vec3 light = skin_light(scene, ray, skin);
+    seen.light += select(skin.there(), light, Vec3(0.0f)) * weight;
+    seen.through -= weight;
+  }
+  write_pixels(scene, left, top, seen.light, 1.0f - seen.through, picture);
+}
+
+void DrawTile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light) {
+  scratch.clear();
+  raster_skin(scene, tile, scratch);
+  raster_fur(scene, tile, scratch);
+  for (int group = 0; group < groups_across * groups_down; ++group) draw_group(scene, tile, scratch, group, light);
+}
+
+const char* InstructionSet() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pelage {
+
+HWY_EXPORT(PlaceShellVertices);
+HWY_EXPORT(DrawTile);
+HWY_EXPORT(InstructionSet);
+
+void place_shell_vertices(MarchScene& scene, std::size_t begin, std::size_t end) {
+  HWY_DYNAMIC_DISPATCH(PlaceShellVertices)(scene, begin, end);
+}
+
+void draw_tile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light) {
+  HWY_DYNAMIC_DISPATCH(DrawTile)(scene, tile, scratch, light);
+}
+
+const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(InstructionSet)(); }
+
+}  // namespace pelage
+#endif

@@ -1,0 +1,238 @@
+// Marching through the fur of a group of pixels: samples of the coat between two crossings, lit once a segment.
+#if defined(PELAGE_MARCHED_MARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PELAGE_MARCHED_MARCH_INL_H_
+#undef PELAGE_MARCHED_MARCH_INL_H_
+#else
+#define PELAGE_MARCHED_MARCH_INL_H_
+#endif
+
+#include "renderer/marched/raster-inl.h"
+#include "renderer/optics/colours-inl.h"
+#include "renderer/optics/light-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+/// Light that has come to the eye so far, and what still gets through.
+struct Seen {
+  Vec3 light;
+  Real through;
+};
+
+/// The records of one end of a segment, one for each lane. What every frame reads is read once.
+class End {
+ public:
+  HWY_INLINE End(const MarchScene& scene, const TileScratch& scratch, const std::uint32_t* records)
+      : values_(scratch.values.data()) {
+    const int numbers = scene.varyings.count() * lane_count;
+    std::int32_t at[lane_count];
+    for (int i = 0; i < lane_count; ++i) at[i] = static_cast<std::int32_t>(records[i]) * numbers + i;
+    index_ = hn::LoadU(int_tag, at);
+    distance = 1.0f / raw(Varyings::inverse);
+    u = row(Varyings::tile), v = row(Varyings::tile + 1);
+    normal = rows(Varyings::normal), tangent = rows(Varyings::tangent);
+    length = row(Varyings::length), share = row(Varyings::share);
+  }
+  HWY_INLINE Real row(int at) const { return raw(at) * distance; }
+  HWY_INLINE Vec3 rows(int at) const { return {row(at), row(at + 1), row(at + 2)}; }
+
+  Real distance, u, v, length, share;
+  Vec3 normal, tangent;
+
+ private:
+  HWY_INLINE Real raw(int at) const { return gather(values_ + (at - Varyings::first) * lane_count, index_); }
+  const float* values_;
+  Int index_;
+};
+
+/// The segments of all lanes at one step.
+struct Segments {
+  std::uint32_t near[lane_count], far[lane_count];
+  float near_height[lane_count], far_height[lane_count], dense[lane_count];
+  std::int32_t piece[lane_count];
+  Mask there;
+  int samples;  // of the coat in each
+};
+
+/// A segment as the samples see it: all runs evenly along it but the height, which bends as the skin does.
+struct Path {
+  Real u0, v0, du, dv;      // tiles
+  Real height, rise, bend;  // s(t) = height + rise t + bend t (1 - t)
+  Real depth;               // factor on the stored depth of a sample
+  Int first, side;          // of the level of the atlas: its texels
+
+  HWY_INLINE Real height_at(Real t) const { return clamp(height + t * (rise + bend * (1.0f - t)), 0.0f, 0.999999f); }
+};
+
+/// At this sine of the ray's angle to the stack, even between 0, 30, 60 and 75 degrees (depth_scale_of of slab.glsl).
+HWY_INLINE Real depth_scale_of(const FrameBlock& frame, Int level, Real sine) {
+  const float* scales = &frame.depth_scale[0].x;
+  const Int at = hn::ShiftLeft<2>(level);
+  const Real along = gather(scales, at), at60 = gather(scales + 1, at), at30 = gather(scales + 2, at),
+             at75 = gather(scales + 3, at);
+  const Real low = mix(along, at30, min(2.0f * sine, 1.0f));
+  const Real middle = mix(low, at60, clamp((sine - 0.5f) * 2.7320508f, 0.0f, 1.0f));
+  return mix(middle, at75, clamp((sine - 0.8660254f) * 10.0102f, 0.0f, 1.0f));
+}
+
+/// What samples have found of a segment: sums weighted by opacity. Light to the fourth, as slab.glsl.
+struct Slab {
+  Real opacity, at, height, light, slope_x, slope_y, number;
+  Vec3 colour;
+};
+
+/// Four bytes of a texel.
+struct Texel {
+  Real x, y, z, w;
+};
+HWY_INLINE Texel texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
+
+/// Texels of a place on the periodic tile.
+struct TilePlace {
+  const SliceAtlas& atlas;
+  Int first, side, slice;
+
+  HWY_INLINE Int word(Int x, Int y) const {
+    const Int last = hn::Sub(side, whole(1));
+    const Int texel = hn::Add(hn::Mul(hn::And(y, last), side), hn::And(x, last));
+    return hn::Add(first, hn::Add(hn::Mul(texel, whole(slice_count)), slice));
+  }
+  HWY_INLINE Texel shape(Int x, Int y) const { return texel_of(gather(atlas.shapes.data(), word(x, y))); }
+
+  /// Between the four texels around the place, which lies at x, y texels.
+  HWY_INLINE Texel smooth_shape(Real x, Real y) const {
+    const Real x0 = floor(x - 0.5f), y0 = floor(y - 0.5f), px = x - 0.5f - x0, py = y - 0.5f - y0;
+    const Int left = to_int(x0), top = to_int(y0), right = hn::Add(left, whole(1)), bottom = hn::Add(top, whole(1));
+    const Texel a = shape(left, top), b = shape(right, top), c = shape(left, bottom), d = shape(right, bottom);
+    const auto between = [&](Real p, Real q, Real r, Real s) HWY_ATTR { return mix(mix(p, q, px), mix(r, s, px), py); };
+    return {between(a.x, b.x, c.x, d.x), between(a.y, b.y, c.y, d.y), between(a.z, b.z, c.z, d.z),
+            between(a.w, b.w, c.w, d.w)};
+  }
+};
+
+HWY_INLINE void take_sample(const MarchScene& scene, const Path& path, Real t, Slab& slab) {
+  const Real height = path.height_at(t), u = mul_add(path.du, t, path.u0), v = mul_add(path.dv, t, path.v0);
+  const TilePlace place{*scene.atlas, path.first, path.side, to_int(height * static_cast<float>(slice_count))};
+  const Real texels = to_real(path.side), x = u * texels, y = v * texels;
+  const Int nearest_x = to_int(floor(x)), nearest_y = to_int(floor(y));
+  const Texel shape = scene.smooth ? place.smooth_shape(x, y) : place.shape(nearest_x, nearest_y);
+  const Real weight = (1.0f - slab.opacity) * (1.0f - exp2(-path.depth * shape.w));
+  slab.opacity += weight;
+  slab.at += weight * t, slab.height += weight * height;
+  const Real square = shape.z * shape.z;
+  slab.light += weight * square * square;
+  slab.slope_x += weight * shape.x, slab.slope_y += weight * shape.y;
+  const Texel strand = texel_of(gather(scene.atlas->colours.data(), place.word(nearest_x, nearest_y)));
+  slab.colour += weight * Vec3(strand.x * strand.x, strand.y * strand.y, strand.z * strand.z);
+  slab.number += weight * strand.w;
+}
+
+/// What a pixel's rays share.
+struct Ray {
+  Vec3 way;       // 1 along the view
+  Real size;      // of the way
+  Vec3 unit_way;  // unit
+  Real offset;    // of the samples of this pixel, [0, 1)
+};
+
+HWY_INLINE Int level_of(const FrameBlock& frame, const Ray& ray, Real distance, Vec3 normal) {
+  const Real facing = abs(dot(ray.unit_way, normal));
+  const Real pixel = frame.viewpoint.w * distance * ray.size;
+  const Real level = log2(pixel * (1 / frame.tile.y)) - 0.25f * log2(max(facing, 0.2f));
+  return to_int(clamp(floor(level + 0.5f), 0.0f, slice_levels - 1.0f));
+}
+
+/// How a ray goes through the coat between two ends. The depth of a way is that of its height, of how far it moves over
+/// the tile, and of what it meets sideways of strands that lie (science.md 1).
+HWY_INLINE Path path_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
+                        const End& far) {
+  const FrameBlock& frame = scene.optics.frame;
+  const Real over_nominal = static_cast<float>(1 / nominal_length);
+  Path path;
+  path.u0 = near.u, path.v0 = near.v;
+  path.du = far.u - near.u, path.dv = far.v - near.v;
+  path.height = load(segments.near_height), path.rise = load(segments.far_height) - path.height;
+  const Vec3 normal = unit(near.normal + far.normal), tangent = unit(near.tangent + far.tangent);
+  const Real length = 0.5f * (near.length + far.length), way = (far.distance - near.distance) * ray.size;
+  const Real upright = max(dot(tangent, normal), 0.15f);
+  // Slopes of the height at the ends, of which the bend is half the difference; no further than one shell.
+  const Real up = way / max(length * upright, 1e-6f);
+  const Real near_facing = -dot(ray.unit_way, near.normal), far_facing = -dot(ray.unit_way, far.normal);
+  const float shell = 4.0f / static_cast<float>(std::max(scene.shells.count() - 1, 1));
+  path.bend = clamp(0.5f * up * (far_facing - near_facing), -shell, 0.0f);
+  const Real size = abs(path.rise), bent = -path.bend;
+  const Real climbed = select(bent > size, 0.5f * (size * size + bent * bent) / max(bent, 1e-9f), size);
+  // As fur_vertex.glsl: how far it moves sideways past the strands, and what it meets of those that lie. By the smooth
+  // normals and not by the way itself, which the mesh's facets make shorter and longer; grazing rays count by a fifth.
+  const auto mean = [&](auto function) HWY_ATTR {
+    const Real middle = 0.5f * (near_facing + far_facing);
+    return 0.25f * (function(abs(near_facing)) + function(abs(far_facing))) + 0.5f * function(abs(middle));
+  };
+  const Real risen = mean([](Real facing) HWY_ATTR { return facing; });
+  const Real counted = mean([](Real facing) HWY_ATTR { return min(5.0f * facing, 1.0f); });
+  const Real moved = climbed * length * upright * counted / max(risen, 1e-4f);
+  const Vec3 along = tangent - upright * normal, back = -ray.unit_way;
+  const Vec3 past = moved * (back - dot(back, normal) * normal) + length * path.rise * along;
+  const Real aside = dot(cross(along, ray.unit_way), normal) * moved / upright;
+  const Real whole_way =
+      min(sqrt(climbed * climbed + over_nominal * over_nominal * (dot(past, past) + aside * aside)), 10.0f * climbed);
+  const Int level = level_of(frame, ray, 0.5f * (near.distance + far.distance), normal);
+  path.first = gather(scene.atlas->first.data(), level), path.side = hn::Shr(whole(slice_texels), level);
+  const Real sine = sqrt(max(1.0f - climbed * climbed / max(whole_way * whole_way, 1e-20f), 0.0f));
+  const Real share = 0.5f * (near.share + far.share) * load(segments.dense);
+  const float scale = static_cast<float>(stored_depth) * 1.442695f * static_cast<float>(slice_count) /
+                      static_cast<float>(segments.samples);
+  path.depth = scale * share * whole_way * depth_scale_of(frame, level, sine);
+  path.depth = select(segments.there & (path.depth > 0.0f), path.depth, 0.0f);
+  return path;
+}
+
+/// Light of a segment whose samples are taken; premultiplied by nothing.
+HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
+                         const End& far, const Slab& slab) {
+  const Real share = 1.0f / max(slab.opacity, 1e-9f), t = slab.at * share;
+  const auto row = [&](int at) HWY_ATTR { return mix(near.row(at), far.row(at), t); };
+  const auto rows = [&](int at) HWY_ATTR { return Vec3(row(at), row(at + 1), row(at + 2)); };
+  const Vec3 normal = unit(mix(near.normal, far.normal, t));
+  const Int axes = hn::Mul(hn::LoadU(int_tag, segments.piece), whole(sizeof(PieceAxes) / sizeof(float)));
+  const float* first = &scene.mesh.axes[0].tile_u.x;
+  const Vec3 tile_u(gather(first, axes), gather(first + 1, axes), gather(first + 2, axes));
+  const float steep = static_cast<float>(stored_slope / nominal_length);
+  const Real slope_x = (2.0f * slab.slope_x * share - 1.0f) * steep,
+             slope_y = (2.0f * slab.slope_y * share - 1.0f) * steep;
+  const Vec3 tangent =
+      unit(unit(mix(near.tangent, far.tangent, t)) + tile_u * slope_x + cross(normal, tile_u) * slope_y);
+  const Real length_share = mix(near.length, far.length, t) * static_cast<float>(1 / nominal_length);
+  const Real above = -0.25f * static_cast<float>(stored_light) * log(max(slab.light * share, 1e-9f)) * length_share *
+                     load(segments.dense);
+  Fibre fibre;
+  fibre.place = Vec3(scene.viewpoint) + ray.way * mix(near.distance, far.distance, t);
+  fibre.normal = normal, fibre.tangent = tangent, fibre.to_camera = -ray.unit_way;
+  fibre.height = slab.height * share, fibre.above = above, fibre.strand = slab.number * share;
+  fibre.shine = {1.0f, 1.0f};
+  fibre.colour = strand_colour(scene.optics, scene.varyings, slab.colour * share, row, rows);
+  fibre.crossed = fibre.colour * colour_above(scene.optics.frame, fibre.height);
+  return fibre_light(scene.optics, fibre);
+}
+
+/// One step of all lanes.
+HWY_INLINE void march(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
+                      const End& far, Seen& seen) {
+  const Path path = path_of(scene, ray, segments, near, far);
+  const Real none = 0.0f;
+  Slab slab{none, none, none, none, none, none, none, Vec3(none)};
+  const float step = 1.0f / static_cast<float>(segments.samples);
+  for (int i = 0; i < segments.samples; ++i)
+    take_sample(scene, path, (static_cast<float>(i) + ray.offset) * step, slab);
+  const Mask met = slab.opacity > 0.0005f;
+  if (!any(met)) return;
+  const Vec3 light = light_of(scene, ray, segments, near, far, slab);
+  const Real weight = select(met, seen.through * slab.opacity, 0.0f);
+  seen.light += light * weight;
+  seen.through -= weight;
+}
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

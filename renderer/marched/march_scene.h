@@ -1,0 +1,103 @@
+// What one frame of marched fur is drawn from: plain arrays that threads read.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/marched/slice_atlas.h"
+#include "renderer/optics/frame_optics.h"
+
+namespace pelage {
+
+/// Where each number of a vertex of a shell lies. All but the place on the picture and in space are over the distance
+/// along the view, so that they run evenly over the picture. Negative: not there.
+struct Varyings {
+  static constexpr int x = 0, y = 1;  // pixels from the left and the top
+  static constexpr int place = 2;     // three, not over the distance
+  static constexpr int first = 5;     // from here on they are interpolated
+  static constexpr int inverse = 5;   // 1 / distance along the view
+  static constexpr int tile = 6;      // two, in tiles
+  static constexpr int normal = 8, tangent = 11;
+  static constexpr int length = 14;  // of the fur, sizes
+  static constexpr int share = 15;   // of the optical depth that this piece draws
+  static constexpr int min_stride = 16;
+  int root = -1, varied = -1;  // three and two: where the strand leaves the skin; factor on lightness, turn of hue
+  int image = -1;              // six: u, v, image, colour
+  int paint = -1;              // six: density, width, wetness, bare, curl, clump
+  int painted = -1;            // eight: colours at root and tip, times their cover, cover
+  int stride = min_stride;     // numbers of a vertex
+  int count() const { return stride - first; }  // that are interpolated
+};
+
+/// The boundaries of shells from the skin to the tips, heights rising from 0 to 1.
+struct ShellSet {
+  std::vector<float> heights;
+  std::vector<float> facing;  // cosine between view and normal below which a shell is drawn; 2 for everywhere
+  int count() const { return static_cast<int>(heights.size()); }
+};
+
+/// Numbers of a piece (a triangle of the model), the same over all of it.
+struct PieceAxes {
+  glm::vec3 tile_u{0};  // unit
+  float tile_area = 0;  // of its piece of the tile, sizes^2
+};
+
+/// What is read of the model: render vertices (renderer/upload/split_corners.h).
+struct MarchMesh {
+  std::span<const glm::vec3> positions, normals, tangents;
+  std::span<const glm::vec2> tiles;  // place on the sample tile, sizes
+  std::span<const float> weights;    // of the patch
+  std::span<const glm::vec3> image_uvs, colours;
+  std::span<const glm::vec3> groom;               // direction, length
+  std::span<const glm::vec4> variation;           // empty without a pattern
+  std::span<const std::array<float, 6>> paint;    // empty where none
+  std::span<const std::array<float, 8>> painted;  // empty where none
+  std::span<const glm::uvec3> triangles;
+  std::span<const std::uint32_t> patches;  // of triangles
+  std::span<const PieceAxes> axes;         // of triangles
+};
+
+struct MarchScene {
+  FrameOptics optics;
+  MarchMesh mesh;
+  const SliceAtlas* atlas = nullptr;
+  ShellSet shells;
+  Varyings varyings;
+  int width = 0, height = 0;  // pixels that are drawn
+  int samples = 16;           // of the coat over the height of the fur
+  int min_samples = 1;        // in a segment
+  bool smooth = true;         // four texels a sample
+  float reach = 0;            // how far a ray moves over the tile between two shells at most, tiles
+  glm::vec3 viewpoint{0}, forward{0, 0, -1};
+  glm::vec3 ray_x{0}, ray_y{0}, ray_0{0};  // way of a pixel's ray by its x and y, 1 along the view
+
+  /// Of all shells' vertices, one shell after the other.
+  std::vector<float> vertices;
+  float* vertex(int shell, std::size_t vertex) {
+    return &vertices[(static_cast<std::size_t>(shell) * mesh.positions.size() + vertex) *
+                     static_cast<std::size_t>(varyings.stride)];
+  }
+  const float* vertex(int shell, std::size_t vertex) const {
+    return &vertices[(static_cast<std::size_t>(shell) * mesh.positions.size() + vertex) *
+                     static_cast<std::size_t>(varyings.stride)];
+  }
+};
+
+/// A triangle of one shell as a tile takes it.
+struct ShellTriangle {
+  std::uint32_t piece = 0;
+  std::uint16_t shell = 0;
+  bool facing = true;  // seen from outside
+};
+
+/// Pixels of a tile, which threads draw one by one.
+struct Tile {
+  static constexpr int side = 16;
+  int left = 0, top = 0;
+  std::span<const ShellTriangle> triangles;  // roughly from near to far
+};
+
+}  // namespace pelage

@@ -1,0 +1,185 @@
+#include "renderer/marched/marcher.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+
+#include "protocol/base/parallel.h"
+#include "protocol/base/stopwatch.h"
+#include "renderer/coat/strand_tile.h"
+#include "renderer/marched/bins.h"
+#include "renderer/marched/kernels.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t max_cached_coats = 3;
+
+/// Boundaries of shells: closer to the tips, where rays come in, and fewer where the skin faces the camera.
+ShellSet shells_of(const MarchQuality& quality) {
+  constexpr std::array<float, 3> silhouettes{0.5f, 0.3f, 0.15f};
+  ShellSet shells;
+  for (int i = 0; i <= quality.shells; ++i) {
+    const float below = 1 - static_cast<float>(i) / static_cast<float>(quality.shells);
+    shells.heights.push_back(1 - std::pow(below, quality.denser));
+    float facing = 2;
+    for (int k = 0; i > 0 && k < quality.halvings; ++k) {
+      if ((quality.shells - i) % (1 << (quality.halvings - k)) == 0) break;
+      facing = silhouettes[static_cast<std::size_t>(k)];
+    }
+    shells.facing.push_back(facing);
+  }
+  return shells;
+}
+
+void add_camera(const FurFrame& frame, MarchScene& scene) {
+  const FurCamera& camera = frame.camera;
+  const float up = camera.tan_half_fov, right = up * static_cast<float>(frame.width) / static_cast<float>(frame.height);
+  scene.viewpoint = camera.position, scene.forward = camera.forward;
+  scene.ray_0 = camera.forward - right * camera.right + up * camera.up;
+  scene.ray_x = camera.right * (2 * right / static_cast<float>(scene.width));
+  scene.ray_y = camera.up * (-2 * up / static_cast<float>(scene.height));
+}
+
+/// Gives the rows of what a frame interpolates their places.
+Varyings varyings_of(const MarchScene& scene) {
+  Varyings at;
+  const auto take = [&](bool wanted, int& place, int rows) {
+    if (wanted) place = std::exchange(at.stride, at.stride + rows);
+  };
+  const bool pattern = scene.optics.pattern.volume != nullptr;
+  take(pattern, at.root, 3), take(pattern, at.varied, 2);
+  take(scene.optics.model_colours, at.image, 6);
+  take(scene.optics.paint.form, at.paint, 6), take(scene.optics.paint.colour, at.painted, 8);
+  return at;
+}
+
+}  // namespace
+
+struct Marcher::Coated {
+  Coat coat;
+  Slices slices;
+  SliceAtlas atlas;
+
+  explicit Coated(const Coat& of) : coat(of), slices(bake_slices(of)), atlas(slices) {
+    for (SliceLevel& level : slices.levels) level.shape = {}, level.colour = {};  // the atlas has them now
+  }
+};
+
+struct Marcher::Colours {
+  std::optional<Look> look;
+  ScatteringBlock scattering{};
+  AzimuthalFit azimuthal;
+  std::uint64_t model = 0;
+  std::optional<PatternBlock> pattern;
+  SurfaceVolume volume;
+  std::vector<glm::vec4> variation;
+};
+
+Marcher::Marcher(int threads) : threads_(threads), colours_(std::make_unique<Colours>()) { assert(threads >= 1); }
+Marcher::~Marcher() = default;
+
+void Marcher::add(const FurModel& model, const FurFields& fields) {
+  assert(!has(model.id));
+  meshes_.try_emplace(model.id, model, fields);
+}
+
+void Marcher::update(std::uint64_t model, const FurFields& fields) { meshes_.at(model).update(fields); }
+
+const Marcher::Coated& Marcher::coat_of(const Coat& coat) {
+  const auto found =
+      std::find_if(coats_.begin(), coats_.end(), [&](const Coated& c) { return same_strands(c.coat, coat); });
+  if (found != coats_.end()) {
+    coats_.splice(coats_.begin(), coats_, found);
+    return coats_.front();
+  }
+  if (coats_.size() == max_cached_coats) coats_.pop_back();
+  return coats_.emplace_front(coat);
+}
+
+void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
+  if (!has_pattern(frame.coat)) return;
+  const PatternBlock block = make_pattern_block(frame.coat);
+  Colours& kept = *colours_;
+  if (kept.model != frame.model || kept.pattern != block) {
+    kept.model = frame.model, kept.pattern = block;
+    kept.volume = make_surface_volume(
+        {scene.mesh.positions, scene.mesh.normals, scene.mesh.triangles},
+        [&](glm::vec3 middle, glm::vec3 normal) { return glm::vec4(pattern_weights(block, middle, normal), 1); });
+    kept.variation.clear();
+    for (const glm::vec3& place : scene.mesh.positions) kept.variation.push_back(pattern_variation(block, place));
+  }
+  scene.mesh.variation = kept.variation;
+  scene.optics.pattern = {block.colour, block.inner_colour, block.belly_colour,
+                          block.axis.w, kept.volume.origin, 1.0f / (glm::vec3(kept.volume.size) * kept.volume.cell),
+                          &kept.volume};
+}
+
+MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
+  const FurMesh& mesh = meshes_.at(frame.model);
+  const Coated& coated = coat_of(frame.coat);
+  MarchScene scene;
+  scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
+  scene.width = std::max(1, static_cast<int>(std::lround(frame.width * frame.knobs.scale)));
+  scene.height = std::max(1, static_cast<int>(std::lround(frame.height * frame.knobs.scale)));
+  scene.shells = shells_of(quality), scene.samples = quality.samples, scene.min_samples = quality.min_samples,
+  scene.smooth = quality.smooth;
+  FrameOptics& optics = scene.optics;
+  optics.frame = make_frame_block(frame, coated.slices, mesh.has_colours(), scene.height);
+  const Look look = wet_look(frame.coat, frame.look);
+  if (colours_->look != look) {
+    colours_->look = look;
+    colours_->scattering = scattering_block(look), colours_->azimuthal = fit_azimuthal(make_scattering_table(look));
+  }
+  optics.scattering = colours_->scattering, optics.azimuthal = &colours_->azimuthal;
+  optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
+  optics.environment = true;
+  optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
+                                  [](const FurLight& light) { return light.kind == LightKind::directional; });
+  optics.model_colours = optics.frame.skin.w > 0.5f;
+  add_pattern(frame, scene);
+  float longest = 0;
+  for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
+  scene.reach = 4 * longest * optics.frame.tile.x;
+  add_camera(frame, scene);
+  scene.varyings = varyings_of(scene);
+  return scene;
+}
+
+FloatImage Marcher::draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times) {
+  MarchScene scene = scene_of(frame, quality);
+  MarchTimes taken;
+  const std::size_t vertices = scene.mesh.positions.size();
+  scene.vertices.resize(vertices * static_cast<std::size_t>(scene.shells.count() * scene.varyings.stride));
+  const Stopwatch placing;
+  constexpr std::uint32_t grain = 256;
+  for_each_in_parallel((static_cast<std::uint32_t>(vertices) + grain - 1) / grain,
+                       [&](std::uint32_t i) {
+                         place_shell_vertices(scene, i * grain, std::min<std::size_t>(vertices, (i + 1) * grain));
+                       },
+                       threads_);
+  taken.vertices = placing.milliseconds();
+  const Stopwatch sorting;
+  const Bins bins(scene);
+  taken.bins = sorting.milliseconds();
+  const Stopwatch drawing;
+  FloatImage image;
+  image.width = scene.width, image.height = scene.height;
+  image.rgba.resize(4 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
+  std::atomic<int> next = 0;
+  run_on_threads(threads_, [&] {
+    TileScratch scratch;
+    for (int i = next++; i < bins.count(); i = next++) {
+      const Tile tile = bins.tile(i);
+      if (!tile.triangles.empty()) draw_tile(scene, tile, scratch, image.rgba.data());
+    }
+  });
+  taken.tiles = drawing.milliseconds();
+  if (times) *times = taken;
+  return image;
+}
+
+}  // namespace pelage

@@ -1,0 +1,58 @@
+// Fur drawn without a GL: shells rasterized into lists of crossings, and the coat marched between them.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "renderer/image/float_image.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/marched/fur_mesh.h"
+#include "renderer/marched/slice_atlas.h"
+
+namespace pelage {
+
+/// How closely fur is marched.
+struct MarchQuality {
+  int shells = 8;       // segments between skin and tips at silhouettes, [1, 64]
+  int halvings = 1;     // how often their number is halved where the skin faces the camera, [0, 3]
+  float denser = 1.5f;  // power by which shells lie closer to the tips, [1, 3]
+  int samples = 16;     // of the coat over the height of the fur, [1, 256]
+  int min_samples = 1;  // in a segment
+  bool smooth = true;   // four texels a sample, else one
+};
+
+/// Milliseconds of a frame's stages.
+struct MarchTimes {
+  double vertices = 0, bins = 0, tiles = 0;
+};
+
+/// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
+class Marcher {
+ public:
+  explicit Marcher(int threads);
+  ~Marcher();
+
+  bool has(std::uint64_t model) const { return meshes_.contains(model); }
+  void add(const FurModel& model, const FurFields& fields);
+  void update(std::uint64_t model, const FurFields& fields);
+
+  /// Premultiplied linear light of the skin and its fur, of a model that it has.
+  FloatImage draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times = nullptr);
+
+ private:
+  struct Coated;
+  const Coated& coat_of(const Coat& coat);
+  MarchScene scene_of(const FurFrame& frame, const MarchQuality& quality);
+  void add_pattern(const FurFrame& frame, MarchScene& scene);
+
+  int threads_;
+  std::map<std::uint64_t, FurMesh> meshes_;
+  std::list<Coated> coats_;
+  struct Colours;  // what a look and a pattern keep between frames
+  std::unique_ptr<Colours> colours_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,103 @@
+// The skin behind the fur of a group of pixels: the undercoat where fur grows, a matt surface elsewhere. The twin of
+// renderer/passes/fur/skin.frag.
+#if defined(PELAGE_MARCHED_SKIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PELAGE_MARCHED_SKIN_INL_H_
+#undef PELAGE_MARCHED_SKIN_INL_H_
+#else
+#define PELAGE_MARCHED_SKIN_INL_H_
+#endif
+
+#include "renderer/marched/march-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+/// The vertices of the nearest skin of each lane.
+class SkinPoint {
+ public:
+  HWY_INLINE SkinPoint(const MarchScene& scene, const SkinPixels& skin, int group) : scene_(scene) {
+    const auto begin = static_cast<std::size_t>(group * lane_count);
+    for (int i = 0; i < lane_count; ++i) {
+      const std::int32_t piece = skin.piece[begin + static_cast<std::size_t>(i)];
+      facing_[i] = piece >= 0 ? 1.0f : 0.0f;
+      const glm::uvec3& t = scene.mesh.triangles[static_cast<std::size_t>(piece >= 0 ? piece : ~piece)];
+      for (int k = 0; k < 3; ++k) corners_[k][i] = static_cast<std::int32_t>(t[k]);
+    }
+    inverse_ = load(&skin.inverse[begin]), second_ = load(&skin.second[begin]), third_ = load(&skin.third[begin]);
+    there_ = {inverse_ > 0.0f};
+    distance_ = 1.0f / max(inverse_, 1e-20f);
+  }
+  HWY_INLINE Mask there() const { return there_; }
+  HWY_INLINE Mask facing() const { return load(facing_) > 0.5f; }
+  HWY_INLINE Real distance() const { return distance_; }
+  HWY_INLINE Real corner(int k, int row, int shell = 0) const {
+    const Int at = hn::Mul(hn::LoadU(int_tag, corners_[k]), whole(scene_.varyings.stride));
+    return gather(scene_.vertex(shell, 0) + row, at);
+  }
+  HWY_INLINE Real row(int at) const {
+    const Real a = corner(0, at);
+    return distance_ * mul_add(second_, corner(1, at) - a, mul_add(third_, corner(2, at) - a, a));
+  }
+  HWY_INLINE Vec3 rows(int at) const { return {row(at), row(at + 1), row(at + 2)}; }
+  HWY_INLINE Vec3 place_of(int k, int shell) const {
+    constexpr int at = Varyings::place;
+    return {corner(k, at, shell), corner(k, at + 1, shell), corner(k, at + 2, shell)};
+  }
+
+ private:
+  const MarchScene& scene_;
+  std::int32_t corners_[3][lane_count];
+  float facing_[lane_count];
+  Real inverse_, second_, third_, distance_;
+  Mask there_;
+};
+
+/// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body.
+HWY_INLINE Real rising_from_face(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
+  int hull = 0;
+  while (hull + 1 < scene.shells.count() && scene.shells.heights[static_cast<std::size_t>(hull)] < 0.6f) ++hull;
+  const Vec3 a = point.place_of(0, 0), b = point.place_of(1, 0), c = point.place_of(2, 0);
+  Vec3 across = cross(b - a, c - a);
+  across = select(dot(across, ray.way) > 0.0f, -across, across);
+  const Vec3 offset = (point.place_of(0, hull) - a) + (point.place_of(1, hull) - b) + (point.place_of(2, hull) - c);
+  const Real size = length(across) * length(offset);
+  return select(size > 0.0f, smoothstep(-0.1f, 0.15f, dot(across, offset) / max(size, 1e-30f)), 1.0f);
+}
+
+/// Light that the skin sends to the camera.
+HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
+  const FrameOptics& optics = scene.optics;
+  const FrameBlock& frame = optics.frame;
+  const auto row = [&](int at) HWY_ATTR { return point.row(at); };
+  const auto rows = [&](int at) HWY_ATTR { return point.rows(at); };
+  const Mask facing = point.facing();
+  Vec3 normal = unit(rows(Varyings::normal));
+  normal = select(facing, normal, -normal);
+  const Real length = row(Varyings::length);
+  const Real grown = smoothstep(0.0f, 0.008f, length);
+  const Real above = frame.depth_above[0].x * static_cast<float>(1 / nominal_length) * length;
+  const Real covered = select(facing, grown, 0.0f) * rising_from_face(scene, ray, point);
+  const Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows);
+  const Vec3 over(frame.colour_above[0]);
+  const Vec3 bare = optics.model_colours ? max(rows(scene.varyings.image + 3), 0.0f) : Vec3(frame.skin);
+  const Vec3 coat = undercoat * over;
+  const Vec3 colour = mix(bare, mix(coat, undercoat, covered), grown), crossed = mix(bare, coat, covered);
+  const float self_shadow = frame.exponents.w;
+  const Vec3 open = ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, self_shadow));
+  Vec3 sum = frame.weights.x * mix(Vec3(1.0f), open, covered) * colour * environment_light(optics, normal);
+  const Vec3 stopped = stopped_by_strand(crossed, 1.0f, self_shadow);
+  const Vec3 place = Vec3(scene.viewpoint) + ray.way * point.distance();
+  for (int i = 0; i < optics.lights; ++i) {
+    const Arriving light = light_at(optics, i, place);
+    const Real cosine = dot(normal, light.to_light);
+    const Real strands = covered * strands_crossed(above, way_out(0.0f, cosine), normal, light.to_light);
+    const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
+    sum += light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
+  }
+  return sum;
+}
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

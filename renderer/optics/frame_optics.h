@@ -1,0 +1,45 @@
+// What a frame's light and colours are made of, as plain numbers: what uniform blocks and textures hold for the GPU.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "renderer/optics/azimuthal_fit.h"
+#include "renderer/pattern/pattern.h"
+#include "renderer/pattern/surface_volume.h"
+#include "renderer/shading/scattering_table.h"
+#include "renderer/upload/blocks.h"
+
+namespace pelage {
+
+/// Markings over the body (renderer/shaders/pattern.glsl).
+struct PatternOptics {
+  glm::vec3 colour{0}, inner_colour{0}, belly_colour{0};
+  float over_lightness = 1;  // 1 / the largest luminance of the ramp
+  glm::vec3 origin{0}, scale{1};
+  const SurfaceVolume* volume = nullptr;  // null without a pattern
+};
+
+/// The coat's own numbers that paint adds to (renderer/shaders/paint.glsl).
+struct PaintOptics {
+  float wetness = 0, curl = 0, curl_turns = 0, clump_reach = 0;
+  bool form = false, colour = false;  // what is painted at all
+};
+
+/// Views that outlive the frame's drawing.
+struct FrameOptics {
+  FrameBlock frame;
+  ScatteringBlock scattering;
+  const AzimuthalFit* azimuthal = nullptr;  // never null; empty for models that need none
+  int model = 0;                            // ShadingModel
+  int lights = 0;
+  bool environment = false;    // whether light from all around is other than white
+  bool far_lights = true;      // none stands at a place
+  bool model_colours = false;  // whether fur takes the model's colours
+  PatternOptics pattern;
+  PaintOptics paint;
+};
+
+}  // namespace pelage

@@ -1,0 +1,180 @@
+// Numbers of several pixels at once, and small vectors of them. Included once for each instruction set, as Highway has
+// it (hwy/foreach_target.h): what is here lies inside its namespace.
+#if defined(PELAGE_OPTICS_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PELAGE_OPTICS_LANES_INL_H_
+#undef PELAGE_OPTICS_LANES_INL_H_
+#else
+#define PELAGE_OPTICS_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::ScalableTag<std::int32_t>;
+inline constexpr FloatTag float_tag;
+inline constexpr IntTag int_tag;
+inline constexpr int lane_count = static_cast<int>(HWY_LANES(float));
+
+/// One truth for each lane.
+struct Mask {
+  hn::Mask<FloatTag> m;
+};
+HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
+HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
+HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
+HWY_INLINE bool any(Mask a) { return !hn::AllFalse(float_tag, a.m); }
+HWY_INLINE bool all(Mask a) { return hn::AllTrue(float_tag, a.m); }
+/// Lane i is bit i.
+HWY_INLINE std::uint32_t bits_of(Mask a) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(float_tag, a.m, bytes);
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+HWY_INLINE Mask mask_of_bits(std::uint32_t bits) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
+  return {hn::LoadMaskBits(float_tag, bytes)};
+}
+
+/// One number for each lane.
+struct Real {
+  hn::Vec<FloatTag> v;
+  Real() = default;
+  HWY_INLINE Real(float value) : v(hn::Set(float_tag, value)) {}  // NOLINT: as numbers are written in formulas
+  HWY_INLINE Real(hn::Vec<FloatTag> value) : v(value) {}          // NOLINT
+};
+HWY_INLINE Real operator+(Real a, Real b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Real operator-(Real a, Real b) { return hn::Sub(a.v, b.v); }
+HWY_INLINE Real operator*(Real a, Real b) { return hn::Mul(a.v, b.v); }
+HWY_INLINE Real operator/(Real a, Real b) { return hn::Div(a.v, b.v); }
+HWY_INLINE Real operator-(Real a) { return hn::Neg(a.v); }
+HWY_INLINE Real& operator+=(Real& a, Real b) { return a = a + b; }
+HWY_INLINE Real& operator-=(Real& a, Real b) { return a = a - b; }
+HWY_INLINE Real& operator*=(Real& a, Real b) { return a = a * b; }
+HWY_INLINE Mask operator<(Real a, Real b) { return {hn::Lt(a.v, b.v)}; }
+HWY_INLINE Mask operator>(Real a, Real b) { return {hn::Gt(a.v, b.v)}; }
+HWY_INLINE Mask operator<=(Real a, Real b) { return {hn::Le(a.v, b.v)}; }
+HWY_INLINE Mask operator>=(Real a, Real b) { return {hn::Ge(a.v, b.v)}; }
+/// a b + c, rounded once where the machine can.
+HWY_INLINE Real mul_add(Real a, Real b, Real c) { return hn::MulAdd(a.v, b.v, c.v); }
+HWY_INLINE Real min(Real a, Real b) { return hn::Min(a.v, b.v); }
+HWY_INLINE Real max(Real a, Real b) { return hn::Max(a.v, b.v); }
+HWY_INLINE Real abs(Real a) { return hn::Abs(a.v); }
+HWY_INLINE Real sqrt(Real a) { return hn::Sqrt(a.v); }
+HWY_INLINE Real floor(Real a) { return hn::Floor(a.v); }
+HWY_INLINE Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
+HWY_INLINE Real select(Mask mask, Real yes, Real no) { return hn::IfThenElse(mask.m, yes.v, no.v); }
+HWY_INLINE Real mix(Real a, Real b, Real share) { return mul_add(share, b - a, a); }
+HWY_INLINE Real load(const float* from) { return hn::LoadU(float_tag, from); }
+HWY_INLINE void store(Real value, float* to) { hn::StoreU(value.v, float_tag, to); }
+HWY_INLINE Real smoothstep(Real low, Real high, Real x) {
+  const Real t = clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+/// Whole numbers, for places in arrays.
+using Int = hn::Vec<IntTag>;
+HWY_INLINE Int to_int(Real a) { return hn::ConvertTo(int_tag, a.v); }  // towards 0
+HWY_INLINE Real to_real(Int a) { return hn::ConvertTo(float_tag, a); }
+HWY_INLINE Int whole(std::int32_t a) { return hn::Set(int_tag, a); }
+HWY_INLINE Real gather(const float* from, Int index) { return hn::GatherIndex(float_tag, from, index); }
+HWY_INLINE Int gather(const std::int32_t* from, Int index) { return hn::GatherIndex(int_tag, from, index); }
+/// A byte of each lane, over 255.
+template <int at>
+HWY_INLINE Real byte_of(Int word) {
+  return to_real(hn::And(hn::ShiftRight<8 * at>(word), whole(255))) * (1.0f / 255);
+}
+
+/// 2^x; x below -126 gives 0, above 126 2^126. Relative error 2e-7: the fraction by a least squares polynomial.
+HWY_INLINE Real exp2(Real x) {
+  const Real held = clamp(x, -127.0f, 126.0f);
+  const Real below = floor(held), part = held - below;
+  Real p = 1.8762329e-3f;
+  p = mul_add(p, part, 8.9925844e-3f);
+  p = mul_add(p, part, 5.5823606e-2f);
+  p = mul_add(p, part, 2.4015453e-1f);
+  p = mul_add(p, part, 6.9315296e-1f);
+  p = mul_add(p, part, 9.9999994e-1f);
+  const Int power = hn::ShiftLeft<23>(hn::Add(to_int(below), whole(127)));
+  return p * Real(hn::BitCast(float_tag, power));
+}
+HWY_INLINE Real exp(Real x) { return exp2(x * 1.44269504f); }
+
+/// log2 of x > 0, normal. Error 2e-7 absolute about 1: 2 atanh((m - 1) / (m + 1)) / ln 2 for the mantissa in
+/// [.71, 1.41].
+HWY_INLINE Real log2(Real x) {
+  const Int bits = hn::BitCast(int_tag, max(x, 1.1754944e-38f).v);
+  const Int shifted = hn::Sub(bits, whole(0x3f3504f3));
+  const Real power = to_real(hn::ShiftRight<23>(shifted));
+  const Int mantissa = hn::Add(hn::And(shifted, whole(0x007fffff)), whole(0x3f3504f3));
+  const Real m = hn::BitCast(float_tag, mantissa), t = (m - 1.0f) / (m + 1.0f), t2 = t * t;
+  Real p = 0.43424776f;
+  p = mul_add(p, t2, 0.57658499f);
+  p = mul_add(p, t2, 0.96180075f);
+  p = mul_add(p, t2, 2.8853900f);
+  return mul_add(p, t, power);
+}
+HWY_INLINE Real log(Real x) { return log2(x) * 0.69314718f; }
+/// x^y for x >= 0.
+HWY_INLINE Real pow(Real x, Real y) { return exp2(y * log2(x)); }
+
+struct Vec2 {
+  Real x, y;
+};
+HWY_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+HWY_INLINE Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+HWY_INLINE Vec2 operator*(Vec2 a, Real s) { return {a.x * s, a.y * s}; }
+HWY_INLINE Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
+
+struct Vec3 {
+  Real x, y, z;
+  Vec3() = default;
+  HWY_INLINE Vec3(Real a, Real b, Real c) : x(a), y(b), z(c) {}
+  HWY_INLINE explicit Vec3(Real same) : x(same), y(same), z(same) {}
+  HWY_INLINE Vec3(const glm::vec3& same) : x(same.x), y(same.y), z(same.z) {}           // NOLINT: the same in all lanes
+  HWY_INLINE explicit Vec3(const glm::vec4& same) : x(same.x), y(same.y), z(same.z) {}  // its fourth is left out
+};
+HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+HWY_INLINE Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
+HWY_INLINE Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+HWY_INLINE Vec3 operator*(Vec3 a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
+HWY_INLINE Vec3 operator*(Real s, Vec3 a) { return a * s; }
+HWY_INLINE Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
+HWY_INLINE Vec3& operator*=(Vec3& a, Vec3 b) { return a = a * b; }
+HWY_INLINE Vec3& operator*=(Vec3& a, Real s) { return a = a * s; }
+HWY_INLINE Real dot(Vec3 a, Vec3 b) { return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z)); }
+HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+HWY_INLINE Real length(Vec3 a) { return sqrt(dot(a, a)); }
+/// Unit, or 0 for what has no direction.
+HWY_INLINE Vec3 unit(Vec3 a) { return a * (1.0f / max(length(a), 1e-20f)); }
+HWY_INLINE Vec3 select(Mask mask, Vec3 yes, Vec3 no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+HWY_INLINE Vec3 mix(Vec3 a, Vec3 b, Real share) {
+  return {mix(a.x, b.x, share), mix(a.y, b.y, share), mix(a.z, b.z, share)};
+}
+HWY_INLINE Vec3 mix(Vec3 a, Vec3 b, Vec3 share) {
+  return {mix(a.x, b.x, share.x), mix(a.y, b.y, share.y), mix(a.z, b.z, share.z)};
+}
+/// Of each of the three.
+template <class Function>
+HWY_INLINE Vec3 each(Vec3 a, Function function) {
+  return {function(a.x), function(a.y), function(a.z)};
+}
+HWY_INLINE Vec3 max(Vec3 a, Real low) { return {max(a.x, low), max(a.y, low), max(a.z, low)}; }
+HWY_INLINE Vec3 clamp(Vec3 a, Real low, Real high) {
+  return {clamp(a.x, low, high), clamp(a.y, low, high), clamp(a.z, low, high)};
+}
+HWY_INLINE Real luminance(Vec3 linear) { return dot(linear, Vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
