@@ -23,8 +23,8 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   return i;
 }
 
-float value_of(std::span<const float> field, std::uint32_t vertex, float at_rest) {
-  return field.empty() ? at_rest : field[vertex];
+float value_of(std::span<const float> field, std::uint32_t vertex, float default_value) {
+  return field.empty() ? default_value : field[vertex];
 }
 
 glm::vec4 covered(std::span<const glm::vec4> field, std::uint32_t vertex) {

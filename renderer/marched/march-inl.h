@@ -88,7 +88,10 @@ struct Texel {
 HWY_INLINE Texel texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
 
 /// Texels of a place on the periodic tile.
-struct TilePlace {
+class TilePlace {
+ public:
+  HWY_INLINE TilePlace(const SliceAtlas& of, Int level_first, Int level_side, Int of_slice)
+      : atlas(of), first(level_first), side(level_side), slice(of_slice) {}
   const SliceAtlas& atlas;
   Int first, side, slice;
 
@@ -97,22 +100,54 @@ struct TilePlace {
     const Int texel = hn::Add(hn::Mul(hn::And(y, last), side), hn::And(x, last));
     return hn::Add(first, hn::Add(hn::Mul(texel, whole(slice_count)), slice));
   }
-  HWY_INLINE Texel shape(Int x, Int y) const { return texel_of(gather(atlas.shapes.data(), word(x, y))); }
+  HWY_INLINE Texel shape(Int x, Int y) const { return texel_of(shape_word(x, y)); }
 
-  /// Between the four texels around the place, which lies at x, y texels.
+  HWY_INLINE Int shape_word(Int x, Int y) const { return gather(atlas.shapes.data(), word(x, y)); }
+
+  /// Between the four texels around the place, which lies at x, y texels; within half a 255th.
   HWY_INLINE Texel smooth_shape(Real x, Real y) const {
-    const Real x0 = floor(x - 0.5f), y0 = floor(y - 0.5f), px = x - 0.5f - x0, py = y - 0.5f - y0;
+    const Real x0 = floor(x - 0.5f), y0 = floor(y - 0.5f);
     const Int left = to_int(x0), top = to_int(y0), right = hn::Add(left, whole(1)), bottom = hn::Add(top, whole(1));
-    const Texel a = shape(left, top), b = shape(right, top), c = shape(left, bottom), d = shape(right, bottom);
-    const auto between = [&](Real p, Real q, Real r, Real s) HWY_ATTR { return mix(mix(p, q, px), mix(r, s, px), py); };
-    return {between(a.x, b.x, c.x, d.x), between(a.y, b.y, c.y, d.y), between(a.z, b.z, c.z, d.z),
-            between(a.w, b.w, c.w, d.w)};
+    const Int a = shape_word(left, top), b = shape_word(right, top), c = shape_word(left, bottom),
+              d = shape_word(right, bottom);
+    const BytePairs px = weight_of(x - 0.5f - x0), py = weight_of(y - 0.5f - y0);
+    const Int even = mixed(even_bytes(a), even_bytes(b), even_bytes(c), even_bytes(d), px, py);
+    const Int odd = mixed(odd_bytes(a), odd_bytes(b), odd_bytes(c), odd_bytes(d), px, py);
+    return {low_of(even), low_of(odd), high_of(even), high_of(odd)};
+  }
+
+ private:
+  using PairTag = hn::Repartition<std::uint16_t, IntTag>;
+  using BytePairs = hn::Vec<PairTag>;  // two numbers in each lane
+  static constexpr PairTag pair_tag{};
+
+  static HWY_INLINE BytePairs even_bytes(Int w) { return hn::BitCast(pair_tag, hn::And(w, whole(0x00ff00ff))); }
+  static HWY_INLINE BytePairs odd_bytes(Int w) { return even_bytes(hn::ShiftRight<8>(w)); }
+  /// 0 to 256 for a share in [0, 1), in both halves.
+  static HWY_INLINE BytePairs weight_of(Real share) {
+    const Int weight = to_int(share * 256.0f);
+    return hn::BitCast(pair_tag, hn::Or(weight, hn::ShiftLeft<16>(weight)));
+  }
+  /// 256 times what lies between.
+  static HWY_INLINE BytePairs between(BytePairs p, BytePairs q, BytePairs weight) {
+    const BytePairs rest = hn::Sub(hn::Set(pair_tag, std::uint16_t{256}), weight);
+    return hn::Add(hn::Mul(p, rest), hn::Mul(q, weight));
+  }
+  static HWY_INLINE Int mixed(BytePairs a, BytePairs b, BytePairs c, BytePairs d, BytePairs px, BytePairs py) {
+    const BytePairs half = hn::Set(pair_tag, std::uint16_t{128});
+    const BytePairs top = hn::ShiftRight<8>(hn::Add(between(a, b, px), half));
+    const BytePairs bottom = hn::ShiftRight<8>(hn::Add(between(c, d, px), half));
+    return hn::BitCast(int_tag, between(top, bottom, py));
+  }
+  static HWY_INLINE Real low_of(Int pair) { return to_real(hn::And(pair, whole(0xffff))) * (1.0f / 65280); }
+  static HWY_INLINE Real high_of(Int pair) {
+    return to_real(hn::And(hn::ShiftRight<16>(pair), whole(0xffff))) * (1.0f / 65280);
   }
 };
 
 HWY_INLINE void take_sample(const MarchScene& scene, const Path& path, Real t, Slab& slab) {
   const Real height = path.height_at(t), u = mul_add(path.du, t, path.u0), v = mul_add(path.dv, t, path.v0);
-  const TilePlace place{*scene.atlas, path.first, path.side, to_int(height * static_cast<float>(slice_count))};
+  const TilePlace place(*scene.atlas, path.first, path.side, to_int(height * static_cast<float>(slice_count)));
   const Real texels = to_real(path.side), x = u * texels, y = v * texels;
   const Int nearest_x = to_int(floor(x)), nearest_y = to_int(floor(y));
   const Texel shape = scene.smooth ? place.smooth_shape(x, y) : place.shape(nearest_x, nearest_y);

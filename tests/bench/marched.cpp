@@ -43,7 +43,7 @@ std::string errors_of(const Image& truth, const Image& image) {
   const Result<PictureError> error = compare(truth, image, mask);
   if (!error || !error->figures) return "none";
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.4f outline %.4f", error->figures->flip.mean,
+  std::snprintf(text.data(), text.size(), "%.4f silhouette %.4f", error->figures->flip.mean,
                 error->figures->silhouette.value_or(FlipFigures{}).mean);
   return text.data();
 }
