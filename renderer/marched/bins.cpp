@@ -25,6 +25,11 @@ Facing facing_of(const MarchScene& scene, const glm::uvec3& t) {
   return facing;
 }
 
+/// Held to what 16 bits can count.
+std::int16_t tile_at(float pixel) {
+  return static_cast<std::int16_t>(std::floor(std::clamp(pixel / static_cast<float>(Tile::side), -1.0f, 32000.0f)));
+}
+
 }  // namespace
 
 Bins::Box Bins::box_of(const MarchScene& scene, int shell, const glm::uvec3& triangle, bool& facing) const {
@@ -34,20 +39,26 @@ Bins::Box Bins::box_of(const MarchScene& scene, int shell, const glm::uvec3& tri
   constexpr int inverse = Varyings::inverse;
   if (!(a[inverse] > 0 && b[inverse] > 0 && c[inverse] > 0)) return none;
   facing = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
-  const auto tile_at = [](float pixel, int count) {
-    return static_cast<std::int16_t>(
-        std::floor(std::clamp(pixel / static_cast<float>(Tile::side), -1.0f, static_cast<float>(count))));
-  };
-  Box box{tile_at(std::min({a[0], b[0], c[0]}), across_), tile_at(std::max({a[0], b[0], c[0]}), across_),
-          tile_at(std::min({a[1], b[1], c[1]}), down_), tile_at(std::max({a[1], b[1], c[1]}), down_)};
-  box.left = std::max<std::int16_t>(box.left, 0), box.top = std::max<std::int16_t>(box.top, 0);
-  box.right = std::min<std::int16_t>(box.right, static_cast<std::int16_t>(across_ - 1));
-  box.bottom = std::min<std::int16_t>(box.bottom, static_cast<std::int16_t>(down_ - 1));
+  Box box{tile_at(std::min({a[0], b[0], c[0]})), tile_at(std::max({a[0], b[0], c[0]})),
+          tile_at(std::min({a[1], b[1], c[1]})), tile_at(std::max({a[1], b[1], c[1]}))};
+  clip(box);
   return box.bottom < box.top ? none : box;
 }
 
+/// To the tiles that are drawn, counted from the first one.
+void Bins::clip(Box& box) const {
+  const auto low = [](int value, int first) { return static_cast<std::int16_t>(std::max(value - first, 0)); };
+  const auto high = [](int value, int first, int count) {
+    return static_cast<std::int16_t>(std::min(value - first, count - 1));
+  };
+  box = {low(box.left, left_), high(box.right, left_, across_), low(box.top, top_), high(box.bottom, top_, down_)};
+}
+
 Bins::Bins(const MarchScene& scene)
-    : across_((scene.width + Tile::side - 1) / Tile::side), down_((scene.height + Tile::side - 1) / Tile::side) {
+    : left_(scene.box.left / Tile::side),
+      top_(scene.box.top / Tile::side),
+      across_((scene.box.right + Tile::side - 1) / Tile::side - left_),
+      down_((scene.box.bottom + Tile::side - 1) / Tile::side - top_) {
   struct Entry {
     ShellTriangle triangle;
     Box box;
@@ -87,7 +98,7 @@ Bins::Bins(const MarchScene& scene)
 
 Tile Bins::tile(int index) const {
   const auto at = static_cast<std::size_t>(index);
-  return {index % across_ * Tile::side, index / across_ * Tile::side,
+  return {(left_ + index % across_) * Tile::side, (top_ + index / across_) * Tile::side,
           std::span(triangles_).subspan(first_[at], first_[at + 1] - first_[at])};
 }
 

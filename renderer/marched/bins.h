@@ -13,6 +13,7 @@ class Bins {
  public:
   /// Of a scene whose vertices are placed. In each tile roughly from near to far: first what faces the camera, the
   /// outer shells first, then what faces away, the inner shells first.
+  /// Only the tiles that the scene's box touches.
   explicit Bins(const MarchScene& scene);
 
   int count() const { return across_ * down_; }
@@ -23,9 +24,10 @@ class Bins {
     std::int16_t left, right, top, bottom;  // tiles; none where right < left
     bool empty() const { return right < left; }
   };
+  void clip(Box& box) const;
   Box box_of(const MarchScene& scene, int shell, const glm::uvec3& triangle, bool& facing) const;
 
-  int across_ = 0, down_ = 0;
+  int left_ = 0, top_ = 0, across_ = 0, down_ = 0;  // tiles
   std::vector<std::uint32_t> first_;  // of each tile, in triangles_; one more at the end
   std::vector<ShellTriangle> triangles_;
 };

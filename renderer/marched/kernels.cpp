@@ -100,6 +100,9 @@ void write_pixels(const MarchScene& scene, int left, int top, const Vec3& light,
 void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch, int group, float* picture) {
   const int left = tile.left + group % groups_across * group_width,
             top = tile.top + group / groups_across * group_height;
+  const Real skin_inverse = load(&scratch.skin.inverse[static_cast<std::size_t>(group * lane_count)]);
+  if (scratch.first[static_cast<std::size_t>(group)] == 0 && !any(skin_inverse > 0.0f))
+    return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
   const Ray ray = ray_of(scene, left, top);
   Seen seen{Vec3(0.0f), 1.0f};
   const std::size_t steps = find_group_segments(scene, scratch, group);

@@ -60,13 +60,19 @@ struct MarchMesh {
   std::span<const PieceAxes> axes;         // of triangles
 };
 
+/// Half-open, from the left and the top.
+struct PixelBox {
+  int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 struct MarchScene {
   FrameOptics optics;
   MarchMesh mesh;
   const SliceAtlas* atlas = nullptr;
   ShellSet shells;
   Varyings varyings;
-  int width = 0, height = 0;  // pixels that are drawn
+  int width = 0, height = 0;  // pixels of the picture
+  PixelBox box;               // of them that are drawn, by whole tiles
   int samples = 16;           // of the coat over the height of the fur
   int min_samples = 1;        // in a segment
   bool smooth = true;         // four texels a sample

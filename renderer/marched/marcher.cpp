@@ -57,6 +57,18 @@ Varyings varyings_of(const MarchScene& scene) {
   return at;
 }
 
+void place_vertices(MarchScene& scene, int threads) {
+  constexpr std::uint32_t grain = 256;
+  const std::size_t vertices = scene.mesh.positions.size();
+  scene.vertices.resize(vertices * static_cast<std::size_t>(scene.shells.count() * scene.varyings.stride));
+  for_each_in_parallel(
+      (static_cast<std::uint32_t>(vertices) + grain - 1) / grain,
+      [&](std::uint32_t i) {
+        place_shell_vertices(scene, i * grain, std::min<std::size_t>(vertices, (i + 1) * grain));
+      },
+      threads);
+}
+
 }  // namespace
 
 struct Marcher::Coated {
@@ -118,13 +130,17 @@ void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
                           &kept.volume};
 }
 
+glm::ivec2 Marcher::size_of(const FurFrame& frame) const {
+  const auto scaled = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(pixels * frame.knobs.scale))); };
+  return {scaled(frame.width), scaled(frame.height)};
+}
+
 MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
   const FurMesh& mesh = meshes_.at(frame.model);
   const Coated& coated = coat_of(frame.coat);
   MarchScene scene;
   scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
-  scene.width = std::max(1, static_cast<int>(std::lround(frame.width * frame.knobs.scale)));
-  scene.height = std::max(1, static_cast<int>(std::lround(frame.height * frame.knobs.scale)));
+  scene.width = size_of(frame).x, scene.height = size_of(frame).y;
   scene.shells = shells_of(quality), scene.samples = quality.samples, scene.min_samples = quality.min_samples,
   scene.smooth = quality.smooth;
   FrameOptics& optics = scene.optics;
@@ -150,36 +166,34 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
 }
 
 FloatImage Marcher::draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times) {
+  const glm::ivec2 size = size_of(frame);
+  FloatImage picture;
+  picture.width = size.x, picture.height = size.y;
+  picture.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  draw_part(frame, quality, {0, 0, size.x, size.y}, picture, times);
+  return picture;
+}
+
+void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, const PixelBox& part, FloatImage& picture,
+                        MarchTimes* times) {
+  assert(size_of(frame) == glm::ivec2(picture.width, picture.height));
   MarchScene scene = scene_of(frame, quality);
+  scene.box = part;
   MarchTimes taken;
-  const std::size_t vertices = scene.mesh.positions.size();
-  scene.vertices.resize(vertices * static_cast<std::size_t>(scene.shells.count() * scene.varyings.stride));
   const Stopwatch placing;
-  constexpr std::uint32_t grain = 256;
-  for_each_in_parallel((static_cast<std::uint32_t>(vertices) + grain - 1) / grain,
-                       [&](std::uint32_t i) {
-                         place_shell_vertices(scene, i * grain, std::min<std::size_t>(vertices, (i + 1) * grain));
-                       },
-                       threads_);
+  place_vertices(scene, threads_);
   taken.vertices = placing.milliseconds();
   const Stopwatch sorting;
   const Bins bins(scene);
   taken.bins = sorting.milliseconds();
   const Stopwatch drawing;
-  FloatImage image;
-  image.width = scene.width, image.height = scene.height;
-  image.rgba.resize(4 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
   std::atomic<int> next = 0;
   run_on_threads(threads_, [&] {
     TileScratch scratch;
-    for (int i = next++; i < bins.count(); i = next++) {
-      const Tile tile = bins.tile(i);
-      if (!tile.triangles.empty()) draw_tile(scene, tile, scratch, image.rgba.data());
-    }
+    for (int i = next++; i < bins.count(); i = next++) draw_tile(scene, bins.tile(i), scratch, picture.rgba.data());
   });
   taken.tiles = drawing.milliseconds();
   if (times) *times = taken;
-  return image;
 }
 
 }  // namespace pelage

@@ -41,10 +41,14 @@ class Marcher {
 
   /// Premultiplied linear light of the skin and its fur, of a model that it has.
   FloatImage draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times = nullptr);
+  /// The same of a part alone, by whole tiles of 16 pixels, into a picture of the frame's size; the rest stays.
+  void draw_part(const FurFrame& frame, const MarchQuality& quality, const PixelBox& part, FloatImage& picture,
+                 MarchTimes* times = nullptr);
 
  private:
   struct Coated;
   const Coated& coat_of(const Coat& coat);
+  glm::ivec2 size_of(const FurFrame& frame) const;
   MarchScene scene_of(const FurFrame& frame, const MarchQuality& quality);
   void add_pattern(const FurFrame& frame, MarchScene& scene);
 

@@ -146,6 +146,25 @@ TEST(Marcher, TakesOverChangedFields) {
   EXPECT_EQ(marcher.draw(frame, {}).rgba, before.rgba);
 }
 
+TEST(Marcher, DrawsAPartWithTheBitsOfTheWhole) {
+  const FurredModel model = furred({Builtin::creature, 1000});
+  const FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 100));
+  Marcher marcher(2);
+  const ModelArrays arrays = make_arrays(model.view());
+  marcher.add(make_model(model.view(), arrays), make_fields(model.view(), frame.skin, {}));
+  const FloatImage whole = marcher.draw(frame, {});
+  FloatImage picture = whole;
+  std::fill(picture.rgba.begin(), picture.rgba.end(), -1.0f);
+  marcher.draw_part(frame, {}, {30, 40, 60, 77}, picture);
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      const bool drawn = x >= 16 && x < 64 && y >= 32 && y < 80;  // tiles of 16 pixels
+      const std::size_t at = 4 * static_cast<std::size_t>(100 * y + x);
+      for (std::size_t k = at; k < at + 4; ++k) ASSERT_EQ(picture.rgba[k], drawn ? whole.rgba[k] : -1) << x << " " << y;
+    }
+  }
+}
+
 /// A camera somewhere about the model, or in its fur, that looks anywhere.
 FurCamera random_camera(std::mt19937& random) {
   std::uniform_real_distribution<float> any(-1, 1);
