@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/marched/near_plane.h"
 #include "renderer/visibility/shell_lod.h"
 
 namespace pelage {
@@ -32,17 +33,13 @@ std::int16_t tile_at(float pixel) {
 
 }  // namespace
 
-Bins::Box Bins::box_of(const MarchScene& scene, int shell, const glm::uvec3& triangle, bool& facing) const {
-  const float *a = scene.vertex(shell, triangle.x), *b = scene.vertex(shell, triangle.y),
-              *c = scene.vertex(shell, triangle.z);
-  constexpr Box none{0, -1, 0, -1};
-  constexpr int inverse = Varyings::inverse;
-  if (!(a[inverse] > 0 && b[inverse] > 0 && c[inverse] > 0)) return none;
-  facing = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
+Bins::Box Bins::box_of(const MarchScene& scene, const ShellTriangle& triangle) const {
+  const float *a = scene.row(scene.row_of(triangle, 0)), *b = scene.row(scene.row_of(triangle, 1)),
+              *c = scene.row(scene.row_of(triangle, 2));
   Box box{tile_at(std::min({a[0], b[0], c[0]})), tile_at(std::max({a[0], b[0], c[0]})),
           tile_at(std::min({a[1], b[1], c[1]})), tile_at(std::max({a[1], b[1], c[1]}))};
   clip(box);
-  return box.bottom < box.top ? none : box;
+  return box.bottom < box.top ? Box{0, -1, 0, -1} : box;
 }
 
 /// To the tiles that are drawn, counted from the first one.
@@ -54,32 +51,44 @@ void Bins::clip(Box& box) const {
   box = {low(box.left, left_), high(box.right, left_, across_), low(box.top, top_), high(box.bottom, top_, down_)};
 }
 
-Bins::Bins(const MarchScene& scene)
+Bins::Bins(MarchScene& scene)
     : left_(scene.box.left / Tile::side),
       top_(scene.box.top / Tile::side),
       across_((scene.box.right + Tile::side - 1) / Tile::side - left_),
       down_((scene.box.bottom + Tile::side - 1) / Tile::side - top_) {
-  struct Entry {
-    ShellTriangle triangle;
-    Box box;
-  };
-  std::vector<Entry> near, far;  // that face the camera, and that do not
   std::vector<Facing> facings;
   for (const glm::uvec3& t : scene.mesh.triangles) facings.push_back(facing_of(scene, t));
-  const int shells = scene.shells.count();
-  for (int k = shells - 1; k >= 0; --k) {
-    const auto shell = static_cast<std::size_t>(k);
+  Entries entries;
+  for (int k = scene.shells.count() - 1; k >= 0; --k) {
     for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
       if (k > 0 && facings[i].most <= furthest_back_facing) continue;
-      if (facings[i].least > scene.shells.facing[shell]) continue;
-      bool facing = true;
-      const Box box = box_of(scene, k, scene.mesh.triangles[i], facing);
-      if (!box.empty()) (facing ? near : far).push_back({{i, static_cast<std::uint16_t>(k), facing}, box});
+      if (facings[i].least > scene.shells.facing[static_cast<std::size_t>(k)]) continue;
+      add(scene, {i, static_cast<std::uint16_t>(k), true, 0}, entries);
     }
   }
-  std::reverse(far.begin(), far.end());
+  std::reverse(entries.far.begin(), entries.far.end());
+  fill(entries);
+}
+
+void Bins::add(MarchScene& scene, ShellTriangle triangle, Entries& entries) const {
+  int before = 0;
+  for (int k = 0; k < 3; ++k) before += scene.row(scene.row_of(triangle, k))[Varyings::inverse] > 0 ? 1 : 0;
+  if (before == 0) return;
+  if (before < 3) {
+    for (const ShellTriangle& part : cut_at_near_plane(scene, triangle)) add(scene, part, entries);
+    return;
+  }
+  const Box box = box_of(scene, triangle);
+  if (box.empty()) return;
+  const float *a = scene.row(scene.row_of(triangle, 0)), *b = scene.row(scene.row_of(triangle, 1)),
+              *c = scene.row(scene.row_of(triangle, 2));
+  triangle.facing = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
+  (triangle.facing ? entries.near : entries.far).push_back({triangle, box});
+}
+
+void Bins::fill(const Entries& entries) {
   const auto for_each = [&](auto visit) {
-    for (const std::vector<Entry>* list : {&near, &far}) {
+    for (const std::vector<Entry>* list : {&entries.near, &entries.far}) {
       for (const Entry& entry : *list) {
         for (int y = entry.box.top; y <= entry.box.bottom; ++y) {
           for (int x = entry.box.left; x <= entry.box.right; ++x)

@@ -37,6 +37,7 @@ struct SkinPixels {
   static constexpr std::size_t pixels = Tile::side * Tile::side;
   std::array<float, pixels> inverse{}, second{}, third{};  // shares of the second and third corner on the picture
   std::array<std::int32_t, pixels> piece{};                // ~piece where it is seen from inside
+  std::array<std::uint32_t, pixels> cut{};                 // ShellTriangle::cut
 };
 
 /// What one thread needs to draw tiles, used again for each.

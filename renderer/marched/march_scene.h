@@ -60,6 +60,17 @@ struct MarchMesh {
   std::span<const PieceAxes> axes;         // of triangles
 };
 
+/// Nothing nearer is drawn, sizes along the view; as the camera of renderer/upload/blocks.cpp.
+inline constexpr float near_distance = 1e-4f;
+
+/// A triangle of one shell as a tile takes it.
+struct ShellTriangle {
+  std::uint32_t piece = 0;
+  std::uint16_t shell = 0;
+  bool facing = true;     // seen from outside
+  std::uint32_t cut = 0;  // its first row where it is cut at the near plane, else 0
+};
+
 /// Half-open, from the left and the top.
 struct PixelBox {
   int left = 0, top = 0, right = 0, bottom = 0;
@@ -80,23 +91,19 @@ struct MarchScene {
   glm::vec3 viewpoint{0}, forward{0, 0, -1};
   glm::vec3 ray_x{0}, ray_y{0}, ray_0{0};  // way of a pixel's ray by its x and y, 1 along the view
 
-  /// Of all shells' vertices, one shell after the other.
+  /// Rows of all shells' vertices, one shell after the other, and of those that cutting at the near plane makes. Those
+  /// nearer than near_distance have 0 for `inverse`, and their other numbers as they are.
   std::vector<float> vertices;
-  float* vertex(int shell, std::size_t vertex) {
-    return &vertices[(static_cast<std::size_t>(shell) * mesh.positions.size() + vertex) *
-                     static_cast<std::size_t>(varyings.stride)];
-  }
-  const float* vertex(int shell, std::size_t vertex) const {
-    return &vertices[(static_cast<std::size_t>(shell) * mesh.positions.size() + vertex) *
-                     static_cast<std::size_t>(varyings.stride)];
-  }
-};
 
-/// A triangle of one shell as a tile takes it.
-struct ShellTriangle {
-  std::uint32_t piece = 0;
-  std::uint16_t shell = 0;
-  bool facing = true;  // seen from outside
+  std::size_t row_of(int shell, std::size_t vertex) const {
+    return static_cast<std::size_t>(shell) * mesh.positions.size() + vertex;
+  }
+  std::size_t row_of(const ShellTriangle& triangle, int corner) const {
+    if (triangle.cut != 0) return triangle.cut + static_cast<std::size_t>(corner);
+    return row_of(triangle.shell, mesh.triangles[triangle.piece][corner]);
+  }
+  float* row(std::size_t number) { return &vertices[number * static_cast<std::size_t>(varyings.stride)]; }
+  const float* row(std::size_t number) const { return &vertices[number * static_cast<std::size_t>(varyings.stride)]; }
 };
 
 /// Pixels of a tile, which threads draw one by one.

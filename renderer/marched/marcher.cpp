@@ -61,12 +61,11 @@ void place_vertices(MarchScene& scene, int threads) {
   constexpr std::uint32_t grain = 256;
   const std::size_t vertices = scene.mesh.positions.size();
   scene.vertices.resize(vertices * static_cast<std::size_t>(scene.shells.count() * scene.varyings.stride));
-  for_each_in_parallel(
-      (static_cast<std::uint32_t>(vertices) + grain - 1) / grain,
-      [&](std::uint32_t i) {
-        place_shell_vertices(scene, i * grain, std::min<std::size_t>(vertices, (i + 1) * grain));
-      },
-      threads);
+  for_each_in_parallel((static_cast<std::uint32_t>(vertices) + grain - 1) / grain,
+                       [&](std::uint32_t i) {
+                         place_shell_vertices(scene, i * grain, std::min<std::size_t>(vertices, (i + 1) * grain));
+                       },
+                       threads);
 }
 
 }  // namespace
@@ -131,7 +130,9 @@ void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
 }
 
 glm::ivec2 Marcher::size_of(const FurFrame& frame) const {
-  const auto scaled = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(pixels * frame.knobs.scale))); };
+  const auto scaled = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels * frame.knobs.scale)));
+  };
   return {scaled(frame.width), scaled(frame.height)};
 }
 

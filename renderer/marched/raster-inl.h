@@ -59,8 +59,7 @@ struct Setup {
 
 HWY_INLINE Setup setup_of(const MarchScene& scene, const Tile& tile, const ShellTriangle& triangle) {
   Setup setup;
-  const glm::uvec3& t = scene.mesh.triangles[triangle.piece];
-  for (int k = 0; k < 3; ++k) setup.corner[k] = scene.vertex(triangle.shell, t[k]);
+  for (int k = 0; k < 3; ++k) setup.corner[k] = scene.row(scene.row_of(triangle, k));
   const float *a = setup.corner[0], *b = setup.corner[1], *c = setup.corner[2];
   const float area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   if (!(std::abs(area) > 1e-12f)) return setup;
@@ -128,8 +127,10 @@ HWY_INLINE void raster_skin(const MarchScene& scene, const Tile& tile, TileScrat
       store(select(nearer, inside.third, load(&skin.third[static_cast<std::size_t>(at)])),
             &skin.third[static_cast<std::size_t>(at)]);
       const std::uint32_t bits = bits_of(nearer);
-      for (int lane = 0; lane < lane_count; ++lane)
-        if (bits >> lane & 1) skin.piece[static_cast<std::size_t>(at + lane)] = piece;
+      for (auto pixel = static_cast<std::size_t>(at); pixel < static_cast<std::size_t>(at + lane_count); ++pixel) {
+        if (bits >> (pixel - static_cast<std::size_t>(at)) & 1)
+          skin.piece[pixel] = piece, skin.cut[pixel] = triangle.cut;
+      }
     });
   }
 }

@@ -20,8 +20,12 @@ class SkinPoint {
     for (int i = 0; i < lane_count; ++i) {
       const std::int32_t piece = skin.piece[begin + static_cast<std::size_t>(i)];
       facing_[i] = piece >= 0 ? 1.0f : 0.0f;
-      const glm::uvec3& t = scene.mesh.triangles[static_cast<std::size_t>(piece >= 0 ? piece : ~piece)];
-      for (int k = 0; k < 3; ++k) corners_[k][i] = static_cast<std::int32_t>(t[k]);
+      const auto number = static_cast<std::uint32_t>(piece >= 0 ? piece : ~piece);
+      const ShellTriangle triangle{number, 0, true, skin.cut[begin + static_cast<std::size_t>(i)]};
+      for (int k = 0; k < 3; ++k) {
+        rows_[k][i] = static_cast<std::int32_t>(scene.row_of(triangle, k));
+        corners_[k][i] = static_cast<std::int32_t>(scene.mesh.triangles[number][k]);
+      }
     }
     inverse_ = load(&skin.inverse[begin]), second_ = load(&skin.second[begin]), third_ = load(&skin.third[begin]);
     there_ = {inverse_ > 0.0f};
@@ -30,23 +34,25 @@ class SkinPoint {
   HWY_INLINE Mask there() const { return there_; }
   HWY_INLINE Mask facing() const { return load(facing_) > 0.5f; }
   HWY_INLINE Real distance() const { return distance_; }
-  HWY_INLINE Real corner(int k, int row, int shell = 0) const {
-    const Int at = hn::Mul(hn::LoadU(int_tag, corners_[k]), whole(scene_.varyings.stride));
-    return gather(scene_.vertex(shell, 0) + row, at);
-  }
+  HWY_INLINE Real corner(int k, int at) const { return read(rows_[k], 0, at); }
   HWY_INLINE Real row(int at) const {
     const Real a = corner(0, at);
     return distance_ * mul_add(second_, corner(1, at) - a, mul_add(third_, corner(2, at) - a, a));
   }
   HWY_INLINE Vec3 rows(int at) const { return {row(at), row(at + 1), row(at + 2)}; }
+  /// Of the mesh's own corner on a shell.
   HWY_INLINE Vec3 place_of(int k, int shell) const {
     constexpr int at = Varyings::place;
-    return {corner(k, at, shell), corner(k, at + 1, shell), corner(k, at + 2, shell)};
+    const std::size_t first = scene_.row_of(shell, 0);
+    return {read(corners_[k], first, at), read(corners_[k], first, at + 1), read(corners_[k], first, at + 2)};
   }
 
  private:
+  HWY_INLINE Real read(const std::int32_t* rows, std::size_t first, int at) const {
+    return gather(scene_.row(first) + at, hn::Mul(hn::LoadU(int_tag, rows), whole(scene_.varyings.stride)));
+  }
   const MarchScene& scene_;
-  std::int32_t corners_[3][lane_count];
+  std::int32_t rows_[3][lane_count], corners_[3][lane_count];  // of the triangle as it is seen, and of the mesh
   float facing_[lane_count];
   Real inverse_, second_, third_, distance_;
   Mask there_;

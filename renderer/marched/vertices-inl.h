@@ -75,7 +75,7 @@ struct VertexWriter {
   HWY_INLINE void row(int at, Real value) const {
     float values[lane_count];
     store(value, values);
-    for (int i = 0; i < block.count; ++i) scene.vertex(shell, block.index[i])[at] = values[i];
+    for (int i = 0; i < block.count; ++i) scene.row(scene.row_of(shell, block.index[i]))[at] = values[i];
   }
   HWY_INLINE void rows(int at, Vec3 value) const { row(at, value.x), row(at + 1, value.y), row(at + 2, value.z); }
 };
@@ -105,33 +105,32 @@ HWY_INLINE VertexStrand strand_of(const MarchScene& scene, const VertexBlock& bl
   return strand;
 }
 
-/// Rows that are the same at all heights, over the distance.
-HWY_INLINE void write_fields(const VertexWriter& to, const VertexStrand& strand, Real inverse) {
+/// Rows that are the same at all heights, times a factor.
+HWY_INLINE void write_fields(const VertexWriter& to, const VertexStrand& strand, Real factor) {
   const MarchMesh& mesh = to.scene.mesh;
   const Varyings& at = to.scene.varyings;
   const VertexBlock& block = to.block;
-  to.row(Varyings::inverse, inverse);
-  const Real tile = to.scene.optics.frame.tile.x * inverse;
+  const Real tile = to.scene.optics.frame.tile.x * factor;
   to.row(Varyings::tile, tile * block.read([&](std::size_t i) { return mesh.tiles[i].x; }));
   to.row(Varyings::tile + 1, tile * block.read([&](std::size_t i) { return mesh.tiles[i].y; }));
-  to.rows(Varyings::normal, strand.normal * inverse);
-  to.row(Varyings::length, strand.length * inverse);
-  to.row(Varyings::share, strand.share * inverse);
-  if (at.root >= 0) to.rows(at.root, strand.root * inverse);
+  to.rows(Varyings::normal, strand.normal * factor);
+  to.row(Varyings::length, strand.length * factor);
+  to.row(Varyings::share, strand.share * factor);
+  if (at.root >= 0) to.rows(at.root, strand.root * factor);
   if (at.varied >= 0) {
-    to.row(at.varied, inverse * block.read([&](std::size_t i) { return mesh.variation[i].z; }));
-    to.row(at.varied + 1, inverse * block.read([&](std::size_t i) { return mesh.variation[i].w; }));
+    to.row(at.varied, factor * block.read([&](std::size_t i) { return mesh.variation[i].z; }));
+    to.row(at.varied + 1, factor * block.read([&](std::size_t i) { return mesh.variation[i].w; }));
   }
   if (at.image >= 0) {
-    to.rows(at.image, block.vec3(mesh.image_uvs) * inverse);
-    to.rows(at.image + 3, block.vec3(mesh.colours) * inverse);
+    to.rows(at.image, block.vec3(mesh.image_uvs) * factor);
+    to.rows(at.image + 3, block.vec3(mesh.colours) * factor);
   }
   for (int k = 0; at.paint >= 0 && k < 6; ++k)
     to.row(at.paint + k,
-           inverse * block.read([&](std::size_t i) { return mesh.paint[i][static_cast<std::size_t>(k)]; }));
+           factor * block.read([&](std::size_t i) { return mesh.paint[i][static_cast<std::size_t>(k)]; }));
   for (int k = 0; at.painted >= 0 && k < 8; ++k)
     to.row(at.painted + k,
-           inverse * block.read([&](std::size_t i) { return mesh.painted[i][static_cast<std::size_t>(k)]; }));
+           factor * block.read([&](std::size_t i) { return mesh.painted[i][static_cast<std::size_t>(k)]; }));
 }
 
 HWY_INLINE void write_vertex(const VertexWriter& to, const VertexStrand& strand, const LeanPlace& curve) {
@@ -142,11 +141,15 @@ HWY_INLINE void write_vertex(const VertexWriter& to, const VertexStrand& strand,
   const auto clip = [&](int row) HWY_ATTR {
     return mul_add(place.x, m[0][row], mul_add(place.y, m[1][row], mul_add(place.z, m[2][row], m[3][row])));
   };
-  const Real distance = clip(3), inverse = select(distance > 1e-4f, 1.0f / max(distance, 1e-6f), 0.0f);
+  const Real distance = clip(3);
+  const Mask before = distance > near_distance;
+  const Real inverse = select(before, 1.0f / max(distance, near_distance), 0.0f),
+             factor = select(before, inverse, 1.0f);
   to.row(Varyings::x, (clip(0) * inverse * 0.5f + 0.5f) * static_cast<float>(scene.width));
   to.row(Varyings::y, (0.5f - clip(1) * inverse * 0.5f) * static_cast<float>(scene.height));
-  to.rows(Varyings::tangent, (strand.lean * sine(curve.angle) + strand.normal * cosine(curve.angle)) * inverse);
-  write_fields(to, strand, inverse);
+  to.rows(Varyings::tangent, (strand.lean * sine(curve.angle) + strand.normal * cosine(curve.angle)) * factor);
+  to.row(Varyings::inverse, inverse);
+  write_fields(to, strand, factor);
 }
 
 /// All shells of the vertices [begin, end).
