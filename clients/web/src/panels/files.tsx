@@ -51,12 +51,11 @@ export function FilesPanel() {
   useEffect(() => { listScenes().catch(sayError); }, []);
   return (
     <>
-      <h2>Files</h2>
       {importing.value && <ImportCard now={importing.value} />}
       <OpenFiles />
-      <SceneList />
-      <Samples />
       <Downloads />
+      <Samples />
+      <SceneList />
     </>
   );
 }
