@@ -84,4 +84,10 @@ export class Studio {
   async close() {
     await this.context.close();
   }
+
+  /** The end of a test. */
+  async finish() {
+    this.quiet();
+    await this.close();
+  }
 }
