@@ -9,13 +9,29 @@ import {openStudio, server, start} from "./support/own.mjs";
 const folder = process.env.PELAGE_PICTURES;
 start();
 
-/** A picture for the page, once the picture at rest is there. */
-async function picture(studio, name) {
+/** Tracing on or off, in the card of the dial. */
+async function trace(studio, on) {
+  await studio.page.locator(".dial-button").click();
+  await studio.page.getByLabel("Trace strands once the picture rests").setChecked(on);
+  await studio.page.keyboard.press("Escape");
+}
+
+/** Waits for strands of so many passes. */
+async function traced(studio, passes) {
+  await studio.page.evaluate(() => { window.marks.frame.length = 0; });
+  await studio.page.waitForFunction((wanted) => window.marks.frame.filter(({stage}) => stage === "traced").length >= wanted, passes, {timeout: 300000});
+}
+
+/** A picture for the page, with strands and with the pointer at a place of the picture. */
+async function picture(studio, name, pointer = [0.02, 0.5]) {
   if (!folder) return;
-  await studio.page.waitForTimeout(400);
-  await studio.seen("rest");
+  await trace(studio, true);
+  await studio.page.evaluate(() => document.activeElement.blur());
+  await studio.page.mouse.move(...await studio.at(...pointer));
+  await traced(studio, 4);
   mkdirSync(folder, {recursive: true});
   await studio.page.screenshot({path: join(folder, `${name}.jpg`), type: "jpeg", quality: 82});
+  await trace(studio, false);
 }
 
 /** Grey values of a part of the picture at rest, given by its middle and half its side as shares of the picture. */
@@ -39,12 +55,11 @@ async function stepsAre(studio, id, count) {
 }
 
 /** Along the flank towards the head, the lowest last. */
-const against_the_fur = [[0.5, 0.46], [0.54, 0.5], [0.58, 0.52], [0.62, 0.54]].map(([y, to]) => [[0.64, y], [0.5, to]]);
+const against_the_fur = [[0.5, 0.46], [0.54, 0.5], [0.58, 0.52], [0.62, 0.54]].map(([y, to]) => [[0.61, y], [0.5, to]]);
 const clearly = 8;  // grey values of 255, on the mean
 
 test("a fox, groomed and downloaded", async () => {
-  const kept = folder ? {dial: {kind: "tier", tier: "detailed"}, welcomed: false} : {welcomed: false};
-  const studio = await openStudio({kept});
+  const studio = await openStudio({kept: {welcomed: false}, context: {colorScheme: "dark"}});
   const {page} = studio;
   await studio.ready();
   await picture(studio, "first-visit");
@@ -65,13 +80,13 @@ test("a fox, groomed and downloaded", async () => {
   }
   const combed = await greys(studio, flank, 0.1);
   assert.ok(difference(as_it_came, combed) > clearly, `the combed fur is seen: ${difference(as_it_came, combed)}`);
-  await picture(studio, "comb");
+  await picture(studio, "comb", [0.58, 0.58]);
 
   await studio.tool("length");
   await page.getByRole("button", {name: "Long", exact: true}).click();
   await studio.drag([[0.4, 0.6], [0.43, 0.68]], {steps: 10});
   await stepsAre(studio, id, begun + 2 + against_the_fur.length);
-  await picture(studio, "length");
+  await picture(studio, "length", [0.42, 0.64]);
 
   await studio.panel("Coat");
   await picture(studio, "coat");
@@ -100,12 +115,11 @@ const panels = {"window-dark": "coat", "window-light": "layers", "tablet-dark": 
 if (folder) {
   for (const [name, context] of Object.entries(windows)) {
     test(`a picture of the ${name.replace("-", ", ")}`, async () => {
-      const kept = {dial: {kind: "tier", tier: "detailed"}, panel: panels[name], "trace-at-rest": true};
+      const kept = {panel: panels[name], "trace-at-rest": true};
       const studio = await openStudio({context, kept});
       await studio.ready();
       await studio.page.mouse.move(...await studio.at(0.52, 0.55));
-      await studio.seen("traced");
-      await studio.page.waitForFunction(() => window.marks.frame.at(-1).stage === "traced" && window.marks.frame.filter(({stage}) => stage === "traced").length > 5, null, {timeout: 120000});
+      await traced(studio, 5);
       await studio.page.screenshot({path: join(folder, `${name}.jpg`), type: "jpeg", quality: 82});
       await studio.close();
     });

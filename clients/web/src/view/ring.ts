@@ -7,7 +7,8 @@ import {add, dot, norm, scale, subtract, tangents, unit} from "./vector";
 export interface RingStyle { radius: number; inner: number; colour: string; symmetric: Hit[] }
 
 const points = 48;
-const max_drop = 0.6;   // radii: what lies deeper or higher is another part of the model
+const max_drop = 0.45;  // radii: what lies deeper or higher is another part of the model
+const min_facing = 0.35; // cosine to the hit's normal: what is turned farther away is the other side of a fold
 const max_glow = 400;  // triangles
 const max_depth = 0.35;  // radii: what lies deeper behind the surface that the camera sees is hidden
 
@@ -15,7 +16,8 @@ const max_depth = 0.35;  // radii: what lies deeper behind the surface that the 
 function heightsOf(proxy: Proxy, normal: Vector, flat: Vector[], radius: number): number[] {
   const heights = flat.map((point) => {
     const down = proxy.cast(add(point, scale(normal, radius)), scale(normal, -1));
-    const height = down ? radius - down.distance : 0;
+    if (!down || dot(down.normal, normal) < min_facing) return 0;
+    const height = radius - down.distance;
     return Math.abs(height) < max_drop * radius ? height : 0;
   });
   const near = (k: number) => heights[(k + heights.length) % heights.length]!;
