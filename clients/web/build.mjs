@@ -49,7 +49,8 @@ async function bundle() {
 function writePage(outputs) {
   const entry = (of) => "/assets/" + basename(Object.keys(outputs).find((path) => outputs[path].entryPoint?.endsWith(of)));
   const page = readFileSync(join(here, "src/index.html"), "utf8")
-    .replace("STYLE", entry("index.css")).replace("SCRIPT", entry("main.tsx"));
+    .replace("STYLE", entry("index.css")).replace("SCRIPT", entry("main.tsx"))
+    .replace("PROXY", entry("view/proxy.ts"));  // the brush needs it soon after
   writeFileSync(join(dist, "index.html"), page);
 }
 

@@ -57,14 +57,15 @@ async function turn(studio) {
   row("  asked to shown", frames.map(({asked, shown}) => shown - asked));
 }
 
-/** Bytes of the page and how soon it can be used. */
+/** Bytes of the page and how soon it can be used: tools can be chosen, and the ring finds the model. */
 async function page(studio) {
   const facts = await studio.page.evaluate(() => {
     const own = [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")].filter(({name}) => !name.includes("/v1/"));
     return {bytes: own.reduce((sum, {encodedBodySize}) => sum + encodedBodySize, 0), first: performance.getEntriesByType("navigation")[0].responseStart,
-            usable: window.marks.frame[0]?.shown};
+            palette: window.marks.palette[0].at, ring: window.marks.proxy[0].at, picture: window.marks.frame[0].shown};
   });
-  console.log(`page: ${(facts.bytes / 1000).toFixed(1)} kB as sent; first picture ${Math.round(facts.usable - facts.first)} ms after the first byte`);
+  const after = (at) => `${Math.round(at - facts.first)} ms`;
+  console.log(`page: ${(facts.bytes / 1000).toFixed(1)} kB as sent. After its first byte: tools ${after(facts.palette)}, brush ring ${after(facts.ring)}, first picture ${after(facts.picture)}`);
 }
 
 async function memory(studio) {

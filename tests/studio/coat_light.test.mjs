@@ -1,29 +1,16 @@
 // Coat, look, light and eyes: each finished change is one undo step, and what the server then has is what the panel shows.
 import assert from "node:assert/strict";
-import {after, before, test} from "node:test";
-import {Server} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {test} from "node:test";
+import {openStudio, server, start} from "./support/own.mjs";
 
-let server, chrome, studio, page, id;
-
-before(async () => {
-  server = await Server.start();
-  chrome = await browser();
-});
-after(async () => {
-  await chrome?.close();
-  await server?.stop();
-});
+let studio, page, id;
+start();
 
 async function open(name, panel) {
   id = (await server.creature(name, 2000)).id;
-  studio = await Studio.open(chrome, server.address, {scene: id, kept: {panel}});
+  studio = await openStudio({scene: id, kept: {panel}});
   page = studio.page;
   await studio.ready();
-}
-async function finish() {
-  studio.quiet();
-  await studio.close();
 }
 const settings = () => server.get(`/v1/scenes/${id}/settings`);
 const steps = async () => (await server.get(`/v1/scenes/${id}`)).undo_steps;
@@ -36,13 +23,12 @@ async function stepsAre(count) {
 test("a look by its picture is one step", async () => {
   await open("looks", "coat");
   const before_look = (await settings()).coat;
-  await page.getByText("Looks to begin with").click();
   await page.getByRole("group", {name: "Looks to begin with"}).getByRole("button", {name: /leopard/i}).click();
   await stepsAre(1);
   const {coat} = await settings();
   assert.notDeepEqual(coat, before_look);
   assert.equal(coat.pattern.kind, "rosettes");
-  await finish();
+  await studio.finish();
 });
 
 test("a slider that is dragged is one step, tried in the picture meanwhile", async () => {
@@ -58,7 +44,7 @@ test("a slider that is dragged is one step, tried in the picture meanwhile", asy
   await page.mouse.up();
   await stepsAre(1);
   assert.ok((await settings()).coat.bend > 0.5);
-  await finish();
+  await studio.finish();
 });
 
 test("a light is added, dragged around the model and taken away", async () => {
@@ -78,7 +64,7 @@ test("a light is added, dragged around the model and taken away", async () => {
   await page.getByRole("button", {name: /^Delete light/}).click();
   await stepsAre(3);
   assert.equal((await settings()).lights.length, first.length);
-  await finish();
+  await studio.finish();
 });
 
 test("an eye stands where the model is pressed", async () => {
@@ -93,5 +79,5 @@ test("an eye stands where the model is pressed", async () => {
   await page.keyboard.press("Control+z");
   await page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled);
   assert.equal((await settings()).eyes.length, length);
-  await finish();
+  await studio.finish();
 });

@@ -4,32 +4,27 @@ import {execFileSync} from "node:child_process";
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {after, before, test} from "node:test";
+import {test} from "node:test";
 import {gltfFolder, objFolder} from "./support/models.mjs";
-import {Server} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {openStudio, server, start} from "./support/own.mjs";
+import {bin} from "./support/server.mjs";
 
-const bin = process.env.PELAGE_BIN ?? new URL("../../build/release/bin", import.meta.url).pathname;
 const recipes = new URL("../../clients/recipes/", import.meta.url).pathname;
-let server, chrome, studio, folder;
+let studio, folder;
 
-before(async () => {
-  server = await Server.start();
-  chrome = await browser();
+async function prepare() {
   folder = mkdtempSync(join(tmpdir(), "pelage-files-"));
   const {id} = await server.creature("start", 2000);
-  studio = await Studio.open(chrome, server.address, {scene: id});
+  studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/);  // what the server refuses is part of the tests
   await studio.ready();
   await studio.panel("Files");
-});
-after(async () => {
-  studio?.quiet();
-  await studio?.close();
-  await chrome?.close();
-  await server?.stop();
+}
+async function finish() {
   rmSync(folder, {recursive: true, force: true});
-});
+  await studio?.finish();
+}
+start({prepare, finish});
 
 /** A drop as the system makes it, with real files and folders. */
 async function drop(...paths) {
@@ -166,6 +161,10 @@ test("pictures have the size that was asked for; maps and the log come too", asy
     const got = await waiting;
     return {name: got.suggestedFilename(), bytes: readFileSync(await got.path())};
   };
+  await studio.seen("rest");
+  const seen = await taken("Download PNG");
+  const pixels = await studio.page.evaluate(() => { const {width, height} = document.querySelector("canvas.picture"); return [width, height]; });
+  assert.deepEqual([seen.bytes.readUInt32BE(16), seen.bytes.readUInt32BE(20)], pixels);
   await studio.page.getByLabel("Size", {exact: true}).first().selectOption("2x");
   const picture = await taken("PNG");
   const box = await studio.page.locator(".surface").boundingBox();

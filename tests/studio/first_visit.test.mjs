@@ -1,37 +1,19 @@
 // The first visit, a server that wants a token, a lost connection, the dial, and no violation that axe finds in any of it.
 import assert from "node:assert/strict";
-import {readFileSync} from "node:fs";
-import {createRequire} from "node:module";
-import {after, before, test} from "node:test";
-import {Server} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {test} from "node:test";
+import {violations} from "./support/axe.mjs";
+import {chrome, server, serverWith, start} from "./support/own.mjs";
+import {Studio} from "./support/studio.mjs";
 
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8");
-let chrome;
-const servers = [];
-
-before(async () => { chrome = await browser(); });
-after(async () => {
-  await chrome?.close();
-  for (const server of servers) await server.stop();
-});
-
-async function serverWith(...arguments_) {
-  const server = await Server.start(arguments_);
-  servers.push(server);
-  return server;
-}
+start();
 
 async function accessible(page, colorScheme) {
   await page.emulateMedia({colorScheme});
-  await page.evaluate(axe);
-  const {violations} = await page.evaluate(() => window.axe.run());
-  assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html).join(" | ")}`), []);
+  assert.deepEqual(await violations(page), []);
 }
 const bothColours = async (page) => { for (const colours of ["dark", "light"]) await accessible(page, colours); };
 
 test("a first visit finds a fox and three hints, which go for good", async () => {
-  const server = await serverWith();
   const studio = await Studio.open(chrome, server.address);
   await studio.page.evaluate(() => localStorage.removeItem("pelage.welcomed"));
   await studio.page.getByText(/The creature grows its fur|The first picture is drawn/).waitFor();
@@ -70,8 +52,7 @@ test("a server with a token is asked again once the token is given", async () =>
   await page.reload();
   await studio.seen();
   assert.equal(await box.count(), 0);
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });
 
 test("a lost connection is said with what is kept, until it is mended", async () => {
@@ -87,8 +68,7 @@ test("a lost connection is said with what is kept, until it is mended", async ()
   await server.run();
   await studio.settled(server, id, 1);
   await studio.page.locator(".offline").waitFor({state: "detached", timeout: 30000});
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });
 
 test("the dial is chosen by keys, says what its stops take, and compares with the reference", async () => {
@@ -124,8 +104,7 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
   }
   await page.keyboard.press("Escape");
   assert.equal(await page.getByRole("dialog").count(), 0);
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });
 
 test("the panel of files has no violation", async () => {
@@ -138,6 +117,5 @@ test("the panel of files has no violation", async () => {
   await bothColours(studio.page);
   await studio.page.getByRole("button", {name: "Remove axe", exact: true}).click();
   await bothColours(studio.page);
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });

@@ -1,28 +1,15 @@
 // What a hand does on the model: mouse, pen and touch, with every way that a tool works.
 import assert from "node:assert/strict";
-import {after, before, test} from "node:test";
-import {Server} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {test} from "node:test";
+import {openStudio, server, start} from "./support/own.mjs";
 
-let server, chrome, studio, id;
-
-before(async () => {
-  server = await Server.start();
-  chrome = await browser();
-});
-after(async () => {
-  await chrome?.close();
-  await server?.stop();
-});
+let studio, id;
+start();
 
 async function fresh(name, context = {}) {
   id = (await server.creature(name)).id;
-  studio = await Studio.open(chrome, server.address, {scene: id, context});
+  studio = await openStudio({scene: id, context});
   await studio.ready();
-}
-async function finish() {
-  studio.quiet();
-  await studio.close();
 }
 const steps = async () => (await server.get(`/v1/scenes/${id}/log`)).entries;
 const commandsOf = (entry) => [entry.commands].flat();
@@ -43,7 +30,7 @@ test("a drag on the fur is one undo step of the comb, and the picture follows", 
   await studio.page.keyboard.press("Control+Shift+Z");
   await studio.page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);
   assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 1);
-  await finish();
+  await studio.finish();
 });
 
 test("beside the model a drag turns the view and changes nothing", async () => {
@@ -60,7 +47,7 @@ test("beside the model a drag turns the view and changes nothing", async () => {
   await studio.seen("rest");
   assert.ok(new Set(cameras).size > 2, `the camera moves: ${cameras.join()}`);
   assert.equal((await server.get(`/v1/scenes/${id}`)).revision, 0);
-  await finish();
+  await studio.finish();
 });
 
 test("Ctrl inverts, Shift smooths, [ and ] size the brush", async () => {
@@ -88,7 +75,7 @@ test("Ctrl inverts, Shift smooths, [ and ] size the brush", async () => {
   assert.equal(made[0].op, "lift");
   assert.equal(made[0].brush.invert, true);
   assert.equal(made[1].op, "smooth");
-  await finish();
+  await studio.finish();
 });
 
 test("blow and pull act where the hand is", async () => {
@@ -102,7 +89,7 @@ test("blow and pull act where the hand is", async () => {
   await studio.settled(server, id, after_wind + 1);
   const ops = (await steps()).map((entry) => commandsOf(entry)[0].op);
   assert.ok(ops.includes("blow") && ops.includes("attract"), ops.join());
-  await finish();
+  await studio.finish();
 });
 
 test("X mirrors: both sides are combed in one step", async () => {
@@ -125,7 +112,7 @@ test("X mirrors: both sides are combed in one step", async () => {
   const sides = await Promise.all([160, 240].map((x) => server.post(`/v1/scenes/${id}/pick`, {view, pixel: [x, 200]})));
   assert.ok(sides.every(({hit}) => hit));
   assert.ok(Math.abs(sides[0].direction[0] + sides[1].direction[0]) < 0.35, "leans are mirror images");
-  await finish();
+  await studio.finish();
 });
 
 test("a pen's pressure comes to the log", async () => {
@@ -142,7 +129,7 @@ test("a pen's pressure comes to the log", async () => {
   await studio.settled(server, id, 1);
   const pressures = (await steps()).flatMap((entry) => commandsOf(entry)[0].stroke.samples.map(({pressure = 1}) => pressure));
   assert.ok(pressures.some((pressure) => pressure > 0.25 && pressure < 0.9), pressures.join());
-  await finish();
+  await studio.finish();
 });
 
 test("one finger grooms, two move the camera", async () => {
@@ -169,7 +156,7 @@ test("one finger grooms, two move the camera", async () => {
   await touch("touchEnd");
   await studio.page.waitForFunction((count) => window.marks.frame.length > count, pictures);
   assert.equal((await server.get(`/v1/scenes/${id}`)).undo_steps, 1);
-  await finish();
+  await studio.finish();
 });
 
 test("guides are drawn, moved and deleted, and stay one step", async () => {
@@ -194,7 +181,7 @@ test("guides are drawn, moved and deleted, and stay one step", async () => {
   await studio.page.keyboard.press("Delete");
   for (let tries = 0; tries < 100 && (await lines()).length > 0; ++tries) await studio.page.waitForTimeout(50);
   assert.deepEqual(await lines(), []);
-  await finish();
+  await studio.finish();
 });
 
 test("a flood, and a blower that stays and is moved in the picture", async () => {
@@ -215,5 +202,5 @@ test("a flood, and a blower that stays and is moved in the picture", async () =>
   await studio.page.getByRole("button", {name: "Use", exact: true}).click();
   await studio.settled(server, id, 4);
   assert.equal(commandsOf((await steps()).at(-1))[0].blower, placed.name);
-  await finish();
+  await studio.finish();
 });

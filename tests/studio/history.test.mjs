@@ -2,20 +2,12 @@
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import {dirname} from "node:path";
-import {after, before, test} from "node:test";
-import {Server, bin} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {test} from "node:test";
+import {openStudio, server, start} from "./support/own.mjs";
+import {bin} from "./support/server.mjs";
 
-let server, chrome, studio, page, id;
-
-before(async () => {
-  server = await Server.start();
-  chrome = await browser();
-});
-after(async () => {
-  await chrome?.close();
-  await server?.stop();
-});
+let studio, page, id;
+start();
 
 const path = (of) => `/v1/scenes/${id}/${of}`;
 const command = (body) => server.post(path("commands"), body);
@@ -32,14 +24,10 @@ async function open(name, panel, commands, context = {}) {
   id = (await server.creature(name)).id;
   const revisions = [];
   for (const one of commands) revisions.push((await command(one)).revision);
-  studio = await Studio.open(chrome, server.address, {scene: id, kept: {panel, author: "me"}, context});
+  studio = await openStudio({scene: id, kept: {panel, author: "me"}, context});
   page = studio.page;
   await studio.seen();
   return revisions;
-}
-async function finish() {
-  studio.quiet();
-  await studio.close();
 }
 const step = (revision) => page.locator(".step").filter({has: page.locator(".step-revision", {hasText: new RegExp(`^r${revision}$`)})});
 const go = (revision) => step(revision).locator(".step-go").click();
@@ -78,7 +66,7 @@ test("going to a step undoes and redoes where that leads there, and reverts wher
   assert.equal(await hashes(), at_three);
   await page.locator(".step-here .step-revision", {hasText: "r3"}).waitFor();
   assert.equal(await page.locator(".step-out", {hasText: "Lift everywhere"}).count(), 1);
-  await finish();
+  await studio.finish();
 });
 
 test("an earlier step changes after a dry run, with its stroke as it was, and can be dropped", async () => {
@@ -110,7 +98,7 @@ test("an earlier step changes after a dry run, with its stroke as it was, and ca
   await page.keyboard.press("Control+z");
   await studio.settled(server, id, amended.revision + 3);
   assert.equal(await hashes(), amended.fields_hash);
-  await finish();
+  await studio.finish();
 });
 
 test("a copied step runs as it stands: pelage, curl, Python and JSON", async () => {
@@ -132,7 +120,7 @@ test("a copied step runs as it stands: pelage, curl, Python and JSON", async () 
     assert.equal(newest.commands.stroke.samples.length, 2);
   }
   assert.equal(JSON.parse(await copied("JSON")).op, "comb");
-  await finish();
+  await studio.finish();
 });
 
 test("text that must not go to the clipboard is shown to be copied by hand", async () => {
@@ -143,7 +131,7 @@ test("text that must not go to the clipboard is shown to be copied by hand", asy
   assert.match(await page.getByLabel("Text to copy").inputValue(), /"op": "length"/);
   await page.keyboard.press("Escape");
   await page.getByLabel("Text to copy").waitFor({state: "detached"});
-  await finish();
+  await studio.finish();
 });
 
 test("checkpoints are named and gone to; a branch opens as a scene of its own", async () => {
@@ -166,7 +154,7 @@ test("checkpoints are named and gone to; a branch opens as a scene of its own", 
   await page.locator(".scene-name", {hasText: "named r2"}).waitFor();
   const {scenes} = await server.get("/v1/scenes");
   assert.equal(scenes.find(({name}) => name === "named r2").revision, 2);
-  await finish();
+  await studio.finish();
 });
 
 test("layers are added, weighed, muted, moved, merged and removed", async () => {
@@ -225,7 +213,7 @@ test("layers are added, weighed, muted, moved, merged and removed", async () => 
   assert.ok(await page.getByLabel("Base groom").isChecked(), "the tools' layer is gone");
   await button("Remove layer 2").click();
   await until((all) => all.length === 0);
-  await finish();
+  await studio.finish();
 });
 
 test("the mask is shown, inverted, painted and cleared", async () => {
@@ -261,7 +249,14 @@ test("the mask is shown, inverted, painted and cleared", async () => {
   assert.equal(painted.op, "paint");
   assert.equal(painted.field, "mask");
   assert.equal(painted.value, 0);
-  await finish();
+  assert.equal(await button("Show").getAttribute("aria-pressed"), "true");
+  await page.keyboard.press("m");
+  await studio.tool("comb");
+  await button("Protect").click();
+  assert.equal(await button("Show").getAttribute("aria-pressed"), "true", "the mask is shown while it is painted");
+  await studio.tool("comb");
+  assert.equal(await button("Show").getAttribute("aria-pressed"), "false", "and not longer");
+  await studio.finish();
 });
 
 test("an earlier revision is wiped over the present one and follows the camera", async () => {
@@ -294,12 +289,12 @@ test("an earlier revision is wiped over the present one and follows the camera",
   assert.ok(asked.filter(({revision}) => revision === 1).every(({overlay}) => overlay !== "difference"), "the earlier one is shown as it was");
   await button("Close the comparison").click();
   await divider.waitFor({state: "detached"});
-  await finish();
+  await studio.finish();
 });
 
 test("a batch is one step with the words of its first command", async () => {
   await open("batch", "history", [{commands: [{op: "length", flood: true, value: 0.02}, {op: "noise", flood: true, amount: 0.2}]}]);
   await page.locator(".step-name", {hasText: "Length everywhere and 1 more"}).waitFor();
   await more(1);
-  await finish();
+  await studio.finish();
 });

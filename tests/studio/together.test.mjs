@@ -1,25 +1,15 @@
 // Two people on one scene, and a server that dies under the hand: no stroke is lost, none is done twice.
 import assert from "node:assert/strict";
-import {after, before, test} from "node:test";
-import {Server} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {test} from "node:test";
+import {openStudio, server, start} from "./support/own.mjs";
 
-let server, chrome;
-
-before(async () => {
-  server = await Server.start();
-  chrome = await browser();
-});
-after(async () => {
-  await chrome?.close();
-  await server?.stop();
-});
+start();
 
 const strokesOf = (entries) => entries.flatMap(({commands}) => (commands === undefined ? [] : [commands].flat())).flatMap(({stroke}) => stroke ?? []);
 
 test("both see what the other does, and nothing is lost", async () => {
   const {id} = await server.creature("shared");
-  const studios = await Promise.all([0, 1].map(() => Studio.open(chrome, server.address, {scene: id})));
+  const studios = await Promise.all([0, 1].map(() => openStudio({scene: id})));
   for (const studio of studios) {
     studio.expected.push(/status of 422/);  // an edit of the other one ends a stroke, which goes on as a new one
     await studio.ready();
@@ -35,14 +25,13 @@ test("both see what the other does, and nothing is lost", async () => {
   const {revision} = await server.get(`/v1/scenes/${id}`);
   for (const studio of studios) {
     await studio.page.waitForFunction((wanted) => window.marks.frame.some((frame) => frame.revision >= wanted), revision, {timeout: 60000});
-    studio.quiet();
-    await studio.close();
+    await studio.finish();
   }
 });
 
 test("the server is killed in the middle of a stroke and comes back", async () => {
   const {id} = await server.creature("killed");
-  const studio = await Studio.open(chrome, server.address, {scene: id});
+  const studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/, /ERR_CONNECTION_REFUSED|ERR_EMPTY_RESPONSE|ERR_CONNECTION_RESET|ERR_INCOMPLETE_CHUNKED_ENCODING/);
   await studio.ready();
   const path = Array.from({length: 40}, (_, k) => [0.42 + 0.004 * k, 0.5 - 0.001 * k]);
@@ -64,13 +53,12 @@ test("the server is killed in the middle of a stroke and comes back", async () =
   const parts = new Set(strokes.map(({id: stroke}) => stroke)).size;
   assert.ok(times.length >= 30, `${times.length} samples of 40 came`);
   assert.equal(new Set(times).size, times.length - (parts - 1), "no part is done twice");  // what goes on begins with the sample before it
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });
 
 test("what a page could not send before it was closed is sent by the next one", async () => {
   const {id} = await server.creature("closed");
-  const studio = await Studio.open(chrome, server.address, {scene: id});
+  const studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/, /ERR_/);
   await studio.ready();
   await server.kill();

@@ -1,24 +1,14 @@
 // The picture: drafts while something moves, the whole picture at rest, strands when it rests longer; and the ring meanwhile.
 import assert from "node:assert/strict";
-import {after, before, test} from "node:test";
-import {Server} from "./support/server.mjs";
-import {Studio, browser} from "./support/studio.mjs";
+import {test} from "node:test";
+import {openStudio, server, start} from "./support/own.mjs";
 
-let server, chrome, id;
-
-before(async () => {
-  server = await Server.start();
-  chrome = await browser();
-  id = (await server.creature("view", 2000)).id;
-});
-after(async () => {
-  await chrome?.close();
-  await server?.stop();
-});
+let id;
+start({prepare: async () => { id = (await server.creature("view", 2000)).id; }});
 
 test("draft, then the dial's picture, then strands that get better", async () => {
   const context = {viewport: {width: 1024, height: 700}};
-  const studio = await Studio.open(chrome, server.address, {scene: id, context, kept: {"trace-at-rest": true}});
+  const studio = await openStudio({scene: id, context, kept: {"trace-at-rest": true}});
   await studio.ready();
   await studio.seen("rest");
   await studio.seen("traced");
@@ -29,12 +19,11 @@ test("draft, then the dial's picture, then strands that get better", async () =>
   await studio.drag([[0.5, 0.5], [0.55, 0.5]], {button: "middle"});
   await studio.page.waitForFunction(() => window.marks.frame.some(({stage}) => stage === "turning"));
   await studio.seen("rest");
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });
 
 test("the picture fits the window, and a dense screen gets its pixels at rest", async () => {
-  const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1024, height: 700}, deviceScaleFactor: 2}});
+  const studio = await openStudio({scene: id, context: {viewport: {width: 1024, height: 700}, deviceScaleFactor: 2}});
   await studio.ready();
   await studio.seen("rest");
   const size = () => studio.page.evaluate(() => {
@@ -49,12 +38,11 @@ test("the picture fits the window, and a dense screen gets its pixels at rest", 
     const canvas = document.querySelector("canvas.picture"), box = canvas.getBoundingClientRect();
     return Math.abs(canvas.width / canvas.height - box.width / box.height) < 0.01;
   });
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
 });
 
 test("never more than two frames are in flight", async () => {
-  const studio = await Studio.open(chrome, server.address, {scene: id, before: () => {
+  const studio = await openStudio({scene: id, before: () => {
     const send = window.fetch;
     let now = 0;
     window.most = 0;
@@ -70,6 +58,36 @@ test("never more than two frames are in flight", async () => {
   await studio.seen("rest");
   const most = await studio.page.evaluate(() => window.most);
   assert.ok(most >= 1 && most <= 2, `${most} at once`);
-  studio.quiet();
-  await studio.close();
+  await studio.finish();
+});
+
+test("the mirrored ring is seen, but not through the body", async () => {
+  const studio = await openStudio({scene: id});
+  studio.expected.push(/willReadFrequently/);  // the test reads what the page only draws
+  await studio.ready();
+  const drawn = () => studio.page.evaluate(async () => {
+    await new Promise((later) => requestAnimationFrame(() => requestAnimationFrame(later)));
+    const sketch = document.querySelector("canvas.sketch"), {width, height} = sketch;
+    // About the middle alone: the frame of the mirror plane is drawn farther out.
+    const {data} = sketch.getContext("2d").getImageData(width * 0.35, height * 0.35, width * 0.3, height * 0.3);
+    return data.reduce((sum, value, k) => sum + (k % 4 === 3 && value > 0 ? 1 : 0), 0);
+  });
+  const mirroring = async (on) => {
+    await studio.page.keyboard.press("x");
+    await studio.page.waitForFunction((wanted) => document.querySelector('[aria-label="Mirror"]').ariaPressed === String(wanted), on);
+  };
+  const counts = {};
+  for (const [view, key, at] of [["side", "4", [0.5, 0.5]], ["front", "1", [0.54, 0.5]]]) {
+    await studio.page.keyboard.press(key);
+    await studio.page.waitForTimeout(600);
+    await studio.page.mouse.move(...await studio.at(...at));
+    const alone = await drawn();
+    await mirroring(true);
+    counts[view] = {alone, mirrored: await drawn()};
+    await mirroring(false);
+  }
+  assert.ok(counts.side.alone > 200, `${counts.side.alone} pixels of a ring`);
+  assert.ok(counts.side.mirrored < counts.side.alone + 100, `${counts.side.mirrored} pixels, more than the ${counts.side.alone} of the ring before the body`);
+  assert.ok(counts.front.mirrored > counts.front.alone + 300, `${counts.front.mirrored} pixels, not more than the ${counts.front.alone} of one ring`);
+  await studio.finish();
 });

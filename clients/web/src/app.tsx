@@ -7,6 +7,7 @@ import {followNews} from "./scene/news";
 import {sendLeftovers} from "./api/outbox";
 import {makeSample, samples} from "./files/samples";
 import {Panels} from "./panels";
+import {followMask} from "./panels/mask";
 import {DropTarget, listenToDrops} from "./shell/drop_target";
 import {KeySheet} from "./shell/key_sheet";
 import {listenToKeys} from "./shell/keys";
@@ -58,7 +59,7 @@ function followAddress() {
 
 function useStart() {
   useEffect(() => {
-    const stops = [listenToKeys(), listenToDrops(), warnOfLoss(), followNews(), followLog(), effect(followAddress), effect(() => { document.documentElement.dataset["theme"] = theme.value; })];
+    const stops = [listenToKeys(), listenToDrops(), warnOfLoss(), followNews(), followLog(), followMask(), effect(followAddress), effect(() => { document.documentElement.dataset["theme"] = theme.value; })];
     openFirst().catch(sayError);
     return () => stops.forEach((stop) => stop());
   }, []);

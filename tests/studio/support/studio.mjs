@@ -19,7 +19,7 @@ export class Studio {
     const settings = {welcomed: true, dial: {kind: "tier", tier: "interactive"}, "trace-at-rest": false, ...kept};
     await studio.context.addInitScript((initial) => {
       for (const [name, value] of Object.entries(initial)) if (localStorage.getItem(`pelage.${name}`) === null) localStorage.setItem(`pelage.${name}`, JSON.stringify(value));
-      window.marks = {frame: [], part: [], ring: [], proxy: []};
+      window.marks = {frame: [], part: [], ring: [], palette: [], proxy: []};
       for (const name of Object.keys(window.marks)) addEventListener(`pelage:${name}`, ({detail}) => window.marks[name].push(detail));
     }, settings);
     await studio.context.addInitScript(before);
@@ -83,5 +83,11 @@ export class Studio {
 
   async close() {
     await this.context.close();
+  }
+
+  /** The end of a test. */
+  async finish() {
+    this.quiet();
+    await this.close();
   }
 }

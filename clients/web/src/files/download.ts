@@ -7,6 +7,7 @@ import {sayError} from "../scene/messages";
 import {scene} from "../scene/session";
 import type {Values} from "../tools/state";
 import {orbit, pinholeOf} from "../view/camera";
+import {pending, shown} from "../view/frames";
 import {dial, plain_request, rest_quality, shared_request} from "../view/quality";
 import {traceToEnd} from "../view/trace";
 import {viewport_size} from "../view/viewport";
@@ -66,7 +67,18 @@ function draw(open: Scene, request: FrameRequest, says: string, stop: AbortContr
   return traceToEnd(open.id, request, {passes: picture_passes, noise: picture_noise}, seen, stop.signal);
 }
 
+/** The picture on the screen where it is what is asked for: at rest, of now and of these pixels. */
+function seenPicture({width, height}: {width: number; height: number}): Blob | null {
+  const seen = shown.value;
+  if (!seen || pending.value || seen.width !== width || seen.height !== height) return null;
+  const {stage, picture} = seen;
+  if (dial.value.kind === "tier" && dial.value.tier === "reference") return picture.trace && picture.trace.end !== "none" ? picture.bytes : null;
+  return stage === "rest" || stage === "traced" ? picture.bytes : null;
+}
+
 export const downloadPicture = (format: "png" | "exr", size: Size, transparent: boolean) => make("Drawing the picture", async (open, stop) => {
+  const seen = format === "png" && !transparent ? seenPicture(pixelsOf(size)) : null;
+  if (seen) return save(seen, fileName(open, format));
   const shared = format === "exr" ? plain_request.value : shared_request.value;  // an EXR has no overlay
   const request: FrameRequest = {...shared, ...rest_quality.value, ...pixelsOf(size), camera: pinholeOf(orbit.value), view: `${page_id}-file`, format};
   if (transparent) request.background = "transparent";

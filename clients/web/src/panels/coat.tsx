@@ -53,7 +53,7 @@ export function CoatPanel() {
   return (
     <>
       <Patch />
-      <details class="group"><summary>Looks to begin with</summary><Looks /></details>
+      <details class="group" open><summary>Looks to begin with</summary><Looks /></details>
       {groups.map((group) => {
         const own = members.filter((member) => groupOf(member) === group);
         return own.length > 0 && <Group key={group.label} label={group.label} members={own} open={group.open} />;

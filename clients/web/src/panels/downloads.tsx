@@ -60,7 +60,7 @@ export function Downloads() {
   const busy = making.value !== null || !scene.value;
   return (
     <section>
-      <h3>Take away</h3>
+      <h3>Download</h3>
       <Progress />
       <Pictures busy={busy} />
       <Maps busy={busy} />

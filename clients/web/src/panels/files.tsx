@@ -24,8 +24,8 @@ function choose(folder: boolean) {
 
 function OpenFiles() {
   return (
-    <div>
-      <h3>A model of yours</h3>
+    <div class="open-files">
+      <h2>A model of yours</h2>
       <div class="pair">
         <button type="button" class="wide" onClick={() => choose(false)}>Files…</button>
         <button type="button" class="wide" onClick={() => choose(true)}>Folder…</button>
@@ -51,12 +51,11 @@ export function FilesPanel() {
   useEffect(() => { listScenes().catch(sayError); }, []);
   return (
     <>
-      <h2>Files</h2>
       {importing.value && <ImportCard now={importing.value} />}
       <OpenFiles />
-      <SceneList />
-      <Samples />
       <Downloads />
+      <Samples />
+      <SceneList />
     </>
   );
 }

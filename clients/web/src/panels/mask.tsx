@@ -1,10 +1,12 @@
 // Where tools work: 1 is free, 0 is protected.
+import {computed, effect} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {Command} from "../api/types";
 import {run, scene} from "../scene/session";
 import {schemaOf} from "../tools/catalogue";
 import {Form} from "../tools/form";
 import {Icon} from "../tools/icons";
+import {panel} from "../shell/places";
 import {forbidden, membersOf} from "../tools/schema";
 import {current, setValue, valuesOf} from "../tools/state";
 import {overlay} from "../view/quality";
@@ -15,6 +17,22 @@ const edge_members = ["distance", "units", "passes"];
 
 export function toggleMask() {
   overlay.value = overlay.value === "mask" ? "none" : "mask";
+}
+
+const painting = computed(() => panel.value === "tool" && current.value === "paint" && valuesOf("paint")["field"] === "mask");
+
+/** The mask is shown while it is painted, and goes with that: over coat and lights it would only hide them. */
+export function followMask(): () => void {
+  let shown_by_itself = painting.peek() && overlay.peek() === "mask";
+  return effect(() => {
+    if (painting.value && overlay.peek() === "none") {
+      overlay.value = "mask";
+      shown_by_itself = true;
+    } else if (!painting.value && shown_by_itself) {
+      if (overlay.peek() === "mask") overlay.value = "none";
+      shown_by_itself = false;
+    }
+  });
 }
 
 function change(action: string) {
@@ -29,7 +47,6 @@ function paint(value: number) {
   setValue("paint", "field", "mask");
   setValue("paint", "value", value);
   current.value = "paint";
-  overlay.value = "mask";
 }
 
 export function MaskSection() {

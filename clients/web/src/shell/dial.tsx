@@ -5,7 +5,7 @@ import {kept} from "../api/identity";
 import {scene} from "../scene/session";
 import {shownNumber} from "../tools/form";
 import {schemas, words} from "../tools/schema";
-import {measured, stopOf, type Measure, type Stop} from "../view/measured";
+import {durationOf, measured, stopOf, type Measure, type Stop} from "../view/measured";
 import {dial, trace_at_rest} from "../view/quality";
 import {dialog} from "./places";
 
@@ -17,11 +17,6 @@ const says: Record<Stop, string> = {
   draft: "Coarse and quick", interactive: "For grooming", detailed: "Sharp, with shadows", reference: "Every strand, traced",
   budget: "The best within it", error: "The quickest within it",
 };
-
-export function durationOf(milliseconds: number): string {
-  if (milliseconds < 1000) return `${Math.round(milliseconds)} ms`;
-  return milliseconds < 60000 ? `${Number((milliseconds / 1000).toPrecision(2))} s` : `${Math.round(milliseconds / 60000)} min`;
-}
 
 /** "about 60 ms, error .02" */
 function measureWords(measure: Measure | undefined): string {

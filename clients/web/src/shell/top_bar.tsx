@@ -1,7 +1,9 @@
-// Scene, undo and redo, mirror, the dial, help and colours of the page.
+// Scene, undo and redo, mirror, brush, the dial, the picture as a file, help and colours of the page.
 import {author} from "../api/identity";
 import {unsent} from "../api/outbox";
+import {downloadPicture, making} from "../files/download";
 import {redo, scene, settings, undo} from "../scene/session";
+import {BrushBar} from "../tools/brush_bar";
 import {Icon} from "../tools/icons";
 import {DialControl} from "./dial";
 import {toggleMirror} from "./keys";
@@ -20,9 +22,13 @@ export function TopBar() {
         <button type="button" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!open?.undo_steps} onClick={() => void undo()}><Icon sign="undo" /></button>
         <button type="button" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!open?.redo_steps} onClick={() => void redo()}><Icon sign="redo" /></button>
       </div>
-      <button type="button" aria-pressed={mirror} aria-label="Mirror" title="Mirror across the middle (X)" disabled={!open} onClick={toggleMirror}><Icon sign="mirror" /></button>
+      <button type="button" aria-pressed={mirror} aria-label="Mirror" title="Mirror across the middle (X)" disabled={!open} onClick={toggleMirror}><Icon sign="mirror" /><span class="word">Mirror</span></button>
+      <span class="grow" />
+      <BrushBar />
       <span class="grow" />
       <DialControl />
+      <button type="button" aria-label="Download PNG" title="Download the picture as it is seen; sizes and other files are under Files" disabled={!open || making.value !== null}
+              onClick={() => void downloadPicture("png", "1x", false)}><Icon sign="download" /><span class="word">{making.value ? "Wait" : "PNG"}</span></button>
       {unsent.value > 3 && <span class="unsent" role="status">{unsent.value} changes on their way</span>}
       <label class="author" title="Others see this name beside your edits"><Icon sign="people" />
         <input type="text" aria-label="Your name" value={author.value} maxLength={40} size={Math.max(6, author.value.length)}

@@ -16,7 +16,7 @@ export interface Tool {
 const not_for_forms = ["op", "stroke", "brush", "flood", "edit_layer"];
 /** Members that the hand gives on the model, not the form. */
 const by_hand: Partial<Record<Op, string[]>> = {
-  blow: ["source", "direction"], attract: ["point"], flow: ["curves"], interpolate: ["keys"], erase: ["revision"],
+  blow: ["source", "direction", "blower"], attract: ["point", "attractor"], flow: ["curves"], interpolate: ["keys"], erase: ["revision"],
 };
 
 /** In the order of the contract. */

@@ -26,16 +26,25 @@ export function sliderEnd(member: Member): {min: number; max: number; step: numb
 
 export const shownNumber = (value: number) => (Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(3))));
 
+/** A slider's share of its way for a number of the member, and back. */
+export function scaleOf(member: Member) {
+  const {min, max, step, curve} = sliderEnd(member);
+  const whole = member.kind === "integer";
+  return {
+    step: whole ? step / (max - min) : 0.005,
+    shareOf: (number: number) => Math.pow(Math.max(0, (Math.min(number, max) - min) / (max - min)), 1 / curve),
+    numberOf: (share: number) => {
+      const raw = min + (max - min) * Math.pow(share, curve);
+      return whole ? Math.round(raw) : Number(raw.toPrecision(3));
+    },
+  };
+}
+
 function NumberRow({member, value, set, units}: {member: Member; value: unknown; set: (value: number, done: boolean) => void; units: unknown}) {
   const id = useId();
-  const {min, max, step, curve} = sliderEnd(member);
+  const {step, shareOf, numberOf} = scaleOf(member);
   const number = typeof value === "number" ? value : Number(member.fallback ?? member.schema.minimum ?? 0);
-  const at = Math.pow(Math.max(0, (Math.min(number, max) - min) / (max - min)), 1 / curve);
-  const of = (share: number) => {
-    const raw = min + (max - min) * Math.pow(share, curve);
-    return member.kind === "integer" ? Math.round(raw) : Number(raw.toPrecision(3));
-  };
-  const slide = (event: Event, done: boolean) => set(of(Number((event.currentTarget as HTMLInputElement).value)), done);
+  const slide = (event: Event, done: boolean) => set(numberOf(Number((event.currentTarget as HTMLInputElement).value)), done);
   const type = (event: Event) => {
     const typed = Number((event.currentTarget as HTMLInputElement).value);
     if (Number.isFinite(typed)) set(typed, true);
@@ -44,7 +53,7 @@ function NumberRow({member, value, set, units}: {member: Member; value: unknown;
   return (
     <div class="row" title={plain(member.description)}>
       <label for={id}>{words(member.name)}</label>
-      <input id={id} type="range" min="0" max="1" step={member.kind === "integer" ? step / (max - min) : 0.005} value={at} aria-valuetext={`${shownNumber(number)} ${unit}`}
+      <input id={id} type="range" min="0" max="1" step={step} value={shareOf(number)} aria-valuetext={`${shownNumber(number)} ${unit}`}
              onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
       <input type="number" aria-label={`${words(member.name)}, as a number`} value={shownNumber(number)} step="any" onChange={type} />
       <span class="unit">{unit}</span>

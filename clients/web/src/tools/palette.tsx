@@ -1,20 +1,43 @@
-// Every tool of the contract, as icons.
+// Every tool of the contract: icon and name, tools of one kind together.
+import {useEffect} from "preact/hooks";
+import type {Op} from "../api/types";
+import {mark} from "../scene/marks";
 import {current, in_hand} from "./state";
-import {tools} from "./catalogue";
+import {tools, type Tool} from "./catalogue";
 import {ToolIcon} from "./icons";
 import {plain, words} from "./schema";
 import {shortcutOf} from "../shell/keys";
 
+/** A tool that the contract gets later comes last, with paint. */
+const groups: {label: string; of: Op[]}[] = [
+  {label: "Direction", of: ["comb", "blow", "attract", "interpolate", "flow"]},
+  {label: "Order", of: ["smooth", "noise", "unify", "part", "whorl"]},
+  {label: "Length", of: ["length", "trim", "lift", "erase"]},
+  {label: "Shape", of: ["clump", "curl"]},
+  {label: "Paint", of: []},
+];
+const groupOf = (op: Op) => groups.find(({of}) => of.includes(op)) ?? groups[groups.length - 1]!;
+
+function ToolButton({tool: {op, says}}: {tool: Tool}) {
+  const key = shortcutOf(op);
+  return (
+    <button type="button" class="tool" aria-pressed={current.value === op} data-tool={op}
+            data-held={in_hand.value === op && current.value !== op ? "" : undefined}
+            title={`${words(op)}${key ? ` (${key})` : ""}. ${plain(says)}`} aria-label={words(op)} onClick={() => { current.value = op; }}>
+      <ToolIcon op={op} /><span>{words(op)}</span>
+    </button>
+  );
+}
+
 export function Palette() {
+  const all = tools.value;
+  useEffect(() => { if (all.length) mark("palette", {at: performance.now()}); }, [all]);
   return (
     <nav class="palette" aria-label="Tools">
-      {tools.value.map((tool) => (
-        <button key={tool.op} type="button" class="tool" aria-pressed={current.value === tool.op} data-tool={tool.op}
-                data-held={in_hand.value === tool.op && current.value !== tool.op ? "" : undefined}
-                title={`${words(tool.op)}${shortcutOf(tool.op) ? ` (${shortcutOf(tool.op)})` : ""}. ${plain(tool.says)}`} aria-label={words(tool.op)}
-                onClick={() => { current.value = tool.op; }}>
-          <ToolIcon op={tool.op} />
-        </button>
+      {groups.map((group) => (
+        <div key={group.label} class="tool-group" role="group" aria-label={group.label}>
+          {all.filter(({op}) => groupOf(op) === group).map((tool) => <ToolButton key={tool.op} tool={tool} />)}
+        </div>
       ))}
     </nav>
   );

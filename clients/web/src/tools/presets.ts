@@ -9,6 +9,7 @@ export const presets: Partial<Record<Op, Preset[]>> = {
     {name: "Brush up", values: {lean: 0.35}, brush: {strength: 0.6}},
     {name: "Turn only", values: {keep_inclination: true}, brush: {strength: 0.8}},
   ],
+  blow: [{name: "Breeze", values: {strength: 0.3}}, {name: "Dryer", values: {strength: 0.8, lean: 0.8}, brush: {radius: 0.12}}],
   length: [
     {name: "Short", values: {value: 0.012}}, {name: "Long", values: {value: 0.06}},
     {name: "Grow", values: {mode: "scale", value: 1.15}}, {name: "Even out", values: {mode: "average"}},

@@ -1,4 +1,5 @@
 // The tool in hand: what it does, its settings, the brush, and the same everywhere at once.
+import type {Op} from "../api/types";
 import {run, settings} from "../scene/session";
 import {MaskSection} from "../panels/mask";
 import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
@@ -9,6 +10,17 @@ import {presets} from "./presets";
 import {forbidden, plain, words} from "./schema";
 import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, valuesOf} from "./state";
 import pictures from "./pictures";
+
+/** What the hand does where the name does not say it. */
+const hands: Partial<Record<Op, string>> = {
+  blow: "Drag over the fur: the wind comes from where you look, at what the ring covers.",
+  attract: "Press on the fur, drag away and let go: it points there.",
+  part: "Drag along the line of the parting.",
+  whorl: "Drag where the fur is to turn.",
+};
+
+/** The first sentence: the rest is for those who write commands. */
+const firstSentence = (text: string) => `${plain(text).split(/[;.](?:\s|$)/)[0]!}.`;
 
 const main_brush = ["radius", "strength", "falloff"];
 
@@ -83,7 +95,8 @@ export function ToolPanel() {
   const picture = pictures[op];
   return (
     <>
-      <header class="tool-head"><ToolIcon op={op} /><div><h2>{words(op)}</h2><p>{plain(tool.says)}</p></div></header>
+      <header class="tool-head"><ToolIcon op={op} /><div><h2>{words(op)}</h2><p title={plain(tool.says)}>{firstSentence(tool.says)}</p></div></header>
+      {hands[op] && <p class="help">{hands[op]}</p>}
       {picture && <img class="tool-picture" src={picture} alt={`Fur before and after ${words(op)}`} width="288" height="120" loading="lazy" />}
       <Presets tool={tool} />
       <Form members={tool.members} values={values} hidden={without} set={(name, value) => setValue(op, name, value)} />

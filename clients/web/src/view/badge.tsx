@@ -1,8 +1,7 @@
 // What is seen, said quietly: stage, how far it has come, time and revision.
 import {offline, unsent} from "../api/outbox";
-import {revision} from "../scene/session";
-import {shown, type Shown} from "./frames";
-import {millisecondsOf} from "./measured";
+import {pending, shown, type Shown} from "./frames";
+import {durationOf, millisecondsOf} from "./measured";
 
 function stageWords({stage, picture}: Shown): string {
   if (stage === "draft" || stage === "turning") return "draft";
@@ -20,8 +19,9 @@ export function Badge() {
       {seen && <>
         <span class={`dot dot-${seen.stage}`} aria-hidden="true" />
         <span class="badge-stage">{stageWords(seen)}</span>
-        <span title="Time that the server took for this picture">{Math.round(millisecondsOf(seen.picture))} ms</span>
-        <span title="Revision of the picture">r{seen.picture.revision}{seen.picture.revision < revision.value ? "…" : ""}</span>
+        <span title="Time that the server took for this picture">{durationOf(millisecondsOf(seen.picture))}</span>
+        <span title="Revision of the picture">r{seen.picture.revision}</span>
+        {pending.value && <span class="badge-pending">drawing…</span>}
       </>}
     </div>
   );

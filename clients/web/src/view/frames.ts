@@ -1,7 +1,7 @@
 // Which picture to ask for next: what a short time gives while the camera moves, drafts of strokes and settings, the dial's picture
 // at rest, traced strands when it rests longer.
 // At most two requests are in flight; the newest picture wins.
-import {signal} from "@preact/signals";
+import {computed, signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, drawFrame, type FrameNews, type Picture} from "../api/client";
 import {page_id} from "../api/identity";
 import type {FrameRequest, Pinhole} from "../api/types";
@@ -11,7 +11,8 @@ import {note} from "./measured";
 import {dial, rest_quality, shared_request, wants_trace, type Dial} from "./quality";
 
 export type Stage = "turning" | "draft" | "rest" | "traced";
-export interface Shown { stage: Stage; picture: Picture; asked: number; shown: number }
+/** `state` is what was to be seen when it was asked for. */
+export interface Shown { stage: Stage; state: number; picture: Picture; width: number; height: number; asked: number; shown: number }
 export interface Wish { scene: string; camera: Pinhole; width: number; height: number; ratio: number; revision: number }
 
 const rest_after = 140;      // ms without movement
@@ -22,8 +23,12 @@ const again_after = 1000;     // ms after a lost connection or a full server
 const trace_wait = 20;       // s
 const news_wait = 1;         // s that a draft waits for the stroke that is under way to arrive
 
-/** What is seen now, for the badge. */
+/** What is seen now. */
 export const shown = signal<Shown | null>(null);
+/** What is to be seen: grows with each change of it. */
+const wanted = signal(0);
+/** Whether what is seen is older than what is to be seen. */
+export const pending = computed(() => shown.value?.state !== wanted.value);
 
 const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
 
@@ -31,7 +36,6 @@ const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
 interface Ask { number: number; state: number; stage: Stage; slot: number; dial: Dial; stop: AbortController }
 
 export class FrameLoop {
-  private state = 0;             // grows with each change of what is to be seen
   private asked = 0;
   private shown_number = 0;
   private done: Record<Stage, number> = {turning: -1, draft: -1, rest: -1, traced: -1};  // the state that each stage has shown
@@ -45,18 +49,27 @@ export class FrameLoop {
   private in_flight = new Set<Ask>();
 
   /** `present` puts a picture on the screen. */
-  constructor(private readonly wish: () => Wish | null, private readonly present: (bytes: Blob) => Promise<void>) {}
+  constructor(private readonly wish: () => Wish | null, private readonly present: (picture: ImageBitmap) => void) {}
+
+  private get state() { return wanted.peek(); }
 
   /** Something that is seen has changed. `moving`: more will follow at once. `turning`: it is the camera that moves. `news`: a stroke
    * is on its way to the server. */
   touch({moving = false, turning = false, news = false} = {}) {
-    ++this.state;
+    wanted.value = this.state + 1;
     this.passes = 0;
     this.news ||= news;
     if (moving || turning) this.moving_until = performance.now() + rest_after;
     if (turning) this.turning_until = this.moving_until;
     for (const ask of this.in_flight) if (ask.stage === "rest" || ask.stage === "traced") ask.stop.abort();
     this.pump();
+  }
+
+  /** Another model: what is seen and what is under way show the one before. */
+  forget() {
+    for (const ask of this.in_flight) ask.stop.abort();
+    this.shown_number = this.asked + 1;
+    shown.value = null;
   }
 
   stop() {
@@ -130,13 +143,16 @@ export class FrameLoop {
       return;
     }
     if (ask.number < this.shown_number) return;
-    this.shown_number = ask.number;
     const answered = performance.now();
-    await this.present(picture.bytes);
+    const bitmap = await createImageBitmap(picture.bytes);
+    if (ask.number < this.shown_number) return bitmap.close();  // a newer one was decoded sooner
+    this.shown_number = ask.number;
+    const {width, height} = bitmap;  // nothing of it is left once it is on the screen
+    this.present(bitmap);
     const now = performance.now();
     mark("frame", {stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
     note(ask.stage, ask.dial, picture);
-    shown.value = {stage: ask.stage, picture, asked, shown: now};
+    shown.value = {stage: ask.stage, state: ask.state, picture, width, height, asked, shown: now};
     this.finish(ask, picture, now);
   }
 

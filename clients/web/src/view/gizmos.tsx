@@ -24,6 +24,7 @@ interface Gizmo {
   live?: (to: Vector, done: boolean) => void;
   place?: (x: number, y: number) => Vector;
   chosen?: boolean;
+  text?: string;
   pressed?: () => void;
 }
 
@@ -81,7 +82,7 @@ function lights(): Gizmo[] {
       live_lights.set(next, false);
       if (done) live_lights.set(next, true);
     };
-    return {name: `Light ${k + 1}`, shape: "light" as const, at, to: ball.middle, live, chosen: k === chosen_light.value, pressed: () => { chosen_light.value = k; },
+    return {name: `Light ${k + 1}`, shape: "light" as const, text: String(k + 1), at, to: ball.middle, live, chosen: k === chosen_light.value, pressed: () => { chosen_light.value = k; },
             ...(directional ? {place: (x: number, y: number) => onBall(x, y, at, ball)} : {})};
   });
 }
@@ -104,7 +105,7 @@ export function Gizmos() {
       </svg>
       {shown.map((gizmo) => (
         <Handle key={gizmo.name} at={dragged.value?.name === gizmo.name ? dragged.value.to : gizmo.at} shape={gizmo.shape} label={gizmo.name}
-                chosen={gizmo.chosen ?? false} {...(gizmo.place ? {place: gizmo.place} : {})} {...(gizmo.pressed ? {pressed: gizmo.pressed} : {})}
+                chosen={gizmo.chosen ?? false} {...(gizmo.text ? {text: gizmo.text} : {})} {...(gizmo.place ? {place: gizmo.place} : {})} {...(gizmo.pressed ? {pressed: gizmo.pressed} : {})}
                 moved={(to, done) => {
                   if (gizmo.live) return gizmo.live(to, done);
                   dragged.value = {name: gizmo.name, to};

@@ -10,6 +10,8 @@ export interface HandleProps {
   label: string;
   shape?: "dot" | "arrow" | "light" | "star";
   chosen?: boolean;
+  /** Written on it. */
+  text?: string;
   /** While it is dragged; `done` with the last place. */
   moved: (to: Vector, done: boolean) => void;
   pressed?: () => void;
@@ -20,7 +22,7 @@ export interface HandleProps {
 
 export const projectionNow = () => new Projection(orbit.value, viewport_size.value.width, viewport_size.value.height);
 
-export function Handle({at, label, shape = "dot", chosen = false, moved, pressed, remove, place}: HandleProps) {
+export function Handle({at, label, shape = "dot", chosen = false, text, moved, pressed, remove, place}: HandleProps) {
   const dragging = useRef(false);
   const last = useRef(at);
   const start = useRef(at);
@@ -64,6 +66,6 @@ export function Handle({at, label, shape = "dot", chosen = false, moved, pressed
   return (
     <button type="button" class={`handle handle-${shape}${chosen ? " handle-chosen" : ""}`} aria-label={label} title={label}
             style={{transform: `translate(${pixel[0]}px, ${pixel[1]}px)`}}
-            onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={up} onKeyDown={key} />
+            onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={up} onKeyDown={key}>{text}</button>
   );
 }

@@ -23,6 +23,12 @@ export function millisecondsOf({timings}: Picture): number {
   return draw + shadow + upload + read + encode + trace;
 }
 
+/** "60 ms", "3.2 s", "4 min" */
+export function durationOf(milliseconds: number): string {
+  if (milliseconds < 1000) return `${Math.round(milliseconds)} ms`;
+  return milliseconds < 60000 ? `${Number((milliseconds / 1000).toPrecision(2))} s` : `${Math.round(milliseconds / 60000)} min`;
+}
+
 export const stopOf = (dial: Dial): Stop => (dial.kind === "tier" ? dial.tier : dial.kind);
 
 function stopShown(stage: Exclude<Stage, "turning">, dial: Dial): Stop {

@@ -11,9 +11,11 @@ import {orbit, pinholeOf, Projection} from "./camera";
 import {Badge} from "./badge";
 import {Compare} from "./compare";
 import {compared} from "./compared";
+import {FirstPicture} from "./first_picture";
 import {FrameLoop} from "./frames";
 import {GuideHandles} from "./guide_handles";
 import {Gizmos} from "./gizmos";
+import {HandHints} from "./hand_hints";
 import {mirrored} from "./mirror";
 import {Navigation} from "./navigation";
 import type {Hit, Proxy} from "./proxy";
@@ -46,7 +48,7 @@ class View {
   constructor(box: HTMLElement, picture: HTMLCanvasElement, private readonly sketch: HTMLCanvasElement) {
     this.picture = picture.getContext("bitmaprenderer")!;
     this.pen = sketch.getContext("2d")!;
-    this.frames = new FrameLoop(() => this.wish(), (bytes) => this.present(bytes));
+    this.frames = new FrameLoop(() => this.wish(), (bitmap) => this.present(bitmap));
     this.navigation = new Navigation(box, {
       size: () => scene.value?.size ?? 1,
       height: () => viewport_size.value.height,
@@ -73,11 +75,18 @@ class View {
     return {...drawn, camera: pinholeOf(orbit.value), width, height, ratio};
   }
 
-  private async present(bytes: Blob) {
-    const bitmap = await createImageBitmap(bytes);
-    this.picture.canvas.width = bitmap.width;
-    this.picture.canvas.height = bitmap.height;
+  private present(bitmap: ImageBitmap) {
+    const {canvas} = this.picture;
+    if (canvas.width !== bitmap.width) canvas.width = bitmap.width;
+    if (canvas.height !== bitmap.height) canvas.height = bitmap.height;
     this.picture.transferFromImageBitmap(bitmap);
+  }
+
+  /** Another model comes: nothing of the one before is seen or found under the pointer. */
+  forget() {
+    this.frames.forget();
+    this.picture.transferFromImageBitmap(null);
+    proxy.value = null;
   }
 
   projection() { return new Projection(orbit.value, viewport_size.value.width, viewport_size.value.height); }
@@ -155,7 +164,7 @@ async function loadProxy(id: string) {
     const loaded = await Proxy.load(id);
     if (scene.value?.id !== id) return;
     proxy.value = loaded;
-    mark("proxy");
+    mark("proxy", {at: performance.now()});
   } catch (error) {
     sayError(error);
   }
@@ -169,7 +178,10 @@ const when = (seen: () => unknown, work: () => void) => effect(() => { seen(); u
 function follow(shown: View): () => void {
   const touch = () => shown.frames.touch();
   const stops = [
-    when(() => model_id.value, () => { if (scene.value) void loadProxy(scene.value.id); }),
+    when(() => model_id.value, () => {
+      shown.forget();
+      if (scene.value) void loadProxy(scene.value.id);
+    }),
     when(() => [revision.value, model_id.value], touch),
     when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], touch),
     when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
@@ -210,12 +222,14 @@ export function Viewport() {
         <canvas class="picture" ref={picture} aria-hidden="true" />
         <canvas class="sketch" ref={sketch} aria-hidden="true" />
       </div>
+      <FirstPicture />
       {place_request.value && <div class="hint-line" role="status">{place_request.value.says} <kbd>Esc</kbd> leaves it.</div>}
       <Compare />
       <Gizmos />
       <GuideHandles />
       <ViewCube />
       <Badge />
+      <HandHints />
     </div>
   );
 }

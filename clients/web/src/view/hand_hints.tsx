@@ -1,0 +1,22 @@
+// What the hand can do now, said quietly below the picture.
+import {toolOf} from "../tools/catalogue";
+import {words} from "../tools/schema";
+import {current, inverting, smoothing} from "../tools/state";
+
+function Hint({keys, does, held = false}: {keys: string; does: string; held?: boolean}) {
+  return <span class={held ? "hint-held" : undefined}><b>{keys}</b> {does}</span>;
+}
+
+export function HandHints() {
+  const op = current.value;
+  if (!toolOf(op)) return null;
+  return (
+    <div class="hand-hints" aria-hidden="true">
+      <Hint keys="Drag" does={words(op).toLowerCase()} />
+      <Hint keys="Ctrl" does="opposite" held={inverting.value} />
+      <Hint keys="Shift" does="smooth" held={smoothing.value} />
+      <Hint keys="Alt" does="turn" />
+      <Hint keys="[ ]" does="size" />
+    </div>
+  );
+}
