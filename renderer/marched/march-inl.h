@@ -58,8 +58,13 @@ struct Segments {
 struct Path {
   Real u0, v0, du, dv;      // tiles
   Real height, rise, bend;  // s(t) = height + rise t + bend t (1 - t)
+  Real length;              // of the fur, sizes
   Real depth;               // factor on the stored depth of a sample
   Int first, side;          // of the level of the atlas: its texels
+  Real level;               // before it is rounded
+  PaintedFields fields;
+  Gathering tuft, clump;
+  PaintedCurl curl;
 
   HWY_INLINE Real height_at(Real t) const { return clamp(height + t * (rise + bend * (1.0f - t)), 0.0f, 0.999999f); }
 };
@@ -80,12 +85,6 @@ struct Slab {
   Real opacity, at, height, light, slope_x, slope_y, number;
   Vec3 colour;
 };
-
-/// Four bytes of a texel.
-struct Texel {
-  Real x, y, z, w;
-};
-HWY_INLINE Texel texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
 
 /// Texels of a place on the periodic tile.
 class TilePlace {
@@ -145,13 +144,52 @@ class TilePlace {
   }
 };
 
+/// Share of the optical depth about a place that belongs to strands whose number is below the density (strand_share of
+/// paint_form.glsl): numbers cannot be filtered, so each of four texels counts as a whole.
+HWY_INLINE Real strand_share(const TilePlace& place, Real x, Real y, Real density, Real sharp) {
+  constexpr float finest_shared = 3;  // the level from which on texels hold several strands
+  const Mask thinned = density < 1.0f, single = sharp < finest_shared;
+  if (!any(thinned)) return 1.0f;
+  if (!any(thinned & single)) return min(density, 1.0f);
+  const Real x0 = floor(x - 0.5f), y0 = floor(y - 0.5f), px = x - 0.5f - x0, py = y - 0.5f - y0;
+  Real whole_depth = 1e-6f, kept = 0.0f;
+  for (int k = 0; k < 4; ++k) {
+    const Int at_x = hn::Add(to_int(x0), whole(k & 1)), at_y = hn::Add(to_int(y0), whole(k >> 1));
+    const Int word = place.word(at_x, at_y);
+    const Real near = (k & 1 ? px : 1.0f - px) * (k & 2 ? py : 1.0f - py);
+    const Real depth = near * byte_of<3>(gather(place.atlas.shapes.data(), word));
+    whole_depth += depth;
+    kept += select(byte_of<3>(gather(place.atlas.colours.data(), word)) < density, depth, 0.0f);
+  }
+  return select(thinned, select(single, kept / whole_depth, density), 1.0f);
+}
+
+/// Where strands that gather and curl have their root, and how dense they are, at a height of a segment.
+HWY_INLINE Gathered bent_at(const MarchScene& scene, const Path& path, Real height) {
+  Gathered bent{{0.0f, 0.0f}, 1.0f};
+  if (scene.optics.tufts.volume) bent = gathered_at(path.tuft, height);
+  if (!scene.optics.paint.form) return bent;
+  const Gathered clump = gathered_at(path.clump, height);
+  const float length = static_cast<float>(nominal_length) * scene.optics.frame.tile.x;
+  bent.shift += clump.shift - curl_offset(path.curl, height) * length;
+  bent.depth *= clump.depth * path.fields.width;
+  return bent;
+}
+
 HWY_INLINE void take_sample(const MarchScene& scene, const Path& path, Real t, Slab& slab) {
-  const Real height = path.height_at(t), u = mul_add(path.du, t, path.u0), v = mul_add(path.dv, t, path.v0);
+  const Real height = path.height_at(t);
+  Vec2 at{mul_add(path.du, t, path.u0), mul_add(path.dv, t, path.v0)};
+  Real share = 1.0f;
+  if (scene.bends) {
+    const Gathered bent = bent_at(scene, path, height);
+    at += bent.shift, share = bent.depth;
+  }
   const TilePlace place(*scene.atlas, path.first, path.side, to_int(height * static_cast<float>(slice_count)));
-  const Real texels = to_real(path.side), x = u * texels, y = v * texels;
+  const Real texels = to_real(path.side), x = at.x * texels, y = at.y * texels;
+  if (scene.optics.paint.form) share *= strand_share(place, x, y, path.fields.density, floor(path.level + 0.5f));
   const Int nearest_x = to_int(floor(x)), nearest_y = to_int(floor(y));
   const Texel shape = scene.smooth ? place.smooth_shape(x, y) : place.shape(nearest_x, nearest_y);
-  const Real weight = (1.0f - slab.opacity) * (1.0f - exp2(-path.depth * shape.w));
+  const Real weight = (1.0f - slab.opacity) * (1.0f - exp2(-path.depth * share * shape.w));
   slab.opacity += weight;
   slab.at += weight * t, slab.height += weight * height;
   const Real square = shape.z * shape.z;
@@ -170,11 +208,18 @@ struct Ray {
   Real offset;    // of the samples of this pixel, [0, 1)
 };
 
-HWY_INLINE Int level_of(const FrameBlock& frame, const Ray& ray, Real distance, Vec3 normal) {
+HWY_INLINE Real level_of(const FrameBlock& frame, const Ray& ray, Real distance, Vec3 normal) {
   const Real facing = abs(dot(ray.unit_way, normal));
   const Real pixel = frame.viewpoint.w * distance * ray.size;
   const Real level = log2(pixel * (1 / frame.tile.y)) - 0.25f * log2(max(facing, 0.2f));
-  return to_int(clamp(floor(level + 0.5f), 0.0f, slice_levels - 1.0f));
+  return clamp(level, 0.0f, slice_levels - 1.0f);
+}
+
+/// The tile's u axis, unit.
+HWY_INLINE Vec3 tile_axis_of(const MarchScene& scene, const Segments& segments) {
+  const Int axes = hn::Mul(hn::LoadU(int_tag, segments.piece), whole(sizeof(PieceAxes) / sizeof(float)));
+  const float* first = &scene.mesh.axes[0].tile_u.x;
+  return {gather(first, axes), gather(first + 1, axes), gather(first + 2, axes)};
 }
 
 /// How a ray goes through the coat between two ends. The depth of a way is that of its height, of how far it moves over
@@ -188,7 +233,8 @@ HWY_INLINE Path path_of(const MarchScene& scene, const Ray& ray, const Segments&
   path.du = far.u - near.u, path.dv = far.v - near.v;
   path.height = load(segments.near_height), path.rise = load(segments.far_height) - path.height;
   const Vec3 normal = unit(near.normal + far.normal), tangent = unit(near.tangent + far.tangent);
-  const Real length = 0.5f * (near.length + far.length), way = (far.distance - near.distance) * ray.size;
+  path.length = 0.5f * (near.length + far.length);
+  const Real length = path.length, way = (far.distance - near.distance) * ray.size;
   const Real upright = max(dot(tangent, normal), 0.15f);
   // Slopes of the height at the ends, of which the bend is half the difference; no further than one shell.
   const Real up = way / max(length * upright, 1e-6f);
@@ -211,7 +257,8 @@ HWY_INLINE Path path_of(const MarchScene& scene, const Ray& ray, const Segments&
   const Real aside = dot(cross(along, ray.unit_way), normal) * moved / upright;
   const Real whole_way =
       min(sqrt(climbed * climbed + over_nominal * over_nominal * (dot(past, past) + aside * aside)), 10.0f * climbed);
-  const Int level = level_of(frame, ray, 0.5f * (near.distance + far.distance), normal);
+  path.level = level_of(frame, ray, 0.5f * (near.distance + far.distance), normal);
+  const Int level = to_int(path.level + 0.5f);
   path.first = gather(scene.atlas->first.data(), level), path.side = hn::Shr(whole(slice_texels), level);
   const Real sine = sqrt(max(1.0f - climbed * climbed / max(whole_way * whole_way, 1e-20f), 0.0f));
   const Real share = 0.5f * (near.share + far.share) * load(segments.dense);
@@ -222,38 +269,96 @@ HWY_INLINE Path path_of(const MarchScene& scene, const Ray& ray, const Segments&
   return path;
 }
 
+/// What bends the strands of a segment, as its middle has it.
+HWY_INLINE void add_bends(const MarchScene& scene, const Segments& segments, const End& near, const End& far,
+                          Path& path) {
+  const auto row = [&](int at) HWY_ATTR { return 0.5f * (near.row(at) + far.row(at)); };
+  const Vec2 tile{path.u0 + 0.5f * path.du, path.v0 + 0.5f * path.dv};
+  if (scene.optics.paint.form) {
+    path.fields = painted_fields(scene.varyings, row);
+    path.clump = painted_clump(scene.optics.paint, path.fields, tile, path.level);
+    path.curl = painted_curl(scene.optics.paint, path.fields, tile);
+    path.depth = select(path.fields.density > 0.0f, path.depth, 0.0f);
+  }
+  if (!scene.optics.tufts.volume) return;
+  const int at = scene.varyings.root;
+  const Tuft tuft = tuft_at(scene.optics.tufts, {row(at), row(at + 1), row(at + 2)}, 0.5f * (near.length + far.length));
+  const Vec3 normal = unit(near.normal + far.normal), tile_u = tile_axis_of(scene, segments);
+  const Real tile_x = scene.optics.frame.tile.x;
+  path.tuft = {{dot(tuft.to_middle, tile_u) * tile_x, dot(tuft.to_middle, cross(normal, tile_u)) * tile_x},
+               tuft.inside,
+               tuft.gather};
+}
+
+/// The tangent of a strand that the samples have found: the fur's, turned by the slope that the coat has stored (over
+/// +-1 of stored_slope), and by what gathers and curls.
+HWY_INLINE Vec3 strand_tangent(const MarchScene& scene, const Path& path, Vec3 tangent, const Fibre& fibre, Vec3 tile_u,
+                               Vec2 stored) {
+  const Vec3 tile_v = cross(fibre.normal, tile_u);
+  const auto turned = [&](Vec2 by) HWY_ATTR { return unit(tangent + tile_u * by.x + tile_v * by.y); };
+  const Vec2 slope = (stored * 2.0f - Vec2{1.0f, 1.0f}) * static_cast<float>(stored_slope / nominal_length);
+  tangent = turned(slope);
+  if (scene.optics.paint.form) {
+    const Real over = 1 / (scene.optics.frame.tile.x * static_cast<float>(nominal_length));
+    tangent = turned(curl_slope(path.curl, fibre.height) + lean_to_middle(path.clump, fibre.height) * over);
+  }
+  if (scene.optics.tufts.volume)
+    tangent = turned(lean_to_middle(path.tuft, fibre.height) *
+                     (1.0f / (scene.optics.frame.tile.x * max(path.length, 1e-4f))));
+  return tangent;
+}
+
+/// Of many strands about a place, linear: the coarsest level.
+HWY_INLINE Vec3 mean_colour(const SliceAtlas& atlas, Vec2 tile, Real height) {
+  constexpr int level = slice_levels - 1, side = slice_texels >> level;
+  const TilePlace place(atlas, whole(atlas.first[level]), whole(side),
+                        to_int(min(height, 0.999999f) * static_cast<float>(slice_count)));
+  const auto texel = [](Real at) HWY_ATTR { return to_int(floor(at * static_cast<float>(side))); };
+  const Texel mean = texel_of(gather(atlas.colours.data(), place.word(texel(tile.x), texel(tile.y))));
+  return {mean.x * mean.x, mean.y * mean.y, mean.z * mean.z};
+}
+
 /// Light of a segment whose samples are taken; premultiplied by nothing.
 HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
-                         const End& far, const Slab& slab) {
+                         const End& far, const Path& path, const Slab& slab) {
+  const FrameOptics& optics = scene.optics;
   const Real share = 1.0f / max(slab.opacity, 1e-9f), t = slab.at * share;
   const auto row = [&](int at) HWY_ATTR { return mix(near.row(at), far.row(at), t); };
   const auto rows = [&](int at) HWY_ATTR { return Vec3(row(at), row(at + 1), row(at + 2)); };
-  const Vec3 normal = unit(mix(near.normal, far.normal, t));
-  const Int axes = hn::Mul(hn::LoadU(int_tag, segments.piece), whole(sizeof(PieceAxes) / sizeof(float)));
-  const float* first = &scene.mesh.axes[0].tile_u.x;
-  const Vec3 tile_u(gather(first, axes), gather(first + 1, axes), gather(first + 2, axes));
-  const float steep = static_cast<float>(stored_slope / nominal_length);
-  const Real slope_x = (2.0f * slab.slope_x * share - 1.0f) * steep,
-             slope_y = (2.0f * slab.slope_y * share - 1.0f) * steep;
-  const Vec3 tangent =
-      unit(unit(mix(near.tangent, far.tangent, t)) + tile_u * slope_x + cross(normal, tile_u) * slope_y);
-  const Real length_share = mix(near.length, far.length, t) * static_cast<float>(1 / nominal_length);
-  const Real above = -0.25f * static_cast<float>(stored_light) * log(max(slab.light * share, 1e-9f)) * length_share *
-                     load(segments.dense);
   Fibre fibre;
+  fibre.height = slab.height * share, fibre.strand = slab.number * share;
+  fibre.normal = unit(mix(near.normal, far.normal, t));
+  fibre.tangent = strand_tangent(scene, path, unit(mix(near.tangent, far.tangent, t)), fibre,
+                                 tile_axis_of(scene, segments), {slab.slope_x * share, slab.slope_y * share});
+  const Real length_share = mix(near.length, far.length, t) * static_cast<float>(1 / nominal_length);
+  fibre.above = -0.25f * static_cast<float>(stored_light) * log(max(slab.light * share, 1e-9f)) * length_share *
+                load(segments.dense);
   fibre.place = Vec3(scene.viewpoint) + ray.way * mix(near.distance, far.distance, t);
-  fibre.normal = normal, fibre.tangent = tangent, fibre.to_camera = -ray.unit_way;
-  fibre.height = slab.height * share, fibre.above = above, fibre.strand = slab.number * share;
+  fibre.to_camera = -ray.unit_way;
   fibre.shine = {1.0f, 1.0f};
-  fibre.colour = strand_colour(scene.optics, scene.varyings, slab.colour * share, row, rows);
-  fibre.crossed = fibre.colour * colour_above(scene.optics.frame, fibre.height);
-  return fibre_light(scene.optics, fibre);
+  fibre.colour = strand_colour(optics, scene.varyings, slab.colour * share, row, rows);
+  Cover above{Vec3(0.0f), 0.0f};
+  if (optics.paint.colour) {
+    const PaintedColours paint = painted_colours(scene.varyings, row, rows);
+    const Vec3 mean = mean_colour(*scene.atlas, {path.u0 + t * path.du, path.v0 + t * path.dv}, fibre.height);
+    const Real lighter = clamp(luminance(slab.colour * share) / max(luminance(mean), 1e-4f), 0.5f, 1.6f);
+    fibre.colour = covered_by(cover_at(paint, fibre.height), fibre.colour, lighter);
+    above = cover_at(paint, 0.5f * (fibre.height + 1.0f));
+  }
+  if (optics.paint.form) {
+    fibre.above *= path.fields.depth();
+    fibre.colour = colour_wetted(optics.paint, path.fields.wetness, fibre.colour);
+    fibre.shine = shine_of(optics.paint, path.fields.wetness);
+  }
+  fibre.crossed = covered_by(above, fibre.colour * colour_above(optics.frame, fibre.height), 1.0f);
+  return fibre_light(optics, fibre);
 }
 
 /// One step of all lanes.
 HWY_INLINE void march(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
                       const End& far, Seen& seen) {
-  const Path path = path_of(scene, ray, segments, near, far);
+  Path path = path_of(scene, ray, segments, near, far);
+  if (scene.bends) add_bends(scene, segments, near, far, path);
   const Real none = 0.0f;
   Slab slab{none, none, none, none, none, none, none, Vec3(none)};
   const float step = 1.0f / static_cast<float>(segments.samples);
@@ -261,7 +366,7 @@ HWY_INLINE void march(const MarchScene& scene, const Ray& ray, const Segments& s
     take_sample(scene, path, (static_cast<float>(i) + ray.offset) * step, slab);
   const Mask met = slab.opacity > 0.0005f;
   if (!any(met)) return;
-  const Vec3 light = light_of(scene, ray, segments, near, far, slab);
+  const Vec3 light = light_of(scene, ray, segments, near, far, path, slab);
   const Real weight = select(met, seen.through * slab.opacity, 0.0f);
   seen.light += light * weight;
   seen.through -= weight;

@@ -87,6 +87,7 @@ struct MarchScene {
   int samples = 16;           // of the coat over the height of the fur
   int min_samples = 1;        // in a segment
   bool smooth = true;         // four texels a sample
+  bool bends = false;         // whether strands gather or curl beside what the coat has
   float reach = 0;            // how far a ray moves over the tile between two shells at most, tiles
   glm::vec3 viewpoint{0}, forward{0, 0, -1};
   glm::vec3 ray_x{0}, ray_y{0}, ray_0{0};  // way of a pixel's ray by its x and y, 1 along the view

@@ -5,12 +5,14 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 
 #include "protocol/base/parallel.h"
 #include "protocol/base/stopwatch.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/marched/bins.h"
 #include "renderer/marched/kernels.h"
+#include "renderer/pattern/tufts.h"
 
 namespace pelage {
 
@@ -51,7 +53,7 @@ Varyings varyings_of(const MarchScene& scene) {
     if (wanted) place = std::exchange(at.stride, at.stride + rows);
   };
   const bool pattern = scene.optics.pattern.volume != nullptr;
-  take(pattern, at.root, 3), take(pattern, at.varied, 2);
+  take(pattern || scene.optics.tufts.volume, at.root, 3), take(pattern, at.varied, 2);
   take(scene.optics.model_colours, at.image, 6);
   take(scene.optics.paint.form, at.paint, 6), take(scene.optics.paint.colour, at.painted, 8);
   return at;
@@ -88,6 +90,12 @@ struct Marcher::Colours {
   std::optional<PatternBlock> pattern;
   SurfaceVolume volume;
   std::vector<glm::vec4> variation;
+  std::uint64_t tufted = 0;  // the model of the tufts
+  std::optional<Tufts> tufts;
+  SurfaceVolume tuft_volume;
+  std::optional<Coat> clumped;  // whose clumps they are
+  std::vector<std::int32_t> clumps;
+  float clump_reach = 0;
 };
 
 Marcher::Marcher(int threads) : threads_(threads), colours_(std::make_unique<Colours>()) { assert(threads >= 1); }
@@ -136,6 +144,41 @@ glm::ivec2 Marcher::size_of(const FurFrame& frame) const {
   return {scaled(frame.width), scaled(frame.height)};
 }
 
+void Marcher::add_tufts(const FurFrame& frame, MarchScene& scene) {
+  const Tufts& tufts = frame.coat.tufts;
+  if (!(tufts.gather > 0)) return;
+  Colours& kept = *colours_;
+  const float longest = longest_pull(tufts);
+  if (kept.tufted != frame.model || kept.tufts != tufts) {
+    kept.tufted = frame.model, kept.tufts = tufts;
+    kept.tuft_volume = make_surface_volume({scene.mesh.positions, scene.mesh.normals, scene.mesh.triangles},
+                                           [&](glm::vec3 middle, glm::vec3 normal) {
+                                             const TuftPlace tuft = tuft_at(tufts, middle, normal);
+                                             return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
+                                           });
+  }
+  const SurfaceVolume& volume = kept.tuft_volume;
+  scene.optics.tufts = {gathered(tufts, 1), longest, volume.origin, 1.0f / (glm::vec3(volume.size) * volume.cell),
+                        &volume};
+}
+
+void Marcher::add_paint(const FurFrame& frame, MarchScene& scene) {
+  PaintOptics& paint = scene.optics.paint;
+  const Coat& coat = frame.coat;
+  paint.form = !scene.mesh.paint.empty(), paint.colour = !scene.mesh.painted.empty();
+  paint.wetness = static_cast<float>(coat.wetness), paint.curl = static_cast<float>(coat.curl);
+  paint.curl_turns = static_cast<float>(coat.curl_turns);
+  if (!paint.form) return;
+  Colours& kept = *colours_;
+  if (!kept.clumped || !same_strands(*kept.clumped, coat)) {
+    const ClumpMap map = bake_clump_map(coat);
+    kept.clumps.resize(map.texels.size() / 4);
+    std::memcpy(kept.clumps.data(), map.texels.data(), map.texels.size());
+    kept.clump_reach = static_cast<float>(map.reach), kept.clumped = coat;
+  }
+  paint.clumps = kept.clumps, paint.clump_side = ClumpMap::side, paint.clump_reach = kept.clump_reach;
+}
+
 MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
   const FurMesh& mesh = meshes_.at(frame.model);
   const Coated& coated = coat_of(frame.coat);
@@ -157,7 +200,8 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
                                   [](const FurLight& light) { return light.kind == LightKind::directional; });
   optics.model_colours = optics.frame.skin.w > 0.5f;
-  add_pattern(frame, scene);
+  add_pattern(frame, scene), add_tufts(frame, scene), add_paint(frame, scene);
+  scene.bends = optics.tufts.volume || optics.paint.form;
   float longest = 0;
   for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
   scene.reach = 4 * longest * optics.frame.tile.x;

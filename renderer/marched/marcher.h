@@ -51,6 +51,8 @@ class Marcher {
   glm::ivec2 size_of(const FurFrame& frame) const;
   MarchScene scene_of(const FurFrame& frame, const MarchQuality& quality);
   void add_pattern(const FurFrame& frame, MarchScene& scene);
+  void add_tufts(const FurFrame& frame, MarchScene& scene);
+  void add_paint(const FurFrame& frame, MarchScene& scene);
 
   int threads_;
   std::map<std::uint64_t, FurMesh> meshes_;

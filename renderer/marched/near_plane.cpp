@@ -55,8 +55,8 @@ void project(const MarchScene& scene, Row& row) {
 }  // namespace
 
 std::vector<ShellTriangle> cut_at_near_plane(MarchScene& scene, const ShellTriangle& triangle) {
-  std::vector<Row> polygon =
-      beyond_plane(scene, {whole_row(scene, triangle, 0), whole_row(scene, triangle, 1), whole_row(scene, triangle, 2)});
+  std::vector<Row> polygon = beyond_plane(
+      scene, {whole_row(scene, triangle, 0), whole_row(scene, triangle, 1), whole_row(scene, triangle, 2)});
   for (Row& row : polygon) project(scene, row);
   std::vector<ShellTriangle> triangles;
   for (std::size_t i = 2; i < polygon.size(); ++i) {

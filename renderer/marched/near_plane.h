@@ -7,8 +7,8 @@
 
 namespace pelage {
 
-/// What of a triangle lies beyond the near plane, as triangles of rows that are added to the scene: one or two. Some of its
-/// corners lie before the plane and some behind.
+/// What of a triangle lies beyond the near plane, as triangles of rows that are added to the scene: one or two. Some of
+/// its corners lie before the plane and some behind.
 std::vector<ShellTriangle> cut_at_near_plane(MarchScene& scene, const ShellTriangle& triangle);
 
 }  // namespace pelage

@@ -80,13 +80,24 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
   Vec3 normal = unit(rows(Varyings::normal));
   normal = select(facing, normal, -normal);
   const Real length = row(Varyings::length);
-  const Real grown = smoothstep(0.0f, 0.008f, length);
-  const Real above = frame.depth_above[0].x * static_cast<float>(1 / nominal_length) * length;
+  Real grown = smoothstep(0.0f, 0.008f, length);
+  Real above = frame.depth_above[0].x * static_cast<float>(1 / nominal_length) * length;
+  const PaintedFields fields = painted_fields(scene.varyings, row);
+  if (optics.paint.form) {
+    const Real thin = 1.0f - clamp(fields.density, 0.0f, 1.0f);
+    grown *= 1.0f - thin * thin * thin;  // thinned fur does not hide the skin
+    above *= fields.depth();
+  }
   const Real covered = select(facing, grown, 0.0f) * rising_from_face(scene, ray, point);
-  const Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows);
-  const Vec3 over(frame.colour_above[0]);
+  Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows);
+  Cover painted{Vec3(0.0f), 0.0f};
+  if (optics.paint.colour) {
+    const PaintedColours colours = painted_colours(scene.varyings, row, rows);
+    undercoat = covered_by(cover_at(colours, 0.0f), undercoat, 1.0f), painted = cover_at(colours, 0.5f);
+  }
+  if (optics.paint.form) undercoat = colour_wetted(optics.paint, fields.wetness, undercoat);
   const Vec3 bare = optics.model_colours ? max(rows(scene.varyings.image + 3), 0.0f) : Vec3(frame.skin);
-  const Vec3 coat = undercoat * over;
+  const Vec3 coat = covered_by(painted, undercoat * Vec3(frame.colour_above[0]), 1.0f);
   const Vec3 colour = mix(bare, mix(coat, undercoat, covered), grown), crossed = mix(bare, coat, covered);
   const float self_shadow = frame.exponents.w;
   const Vec3 open = ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, self_shadow));

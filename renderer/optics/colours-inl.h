@@ -9,12 +9,19 @@
 
 #include "renderer/optics/frame_optics.h"
 #include "renderer/optics/lanes-inl.h"
+#include "renderer/optics/paint-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// Three bytes of a volume about a surface, in [0, 1], even between its cells and held at its sides.
-HWY_INLINE Vec3 volume_at(const SurfaceVolume& volume, Vec3 place) {
+/// Four bytes, in [0, 1].
+struct Texel {
+  Real x, y, z, w;
+};
+HWY_INLINE Texel texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
+
+/// A volume about a surface, even between its cells and held at its sides.
+HWY_INLINE Texel volume_at(const SurfaceVolume& volume, Vec3 place) {
   const auto* bytes = reinterpret_cast<const std::int32_t*>(volume.rgba.data());
   Int low[3];
   Real share[3];
@@ -25,7 +32,8 @@ HWY_INLINE Vec3 volume_at(const SurfaceVolume& volume, Vec3 place) {
     const Real below = min(floor(cell), std::max(last - 1, 0.0f));
     low[k] = to_int(below), share[k] = cell - below;
   }
-  Vec3 sum(0.0f, 0.0f, 0.0f);
+  const Real none = 0.0f;
+  Texel sum{none, none, none, none};
   for (int corner = 0; corner < 8; ++corner) {
     Int index[3];
     Real weight = 1.0f;
@@ -36,8 +44,8 @@ HWY_INLINE Vec3 volume_at(const SurfaceVolume& volume, Vec3 place) {
     }
     const Int cell =
         hn::Add(hn::Mul(hn::Add(hn::Mul(index[2], whole(volume.size.y)), index[1]), whole(volume.size.x)), index[0]);
-    const Int word = gather(bytes, cell);
-    sum += weight * Vec3(byte_of<0>(word), byte_of<1>(word), byte_of<2>(word));
+    const Texel texel = texel_of(gather(bytes, cell));
+    sum.x += weight * texel.x, sum.y += weight * texel.y, sum.z += weight * texel.z, sum.w += weight * texel.w;
   }
   return sum;
 }
@@ -45,12 +53,24 @@ HWY_INLINE Vec3 volume_at(const SurfaceVolume& volume, Vec3 place) {
 /// The colour of a strand whose root is at `root` and which would be `base` without a pattern; `lightness` and `hue`
 /// are its slow changes.
 HWY_INLINE Vec3 pattern_colour(const PatternOptics& pattern, Vec3 root, Real lightness, Real hue, Vec3 base) {
-  const Vec3 weights = volume_at(*pattern.volume, (root - Vec3(pattern.origin)) * Vec3(pattern.scale));
+  const Texel weights = volume_at(*pattern.volume, (root - Vec3(pattern.origin)) * Vec3(pattern.scale));
   const Real shade = 0.36f + 0.84f * pattern.over_lightness * luminance(base);
   Vec3 colour = mix(base, shade * Vec3(pattern.belly_colour), weights.x);
   colour = mix(colour, shade * Vec3(pattern.inner_colour), weights.y);
   colour = mix(colour, shade * Vec3(pattern.colour), weights.z);
   return colour * lightness * Vec3(1.0f + hue, 1.0f, 1.0f - hue);
+}
+
+/// Where the strands of a root gather on the surface. A strand goes to the side by less than its length.
+struct Tuft {
+  Vec3 to_middle;  // sizes
+  Real inside, gather;
+};
+HWY_INLINE Tuft tuft_at(const TuftOptics& tufts, Vec3 root, Real length_of_fur) {
+  const Texel texel = volume_at(*tufts.volume, (root - Vec3(tufts.origin)) * Vec3(tufts.scale));
+  const Vec3 to_middle = (Vec3(texel.x, texel.y, texel.z) * 2.0f - Vec3(1.0f)) * tufts.longest;
+  const Real radius = length(to_middle) / max(1.0f - texel.w, 0.05f);
+  return {to_middle, texel.w, tufts.gather * min(1.0f, length_of_fur / max(radius, 1e-4f))};
 }
 
 /// Hue from the model, lightness along the strand from the ramp; or the ramp alone; and markings over it. `row` and
@@ -66,6 +86,19 @@ HWY_INLINE Vec3 strand_colour(const FrameOptics& optics, const Varyings& varying
     colour =
         pattern_colour(optics.pattern, rows(varyings.root), row(varyings.varied), row(varyings.varied + 1), colour);
   return colour;
+}
+
+/// What is painted where rows are read.
+template <class Varyings, class Row>
+HWY_INLINE PaintedFields painted_fields(const Varyings& varyings, Row row) {
+  if (varyings.paint < 0) return unpainted();
+  const int at = varyings.paint;
+  return {row(at), row(at + 1), row(at + 2), row(at + 3), row(at + 4), row(at + 5)};
+}
+template <class Varyings, class Row, class Rows>
+HWY_INLINE PaintedColours painted_colours(const Varyings& varyings, Row row, Rows rows) {
+  const int at = varyings.painted;
+  return {rows(at), rows(at + 4), row(at + 3), row(at + 7)};
 }
 
 }  // namespace pelage::HWY_NAMESPACE

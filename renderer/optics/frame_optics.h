@@ -22,10 +22,19 @@ struct PatternOptics {
   const SurfaceVolume* volume = nullptr;  // null without a pattern
 };
 
-/// The coat's own numbers that paint adds to (renderer/shaders/paint.glsl).
+/// Tufts on the surface (renderer/shaders/tufts.glsl).
+struct TuftOptics {
+  float gather = 0, longest = 0;  // at the tip; the longest pull, sizes
+  glm::vec3 origin{0}, scale{1};
+  const SurfaceVolume* volume = nullptr;  // null without tufts
+};
+
+/// The coat's own numbers that paint adds to (renderer/shaders/paint.glsl), and its clumps (ClumpMap).
 struct PaintOptics {
   float wetness = 0, curl = 0, curl_turns = 0, clump_reach = 0;
-  bool form = false, colour = false;  // what is painted at all
+  int clump_side = 1;
+  std::span<const std::int32_t> clumps;  // four bytes each
+  bool form = false, colour = false;     // what is painted at all
 };
 
 /// Views that outlive the frame's drawing.
@@ -39,6 +48,7 @@ struct FrameOptics {
   bool far_lights = true;      // none stands at a place
   bool model_colours = false;  // whether fur takes the model's colours
   PatternOptics pattern;
+  TuftOptics tufts;
   PaintOptics paint;
 };
 

@@ -70,8 +70,8 @@ TEST_P(Marched, EachShadingModelIsThatOfTheShaders) {
 
 TEST_P(Marched, BothLeanCurvesAreThoseOfTheShaders) {
   for (const LeanCurve curve : {LeanCurve::arc, LeanCurve::root}) {
-    FurredModel model = furred({Builtin::sphere, 1000});
-    model.settings.coat.lean_curve = curve;
+    FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.9});
+    model.settings.coat.lean_curve = curve, model.settings.coat.root_share = 0.1;
     EXPECT_LT(apart(model, AutoView::front, 128), 0.05) << static_cast<int>(curve);
   }
 }
@@ -80,6 +80,36 @@ TEST_P(Marched, PatternsAreThoseOfTheShaders) {
   FurredModel model = furred({Builtin::sphere, 1000});
   model.settings.coat.pattern.kind = PatternKind::spots;
   model.settings.coat.variation.length = 0.3, model.settings.coat.variation.lightness = 0.3;
+  EXPECT_LT(apart(model, AutoView::front, 128), 0.06);
+}
+
+void flood(FurredModel& model, Field field, glm::vec4 value) {
+  for (std::uint32_t v = 0; v < model.model.surface.mesh().positions.size(); ++v) model.fields.set(field, v, value);
+}
+
+// What is painted changes a picture by .15 and more. Clumps and tufts shift strands by the sample, not by the shell.
+TEST_P(Marched, PaintedFieldsAreThoseOfTheShaders) {
+  const struct {
+    Field field;
+    glm::vec4 value;
+    double apart;
+  } paints[] = {{Field::density, glm::vec4(0.4f), 0.06},
+                {Field::width, glm::vec4(2), 0.05},
+                {Field::wetness, glm::vec4(0.8f), 0.06},
+                {Field::curl, glm::vec4(0.3f), 0.07},
+                {Field::clump, glm::vec4(0.8f), 0.06},
+                {Field::root_colour, glm::vec4(0.1f, 0.3f, 0.1f, 0.8f), 0.05},
+                {Field::tip_colour, glm::vec4(0.6f, 0.1f, 0.1f, 0.7f), 0.05}};
+  for (const auto& paint : paints) {
+    FurredModel model = furred({Builtin::sphere, 1000});
+    flood(model, paint.field, paint.value);
+    EXPECT_LT(apart(model, AutoView::front, 128), paint.apart) << static_cast<int>(paint.field);
+  }
+}
+
+TEST_P(Marched, TuftsAreThoseOfTheShaders) {
+  FurredModel model = furred({Builtin::sphere, 1000});
+  model.settings.coat.tufts = {.gather = 0.8, .size = 0.1, .scales = 1};
   EXPECT_LT(apart(model, AutoView::front, 128), 0.06);
 }
 
