@@ -200,6 +200,7 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
                                   [](const FurLight& light) { return light.kind == LightKind::directional; });
   optics.model_colours = optics.frame.skin.w > 0.5f;
+  if (!frame.skin.empty()) optics.skin = make_skin_block(frame.skin);
   add_pattern(frame, scene), add_tufts(frame, scene), add_paint(frame, scene);
   scene.bends = optics.tufts.volume || optics.paint.form;
   float longest = 0;

@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/marched/march-inl.h"
+#include "renderer/optics/bare_skin-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
@@ -111,7 +112,12 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
     sum += light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
   }
-  return sum;
+  if (optics.skin.count.x == 0 && !optics.paint.form) return sum;
+  const Real pixel = frame.viewpoint.w * point.distance() * ray.size;
+  Bare region = optics.paint.form ? painted_bare(bare, fields.bare, fields.wetness) : not_bare();
+  region = bare_over(optics.skin, region, place, normal, pixel);
+  if (!any(region.share > 0.0f)) return sum;
+  return mix(sum, bare_light(optics, region, place, normal, -ray.unit_way, pixel), region.share);
 }
 
 }  // namespace pelage::HWY_NAMESPACE

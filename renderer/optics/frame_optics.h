@@ -41,6 +41,7 @@ struct PaintOptics {
 struct FrameOptics {
   FrameBlock frame;
   ScatteringBlock scattering;
+  SkinBlock skin;                           // regions of bare skin
   const AzimuthalFit* azimuthal = nullptr;  // never null; empty for models that need none
   int model = 0;                            // ShadingModel
   int lights = 0;

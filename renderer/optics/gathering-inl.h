@@ -1,5 +1,5 @@
-// Strands that gather towards a middle: tufts on the surface and clumps on the tile. The twin of renderer/shaders/tufts.glsl and
-// of the clumps of paint_form.glsl.
+// Strands that gather towards a middle: tufts on the surface and clumps on the tile. The twin of
+// renderer/shaders/tufts.glsl and of the clumps of paint_form.glsl.
 #if defined(PELAGE_OPTICS_GATHERING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_GATHERING_INL_H_
 #undef PELAGE_OPTICS_GATHERING_INL_H_
@@ -21,8 +21,8 @@ struct Gathering {
 
 HWY_INLINE Gathering no_gathering() { return {{0.0f, 0.0f}, 1.0f, 0.0f}; }
 
-/// At a height: the way from here to the root of the strand that is here, and the optical depth over that of fur that does not
-/// gather. The strand grows further out, and past the border there is none.
+/// At a height: the way from here to the root of the strand that is here, and the optical depth over that of fur that
+/// does not gather. The strand grows further out, and past the border there is none.
 struct Gathered {
   Vec2 shift;  // tiles
   Real depth;

@@ -1,4 +1,5 @@
-// What painted fields do to strands and their colours. The twin of renderer/shaders/paint_form.glsl and paint_light.glsl.
+// What painted fields do to strands and their colours. The twin of renderer/shaders/paint_form.glsl and
+// paint_light.glsl.
 #if defined(PELAGE_OPTICS_PAINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_PAINT_INL_H_
 #undef PELAGE_OPTICS_PAINT_INL_H_
@@ -27,13 +28,13 @@ HWY_INLINE PaintedFields unpainted() { return {1.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0
 HWY_INLINE Gathering painted_clump(const PaintOptics& paint, const PaintedFields& fields, Vec2 tile, Real level) {
   const Real water = min(fields.wetness + paint.wetness, 1.0f) - paint.wetness;
   const Real fine = 1.0f - smoothstep(4.0f, 6.0f, level);
-  const Real gather = static_cast<float>(max_clump_gather) *
-                      min(fields.clump + static_cast<float>(water_gathers) * water, 1.0f) * fine;
+  const Real gather =
+      static_cast<float>(max_clump_gather) * min(fields.clump + static_cast<float>(water_gathers) * water, 1.0f) * fine;
   const int side = paint.clump_side;
-  const auto texel = [&](Real at) HWY_ATTR {
-    return hn::And(to_int(floor(at * static_cast<float>(side))), whole(side - 1));
-  };
-  const Int word = hn::GatherIndex(int_tag, paint.clumps.data(), hn::Add(hn::Mul(texel(tile.y), whole(side)), texel(tile.x)));
+  const auto texel = [&](Real at)
+                         HWY_ATTR { return hn::And(to_int(floor(at * static_cast<float>(side))), whole(side - 1)); };
+  const Int word =
+      hn::GatherIndex(int_tag, paint.clumps.data(), hn::Add(hn::Mul(texel(tile.y), whole(side)), texel(tile.x)));
   const Vec2 middle{byte_of<0>(word) * 2.0f - 1.0f, byte_of<1>(word) * 2.0f - 1.0f};
   return {middle * paint.clump_reach, byte_of<2>(word), gather * mix(0.5f, 1.0f, byte_of<3>(word))};
 }

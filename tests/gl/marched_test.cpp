@@ -113,6 +113,18 @@ TEST_P(Marched, TuftsAreThoseOfTheShaders) {
   EXPECT_LT(apart(model, AutoView::front, 128), 0.06);
 }
 
+// A wet nose with large bumps before a matt patch, in fur.
+TEST_P(Marched, BareSkinIsThatOfTheShaders) {
+  FurredModel model = furred({Builtin::sphere, 2000});
+  const Mesh& mesh = model.model.surface.mesh();
+  SkinRegion nose{.centre = mesh.to_model({0, 0, 0.29}), .radii = glm::dvec3(0.12)};
+  nose.wetness = 0.7, nose.bumps = {0.01, 0.05};
+  SkinRegion patch = nose;
+  patch.radii = glm::dvec3(0.25), patch.wetness = 0, patch.colour = {0.1f, 0.3f, 0.4f};
+  model.settings.skin = {patch, nose};
+  EXPECT_LT(apart(model, AutoView::front, 128), 0.055);
+}
+
 FurCamera above_a_plane() {
   FurCamera camera;
   camera.position = {0.02f, 0.06f, 0.1f}, camera.right = {1, 0, 0}, camera.tan_half_fov = 0.6f;
