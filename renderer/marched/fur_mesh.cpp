@@ -34,9 +34,7 @@ glm::vec4 covered(std::span<const glm::vec4> field, std::uint32_t vertex) {
 }  // namespace
 
 FurMesh::FurMesh(const FurModel& model, const FurFields& fields)
-    : original_(model.original ? model.original : model.id),
-      has_colours_(model.has_colours),
-      has_images_(!model.images.empty()) {
+    : original_(model.original ? model.original : model.id), has_colours_(model.has_colours), images_(model.images) {
   SplitModel split = split_corners(model);
   for (const RenderVertex& vertex : split.vertices) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);
@@ -44,8 +42,13 @@ FurMesh::FurMesh(const FurModel& model, const FurFields& fields)
     weights_.push_back(vertex.weight);
   }
   triangles_ = std::move(split.triangles), first_ = std::move(split.first), welded_ = std::move(split.welded);
-  for (const glm::uvec3& t : triangles_)
-    axes_.push_back({split.vertices[t.x].tile_axis, 0.5f * area_of(tiles_[t.x], tiles_[t.y], tiles_[t.z])});
+  for (const glm::uvec3& t : triangles_) {
+    const glm::vec3 across = glm::cross(positions_[t.y] - positions_[t.x], positions_[t.z] - positions_[t.x]);
+    const float area = std::max(glm::length(across), 1e-20f),
+                on_image = area_of(image_uvs_[t.x], image_uvs_[t.y], image_uvs_[t.z]);
+    axes_.push_back({split.vertices[t.x].tile_axis, 0.5f * area_of(tiles_[t.x], tiles_[t.y], tiles_[t.z]),
+                     std::sqrt(on_image / area)});
+  }
   find_patches(welded_);
   groom_.resize(positions_.size());
   const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};

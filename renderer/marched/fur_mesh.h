@@ -21,7 +21,7 @@ class FurMesh {
   MarchMesh view() const;
   std::uint64_t original() const { return original_; }
   bool has_colours() const { return has_colours_; }
-  bool has_images() const { return has_images_; }
+  const BaseImages& images() const { return images_; }
   bool paints_fur() const { return !paint_.empty(); }
   std::size_t bytes() const;
 
@@ -31,7 +31,8 @@ class FurMesh {
   bool set_paint(const FurPaint& paint);                                         // whether other fields are painted
 
   std::uint64_t original_ = 0;
-  bool has_colours_ = false, has_images_ = false;
+  bool has_colours_ = false;
+  BaseImages images_;
   std::vector<glm::vec3> positions_, normals_, tangents_, image_uvs_, colours_, groom_;
   std::vector<glm::vec2> tiles_;
   std::vector<float> weights_, fur_share_;

@@ -318,6 +318,13 @@ HWY_INLINE Vec3 mean_colour(const SliceAtlas& atlas, Vec2 tile, Real height) {
   return {mean.x * mean.x, mean.y * mean.y, mean.z * mean.z};
 }
 
+/// What share of an image's side a pixel sees. Nothing reads it where there is no image.
+HWY_INLINE Real image_pixel(const MarchScene& scene, const Ray& ray, const Segments& segments, Real distance) {
+  if (!scene.optics.images) return 0.0f;
+  const Int axes = hn::Mul(hn::LoadU(int_tag, segments.piece), whole(sizeof(PieceAxes) / sizeof(float)));
+  return gather(&scene.mesh.axes[0].image_scale, axes) * distance * ray.size * scene.optics.frame.viewpoint.w;
+}
+
 /// Light of a segment whose samples are taken; premultiplied by nothing.
 HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
                          const End& far, const Path& path, const Slab& slab) {
@@ -336,7 +343,8 @@ HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments
   fibre.place = Vec3(scene.viewpoint) + ray.way * mix(near.distance, far.distance, t);
   fibre.to_camera = -ray.unit_way;
   fibre.shine = {1.0f, 1.0f};
-  fibre.colour = strand_colour(optics, scene.varyings, slab.colour * share, row, rows);
+  fibre.colour = strand_colour(optics, scene.varyings, slab.colour * share, row, rows,
+                               image_pixel(scene, ray, segments, near.distance));
   Cover above{Vec3(0.0f), 0.0f};
   if (optics.paint.colour) {
     const PaintedColours paint = painted_colours(scene.varyings, row, rows);

@@ -41,8 +41,9 @@ struct ShellSet {
 
 /// Numbers of a piece (a triangle of the model), the same over all of it.
 struct PieceAxes {
-  glm::vec3 tile_u{0};  // unit
-  float tile_area = 0;  // of its piece of the tile, sizes^2
+  glm::vec3 tile_u{0};    // unit
+  float tile_area = 0;    // of its piece of the tile, sizes^2
+  float image_scale = 0;  // sides of an image over a size
 };
 
 /// What is read of the model: render vertices (renderer/upload/split_corners.h).

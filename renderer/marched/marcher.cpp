@@ -201,6 +201,7 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
                                   [](const FurLight& light) { return light.kind == LightKind::directional; });
   optics.model_colours = optics.frame.skin.w > 0.5f;
   if (!frame.skin.empty()) optics.skin = make_skin_block(frame.skin);
+  if (optics.model_colours && !mesh.images().empty()) optics.images = &mesh.images();
   add_pattern(frame, scene), add_tufts(frame, scene), add_paint(frame, scene);
   scene.bends = optics.tufts.volume || optics.paint.form;
   float longest = 0;

@@ -23,6 +23,7 @@ class SkinPoint {
       facing_[i] = piece >= 0 ? 1.0f : 0.0f;
       const auto number = static_cast<std::uint32_t>(piece >= 0 ? piece : ~piece);
       const ShellTriangle triangle{number, 0, true, skin.cut[begin + static_cast<std::size_t>(i)]};
+      image_scale_[i] = scene.mesh.axes[number].image_scale;
       for (int k = 0; k < 3; ++k) {
         rows_[k][i] = static_cast<std::int32_t>(scene.row_of(triangle, k));
         corners_[k][i] = static_cast<std::int32_t>(scene.mesh.triangles[number][k]);
@@ -33,6 +34,7 @@ class SkinPoint {
     distance_ = 1.0f / max(inverse_, 1e-20f);
   }
   HWY_INLINE Mask there() const { return there_; }
+  HWY_INLINE Real image_scale() const { return load(image_scale_); }
   HWY_INLINE Mask facing() const { return load(facing_) > 0.5f; }
   HWY_INLINE Real distance() const { return distance_; }
   HWY_INLINE Real corner(int k, int at) const { return read(rows_[k], 0, at); }
@@ -54,7 +56,7 @@ class SkinPoint {
   }
   const MarchScene& scene_;
   std::int32_t rows_[3][lane_count], corners_[3][lane_count];  // of the triangle as it is seen, and of the mesh
-  float facing_[lane_count];
+  float facing_[lane_count], image_scale_[lane_count];
   Real inverse_, second_, third_, distance_;
   Mask there_;
 };
@@ -90,14 +92,15 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
     above *= fields.depth();
   }
   const Real covered = select(facing, grown, 0.0f) * rising_from_face(scene, ray, point);
-  Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows);
+  const Real pixel = frame.viewpoint.w * point.distance() * ray.size, texels = pixel * point.image_scale();
+  Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows, texels);
   Cover painted{Vec3(0.0f), 0.0f};
   if (optics.paint.colour) {
     const PaintedColours colours = painted_colours(scene.varyings, row, rows);
     undercoat = covered_by(cover_at(colours, 0.0f), undercoat, 1.0f), painted = cover_at(colours, 0.5f);
   }
   if (optics.paint.form) undercoat = colour_wetted(optics.paint, fields.wetness, undercoat);
-  const Vec3 bare = optics.model_colours ? max(rows(scene.varyings.image + 3), 0.0f) : Vec3(frame.skin);
+  const Vec3 bare = optics.model_colours ? model_colour(optics, scene.varyings.image, rows, texels) : Vec3(frame.skin);
   const Vec3 coat = covered_by(painted, undercoat * Vec3(frame.colour_above[0]), 1.0f);
   const Vec3 colour = mix(bare, mix(coat, undercoat, covered), grown), crossed = mix(bare, coat, covered);
   const float self_shadow = frame.exponents.w;
@@ -113,7 +116,6 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
     sum += light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
   }
   if (optics.skin.count.x == 0 && !optics.paint.form) return sum;
-  const Real pixel = frame.viewpoint.w * point.distance() * ray.size;
   Bare region = optics.paint.form ? painted_bare(bare, fields.bare, fields.wetness) : not_bare();
   region = bare_over(optics.skin, region, place, normal, pixel);
   if (!any(region.share > 0.0f)) return sum;

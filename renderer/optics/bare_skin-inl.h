@@ -30,7 +30,8 @@ HWY_INLINE Bare not_bare() {
 /// The colour ends where fur has about half of its length, or within two pixels where that is sharper.
 HWY_INLINE Real bare_share(const SkinEntry& region, Vec3 place, Vec3 normal, Real pixel) {
   const Vec3 apart = place - Vec3(region.centre);
-  const Real off = length(Vec3(dot(Vec3(region.across), apart), dot(Vec3(region.up), apart), dot(Vec3(region.along), apart)));
+  const Real off =
+      length(Vec3(dot(Vec3(region.across), apart), dot(Vec3(region.up), apart), dot(Vec3(region.along), apart)));
   const Real edge = max(0.5f * region.across.w, min(2.0f * region.up.w * pixel + 1e-6f, 1.0f));
   return (1.0f - smoothstep(1.0f, 1.0f + edge, off)) *
          smoothstep(region.facing.w, region.along.w, dot(normal, Vec3(region.facing)));
@@ -46,7 +47,8 @@ HWY_INLINE Bare bare_over(const SkinBlock& skin, Bare bare, Vec3 place, Vec3 nor
     bare.share = 1.0f - (1.0f - bare.share) * (1.0f - share);
     const Real over = share / max(bare.share, 1e-9f);
     bare.colour = mix(bare.colour, Vec3(region.colour), over), bare.shine = mix(bare.shine, region.colour.w, over);
-    bare.roughness = mix(bare.roughness, region.finish.x, over), bare.wetness = mix(bare.wetness, region.finish.y, over);
+    bare.roughness = mix(bare.roughness, region.finish.x, over),
+    bare.wetness = mix(bare.wetness, region.finish.y, over);
     bare.bump_height = mix(bare.bump_height, region.finish.z, over);
     bare.bump_size = select(over >= 0.5f, region.finish.w, bare.bump_size);
     bare.scatter = mix(bare.scatter, region.centre.w, over);
@@ -147,15 +149,17 @@ HWY_INLINE Vec3 light_on_skin(const FrameOptics& optics, const Bare& bare, const
     const Real wrap = bare.scatter * part;
     return max((cosine + wrap) / (1.0f + wrap), 0.0f);
   };
-  const Vec3 diffuse = optics.frame.weights.y * surface.open * surface.colour *
-                       Vec3(wrapped(0.45f), wrapped(0.20f), wrapped(0.14f));
-  const Real skin = skin_highlight(surface.normal, to_light, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
+  const Vec3 diffuse =
+      optics.frame.weights.y * surface.open * surface.colour * Vec3(wrapped(0.45f), wrapped(0.20f), wrapped(0.14f));
+  const Real skin =
+      skin_highlight(surface.normal, to_light, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
   const Real film = skin_highlight(surface.film, to_light, surface.to_camera, 0.03f, surface.wet_roughness);
   return diffuse + Vec3(surface.open * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
 }
 
 /// Light that bare skin sends to the camera; `pixel` is the size of one there, sizes.
-HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 normal, Vec3 to_camera, Real pixel) {
+HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 normal, Vec3 to_camera,
+                           Real pixel) {
   const SkinSurface surface = skin_surface(bare, place, normal, to_camera, pixel);
   Vec3 sum = optics.frame.weights.x * surface.open * surface.colour * environment_light(optics, surface.normal);
   const Vec3 dry = mirrored_sky(optics, surface.normal, to_camera, 0.08f * bare.shine, surface.dry_roughness);

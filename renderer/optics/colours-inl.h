@@ -73,14 +73,51 @@ HWY_INLINE Tuft tuft_at(const TuftOptics& tufts, Vec3 root, Real length_of_fur) 
   return {to_middle, texel.w, tufts.gather * min(1.0f, length_of_fur / max(radius, 1e-4f))};
 }
 
+/// A whole number of texels, on a periodic side.
+HWY_INLINE Int wrapped(Int at, Int side) {
+  const Int low = hn::IfThenElse(hn::Lt(at, whole(0)), hn::Add(at, side), at);
+  return hn::IfThenElse(hn::Lt(low, side), low, hn::Sub(low, side));
+}
+
+/// The colour of an image at a place (v up), linear, between four texels of a level: the nearest for so much of the
+/// picture's side as a pixel sees.
+HWY_INLINE Vec3 image_colour(const BaseImages& images, Vec3 uv, Real pixel) {
+  const auto* numbers = reinterpret_cast<const std::int32_t*>(images.levels.data());
+  const auto largest = static_cast<float>(std::max(images.levels[0].width, images.levels[0].height));
+  const Real lod = clamp(log2(pixel * largest) + 0.5f, 0.0f, static_cast<float>(images.levels.size()) - 1.0f);
+  const Int level = hn::Mul(to_int(lod), whole(3));
+  const Int width = gather(numbers, level), height = gather(numbers + 1, level), first = gather(numbers + 2, level);
+  const Real u = uv.x - floor(uv.x), v = 1.0f - uv.y - floor(1.0f - uv.y);
+  const Real x = u * to_real(width) - 0.5f, y = v * to_real(height) - 0.5f, px = x - floor(x), py = y - floor(y);
+  const Int start = hn::Add(first, hn::Mul(hn::Mul(width, height), to_int(max(uv.z, 0.0f) + 0.5f)));
+  Vec3 sum(0.0f);
+  for (int k = 0; k < 4; ++k) {
+    const Int at_x = wrapped(hn::Add(to_int(floor(x)), whole(k & 1)), width),
+              at_y = wrapped(hn::Add(to_int(floor(y)), whole(k >> 1)), height);
+    const Int word = gather(images.texels.data(), hn::Add(start, hn::Add(hn::Mul(at_y, width), at_x)));
+    const auto channel = [&](Int byte) HWY_ATTR { return gather(images.linear.data(), hn::And(byte, whole(255))); };
+    const Real weight = (k & 1 ? px : 1.0f - px) * (k & 2 ? py : 1.0f - py);
+    sum += weight * Vec3(channel(word), channel(hn::ShiftRight<8>(word)), channel(hn::ShiftRight<16>(word)));
+  }
+  return select(uv.z < -0.5f, Vec3(1.0f), sum);
+}
+
+/// The model's own colour; `pixel` is what share of an image's side a pixel sees.
+template <class Rows>
+HWY_INLINE Vec3 model_colour(const FrameOptics& optics, int image, Rows rows, Real pixel) {
+  const Vec3 colour = max(rows(image + 3), 0.0f);  // of vertices: negative where a sample lies outside its triangle
+  return optics.images ? colour * image_colour(*optics.images, rows(image), pixel) : colour;
+}
+
 /// Hue from the model, lightness along the strand from the ramp; or the ramp alone; and markings over it. `row` and
-/// `rows` read what varies over the surface.
+/// `rows` read what varies over the surface; `pixel` is as in model_colour.
 template <class Varyings, class Row, class Rows>
-HWY_INLINE Vec3 strand_colour(const FrameOptics& optics, const Varyings& varyings, Vec3 strand, Row row, Rows rows) {
+HWY_INLINE Vec3 strand_colour(const FrameOptics& optics, const Varyings& varyings, Vec3 strand, Row row, Rows rows,
+                              Real pixel) {
   Vec3 colour = strand;
   if (varyings.image >= 0) {
     const Real lightness = luminance(strand) * (1 / optics.frame.tile.w);
-    colour = max(rows(varyings.image + 3), 0.0f) * (0.36f + 0.84f * lightness);
+    colour = model_colour(optics, varyings.image, rows, pixel) * (0.36f + 0.84f * lightness);
   }
   if (varyings.varied >= 0)
     colour =

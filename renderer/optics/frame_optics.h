@@ -7,6 +7,7 @@
 #include <span>
 
 #include "renderer/optics/azimuthal_fit.h"
+#include "renderer/optics/base_images.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/surface_volume.h"
 #include "renderer/shading/scattering_table.h"
@@ -45,9 +46,10 @@ struct FrameOptics {
   const AzimuthalFit* azimuthal = nullptr;  // never null; empty for models that need none
   int model = 0;                            // ShadingModel
   int lights = 0;
-  bool environment = false;    // whether light from all around is other than white
-  bool far_lights = true;      // none stands at a place
-  bool model_colours = false;  // whether fur takes the model's colours
+  bool environment = false;            // whether light from all around is other than white
+  bool far_lights = true;              // none stands at a place
+  bool model_colours = false;          // whether fur takes the model's colours
+  const BaseImages* images = nullptr;  // the model's, where fur or skin takes them; null for none
   PatternOptics pattern;
   TuftOptics tufts;
   PaintOptics paint;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 #include <string>
@@ -10,9 +11,11 @@
 #include "renderer/compare/compare.h"
 #include "renderer/marched/kernels.h"
 #include "renderer/marched/marcher.h"
+#include "server/builtin/builtin.h"
 #include "server/frames/fur_view.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
+#include "tests/support/textured.h"
 
 namespace pelage::testing {
 namespace {
@@ -25,10 +28,17 @@ FrameRequest sorted_frame(AutoView view, int size) {
   return request;
 }
 
+/// One for each number of threads, so that a coat is baked once for many tests.
+Marcher& marcher_on(int threads) {
+  static std::map<int, Marcher> marchers;
+  return marchers.try_emplace(threads, threads).first->second;
+}
+
 FloatImage march(const FurredModel& model, const FurFrame& frame, const MarchQuality& quality, int threads = 2) {
-  Marcher marcher(threads);
+  Marcher& marcher = marcher_on(threads);
   const ModelArrays arrays = make_arrays(model.view());
-  marcher.add(make_model(model.view(), arrays), make_fields(model.view(), frame.skin, {}));
+  const FurModel fur = make_model(model.view(), arrays);
+  if (!marcher.has(fur.id)) marcher.add(fur, make_fields(model.view(), frame.skin, {}));
   return marcher.draw(frame, quality);
 }
 
@@ -125,6 +135,28 @@ TEST_P(Marched, BareSkinIsThatOfTheShaders) {
   EXPECT_LT(apart(model, AutoView::front, 128), 0.055);
 }
 
+/// Squares of two colours that are smaller than a pixel in places, over random shades.
+RawImage checkers(int width, int height) {
+  std::mt19937 random(3);
+  RawImage image{width, height, {}};
+  for (int i = 0; i < width * height; ++i) {
+    const bool red = (i % width / 24 + i / width / 24) % 2 == 0;
+    const auto shade = static_cast<std::uint8_t>(120 + random() % 130);
+    for (const std::uint8_t channel :
+         {red ? shade : std::uint8_t{40}, std::uint8_t{70}, red ? std::uint8_t{40} : shade})
+      image.rgba.push_back(channel);
+    image.rgba.push_back(255);
+  }
+  return image;
+}
+
+TEST_P(Marched, APictureOnTheModelIsThatOfTheShaders) {
+  FurredModel model = furred(with_planar_uvs(make_builtin({Builtin::sphere, 1000})));
+  model.skin_texture = checkers(200, 150);  // no powers of two
+  model.settings.skin_texture = std::string(32, 'a');
+  EXPECT_LT(apart(model, AutoView::front, 128), 0.055);
+}
+
 FurCamera above_a_plane() {
   FurCamera camera;
   camera.position = {0.02f, 0.06f, 0.1f}, camera.right = {1, 0, 0}, camera.tan_half_fov = 0.6f;
@@ -198,7 +230,7 @@ TEST(Marcher, DrawsMuchTheSameWithEachInstructionSet) {
 TEST(Marcher, TakesOverChangedFields) {
   FurredModel model = furred({Builtin::sphere, 1000});
   const FurFrame frame = make_frame(model.view(), small_frame(AutoView::front, 96));
-  Marcher marcher(1);
+  Marcher& marcher = marcher_on(1);
   const ModelArrays arrays = make_arrays(model.view());
   const FurModel fur = make_model(model.view(), arrays);
   marcher.add(fur, make_fields(model.view(), frame.skin, {}));
@@ -215,7 +247,7 @@ TEST(Marcher, TakesOverChangedFields) {
 TEST(Marcher, DrawsAPartWithTheBitsOfTheWhole) {
   const FurredModel model = furred({Builtin::creature, 1000});
   const FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 100));
-  Marcher marcher(2);
+  Marcher& marcher = marcher_on(2);
   const ModelArrays arrays = make_arrays(model.view());
   marcher.add(make_model(model.view(), arrays), make_fields(model.view(), frame.skin, {}));
   const FloatImage whole = marcher.draw(frame, {});
@@ -247,7 +279,7 @@ FurCamera random_camera(std::mt19937& random) {
 TEST(Marcher, DrawsLightFromAnywhereOfAnyFur) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0, 1);
-  Marcher marcher(2);  // one, so that the coat is baked once
+  Marcher& marcher = marcher_on(2);
   for (int i = 0; i < 40; ++i) {
     FirstGroom groom;
     groom.length = std::exp(-8 * share(random)), groom.inclination = share(random);
