@@ -7,7 +7,7 @@ import {edit_layer, layers, run, scene} from "../scene/session";
 import {schemaOf} from "../tools/catalogue";
 import {Icon} from "../tools/icons";
 import {resolved, schemas, type Schema} from "../tools/schema";
-import {shownNumber} from "../tools/form";
+import {NumberField} from "../tools/number_field";
 
 const set = (name: string, members: Record<string, unknown>): Command => ({op: "edit_layer", action: "set", name, ...members});
 const memberSchema = (schema: Schema, name: string): Schema => {
@@ -80,8 +80,7 @@ function Weight({layer}: {layer: EditLayer}) {
     <>
       <input type="range" min={low} max={high} step="0.01" value={shown.value} aria-label={`Weight of ${layer.name}`}
              onInput={(event) => { shown.value = Number(event.currentTarget.value); }} onChange={(event) => send(Number(event.currentTarget.value))} />
-      <input type="number" min={min} max={max} step="any" value={shownNumber(shown.value)} aria-label={`Weight of ${layer.name}, as a number`} title={`${min} to ${max}; below 0 the opposite`}
-             onChange={(event) => send(Number(event.currentTarget.value))} />
+      <NumberField label={`Weight of ${layer.name}, as a number`} title={`${min} to ${max}; below 0 the opposite`} min={min} max={max} value={shown.value} take={send} />
     </>
   );
 }

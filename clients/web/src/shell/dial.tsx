@@ -3,7 +3,7 @@ import type {ComponentChildren} from "preact";
 import {useId, useRef} from "preact/hooks";
 import {kept} from "../api/identity";
 import {scene} from "../scene/session";
-import {shownNumber} from "../tools/form";
+import {NumberField, shownNumber} from "../tools/number_field";
 import {schemas, words} from "../tools/schema";
 import {durationOf, measured, stopOf, type Measure, type Stop} from "../view/measured";
 import {dial, trace_at_rest} from "../view/quality";
@@ -49,15 +49,14 @@ function StopRow({stop, name, children}: {stop: Stop; name: string; children?: C
 /** A number with the contract's limits that chooses its stop. */
 function Limit({stop, value, set, unit}: {stop: "budget" | "error"; value: number; set: (to: number) => void; unit: string}) {
   const {minimum = 0, maximum = 1} = limitsOf(stop === "budget" ? "budget_ms" : "max_error");
-  const take = (event: Event) => {
-    const typed = Number((event.currentTarget as HTMLInputElement).value);
-    if (!Number.isFinite(typed) || typed <= 0) return;
+  const take = (typed: number) => {
+    if (typed <= 0) return;
     set(Math.max(minimum, Math.min(maximum, typed)));
     choose(stop);
   };
   return (
-    <span class="dial-limit"><input type="number" step="any" min={minimum} max={maximum} value={shownNumber(value)} onChange={take}
-      aria-label={stop === "budget" ? "Milliseconds of a picture" : "Error of a picture"} /> {unit}</span>
+    <span class="dial-limit"><NumberField label={stop === "budget" ? "Milliseconds of a picture" : "Error of a picture"}
+      min={minimum} max={maximum} value={value} take={take} /> {unit}</span>
   );
 }
 

@@ -1,6 +1,7 @@
 // Size and strength of the brush, within reach whichever panel is open.
 import {brush_members} from "./catalogue";
-import {scaleOf, shownNumber} from "./form";
+import {scaleOf} from "./form";
+import {shownNumber} from "./number_field";
 import {plain, unitOf, words, type Member} from "./schema";
 import {brush, setBrush} from "./state";
 

@@ -1,6 +1,7 @@
 // Forms made from the contract: one row for each member, with its range, unit, default and explanation.
 import type {ComponentChildren} from "preact";
 import {useId} from "preact/hooks";
+import {NumberField, shownNumber} from "./number_field";
 import {membersOf, plain, resolved, unitOf, words, type Member, type Schema} from "./schema";
 import {toHex} from "./colour";
 
@@ -24,7 +25,6 @@ export function sliderEnd(member: Member): {min: number; max: number; step: numb
   return {min, max, step: whole ? 1 : (max - min) / 200, curve};
 }
 
-export const shownNumber = (value: number) => (Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(3))));
 
 /** A slider's share of its way for a number of the member, and back. */
 export function scaleOf(member: Member) {
@@ -45,17 +45,13 @@ function NumberRow({member, value, set, units}: {member: Member; value: unknown;
   const {step, shareOf, numberOf} = scaleOf(member);
   const number = typeof value === "number" ? value : Number(member.fallback ?? member.schema.minimum ?? 0);
   const slide = (event: Event, done: boolean) => set(numberOf(Number((event.currentTarget as HTMLInputElement).value)), done);
-  const type = (event: Event) => {
-    const typed = Number((event.currentTarget as HTMLInputElement).value);
-    if (Number.isFinite(typed)) set(typed, true);
-  };
   const unit = unitOf(member, units);
   return (
     <div class="row" title={plain(member.description)}>
       <label for={id}>{words(member.name)}</label>
       <input id={id} type="range" min="0" max="1" step={step} value={shareOf(number)} aria-valuetext={`${shownNumber(number)} ${unit}`}
              onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
-      <input type="number" aria-label={`${words(member.name)}, as a number`} value={shownNumber(number)} step="any" onChange={type} />
+      <NumberField label={`${words(member.name)}, as a number`} value={number} take={(typed) => set(typed, true)} />
       <span class="unit">{unit}</span>
     </div>
   );
@@ -74,8 +70,8 @@ function VectorInputs({member, value, set}: {member: Member; value: unknown; set
     <div class="row vector" title={plain(member.description)} role="group" aria-label={words(member.name)}>
       <span>{words(member.name)}</span>
       {["x", "y", "z"].map((axis, k) => (
-        <input key={axis} type="number" step="any" aria-label={`${words(member.name)} ${axis}`} value={shownNumber(numbers[k] ?? 0)}
-               onChange={(event) => set(numbers.map((old, j) => (j === k ? Number(event.currentTarget.value) : old)), true)} />
+        <NumberField key={axis} label={`${words(member.name)} ${axis}`} value={numbers[k] ?? 0}
+                     take={(typed) => set(numbers.map((old, j) => (j === k ? typed : old)), true)} />
       ))}
     </div>
   );
