@@ -60,9 +60,9 @@ BaseImages::BaseImages(std::span<const ImageView> images) {
       };
       for (int y = 0; y < level.height; ++y) {
         for (int x = 0; x < level.width; ++x)
-          texels.push_back(mean_of({texel(2 * x, 2 * y), texel(2 * x + 1, 2 * y), texel(2 * x, 2 * y + 1),
-                                    texel(2 * x + 1, 2 * y + 1)},
-                                   linear));
+          texels.push_back(mean_of(
+              {texel(2 * x, 2 * y), texel(2 * x + 1, 2 * y), texel(2 * x, 2 * y + 1), texel(2 * x + 1, 2 * y + 1)},
+              linear));
       }
     }
   }
