@@ -1,11 +1,11 @@
 // A dialog on the browser's own element: focus stays in it, Escape closes it.
 import type {ComponentChildren} from "preact";
-import {useEffect, useRef} from "preact/hooks";
+import {useLayoutEffect, useRef} from "preact/hooks";
 import {Icon} from "../tools/icons";
 
 export function Dialog({title, close, children}: {title: string; close: () => void; children: ComponentChildren}) {
   const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => { element.current?.showModal(); }, []);
+  useLayoutEffect(() => { element.current?.showModal(); }, []);  // before a key can be pressed
   const outside = (event: MouseEvent) => { if (event.target === element.current) close(); };
   return (
     <dialog ref={element} aria-label={title} onClose={close} onClick={outside}>
