@@ -63,10 +63,10 @@ HWY_INLINE Segments segments_at(const MarchScene& scene, const TileScratch& scra
     highest = std::max(highest, std::abs(near.height - far.height));
     segments.dense[lane] = 0.5f * (near.dense + far.dense);
     segments.piece[lane] = static_cast<std::int32_t>(near.piece);
+    segments.lane[lane] = static_cast<std::int32_t>(from);
   }
   segments.there = mask_of_bits(there);
-  segments.samples =
-      std::max(static_cast<int>(std::ceil(static_cast<float>(scene.samples) * highest - 0.01f)), scene.min_samples);
+  segments.samples = std::max(static_cast<int>(std::ceil(static_cast<float>(scene.samples) * highest - 0.01f)), 1);
   return segments;
 }
 
@@ -112,7 +112,8 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
     const Segments next = segments_at(scene, scratch, step);
     const bool goes_on = last && std::equal(next.near, next.near + lane_count, segments.far);
     segments = next;
-    const End near = goes_on ? *last : End(scene, scratch, segments.near), far(scene, scratch, segments.far);
+    const End near = goes_on ? *last : End(scene, scratch, segments.near, segments.lane);
+    const End far(scene, scratch, segments.far, segments.lane);
     march(scene, ray, segments, near, far, seen);
     if (!any(seen.through > 0.004f)) break;
     last.emplace(far);

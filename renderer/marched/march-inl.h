@@ -22,11 +22,12 @@ struct Seen {
 /// The records of one end of a segment, one for each lane. What every frame reads is read once.
 class End {
  public:
-  HWY_INLINE End(const MarchScene& scene, const TileScratch& scratch, const std::uint32_t* records)
+  HWY_INLINE End(const MarchScene& scene, const TileScratch& scratch, const std::uint32_t* records,
+                 const std::int32_t* lanes)
       : values_(scratch.values.data()) {
     const int numbers = scene.varyings.count() * lane_count;
     std::int32_t at[lane_count];
-    for (int i = 0; i < lane_count; ++i) at[i] = static_cast<std::int32_t>(records[i]) * numbers + i;
+    for (int i = 0; i < lane_count; ++i) at[i] = static_cast<std::int32_t>(records[i]) * numbers + lanes[i];
     index_ = hn::LoadU(int_tag, at);
     distance = 1.0f / raw(Varyings::inverse);
     u = row(Varyings::tile), v = row(Varyings::tile + 1);
@@ -50,6 +51,7 @@ struct Segments {
   std::uint32_t near[lane_count], far[lane_count];
   float near_height[lane_count], far_height[lane_count], dense[lane_count];
   std::int32_t piece[lane_count];
+  std::int32_t lane[lane_count];  // whose numbers are read: another's where a lane has no segment
   Mask there;
   int samples;  // of the coat in each
 };
@@ -99,8 +101,6 @@ class TilePlace {
     const Int texel = hn::Add(hn::Mul(hn::And(y, last), side), hn::And(x, last));
     return hn::Add(first, hn::Add(hn::Mul(texel, whole(slice_count)), slice));
   }
-  HWY_INLINE Texel shape(Int x, Int y) const { return texel_of(shape_word(x, y)); }
-
   HWY_INLINE Int shape_word(Int x, Int y) const { return gather(atlas.shapes.data(), word(x, y)); }
 
   /// Between the four texels around the place, which lies at x, y texels; within half a 255th.
@@ -188,7 +188,7 @@ HWY_INLINE void take_sample(const MarchScene& scene, const Path& path, Real t, S
   const Real texels = to_real(path.side), x = at.x * texels, y = at.y * texels;
   if (scene.optics.paint.form) share *= strand_share(place, x, y, path.fields.density, floor(path.level + 0.5f));
   const Int nearest_x = to_int(floor(x)), nearest_y = to_int(floor(y));
-  const Texel shape = scene.smooth ? place.smooth_shape(x, y) : place.shape(nearest_x, nearest_y);
+  const Texel shape = place.smooth_shape(x, y);
   const Real weight = (1.0f - slab.opacity) * (1.0f - exp2(-path.depth * share * shape.w));
   slab.opacity += weight;
   slab.at += weight * t, slab.height += weight * height;
@@ -222,50 +222,74 @@ HWY_INLINE Vec3 tile_axis_of(const MarchScene& scene, const Segments& segments) 
   return {gather(first, axes), gather(first + 1, axes), gather(first + 2, axes)};
 }
 
-/// How a ray goes through the coat between two ends. The depth of a way is that of its height, of how far it moves over
-/// the tile, and of what it meets sideways of strands that lie (science.md 1).
+/// How the skin and its fur lie between two ends, and how a ray meets them.
+struct Lie {
+  Vec3 normal, tangent;                  // unit
+  Real upright;                          // cosine between both
+  Real near_facing, middle, far_facing;  // cosine between the normal and the way back at the ends and between
+};
+
+HWY_INLINE Lie lie_of(const Ray& ray, const End& near, const End& far) {
+  Lie lie;
+  lie.normal = unit(near.normal + far.normal), lie.tangent = unit(near.tangent + far.tangent);
+  lie.upright = max(dot(lie.tangent, lie.normal), 0.15f);
+  lie.near_facing = -dot(ray.unit_way, near.normal), lie.far_facing = -dot(ray.unit_way, far.normal);
+  lie.middle = 0.5f * (lie.near_facing + lie.far_facing);
+  return lie;
+}
+
+/// Half the difference of the height's slopes at the ends, by which it bends; no further than one shell.
+HWY_INLINE Real bend_of(const MarchScene& scene, const Lie& lie, Real way, Real length) {
+  const float shell = 4.0f / static_cast<float>(std::max(scene.shells.count() - 1, 1));
+  const Real up = way / max(length * lie.upright, 1e-6f);
+  return clamp(0.5f * up * (lie.far_facing - lie.near_facing), -shell, 0.0f);
+}
+
+/// The height that a path goes down and up, over that of the fur.
+HWY_INLINE Real climbed_by(const Path& path) {
+  const Real rise = abs(path.rise), bend = -path.bend;
+  return select(bend > rise, 0.5f * (rise * rise + bend * bend) / max(bend, 1e-9f), rise);
+}
+
+/// As fur_vertex.glsl: the way through the coat by the height, by how far it moves sideways past the strands, and by
+/// what it meets of those that lie (science.md 1). By the smooth normals and not by the way itself, which the mesh's
+/// facets make shorter and longer. A facing below .2 counts as .2.
+HWY_INLINE Real way_through(const Ray& ray, const Lie& lie, const Path& path, Real climbed) {
+  const auto mean = [&](auto function) HWY_ATTR {
+    return 0.25f * (function(abs(lie.near_facing)) + function(abs(lie.far_facing))) + 0.5f * function(abs(lie.middle));
+  };
+  const Real risen = mean([](Real facing) HWY_ATTR { return facing; });
+  const Real counted = mean([](Real facing) HWY_ATTR { return min(5.0f * facing, 1.0f); });
+  const Real moved = climbed * path.length * lie.upright * counted / max(risen, 1e-4f);
+  const Vec3 along = lie.tangent - lie.upright * lie.normal, back = -ray.unit_way;
+  const Vec3 past = moved * (back - dot(back, lie.normal) * lie.normal) + path.length * path.rise * along;
+  const Real aside = dot(cross(along, ray.unit_way), lie.normal) * moved / lie.upright;
+  const float over_nominal = static_cast<float>(1 / nominal_length);
+  const Real sideways = over_nominal * over_nominal * (dot(past, past) + aside * aside);
+  return min(sqrt(climbed * climbed + sideways), 10.0f * climbed);
+}
+
+/// How a ray goes through the coat between two ends.
 HWY_INLINE Path path_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
                         const End& far) {
   const FrameBlock& frame = scene.optics.frame;
-  const Real over_nominal = static_cast<float>(1 / nominal_length);
+  const Lie lie = lie_of(ray, near, far);
   Path path;
   path.u0 = near.u, path.v0 = near.v;
   path.du = far.u - near.u, path.dv = far.v - near.v;
   path.height = load(segments.near_height), path.rise = load(segments.far_height) - path.height;
-  const Vec3 normal = unit(near.normal + far.normal), tangent = unit(near.tangent + far.tangent);
   path.length = 0.5f * (near.length + far.length);
-  const Real length = path.length, way = (far.distance - near.distance) * ray.size;
-  const Real upright = max(dot(tangent, normal), 0.15f);
-  // Slopes of the height at the ends, of which the bend is half the difference; no further than one shell.
-  const Real up = way / max(length * upright, 1e-6f);
-  const Real near_facing = -dot(ray.unit_way, near.normal), far_facing = -dot(ray.unit_way, far.normal);
-  const float shell = 4.0f / static_cast<float>(std::max(scene.shells.count() - 1, 1));
-  path.bend = clamp(0.5f * up * (far_facing - near_facing), -shell, 0.0f);
-  const Real size = abs(path.rise), bent = -path.bend;
-  const Real climbed = select(bent > size, 0.5f * (size * size + bent * bent) / max(bent, 1e-9f), size);
-  // As fur_vertex.glsl: how far it moves sideways past the strands, and what it meets of those that lie. By the smooth
-  // normals and not by the way itself, which the mesh's facets make shorter and longer; grazing rays count by a fifth.
-  const auto mean = [&](auto function) HWY_ATTR {
-    const Real middle = 0.5f * (near_facing + far_facing);
-    return 0.25f * (function(abs(near_facing)) + function(abs(far_facing))) + 0.5f * function(abs(middle));
-  };
-  const Real risen = mean([](Real facing) HWY_ATTR { return facing; });
-  const Real counted = mean([](Real facing) HWY_ATTR { return min(5.0f * facing, 1.0f); });
-  const Real moved = climbed * length * upright * counted / max(risen, 1e-4f);
-  const Vec3 along = tangent - upright * normal, back = -ray.unit_way;
-  const Vec3 past = moved * (back - dot(back, normal) * normal) + length * path.rise * along;
-  const Real aside = dot(cross(along, ray.unit_way), normal) * moved / upright;
-  const Real whole_way =
-      min(sqrt(climbed * climbed + over_nominal * over_nominal * (dot(past, past) + aside * aside)), 10.0f * climbed);
-  path.level = level_of(frame, ray, 0.5f * (near.distance + far.distance), normal);
+  path.bend = bend_of(scene, lie, (far.distance - near.distance) * ray.size, path.length);
+  path.level = level_of(frame, ray, 0.5f * (near.distance + far.distance), lie.normal);
   const Int level = to_int(path.level + 0.5f);
   path.first = gather(scene.atlas->first.data(), level), path.side = hn::Shr(whole(slice_texels), level);
-  const Real sine = sqrt(max(1.0f - climbed * climbed / max(whole_way * whole_way, 1e-20f), 0.0f));
+  const Real climbed = climbed_by(path), way = way_through(ray, lie, path, climbed);
+  const Real sine = sqrt(max(1.0f - climbed * climbed / max(way * way, 1e-20f), 0.0f));
   const Real share = 0.5f * (near.share + far.share) * load(segments.dense);
   const float scale = static_cast<float>(stored_depth) * 1.442695f * static_cast<float>(slice_count) /
                       static_cast<float>(segments.samples);
-  path.depth = scale * share * whole_way * depth_scale_of(frame, level, sine);
-  path.depth = select(segments.there & (path.depth > 0.0f), path.depth, 0.0f);
+  const Real depth = scale * share * way * depth_scale_of(frame, level, sine);
+  path.depth = select(segments.there & (depth > 0.0f), depth, 0.0f);
   return path;
 }
 

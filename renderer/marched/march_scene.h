@@ -86,8 +86,6 @@ struct MarchScene {
   int width = 0, height = 0;  // pixels of the picture
   PixelBox box;               // of them that are drawn, by whole tiles
   int samples = 16;           // of the coat over the height of the fur
-  int min_samples = 1;        // in a segment
-  bool smooth = true;         // four texels a sample
   bool bends = false;         // whether strands gather or curl beside what the coat has
   float reach = 0;            // how far a ray moves over the tile between two shells at most, tiles
   glm::vec3 viewpoint{0}, forward{0, 0, -1};

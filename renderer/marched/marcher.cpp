@@ -185,8 +185,7 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   MarchScene scene;
   scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
   scene.width = size_of(frame).x, scene.height = size_of(frame).y;
-  scene.shells = shells_of(quality), scene.samples = quality.samples, scene.min_samples = quality.min_samples,
-  scene.smooth = quality.smooth;
+  scene.shells = shells_of(quality), scene.samples = quality.samples;
   FrameOptics& optics = scene.optics;
   optics.frame = make_frame_block(frame, coated.slices, mesh.has_colours(), scene.height);
   const Look look = wet_look(frame.coat, frame.look);

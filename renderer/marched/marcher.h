@@ -20,8 +20,6 @@ struct MarchQuality {
   int halvings = 1;     // how often their number is halved where the skin faces the camera, [0, 3]
   float denser = 1.5f;  // power by which shells lie closer to the tips, [1, 3]
   int samples = 16;     // of the coat over the height of the fur, [1, 256]
-  int min_samples = 1;  // in a segment
-  bool smooth = true;   // four texels a sample, else one
 };
 
 /// Milliseconds of a frame's stages.

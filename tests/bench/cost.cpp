@@ -47,11 +47,16 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-int argument(int count, char** arguments, const char* name, int fallback) {
+const char* text_argument(int count, char** arguments, const char* name) {
   for (int i = 1; i + 1 < count; i += 2) {
-    if (arguments[i] == std::string(name)) return std::atoi(arguments[i + 1]);
+    if (arguments[i] == std::string(name)) return arguments[i + 1];
   }
-  return fallback;
+  return nullptr;
+}
+
+int argument(int count, char** arguments, const char* name, int fallback) {
+  const char* text = text_argument(count, arguments, name);
+  return text ? std::atoi(text) : fallback;
 }
 
 }  // namespace pelage::bench

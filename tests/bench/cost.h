@@ -21,6 +21,9 @@ std::vector<Cost> measure_alternating(const std::vector<std::function<void()>>& 
 /// What the process has in memory now, bytes.
 double resident_bytes();
 
+/// What comes after `name` among the arguments, null for nothing.
+const char* text_argument(int count, char** arguments, const char* name);
+
 /// The number after `name` among the arguments, else `fallback`.
 int argument(int count, char** arguments, const char* name, int fallback);
 

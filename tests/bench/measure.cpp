@@ -14,6 +14,14 @@ BenchRenderer open_renderer() {
   return {std::move(context).value(), std::move(renderer).value()};
 }
 
+testing::FurredModel speed_model(int number) {
+  if (number == 0) return testing::furred({Builtin::creature, 5000});
+  if (number == 1) return testing::furred_ply("../shared/meshes/spot.ply");
+  return testing::furred({Builtin::torus, 5000});
+}
+
+const char* speed_name(int number) { return number == 0 ? "creature" : number == 1 ? "spot" : "torus"; }
+
 Image draw(Renderer& renderer, const FurFrame& frame, DrawTimes* times) {
   renderer.clear_view_cache();
   Result<Image> image = renderer.draw(frame, times);

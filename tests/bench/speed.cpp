@@ -127,30 +127,20 @@ void run(const Gl& gl, Renderer& renderer, const testing::FurredModel& model, Au
   std::fflush(stdout);
 }
 
-const char* text(int count, char** arguments, const std::string& name) {
-  for (int i = 1; i + 1 < count; ++i) {
-    if (arguments[i] == name) return arguments[i + 1];
-  }
-  return nullptr;
-}
-
 int main(int count, char** arguments) {
   const Setup setup{argument(count, arguments, "--repetitions", 5), argument(count, arguments, "--size", 512),
-                    argument(count, arguments, "--truth", 512), text(count, arguments, "--try")};
+                    argument(count, arguments, "--truth", 512), text_argument(count, arguments, "--try")};
   const int only_model = argument(count, arguments, "--model", -1),
             only_camera = argument(count, arguments, "--camera", -1);
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  const std::array<const char*, 3> names{"creature", "spot", "torus"};
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < speed_models; ++i) {
     if (only_model >= 0 && i != only_model) continue;
-    const testing::FurredModel model = i == 0   ? testing::furred({Builtin::creature, 5000})
-                                       : i == 1 ? testing::furred_ply("../shared/meshes/spot.ply")
-                                                : testing::furred({Builtin::torus, 5000});
+    const testing::FurredModel model = speed_model(i);
     testing::draw(*opened.renderer, model, testing::small_frame());
     for (int view = 0; view < 3; ++view) {
       if (only_camera >= 0 && view != only_camera) continue;
-      std::printf("%s, camera %d\n", names[static_cast<std::size_t>(i)], view);
+      std::printf("%s, camera %d\n", speed_name(i), view);
       run(opened.context->gl(), *opened.renderer, model, cameras[static_cast<std::size_t>(view)], setup);
     }
   }

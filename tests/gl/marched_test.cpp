@@ -287,7 +287,7 @@ TEST(Marcher, DrawsLightFromAnywhereOfAnyFur) {
     model.settings.coat.root_share = share(random);
     FurFrame frame = make_frame(model.view(), small_frame(AutoView::front, 40 + i));
     frame.camera = random_camera(random);
-    const MarchQuality quality{1 + i % 9, i % 3, 1 + static_cast<float>(share(random)), 1 + i % 20, 1, i % 2 == 0};
+    const MarchQuality quality{1 + i % 9, i % 3, 1 + static_cast<float>(share(random)), 1 + i % 20};
     const ModelArrays arrays = make_arrays(model.view());
     marcher.add(make_model(model.view(), arrays), make_fields(model.view(), frame.skin, {}));
     EXPECT_TRUE(is_light(marcher.draw(frame, quality))) << i;
