@@ -1,0 +1,65 @@
+#include "renderer/finish/finish.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "renderer/finish/encode.h"
+#include "renderer/finish/resize.h"
+
+namespace pelage {
+
+namespace {
+
+Encoding encoding_of(const FurFrame& frame, std::int32_t largest) {
+  Encoding encoding;
+  encoding.exposure = static_cast<float>(std::exp2(frame.exposure));
+  encoding.filmic = frame.tone_map == ToneMap::filmic;
+  encoding.transparent = frame.background == Background::transparent;
+  encoding.studio = frame.background == Background::studio;
+  encoding.background = frame.background_colour;
+  encoding.width = frame.width, encoding.height = frame.height, encoding.largest = largest;
+  return encoding;
+}
+
+template <class Picture>
+Picture finished(const FurFrame& frame, const FloatImage& light, int threads) {
+  using Number = typename decltype(Picture::rgba)::value_type;
+  assert(light.width > 0 && light.height > 0);
+  constexpr std::uint32_t rows_together = 8;
+  const Encoding encoding = encoding_of(frame, std::numeric_limits<Number>::max());
+  const ResizedLight resized(light, frame.width, frame.height);
+  const auto row_numbers = 4 * static_cast<std::size_t>(frame.width);
+  Picture picture;
+  picture.width = frame.width, picture.height = frame.height;
+  picture.rgba.resize(row_numbers * static_cast<std::size_t>(frame.height));
+  const auto finish_rows = [&](std::uint32_t run) {
+    std::vector<float> row(row_numbers + 4 * encoded_together);
+    std::vector<std::int32_t> numbers(row.size());
+    const int end = std::min(frame.height, static_cast<int>((run + 1) * rows_together));
+    for (int y = static_cast<int>(run * rows_together); y < end; ++y) {
+      resized.row(y, row.data());
+      encode_row(encoding, y, row.data(), numbers.data());
+      std::transform(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(row_numbers),
+                     picture.rgba.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row_numbers),
+                     [](std::int32_t number) { return static_cast<Number>(number); });
+    }
+  };
+  for_each_in_parallel((static_cast<std::uint32_t>(frame.height) + rows_together - 1) / rows_together, finish_rows,
+                       threads);
+  return picture;
+}
+
+}  // namespace
+
+Image finish_picture(const FurFrame& frame, const FloatImage& light, int threads) {
+  return finished<Image>(frame, light, threads);
+}
+
+Image16 finish_picture_deep(const FurFrame& frame, const FloatImage& light, int threads) {
+  return finished<Image16>(frame, light, threads);
+}
+
+}  // namespace pelage
