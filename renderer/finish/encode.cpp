@@ -68,7 +68,8 @@ void EncodeRow(const Encoding& encoding, int row, const float* light, std::int32
   const Real middles = to_real(hn::Iota(int_tag, 0)) + 0.5f;
   const float y = static_cast<float>(row) + 0.5f;
   for (int x = 0; x < encoding.width; x += lane_count)
-    encode(encoding, middles + static_cast<float>(x), y, light + std::ptrdiff_t{4} * x, numbers + std::ptrdiff_t{4} * x);
+    encode(encoding, middles + static_cast<float>(x), y, light + std::ptrdiff_t{4} * x,
+           numbers + std::ptrdiff_t{4} * x);
 }
 
 }  // namespace pelage::HWY_NAMESPACE

@@ -12,9 +12,9 @@ inline constexpr int encoded_together = 16;
 struct Encoding {
   float exposure = 1;  // factor
   bool filmic = false, transparent = false, studio = false;
-  glm::vec3 background{0};        // linear
-  int width = 0, height = 0;      // pixels of the picture
-  std::int32_t largest = 255;     // of a channel
+  glm::vec3 background{0};     // linear
+  int width = 0, height = 0;   // pixels of the picture
+  std::int32_t largest = 255;  // of a channel
 };
 
 /// A row of premultiplied linear light to straight sRGB in [0, largest], four numbers a pixel each. Both rows are

@@ -23,13 +23,13 @@ ResizedLight::Taps ResizedLight::taps(int pixel, int size) const {
 }
 
 glm::vec4 ResizedLight::texel(int x, int y) const {
-  const float* from =
-      &light_.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(light_.width) + static_cast<std::size_t>(x))];
+  const float* from = &light_.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(light_.width) +
+                                        static_cast<std::size_t>(x))];
   return {from[0], from[1], from[2], from[3]};
 }
 
-/// Catmull-Rom without the four corners, whose weights are at most 1/256, held between the four nearest, so that it does
-/// not ring.
+/// Catmull-Rom without the four corners, whose weights are at most 1/256, held between the four nearest, so that it
+/// does not ring.
 glm::vec4 ResizedLight::enlarged(const Taps& across, const Taps& down) const {
   const std::array<int, 4>&x = across.at, &y = down.at;
   const std::array<float, 4>&v = across.weights, &w = down.weights;

@@ -4,8 +4,15 @@
 
 namespace pelage {
 
+void EyePixels::begin(const SkinPixels& skin) {
+  if (there) return;
+  there = true, inverse = skin.inverse;
+  number.fill(-1);
+}
+
 void TileScratch::clear() {
   skin.inverse.fill(0), skin.piece.fill(0);
+  eyes.there = false;
   records.clear(), values.clear();
   first.fill(0), last.fill(0);
 }

@@ -40,9 +40,20 @@ struct SkinPixels {
   std::array<std::uint32_t, pixels> cut{};                 // ShellTriangle::cut
 };
 
+/// The eyes that a tile shows, in the order of SkinPixels.
+struct EyePixels {
+  bool there = false;                                    // whether any may be; the rest is not read otherwise
+  std::array<float, SkinPixels::pixels> inverse{};       // of what is nearest, eye or skin
+  std::array<std::int8_t, SkinPixels::pixels> number{};  // of the eye, -1 for none
+
+  /// Lays the skin down once a tile.
+  void begin(const SkinPixels& skin);
+};
+
 /// What one thread needs to draw tiles, used again for each.
 struct TileScratch {
   SkinPixels skin;
+  EyePixels eyes;
   std::vector<Record> records;
   std::vector<float> values;                                      // of all records, row by row
   std::array<std::uint32_t, SkinPixels::pixels> first{}, last{};  // record of each group, counted from 1
@@ -50,6 +61,8 @@ struct TileScratch {
   std::array<std::vector<Segment>, 16> segments;
 
   void clear();
+  /// Depths that fur ends at.
+  const float* nearest() const { return eyes.there ? eyes.inverse.data() : skin.inverse.data(); }
   /// Room for the numbers of a record, valid until the next one is added.
   float* add(const Record& record, int group, int numbers);
 };

@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "renderer/marched/kernels.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
+#include "renderer/marched/eyes-inl.h"
 #include "renderer/marched/march-inl.h"
 #include "renderer/marched/skin-inl.h"
 #include "renderer/marched/vertices-inl.h"
@@ -71,9 +72,8 @@ HWY_INLINE Segments segments_at(const MarchScene& scene, const TileScratch& scra
 }
 
 HWY_INLINE Ray ray_of(const MarchScene& scene, int left, int top) {
-  const Real x = lanes_x() + static_cast<float>(left), y = lanes_y() + static_cast<float>(top);
   Ray ray;
-  ray.way = Vec3(scene.ray_0) + x * Vec3(scene.ray_x) + y * Vec3(scene.ray_y);
+  ray.way = way_of(scene, left, top);
   ray.size = length(ray.way), ray.unit_way = ray.way * (1.0f / ray.size);
   float offset[lane_count];
   constexpr float order[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};  // of a 4 x 4 dither
@@ -101,7 +101,8 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
   const int left = tile.left + group % groups_across * group_width,
             top = tile.top + group / groups_across * group_height;
   const Real skin_inverse = load(&scratch.skin.inverse[static_cast<std::size_t>(group * lane_count)]);
-  if (scratch.first[static_cast<std::size_t>(group)] == 0 && !any(skin_inverse > 0.0f))
+  const std::uint32_t eyes = eyes_of(scratch, group);
+  if (scratch.first[static_cast<std::size_t>(group)] == 0 && eyes == 0 && !any(skin_inverse > 0.0f))
     return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
   const Ray ray = ray_of(scene, left, top);
   Seen seen{Vec3(0.0f), 1.0f};
@@ -118,6 +119,7 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
     if (!any(seen.through > 0.004f)) break;
     last.emplace(far);
   }
+  if (eyes != 0) see_eyes(scene, ray, scratch, group, eyes, seen);
   const SkinPoint skin(scene, scratch.skin, group);
   if (any(skin.there() & (seen.through > 0.002f))) {
     const Real weight = select(skin.there(), seen.through, 0.0f);
@@ -131,6 +133,7 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
 void DrawTile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light) {
   scratch.clear();
   raster_skin(scene, tile, scratch);
+  raster_eyes(scene, tile, scratch);
   raster_fur(scene, tile, scratch);
   for (int group = 0; group < groups_across * groups_down; ++group) draw_group(scene, tile, scratch, group, light);
 }

@@ -77,6 +77,13 @@ struct PixelBox {
   int left = 0, top = 0, right = 0, bottom = 0;
 };
 
+/// The camera in the frame of an eye.
+struct EyeCamera {
+  glm::vec3 viewer{0};   // radii of the eye
+  glm::vec3 forward{0};  // unit
+  PixelBox box;          // that the eye may touch
+};
+
 struct MarchScene {
   FrameOptics optics;
   MarchMesh mesh;
@@ -90,6 +97,8 @@ struct MarchScene {
   float reach = 0;            // how far a ray moves over the tile between two shells at most, tiles
   glm::vec3 viewpoint{0}, forward{0, 0, -1};
   glm::vec3 ray_x{0}, ray_y{0}, ray_0{0};  // way of a pixel's ray by its x and y, 1 along the view
+
+  std::vector<EyeCamera> eyes;  // of optics.eyes
 
   /// Rows of all shells' vertices, one shell after the other, and of those that cutting at the near plane makes. Those
   /// nearer than near_distance have 0 for `inverse`, and their other numbers as they are.

@@ -208,6 +208,8 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   scene.reach = 4 * longest * optics.frame.tile.x;
   add_camera(frame, scene);
   scene.varyings = varyings_of(scene);
+  if (!frame.eyes.empty() && !eyes_) eyes_ = std::make_unique<EyeCache>();
+  if (!frame.eyes.empty()) eyes_->add(frame, scene);
   return scene;
 }
 

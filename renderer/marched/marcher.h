@@ -9,6 +9,7 @@
 
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/marched/eye_cache.h"
 #include "renderer/marched/fur_mesh.h"
 #include "renderer/marched/slice_atlas.h"
 
@@ -55,7 +56,8 @@ class Marcher {
   int threads_;
   std::map<std::uint64_t, FurMesh> meshes_;
   std::list<Coated> coats_;
-  struct Colours;  // what a look and a pattern keep between frames
+  std::unique_ptr<EyeCache> eyes_;  // null before the first eye
+  struct Colours;                   // what a look and a pattern keep between frames
   std::unique_ptr<Colours> colours_;
 };
 

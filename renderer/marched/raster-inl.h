@@ -33,6 +33,12 @@ HWY_INLINE Real lanes_y() {
   return load(y);
 }
 
+/// Of the rays of a group's pixels, 1 along the view.
+HWY_INLINE Vec3 way_of(const MarchScene& scene, int left, int top) {
+  const Real x = lanes_x() + static_cast<float>(left), y = lanes_y() + static_cast<float>(top);
+  return Vec3(scene.ray_0) + x * Vec3(scene.ray_x) + y * Vec3(scene.ray_y);
+}
+
 /// One side of a triangle. Both triangles at a side compute the same number for a pixel, so that it belongs to just
 /// one.
 struct Side {
@@ -148,9 +154,10 @@ HWY_INLINE float density_of(const MarchScene& scene, const ShellTriangle& triang
   return std::clamp(scene.mesh.axes[triangle.piece].tile_area / std::max(area, 1e-30f), 0.16f, 1.7f);
 }
 
-/// Records of what each triangle brings to each group that it covers before the skin.
+/// Records of what each triangle brings to each group that it covers before the skin and the eyes.
 HWY_INLINE void raster_fur(const MarchScene& scene, const Tile& tile, TileScratch& scratch) {
   const int count = scene.varyings.count();
+  const float* nearest = scratch.nearest();
   for (const ShellTriangle& triangle : tile.triangles) {
     if (triangle.shell == 0 && !triangle.facing) continue;
     const Setup setup = setup_of(scene, tile, triangle);
@@ -164,8 +171,8 @@ HWY_INLINE void raster_fur(const MarchScene& scene, const Tile& tile, TileScratc
       const Inside inside = inside_of(setup, px, py);
       if (!any(inside.mask)) return;
       const Real inverse = at_inside(setup, inside, Varyings::inverse);
-      const Real skin = load(&scratch.skin.inverse[static_cast<std::size_t>(group * lane_count)]);
-      const Mask seen = inside.mask & (inverse > 0.0f) & (inverse >= skin * 0.9999995f);
+      const Real behind = load(nearest + group * lane_count);
+      const Mask seen = inside.mask & (inverse > 0.0f) & (inverse >= behind * 0.9999995f);
       if (!any(seen)) return;
       record.lanes = bits_of(seen);
       float* values = scratch.add(record, group, count * lane_count);

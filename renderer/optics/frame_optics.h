@@ -8,6 +8,7 @@
 
 #include "renderer/optics/azimuthal_fit.h"
 #include "renderer/optics/base_images.h"
+#include "renderer/optics/eye_optics.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/surface_volume.h"
 #include "renderer/shading/scattering_table.h"
@@ -53,6 +54,7 @@ struct FrameOptics {
   PatternOptics pattern;
   TuftOptics tufts;
   PaintOptics paint;
+  EyeOptics eyes;
 };
 
 }  // namespace pelage

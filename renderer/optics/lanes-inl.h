@@ -132,6 +132,8 @@ HWY_INLINE Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 HWY_INLINE Vec2 operator*(Vec2 a, Real s) { return {a.x * s, a.y * s}; }
 HWY_INLINE Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
 
+HWY_INLINE Real length(Vec2 a) { return sqrt(mul_add(a.x, a.x, a.y * a.y)); }
+
 struct Vec3 {
   Real x, y, z;
   Vec3() = default;

@@ -1,4 +1,4 @@
-// Eyes, each in its own frame: the ball has radius 1, +Z is the axis. renderer/passes/eye/eye_pass.h mirrors it.
+// Eyes, each in its own frame: the ball has radius 1, +Z is the axis. renderer/eye/eye_block.h mirrors it.
 #include "constants.glsl"
 struct Eye {
   vec4 right;       // unit, in the model's coordinates; w: radius, sizes

@@ -50,7 +50,7 @@ ALLOWED = {
     "renderer/light": ["protocol/base", "protocol/commands"],
     "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
     "renderer/quality": ["protocol/base", "protocol/commands", "renderer/input"],
-    "renderer/optics": ["protocol/base", "renderer/input", "renderer/shaders", "renderer/shading", "renderer/pattern", "renderer/upload"],
+    "renderer/optics": ["protocol/base", "renderer/eye", "renderer/input", "renderer/shaders", "renderer/shading", "renderer/pattern", "renderer/upload"],
     "renderer/finish": ["protocol/base", "protocol/commands", "renderer/image", "renderer/input", "renderer/optics"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],

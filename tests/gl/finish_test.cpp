@@ -1,10 +1,11 @@
 // Pictures finished without a GL beside those of the resolve pass.
+#include "renderer/finish/finish.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
 
-#include "renderer/finish/finish.h"
 #include "renderer/gl/handles.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "tests/gl/backends.h"
