@@ -19,7 +19,8 @@ std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& texels, int wi
     for (int x = 0; x < width / 2; ++x) {
       for (int k = 0; k < 4; ++k) {
         const auto at = [&](int i, int j) {
-          return int{texels[4 * static_cast<std::size_t>((2 * y + j) * width + 2 * x + i) + static_cast<std::size_t>(k)]};
+          return int{
+              texels[4 * static_cast<std::size_t>((2 * y + j) * width + 2 * x + i) + static_cast<std::size_t>(k)]};
         };
         half.push_back(static_cast<std::uint8_t>((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4));
       }
@@ -47,7 +48,8 @@ PixelBox box_of(const EyeEntry& eye, const MarchScene& scene) {
   glm::vec2 low(1e9f), high(-1e9f);
   for (int k = 0; k < 8; ++k) {
     const glm::vec3 corner(k & 1 ? side : -side, k & 2 ? side : -side, k & 4 ? top : -side);
-    const glm::vec3 place = glm::vec3(eye.position) + eye.right.w * (glm::mat3(eye.right, eye.up, eye.forward) * corner);
+    const glm::vec3 place =
+        glm::vec3(eye.position) + eye.right.w * (glm::mat3(eye.right, eye.up, eye.forward) * corner);
     const glm::vec4 clip = scene.optics.frame.world_to_clip * glm::vec4(place, 1);
     if (!(clip.w > near_distance)) return {0, 0, scene.width, scene.height};
     const glm::vec2 at = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(scene.width, scene.height);

@@ -38,7 +38,8 @@ HWY_INLINE void add_eye(const MarchScene& scene, int number, int group, Vec3 way
 HWY_INLINE void raster_eyes(const MarchScene& scene, const Tile& tile, TileScratch& scratch) {
   for (std::size_t number = 0; number < scene.eyes.size(); ++number) {
     const PixelBox& box = scene.eyes[number].box;
-    const int left = std::max(box.left - tile.left, 0) / group_width, top = std::max(box.top - tile.top, 0) / group_height;
+    const int left = std::max(box.left - tile.left, 0) / group_width,
+              top = std::max(box.top - tile.top, 0) / group_height;
     const int right = (std::min(box.right - tile.left, Tile::side) + group_width - 1) / group_width;
     const int bottom = (std::min(box.bottom - tile.top, Tile::side) + group_height - 1) / group_height;
     if (left >= right || top >= bottom) continue;

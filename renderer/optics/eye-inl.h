@@ -45,8 +45,8 @@ HWY_INLINE Vec3 surroundings_along(const EyeView& view, Vec3 way, Vec3 place) {
   const EyeEntry& eye = view.eye;
   const Real height = eye.right.y * way.x + eye.up.y * way.y + eye.forward.y * way.z;
   const Vec3 facing = eye.lid_right.w == 0 ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(eye.lid_facing);
-  const Real share =
-      mix(0.30f, 1.15f, smoothstep(-0.25f, 0.75f, height)) * mix(0.08f, 1.0f, smoothstep(-0.15f, 0.55f, dot(way, facing)));
+  const Real share = mix(0.30f, 1.15f, smoothstep(-0.25f, 0.75f, height)) *
+                     mix(0.08f, 1.0f, smoothstep(-0.15f, 0.55f, dot(way, facing)));
   return Vec3(view.optics.eyes.block.surroundings) * (share * past_lids(eye, place, way));
 }
 
@@ -124,8 +124,8 @@ struct BallHit {
   Real covered;  // share of the pixel, softened over one pixel
 };
 
-/// Of a ball on the axis. Taken from a place of the ray close by, so that nothing is lost far from the eye; where it misses
-/// by less than a pixel, the place on the silhouette.
+/// Of a ball on the axis. Taken from a place of the ray close by, so that nothing is lost far from the eye; where it
+/// misses by less than a pixel, the place on the silhouette.
 HWY_INLINE BallHit enter_ball(Vec3 close_by, Vec3 along, Real pixel, float centre, float radius) {
   const Vec3 middle(0.0f, 0.0f, centre), off = close_by - middle, nearest = off - along * dot(off, along);
   const Real square = dot(nearest, nearest), inner = radius * radius - square;
@@ -145,12 +145,24 @@ struct EyeHit {
   Vec3 nearest;        // of the two places
 };
 
+/// How far rays go until they enter the box around an eye, where the shader takes the size of a pixel.
+HWY_INLINE Real way_to_box(const EyeEntry& eye, const glm::vec3& viewer, Vec3 along) {
+  const float side = 1.02f * lid_radius, top = 1.02f * std::max(lid_radius, eye.cornea.x + eye.cornea.y);
+  const auto enter = [](Real step, float from, float high, float low) HWY_ATTR {
+    const Real to = select(step > 0.0f, low - from, high - from);
+    return select(abs(step) > 1e-9f, to / step, -1e30f);
+  };
+  return max(enter(along.x, viewer.x, side, -side),
+             max(enter(along.y, viewer.y, side, -side), enter(along.z, viewer.z, top, -side)));
+}
+
 /// `viewer` is in radii; `way` in the eye's frame, of any length; `pixel_angle` of one pixel.
 HWY_INLINE EyeHit meet_eye(const EyeEntry& eye, const glm::vec3& viewer, Vec3 way, float pixel_angle) {
   EyeHit hit;
   hit.along = unit(way);
   const Vec3 from(viewer), close_by = from - hit.along * dot(from, hit.along);
-  hit.pixel = max(pixel_angle * length(close_by - from), 1e-6f);
+  const Real middle = length(close_by - from), before = way_to_box(eye, viewer, hit.along);
+  hit.pixel = max(pixel_angle * clamp(before, middle - 2.0f, middle), 1e-6f);
   const BallHit ball = enter_ball(close_by, hit.along, hit.pixel, 0, 1);
   const BallHit dome = enter_ball(close_by, hit.along, hit.pixel, eye.cornea.x, eye.cornea.y);
   const BallHit lid = enter_ball(close_by, hit.along, hit.pixel, 0, lid_radius);
@@ -162,7 +174,8 @@ HWY_INLINE EyeHit meet_eye(const EyeEntry& eye, const glm::vec3& viewer, Vec3 wa
   hit.shut = lids ? 1.0f - smoothstep(-half, half, lid_opening(eye, unit_or_zero(lid.place))) : Real(0.0f);
   hit.covered = mix(hit.open, lid.covered, hit.shut);
   hit.nearest = select(hit.shut > 0.5f, hit.lid, hit.ball);
-  hit.there = (hit.covered > 0.0f) & (dot(hit.nearest - from, hit.along) > 0.0f);  // nor behind the camera, nor around it
+  hit.there =
+      (hit.covered > 0.0f) & (dot(hit.nearest - from, hit.along) > 0.0f);  // nor behind the camera, nor around it
   return hit;
 }
 

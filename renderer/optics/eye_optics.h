@@ -22,9 +22,9 @@ static_assert(iris_map_height >> (TissueLevels::count - 1) == 1);
 /// Views that outlive the frame's drawing.
 struct EyeOptics {
   EyeBlock block;
-  int steps = 0;                            // into the iris: Knobs::eye_steps
-  const TissueLevels* tissues = nullptr;    // not null where there are eyes
-  std::span<const float> caustics;          // gather_caustics of each shape, one after the other
+  int steps = 0;                          // into the iris: Knobs::eye_steps
+  const TissueLevels* tissues = nullptr;  // not null where there are eyes
+  std::span<const float> caustics;        // gather_caustics of each shape, one after the other
 };
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// What is seen through the cornea of an eye, for several pixels at once: the iris behind it, marched or flat. The twin of
-// renderer/passes/eye/eye.frag, which has the sources. All places are in the eye's frame.
+// What is seen through the cornea of an eye, for several pixels at once: the iris behind it, marched or flat. The twin
+// of renderer/passes/eye/eye.frag, which has the sources. All places are in the eye's frame.
 #if defined(PELAGE_OPTICS_IRIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_IRIS_INL_H_
 #undef PELAGE_OPTICS_IRIS_INL_H_
@@ -29,8 +29,8 @@ HWY_INLINE Real atan2(Real y, Real x) {
 HWY_INLINE Real acos(Real cosine) {
   const Real x = min(abs(cosine), 1.0f);
   Real p = -0.0012624911f;
-  for (const float factor : {0.0066700901f, -0.0170881256f, 0.0308918810f, -0.0501743046f, 0.0889789874f, -0.2145988016f,
-                             1.5707963050f})
+  for (const float factor :
+       {0.0066700901f, -0.0170881256f, 0.0308918810f, -0.0501743046f, 0.0889789874f, -0.2145988016f, 1.5707963050f})
     p = mul_add(p, x, factor);
   const Real angle = p * sqrt(1.0f - x);
   return select(cosine < 0.0f, 3.14159265f - angle, angle);
@@ -66,7 +66,8 @@ HWY_INLINE Real lid_opening(const EyeEntry& eye, Vec3 direction) {
   if (eye.lid_right.w == 0) return 10.0f;
   const Real across = dot(Vec3(eye.lid_right), direction), up = dot(Vec3(eye.lid_up), direction),
              forward = dot(Vec3(eye.lid_facing), direction);
-  const Real x = atan2(across, forward) * (1 / eye.lid_right.w), y = atan2(up, sqrt(across * across + forward * forward));
+  const Real x = atan2(across, forward) * (1 / eye.lid_right.w),
+             y = atan2(up, sqrt(across * across + forward * forward));
   const Real narrowing = 1.0f - x * x;
   return min(eye.lid_up.w * narrowing - y, y + eye.lid_facing.w * narrowing);
 }
@@ -174,8 +175,8 @@ HWY_INLINE Real scattered_by_tissue(Real cosine) {
 }
 
 struct IrisLight {
-  Vec3 arriving[max_lights];    // irradiance on the iris
-  Real rising[max_lights];      // cosine of the light inside
+  Vec3 arriving[max_lights];  // irradiance on the iris
+  Real rising[max_lights];    // cosine of the light inside
   Real scattered[max_lights];
   Vec3 sky;
   Vec3 whole;  // of all lights and the sky
@@ -209,8 +210,9 @@ HWY_INLINE Vec3 flat_iris(const EyeView& view, Vec2 at, const IrisLight& lights)
          (tissue.x * 1.5f * smoothstep(-soft, soft, length(at) - edge));
 }
 
-/// What a step through tissue sends back of the light that falls on it, over what thick tissue does: scattered once, with
-/// the light's way in from above the step and through it, and the ray's way through it. Steps of any size add up to 1.
+/// What a step through tissue sends back of the light that falls on it, over what thick tissue does: scattered once,
+/// with the light's way in from above the step and through it, and the ray's way through it. Steps of any size add up
+/// to 1.
 HWY_INLINE Real sent_back(Real above, Real thick, Real slant, Real rising) {
   const Real over = 1.0f / rising;
   return exp(-above * over) * (1.0f - exp(-thick * (slant + over)));
@@ -225,8 +227,8 @@ struct IrisStep {
 HWY_INLINE Vec3 light_of_step(const EyeView& view, const IrisLight& lights, const IrisStep& step, const Texel& tissue) {
   Vec3 light = lights.sky * sent_back(step.above, step.thick, step.slant, 2.0f);
   for (int i = 0; i < view.optics.lights; ++i) {
-    light += lights.arriving[i] *
-             (lights.scattered[i] * sent_back(step.above, step.thick, step.slant, lights.rising[i]));
+    light +=
+        lights.arriving[i] * (lights.scattered[i] * sent_back(step.above, step.thick, step.slant, lights.rising[i]));
   }
   const Vec3 colour = tissue_colour(view.eye, tissue);
   return light * mix(colour, colour * colour, clamp(step.below, 0.0f, 1.0f)) * (tissue.x * 1.5f);
@@ -249,8 +251,7 @@ HWY_INLINE Vec3 marched_iris(const EyeView& view, Vec2 top, Vec2 bottom, Real sl
     step.below = tissue.y - (1.0f - depth), step.slant = slant;
     step.thick = density * min(max(step.below + 0.5f * share, 0.0f), share);
     step.above = density * max(step.below - 0.5f * share, 0.0f);
-    const Real there =
-        select(passed > 0.02f, smoothstep(-view.pixel, view.pixel, length(at) - edge), 0.0f);
+    const Real there = select(passed > 0.02f, smoothstep(-view.pixel, view.pixel, length(at) - edge), 0.0f);
     if (!any(step.thick * there > 0.0f)) continue;
     sum += light_of_step(view, lights, step, tissue) * (passed * there);
     passed *= 1.0f - there * (1.0f - exp(-step.thick * slant));
