@@ -25,21 +25,18 @@ Encoding encoding_of(const FurFrame& frame, std::int32_t largest) {
 }
 
 template <class Picture>
-Picture finished(const FurFrame& frame, const FloatImage& light, int threads) {
+void finish_into(const FurFrame& frame, const FloatImage& light, int top, int bottom, Picture& picture, int threads) {
   using Number = typename decltype(Picture::rgba)::value_type;
-  assert(light.width > 0 && light.height > 0);
-  constexpr std::uint32_t rows_together = 8;
+  assert(light.width > 0 && light.height > 0 && 0 <= top && top <= bottom && bottom <= frame.height);
+  constexpr int rows_together = 8;
   const Encoding encoding = encoding_of(frame, std::numeric_limits<Number>::max());
   const ResizedLight resized(light, frame.width, frame.height);
   const auto row_numbers = 4 * static_cast<std::size_t>(frame.width);
-  Picture picture;
-  picture.width = frame.width, picture.height = frame.height;
-  picture.rgba.resize(row_numbers * static_cast<std::size_t>(frame.height));
-  const auto finish_rows = [&](std::uint32_t run) {
+  const auto finish_run = [&](std::uint32_t run) {
     std::vector<float> row(row_numbers + 4 * encoded_together);
     std::vector<std::int32_t> numbers(row.size());
-    const int end = std::min(frame.height, static_cast<int>((run + 1) * rows_together));
-    for (int y = static_cast<int>(run * rows_together); y < end; ++y) {
+    const int begin = top + static_cast<int>(run) * rows_together, end = std::min(bottom, begin + rows_together);
+    for (int y = begin; y < end; ++y) {
       resized.row(y, row.data());
       encode_row(encoding, y, row.data(), numbers.data());
       std::transform(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(row_numbers),
@@ -47,8 +44,16 @@ Picture finished(const FurFrame& frame, const FloatImage& light, int threads) {
                      [](std::int32_t number) { return static_cast<Number>(number); });
     }
   };
-  for_each_in_parallel((static_cast<std::uint32_t>(frame.height) + rows_together - 1) / rows_together, finish_rows,
+  for_each_in_parallel(static_cast<std::uint32_t>((bottom - top + rows_together - 1) / rows_together), finish_run,
                        threads);
+}
+
+template <class Picture>
+Picture finished(const FurFrame& frame, const FloatImage& light, int threads) {
+  Picture picture;
+  picture.width = frame.width, picture.height = frame.height;
+  picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  finish_into(frame, light, 0, frame.height, picture, threads);
   return picture;
 }
 
@@ -60,6 +65,10 @@ Image finish_picture(const FurFrame& frame, const FloatImage& light, int threads
 
 Image16 finish_picture_deep(const FurFrame& frame, const FloatImage& light, int threads) {
   return finished<Image16>(frame, light, threads);
+}
+
+void finish_rows(const FurFrame& frame, const FloatImage& light, int top, int bottom, Image& picture, int threads) {
+  finish_into(frame, light, top, bottom, picture, threads);
 }
 
 }  // namespace pelage

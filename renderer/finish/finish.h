@@ -14,4 +14,8 @@ namespace pelage {
 Image finish_picture(const FurFrame& frame, const FloatImage& light, int threads = default_threads());
 Image16 finish_picture_deep(const FurFrame& frame, const FloatImage& light, int threads = default_threads());
 
+/// The rows [top, bottom) of finish_picture, into a picture of the frame's size whose others stay.
+void finish_rows(const FurFrame& frame, const FloatImage& light, int top, int bottom, Image& picture,
+                 int threads = default_threads());
+
 }  // namespace pelage

@@ -3,20 +3,20 @@
 #include <optional>
 
 #include "renderer/frame/parts.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/frame/gl_renderer.h"
 #include "renderer/gl/sync.h"
 #include "renderer/passes/draw/draw.h"
 
 namespace pelage {
 
-void Renderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target) {
+void GlRenderer::draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target) {
   set_draw_state(gl_, target.framebuffer(), target.width(), target.height());
   gl_.DepthMask(GL_TRUE);
   target.clear(gl_);
   draw_body(frame, scene, "#define AOVS\n");
 }
 
-Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
+Result<std::vector<FloatImage>> GlRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
                                                     const Pause& pause) {
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   DrawTimes taken;
@@ -32,7 +32,7 @@ Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::
   return images;
 }
 
-Result<std::vector<FloatImage>> Renderer::gather_aovs(const FurFrame& frame, const Prepared& scene,
+Result<std::vector<FloatImage>> GlRenderer::gather_aovs(const FurFrame& frame, const Prepared& scene,
                                                       std::span<const Aov> aovs, DrawTimes& times) {
   const DrawClock clock(times);
   std::optional<AovTarget> target;
@@ -50,7 +50,7 @@ Result<std::vector<FloatImage>> Renderer::gather_aovs(const FurFrame& frame, con
   return images;
 }
 
-Result<FloatImage> Renderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target) {
+Result<FloatImage> GlRenderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target) {
   RenderTarget distance;
   GLuint source = view_.drawn.texture();
   if (aov == Aov::depth) {

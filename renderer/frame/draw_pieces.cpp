@@ -3,7 +3,7 @@
 
 #include "renderer/frame/parts.h"
 #include "renderer/frame/pieces.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/run_beside.h"
 #include "renderer/gl/sync.h"
 
@@ -27,7 +27,7 @@ void add_counts(FrameCounters& total, const FrameCounters& more) {
   total.objects += more.objects, total.allocated += more.allocated;
 }
 
-Result<Renderer::Prepared> Renderer::draw_part(const FurFrame& frame, const std::optional<Area>& part,
+Result<GlRenderer::Prepared> GlRenderer::draw_part(const FurFrame& frame, const std::optional<Area>& part,
                                                DrawTimes& times) {
   const DrawClock clock(times);
   fragments_.begin();
@@ -40,7 +40,7 @@ Result<Renderer::Prepared> Renderer::draw_part(const FurFrame& frame, const std:
   return scene;
 }
 
-Result<Renderer::Prepared> Renderer::draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown,
+Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                                     const Pause& pause, DrawTimes& times) {
   const Status given_up = failure(Code::conflict, "the drawing was given up");
   if (pause && !bake(frame.coat, pause)) return given_up;
@@ -61,12 +61,12 @@ Result<Renderer::Prepared> Renderer::draw_in_pieces(const FurFrame& frame, const
   return prepare_alone(frame, part, times);  // for what is drawn beside light
 }
 
-Renderer::Prepared Renderer::prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
+GlRenderer::Prepared GlRenderer::prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
   const DrawClock clock(times);
   return prepare_scene(frame, part, times);
 }
 
-bool Renderer::bake(const Coat& coat, const Pause& pause) {
+bool GlRenderer::bake(const Coat& coat, const Pause& pause) {
   if (has(coat)) return true;
   const auto next = [&] { return let_in(pause); };
   std::optional<Slices> slices = run_beside(next, [&](const auto& go_on) { return bake_slices(coat, go_on); });
@@ -74,7 +74,7 @@ bool Renderer::bake(const Coat& coat, const Pause& pause) {
   return slices.has_value();
 }
 
-Pieces Renderer::pieces_of(const FurFrame& frame, const Area& area) {
+Pieces GlRenderer::pieces_of(const FurFrame& frame, const Area& area) {
   const int width = view_.drawn.width(), height = view_.drawn.height();
   const FurWork fur = models_.at(frame.model).work_of(shell_view(frame, block_of(frame), area), {width, height});
   const glm::dvec2 pixels(width, height);
@@ -85,10 +85,10 @@ Pieces Renderer::pieces_of(const FurFrame& frame, const Area& area) {
   return {area, work, fragment_ms(frame.knobs.order)};
 }
 
-bool Renderer::let_in(const Pause& pause) {
-  CachedView view = std::move(view_);
+bool GlRenderer::let_in(const Pause& pause) {
+  CachedView<Targets> view = std::move(view_);
   const bool go_on = pause();
-  view_ = go_on ? std::move(view) : CachedView();
+  view_ = go_on ? std::move(view) : CachedView<Targets>();
   return go_on;
 }
 

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "renderer/frame/parts.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/frame/gl_renderer.h"
 #include "renderer/gl/sync.h"
 #include "renderer/passes/draw/draw.h"
 
@@ -29,7 +29,7 @@ FurFrame open_frame(const FurFrame& frame) {
 
 }  // namespace
 
-Result<Backplate> Renderer::draw_backplate(const FurFrame& asked, DrawTimes* times) {
+Result<Backplate> GlRenderer::draw_backplate(const FurFrame& asked, DrawTimes* times) {
   const FurFrame frame = open_frame(asked);
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   const Stopwatch drawing;
@@ -60,14 +60,14 @@ Result<Backplate> Renderer::draw_backplate(const FurFrame& asked, DrawTimes* tim
   return base;
 }
 
-void Renderer::draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
+void GlRenderer::draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
                               const std::string& outputs) {
   const std::string variant = light_of(frame, model.has_colours()) + shape_of(frame.coat, model) + outputs;
   fur_.draw_open_skin(gl_, model, lists, variant);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
 }
 
-Result<Backplate> Renderer::read_backplate(const AovTarget& aovs, const RenderTarget& distance) {
+Result<Backplate> GlRenderer::read_backplate(const AovTarget& aovs, const RenderTarget& distance) {
   struct Part {
     Aov aov;
     GLuint texture;
@@ -89,16 +89,16 @@ Result<Backplate> Renderer::read_backplate(const AovTarget& aovs, const RenderTa
   return base;
 }
 
-Result<Image> Renderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
+Result<Image> GlRenderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
   return finish_picture<Image>(frame, light, GL_RGBA8, GL_UNSIGNED_BYTE, 255, times);
 }
 
-Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
+Result<Image16> GlRenderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
   return finish_picture<Image16>(frame, light, GL_RGBA16, GL_UNSIGNED_SHORT, 65535, times);
 }
 
 template <class Picture>
-Result<Picture> Renderer::finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
+Result<Picture> GlRenderer::finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
                                          int largest, DrawTimes* times) {
   assert(light.width == frame.width && light.height == frame.height);
   const Stopwatch drawing;
@@ -119,7 +119,7 @@ Result<Picture> Renderer::finish_picture(const FurFrame& frame, const FloatImage
   return image;
 }
 
-Result<RenderTarget> Renderer::overlay_on_traced(const FurFrame& frame) {
+Result<RenderTarget> GlRenderer::overlay_on_traced(const FurFrame& frame) {
   if (frame.overlay == Overlay::none) return RenderTarget();
   if (frame.overlay == Overlay::shell_count || OverlayPass::is_map(frame.overlay))
     return failure(Code::invalid, "Traced strands have no such map.", "/overlay");

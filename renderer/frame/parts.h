@@ -1,47 +1,13 @@
 // What the parts of the renderer share.
 #pragma once
 
-#include <time.h>
-
 #include <optional>
 #include <string>
 
-#include "protocol/base/stopwatch.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/frame/draw_clock.h"
+#include "renderer/frame/gl_renderer.h"
 
 namespace pelage {
-
-/// CPU time of all threads of the process: what a software GL draws with.
-class CpuStopwatch {
- public:
-  double milliseconds() const { return now() - start_; }
-
- private:
-  static double now() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
-  }
-  double start_ = now();
-};
-
-/// Adds the time that it lives to a frame's, but what was added to `shadow` meanwhile.
-class DrawClock {
- public:
-  explicit DrawClock(DrawTimes& times) : times_(times), shadow_(times.shadow) {}
-  ~DrawClock() {
-    times_.draw += passed_.milliseconds() - (times_.shadow - shadow_);
-    times_.cpu += worked_.milliseconds();
-  }
-  DrawClock(const DrawClock&) = delete;
-  DrawClock& operator=(const DrawClock&) = delete;
-
- private:
-  DrawTimes& times_;
-  double shadow_;
-  Stopwatch passed_;
-  CpuStopwatch worked_;
-};
 
 /// Draws and clears touch an area alone while it lives; nothing is set where there is none.
 class ScissorTest {
@@ -62,7 +28,7 @@ class ScissorTest {
   bool on_;
 };
 
-struct Renderer::Prepared {
+struct GlRenderer::Prepared {
   const CoatTextures& coat;
   ModelBuffers& model;
   ModelBuffers::DrawLists lists;
@@ -88,7 +54,7 @@ std::string light_of(const FurFrame& frame, bool model_has_colours);
 std::string shape_of(const Coat& coat, const ModelBuffers& model);
 
 template <class Picture>
-Result<Picture> Renderer::read_back(const RenderTarget& picture, GLenum type) {
+Result<Picture> GlRenderer::read_back(const RenderTarget& picture, GLenum type) {
   Picture image;
   image.width = picture.width(), image.height = picture.height();
   image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));

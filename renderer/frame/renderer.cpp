@@ -1,362 +1,70 @@
 #include "renderer/frame/renderer.h"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <optional>
 #include <utility>
-
-#include "renderer/coat/strand_tile.h"
-#include "renderer/frame/parts.h"
-#include "renderer/gl/sync.h"
-#include "renderer/passes/draw/draw.h"
-#include "renderer/pattern/pattern.h"
-#include "renderer/shaders/constants.h"
-#include "renderer/upload/blocks.h"
 
 namespace pelage {
 
-namespace {
-
-constexpr std::size_t max_cached_coats = 3;  // 90 MB each
-
-bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
-
-/// The #define lines of what a frame uses: what it does not use is not even compiled.
-std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
-  return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") +
-         (ShadowMaps::of_curves(frame) ? "#define CURVE_SHADOWS\n" : "") + light_of(frame, model.has_colours()) +
-         shape_of(frame.coat, model) +
-         (max_lod(frame.knobs.shells, frame.knobs.shell_policy) > 0 ? "#define SHELL_LOD\n" : "") +
-         "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
-}
-
-int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); }
-
-}  // namespace
-
-Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
-
-std::string light_of(const FurFrame& frame, bool model_has_colours) {
-  const Environment& around = frame.environment;
-  const bool constant = !around.harmonics && around.sky == glm::vec3(1) && around.horizon == around.sky &&
-                        around.ground == around.sky && around.intensity == 1;
-  const bool far = std::all_of(frame.lights.begin(), frame.lights.end(),
-                               [](const FurLight& light) { return light.kind == LightKind::directional; });
-  return std::string(constant ? "" : "#define ENVIRONMENT\n") + (far ? "#define FAR_LIGHTS\n" : "") +
-         (takes_model_colours(frame.look, model_has_colours) ? "" : "#define RAMP_COLOURS\n") + "#define LIGHTS " +
-         std::to_string(frame.lights.size()) + "\n";
-}
-
-std::string shape_of(const Coat& coat, const ModelBuffers& model) {
-  return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "") +
-         model.paint().defines();
-}
-
-Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, std::size_t sorted_bytes) {
-  std::unique_ptr<Renderer> renderer(new Renderer(gl, sorted_bytes));
-  if (const Status status = renderer->programs(); !status.ok()) return status;
+Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererOptions& options) {
+  Result<std::unique_ptr<GlRenderer>> passes = GlRenderer::create(gl, options.sorted_bytes);
+  if (!passes) return passes.status();
+  auto renderer = std::make_unique<Renderer>();
+  renderer->gl_ = std::move(passes).value();
+  if (options.march_threads > 0) renderer->marched_ = std::make_unique<MarchedRenderer>(options.march_threads);
   return renderer;
 }
 
-Renderer::Renderer(const Gl& gl, std::size_t sorted_bytes)
-    : gl_(gl),
-      fur_(gl),
-      fins_(gl),
-      shadows_(gl),
-      ground_(gl),
-      eyes_(gl),
-      aovs_(gl),
-      overlay_(gl),
-      resolve_(gl),
-      sorted_(gl, sorted_bytes),
-      pattern_(gl),
-      tufts_(gl),
-      paint_(gl),
-      scattering_(gl),
-      frame_block_(gl),
-      skin_block_(gl),
-      fragments_(gl) {}
-
-Status Renderer::programs() const {
-  const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
-                          ground_.failure() + eyes_.failure() + aovs_.failure() + overlay_.failure() +
-                          resolve_.failure() + sorted_.failure();
-  return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
-}
-
 UploadCount Renderer::add(const FurModel& model, const FurFields& fields) {
-  assert(!has(model.id));
-  UploadCount count;
-  models_.try_emplace(model.id, gl_, model, fields, count);
-  return count;
+  if (marched_) marched_->add(model, fields);
+  return gl_->add(model, fields);
 }
 
 UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
-  assert(has(model));
-  UploadCount count;
-  models_.at(model).update(gl_, fields, count);
-  return count;
-}
-
-std::size_t Renderer::bytes_of(std::uint64_t original) const {
-  std::size_t bytes = 0;
-  for (const auto& [id, model] : models_) bytes += model.original() == original ? model.bytes(gl_) : 0;
-  return bytes;
-}
-
-void Renderer::forget(std::uint64_t original) {
-  std::erase_if(models_, [&](const auto& model) { return model.second.original() == original; });
-}
-
-void Renderer::forget_all() {
-  models_.clear();
-  cache_.give_back();
-}
-
-bool Renderer::has(const Coat& coat) const {
-  return std::any_of(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
-}
-
-const CoatTextures& Renderer::textures_of(const Coat& coat) {
-  const auto found =
-      std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
-  if (found == coats_.end()) return add(coat, bake_slices(coat));
-  coats_.splice(coats_.begin(), coats_, found);
-  return coats_.front();
-}
-
-const CoatTextures& Renderer::add(const Coat& coat, Slices slices) {
-  if (coats_.size() == max_cached_coats) coats_.pop_back();
-  UploadCount count;
-  return coats_.emplace_front(gl_, coat, std::move(slices), count);
-}
-
-Status Renderer::prepare_targets(const FurFrame& frame, GLenum picture) {
-  const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
-  view_ = cache_.take(frame, picture);
-  const bool complete = fit(view_.drawn, GL_RGBA32F, width, height, true) &&
-                        fit(view_.picture, picture, frame.width, frame.height, false);
-  if (complete) return {};
-  view_ = CachedView();
-  cache_.give_back();
-  return no_memory();
-}
-
-bool Renderer::fit(RenderTarget& target, GLenum format, int width, int height, bool depth) {
-  if (target.matches(format, width, height)) return true;
-  target = RenderTarget();
-  target = RenderTarget(gl_, format, width, height, depth);
-  return target.complete();
-}
-
-FrameBlock Renderer::block_of(const FurFrame& frame) {
-  return make_frame_block(frame, textures_of(frame.coat).slices(), models_.at(frame.model).has_colours(),
-                          view_.drawn.height());
-}
-
-Area Renderer::changed_area(const FurFrame& frame, const ShownFrame& shown) {
-  const glm::mat4 to_clip = block_of(frame).world_to_clip;
-  std::optional<ClipBox> changed = models_.at(frame.model).changed_box(frame.coat, to_clip, shown.changes);
-  if (const std::optional<ClipBox> curves = changed_curves(shown.frame, frame, to_clip))
-    changed = union_of(changed, *curves);
-  return area_of(changed, view_.drawn.width(), view_.drawn.height());
-}
-
-ShellView Renderer::shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const {
-  const bool sorted = frame.knobs.order == FragmentOrder::sorted;
-  const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
-  ShellView view{frame.camera.position,
-                 block.viewpoint.w,
-                 frame.knobs.shells,
-                 frame.knobs.shell_policy,
-                 sorted ? -2.0f : furthest_back_facing,
-                 block.world_to_clip,
-                 stretch};
-  view.depth_parts = sorted ? 1 : depth_part_count;
-  if (part) view.part = cells_of(*part, view_.drawn.width(), view_.drawn.height());
-  return view;
-}
-
-Renderer::Prepared Renderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
-  const auto found = models_.find(frame.model);
-  assert(found != models_.end());
-  ModelBuffers& model = found->second;
-  const CoatTextures& coat = textures_of(frame.coat);
-  const Stopwatch making;
-  const FrameBlock block = block_of(frame);
-  const ShellView view = shell_view(frame, block, part);
-  const auto lists = model.sort_for(gl_, frame.coat, view);
-  if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
-  prepare_colours(frame, model);
-  const std::string shape = shape_of(frame.coat, model);
-  const FurDrawing shaped{frame, shape, model, lists, coat};
-  if (ShadowMaps::wanted(frame) && shadows_.prepare(gl_, frame, block, shaped, curves_)) {
-    gl_.Finish();
-    times.shadow += making.milliseconds();
-  }
-  if (frame.ground) ground_.prepare(gl_, frame, model, lists.all, shadows_.scene());
-  bind_blocks(frame, block);
-  return {coat, model, lists, variant_of(frame, model), block, part};
-}
-
-void Renderer::prepare_colours(const FurFrame& frame, ModelBuffers& model) {
-  if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
-  if (model.paint().changes_fur()) paint_.prepare(gl_, frame.coat);
-}
-
-void Renderer::bind_blocks(const FurFrame& frame, const FrameBlock& block) {
-  gl_.NamedBufferData(frame_block_.id(), sizeof(FrameBlock), &block, GL_STREAM_DRAW);
-  gl_.BindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_block_.id());
-  if (!frame.skin.empty()) {
-    const SkinBlock skin = make_skin_block(frame.skin);
-    gl_.NamedBufferData(skin_block_.id(), sizeof(SkinBlock), &skin, GL_STREAM_DRAW);
-    gl_.BindBufferBase(GL_UNIFORM_BUFFER, skin_binding, skin_block_.id());
-  }
-  scattering_.prepare(gl_, frame);
-}
-
-void Renderer::draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs) {
-  const FurDrawing drawing = scene.drawing(frame).with(outputs);
-  fur_.draw_skin(gl_, drawing);
-  fur_.draw_dense(gl_, drawing);
-  if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
-  draw_fur(frame, drawing);
-  if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-  if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
-}
-
-void Renderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
-  for (const ModelBuffers::DepthPart& part : drawing.lists.parts) {
-    fur_.draw_back_facing(gl_, drawing, part);
-    if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing, part.range);
-    fur_.draw_facing(gl_, drawing, part);
-  }
-}
-
-Status Renderer::draw_light(const FurFrame& frame, const Prepared& scene) {
-  if (scene.part && scene.part->pixels() == 0) return {};  // what the target shows is the frame
-  set_draw_state(gl_, view_.drawn);
-  const ScissorTest part(gl_, scene.part);
-  gl_.DepthMask(GL_TRUE);
-  clear_target(gl_, view_.drawn, {});
-  if (frame.ground) ground_.draw(gl_, frame, scene.variant);
-  if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
-  draw_body(frame, scene, "");
-  return {};
-}
-
-// The shells in the order of shells, from far to near: most lists then are in order already.
-Status Renderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
-  fur_.draw_skin(gl_, scene.drawing(frame));
-  if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
-  const FurDrawing drawing = scene.drawing(frame).with("#define SORTED\n");
-  return sorted_.draw(gl_, view_.drawn, scene.part.value_or(area_of(view_.drawn)), frame.knobs.shells, [&] {
-    draw_fur(frame, drawing);
-    if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
-    if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
-  });
-}
-
-Result<RenderTarget> Renderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
-  const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
-  if (!maps) return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
-  if (!maps->complete()) return no_memory();
-  const float middle = maps->view.axis.w;  // depth of the model's centre
-  switch (frame.overlay) {
-    case Overlay::light_depth:
-      return overlay_.draw_map(gl_, frame, maps->depth.texture(), {middle + maps->radius, middle - maps->radius});
-    case Overlay::light_occlusion: return overlay_.draw_map(gl_, frame, maps->occlusion.texture(), {0, 1});
-    default: return overlay_.draw_map(gl_, frame, maps->width.texture(), {0, 1});
-  }
-}
-
-Result<RenderTarget> Renderer::draw_overlay(const FurFrame& frame, const Prepared& scene) {
-  RenderTarget overlay;
-  if (frame.overlay == Overlay::none) return overlay;
-  if (frame.overlay == Overlay::shell_count) {
-    const AovTarget counts(gl_, std::array{Aov::shell_count}, view_.drawn.width(), view_.drawn.height());
-    if (!counts.complete()) return no_memory();
-    draw_beside_light(frame, scene, counts);
-    const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
-    overlay = overlay_.draw_count(gl_, frame, counts.texture(Aov::shell_count), scale);
-  } else if (OverlayPass::is_map(frame.overlay)) {
-    Result<RenderTarget> map = draw_light_map(frame, scene);
-    if (!map) return map.status();
-    overlay = std::move(map).value();
-  } else {
-    return draw_skin_overlay(frame, scene.model, scene.lists.all);
-  }
-  if (!overlay.complete()) return no_memory();
-  return overlay;
-}
-
-Result<RenderTarget> Renderer::draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
-                                                 const ModelBuffers::DrawList& triangles) {
-  RenderTarget overlay = frame.overlay == Overlay::difference ? overlay_.draw_difference(gl_, frame, model, triangles)
-                                                              : overlay_.draw_field(gl_, frame, model, triangles);
-  if (!overlay.complete()) return no_memory();
-  return overlay;
+  if (marched_) marched_->update(model, fields);
+  return gl_->update(model, fields);
 }
 
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_picture<Image>(frame, GL_RGBA8, GL_UNSIGNED_BYTE, 255, times, pause);
+  return marches(frame) ? marched_->draw(frame, times, pause) : gl_->draw(frame, times, pause);
 }
 
 Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_picture<Image16>(frame, GL_RGBA16, GL_UNSIGNED_SHORT, 65535, times, pause);
+  return marches(frame) ? marched_->draw_deep(frame, times, pause) : gl_->draw_deep(frame, times, pause);
 }
 
-template <class Picture>
-Result<Picture> Renderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
-                                       const Pause& pause) {
-  if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
-  const std::optional<ShownFrame> shown = std::exchange(view_.shown, {});
-  DrawTimes taken;
-  const Result<Prepared> scene = draw_in_pieces(frame, shown, pause, taken);
-  if (!scene) return scene.status();
-  std::optional<Area> finished;
-  if (shown && shown->picture) finished = finished_area(*scene->part, view_.drawn, view_.picture);
-  if (const Status done = finish_light(frame, *scene, finished, largest, taken); !done.ok()) return done;
-  const Stopwatch reading;
-  Result<Picture> image = read_back<Picture>(view_.picture, type);
-  taken.read = reading.milliseconds();
-  add_counts(taken.counters, take_counts());
-  if (scene->part) taken.counters.redrawn = scene->part->pixels() / area_of(view_.drawn).pixels();
-  if (times) *times = taken;
-  view_.shown = {frame, format, scene->model.changes()};
-  cache_.keep(std::move(view_));
-  return image;
+Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
+                                                    const Pause& pause) {
+  return gl_->draw_aovs(frame, aovs, times, pause);
 }
 
-Status Renderer::finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished,
-                              int largest, DrawTimes& times) {
-  const DrawClock clock(times);
-  const Result<RenderTarget> overlay = draw_overlay(frame, scene);
-  if (!overlay) return overlay.status();
-  {
-    const ScissorTest part(gl_, finished);
-    resolve_.draw(gl_, frame, view_.drawn, view_.picture, largest, overlay->texture());
-  }
-  if (const Status built = programs(); !built.ok()) return built;
-  return wait_for(gl_);
+Result<Backplate> Renderer::draw_backplate(const FurFrame& frame, DrawTimes* times) {
+  return gl_->draw_backplate(frame, times);
 }
 
-FrameCounters Renderer::take_counts() const {
-  const GlCounts counts = gl_.take_counts();
-  return {.passes = counts.programs,
-          .draws = counts.draws,
-          .textures = counts.textures,
-          .bytes = counts.bytes,
-          .objects = counts.objects,
-          .allocated = counts.allocated};
+Result<Image> Renderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
+  return gl_->finish(frame, light, times);
 }
 
-FrameCounters Renderer::take_counters() const {
-  FrameCounters counters = take_counts();
-  counters.fragments = fragments_.result();
-  return counters;
+Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
+  return gl_->finish_deep(frame, light, times);
+}
+
+void Renderer::clear_view_cache() {
+  if (marched_) marched_->clear_view_cache();
+  gl_->clear_view_cache();
+}
+
+std::size_t Renderer::bytes_of(std::uint64_t original) const {
+  return gl_->bytes_of(original) + (marched_ ? marched_->bytes_of(original) : 0);
+}
+
+void Renderer::forget(std::uint64_t original) {
+  if (marched_) marched_->forget(original);
+  gl_->forget(original);
+}
+
+void Renderer::forget_all() {
+  if (marched_) marched_->forget_all();
+  gl_->forget_all();
 }
 
 }  // namespace pelage

@@ -15,19 +15,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_views = 4;
-constexpr std::int64_t max_pixels = 2048 * 2048;  // of all views together
-
-std::int64_t pixels_of(const CachedView& view) {
-  return view.drawn.width() * static_cast<std::int64_t>(view.drawn.height());
-}
-
-bool changes_stay_near(const FurFrame& frame) {
-  const Knobs& knobs = frame.knobs;
-  return knobs.order == FragmentOrder::shells && !knobs.fins && knobs.guard_hairs == 0 && !ShadowMaps::wanted(frame) &&
-         frame.overlay == Overlay::none;
-}
-
 /// Without what is done to the light once it is drawn, and without curves.
 FurFrame light_of(const FurFrame& frame) {
   FurFrame light = frame;
@@ -36,11 +23,6 @@ FurFrame light_of(const FurFrame& frame) {
   light.exposure = rest.exposure, light.tone_map = rest.tone_map;
   light.curves.clear();
   return light;
-}
-
-bool same_finish(const FurFrame& a, const FurFrame& b) {
-  return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
-         a.tone_map == b.tone_map;
 }
 
 /// Adds the places of one group's curves that are not as in the other's, with what lies next to them.
@@ -84,54 +66,17 @@ glm::ivec2 finished_range(int begin, int length, int light, int picture) {
 
 }  // namespace
 
-CachedView ViewCache::take(const FurFrame& frame, GLenum picture) {
-  const auto shows = [&](const CachedView& view) {
-    return view.shown && changes_stay_near(frame) && light_of(view.shown->frame) == light_of(frame);
-  };
-  const auto found = std::find_if(views_.begin(), views_.end(), shows);
-  if (found == views_.end()) {
-    const bool spare = std::any_of(views_.begin(), views_.end(), [](const CachedView& view) { return !view.shown; });
-    if (!spare && views_.size() < max_views) return {};
-    CachedView view = take_out(victim());
-    view.shown.reset(), view.came_back = false;
-    return view;
-  }
-  CachedView view = take_out(found);
-  if (view.shown->picture != picture || !same_finish(view.shown->frame, frame)) view.shown->picture = 0;
-  view.came_back = true;
-  return view;
+bool changes_stay_near(const FurFrame& frame) {
+  const Knobs& knobs = frame.knobs;
+  return knobs.order == FragmentOrder::shells && !knobs.fins && knobs.guard_hairs == 0 && !ShadowMaps::wanted(frame) &&
+         frame.overlay == Overlay::none;
 }
 
-void ViewCache::keep(CachedView view) {
-  if (view.shown && !changes_stay_near(view.shown->frame)) view.shown.reset();
-  if (pixels_of(view) > max_pixels) return;
-  views_.push_front(std::move(view));
-  std::int64_t pixels = 0;
-  for (const CachedView& each : views_) pixels += pixels_of(each);
-  while (views_.size() > max_views || pixels > max_pixels) pixels -= pixels_of(take_out(victim()));
-}
+bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
 
-void ViewCache::clear_shown() {
-  for (CachedView& view : views_) view.shown.reset();
-}
-
-// The last view is kept: two that are asked for in turn would push each other out before they come back.
-ViewCache::Views::iterator ViewCache::victim() {
-  assert(!views_.empty());
-  const auto oldest = [&](auto first, auto unwanted) {
-    const auto found = std::find_if(views_.rbegin(), std::make_reverse_iterator(first), unwanted);
-    return found == std::make_reverse_iterator(first) ? views_.end() : std::prev(found.base());
-  };
-  const auto spare = oldest(views_.begin(), [](const CachedView& view) { return !view.shown; });
-  if (spare != views_.end()) return spare;
-  const auto once = oldest(std::next(views_.begin()), [](const CachedView& view) { return !view.came_back; });
-  return once != views_.end() ? once : std::prev(views_.end());
-}
-
-CachedView ViewCache::take_out(Views::iterator view) {
-  CachedView taken = std::move(*view);
-  views_.erase(view);
-  return taken;
+bool same_finish(const FurFrame& a, const FurFrame& b) {
+  return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
+         a.tone_map == b.tone_map;
 }
 
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
@@ -158,9 +103,9 @@ CellBox cells_of(const Area& area, int width, int height) {
   return {columns.x, rows.x, columns.y, rows.y};
 }
 
-Area finished_area(const Area& area, const RenderTarget& light, const RenderTarget& picture) {
-  const glm::ivec2 across = finished_range(area.left, area.width, light.width(), picture.width());
-  const glm::ivec2 down = finished_range(area.top, area.height, light.height(), picture.height());
+Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture) {
+  const glm::ivec2 across = finished_range(area.left, area.width, light.x, picture.x);
+  const glm::ivec2 down = finished_range(area.top, area.height, light.y, picture.y);
   return {across.x, down.x, across.y - across.x, down.y - down.x};
 }
 

@@ -107,7 +107,7 @@ void Bins::fill(const Entries& entries) {
 
 Tile Bins::tile(int index) const {
   const auto at = static_cast<std::size_t>(index);
-  return {(left_ + index % across_) * Tile::side, (top_ + index / across_) * Tile::side,
+  return {(left_ + index % across_) * Tile::side, (top_ + index / across_) * Tile::side, at,
           std::span(triangles_).subspan(first_[at], first_[at + 1] - first_[at])};
 }
 

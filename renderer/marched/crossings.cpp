@@ -10,6 +10,15 @@ void EyePixels::begin(const SkinPixels& skin) {
   number.fill(-1);
 }
 
+void CurvePixels::sort() {
+  std::stable_sort(pixels.begin(), pixels.end(), [](const Pixel& a, const Pixel& b) {
+    return a.number != b.number ? a.number < b.number : a.inverse > b.inverse;
+  });
+  first.fill(0);
+  for (const Pixel& pixel : pixels) ++first[static_cast<std::size_t>(pixel.number) + 1];
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+}
+
 void TileScratch::clear() {
   skin.inverse.fill(0), skin.piece.fill(0);
   eyes.there = false;

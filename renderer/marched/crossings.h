@@ -50,10 +50,25 @@ struct EyePixels {
   void begin(const SkinPixels& skin);
 };
 
+/// Lit pixels of guided curves, before all skin and eyes.
+struct CurvePixels {
+  struct Pixel {
+    int number = 0;     // in the order of SkinPixels
+    float inverse = 0;  // 1 / distance along the view
+    glm::vec4 light{0};  // premultiplied
+  };
+  std::vector<Pixel> pixels;
+  std::array<std::uint32_t, SkinPixels::pixels + 1> first{};  // of each of the tile's pixels, and one more
+
+  /// By pixel, from near to far, and what lies at the same place as it came.
+  void sort();
+};
+
 /// What one thread needs to draw tiles, used again for each.
 struct TileScratch {
   SkinPixels skin;
   EyePixels eyes;
+  CurvePixels curves;  // not read where the scene has none
   std::vector<Record> records;
   std::vector<float> values;                                      // of all records, row by row
   std::array<std::uint32_t, SkinPixels::pixels> first{}, last{};  // record of each group, counted from 1

@@ -100,7 +100,9 @@ void FurMesh::change(const FurFields& fields, std::uint32_t begin, std::uint32_t
   for (std::uint32_t i = begin; i < end; ++i) {
     const std::uint32_t v = welded_[i];
     const float share = (fur_share_.empty() ? 1 : fur_share_[i]) * (1 - value_of(paint.bare, v, 0));
+    changed_.note(i, groom_[i]);
     groom_[i] = {fields.direction[v], fields.length[v] * share};
+    changed_.note(i, groom_[i]);
     if (!paint_.empty())
       paint_[i] = {value_of(paint.density, v, 1), value_of(paint.width, v, 1), value_of(paint.wetness, v, 0),
                    value_of(paint.bare, v, 0),    value_of(paint.curl, v, 0),  value_of(paint.clump, v, 0)};
@@ -132,7 +134,7 @@ std::size_t FurMesh::bytes() const {
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
   add(positions_, normals_, tangents_, image_uvs_, colours_, groom_, tiles_, weights_, fur_share_, paint_, painted_,
       triangles_, patches_, welded_, first_, axes_, skin_);
-  return bytes;
+  return bytes + changed_.bytes();
 }
 
 }  // namespace pelage

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
 #include "renderer/marched/march_scene.h"
+#include "renderer/visibility/changed_fur.h"
 
 namespace pelage {
 
@@ -24,6 +26,10 @@ class FurMesh {
   const BaseImages& images() const { return images_; }
   bool paints_fur() const { return !paint_.empty(); }
   std::size_t bytes() const;
+  std::uint64_t changes() const { return changed_.count(); }
+  std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip, std::uint64_t since) const {
+    return changed_.box({positions_, normals_, tangents_, groom_, triangles_}, coat, to_clip, since);
+  }
 
  private:
   void find_patches(const std::vector<std::uint32_t>& welded);
@@ -42,6 +48,7 @@ class FurMesh {
   std::vector<std::uint32_t> patches_, welded_, first_;
   std::vector<PieceAxes> axes_;
   std::vector<FurSkinRegion> skin_;
+  ChangedFur changed_;
 };
 
 }  // namespace pelage

@@ -9,7 +9,9 @@
 #define HWY_TARGET_INCLUDE "renderer/marched/kernels.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
+#include "renderer/marched/curves-inl.h"
 #include "renderer/marched/eyes-inl.h"
+#include "renderer/marched/ground-inl.h"
 #include "renderer/marched/march-inl.h"
 #include "renderer/marched/skin-inl.h"
 #include "renderer/marched/vertices-inl.h"
@@ -97,15 +99,46 @@ void write_pixels(const MarchScene& scene, int left, int top, const Vec3& light,
   }
 }
 
-void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch, int group, float* picture) {
-  const int left = tile.left + group % groups_across * group_width,
-            top = tile.top + group / groups_across * group_height;
-  const Real skin_inverse = load(&scratch.skin.inverse[static_cast<std::size_t>(group * lane_count)]);
-  const std::uint32_t eyes = eyes_of(scratch, group);
-  if (scratch.first[static_cast<std::size_t>(group)] == 0 && eyes == 0 && !any(skin_inverse > 0.0f))
-    return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
-  const Ray ray = ray_of(scene, left, top);
-  Seen seen{Vec3(0.0f), 1.0f};
+/// Whether a group shows anything at all.
+bool shows_anything(const MarchScene& scene, const TileScratch& scratch, int group, std::uint32_t eyes) {
+  const auto first_pixel = static_cast<std::size_t>(group * lane_count);
+  const bool curves = !scene.ribbons.empty() && scratch.curves.first[first_pixel] !=
+                                                    scratch.curves.first[first_pixel + lane_count];
+  return scratch.first[static_cast<std::size_t>(group)] != 0 || eyes != 0 || curves || scene.ground.hidden ||
+         any(load(&scratch.skin.inverse[first_pixel]) > 0.0f);
+}
+
+/// The curves of a group as they are blended.
+class GroupCurves {
+ public:
+  GroupCurves(const MarchScene& scene, const TileScratch& scratch, int group) : scratch_(scratch), group_(group) {
+    const auto begin = static_cast<std::size_t>(group * lane_count);
+    if (scene.ribbons.empty()) return;
+    for (int i = 0; i < lane_count; ++i) next_[i] = scratch.curves.first[begin + static_cast<std::size_t>(i)];
+    there_ = next_[0] != scratch.curves.first[begin + lane_count];
+  }
+  bool there() const { return there_; }
+  /// Those that lie before the middle of each lane's segment.
+  void see_before(const Segments& segments, const End& near, const End& far, Seen& seen) {
+    float until[lane_count];
+    store(select(segments.there, 2.0f / (near.distance + far.distance), 1e30f), until);
+    see_curves(scratch_, group_, until, next_, seen);
+  }
+  void see_rest(Seen& seen) {
+    const float until[lane_count] = {};
+    see_curves(scratch_, group_, until, next_, seen);
+  }
+
+ private:
+  const TileScratch& scratch_;
+  int group_;
+  std::uint32_t next_[lane_count] = {};
+  bool there_ = false;
+};
+
+/// Marches through the fur of a group, with the curves in it.
+void see_fur(const MarchScene& scene, const Ray& ray, TileScratch& scratch, int group, Seen& seen) {
+  GroupCurves curves(scene, scratch, group);
   const std::size_t steps = find_group_segments(scene, scratch, group);
   Segments segments;
   std::optional<End> last;  // mostly where the next segments begin
@@ -115,10 +148,23 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
     segments = next;
     const End near = goes_on ? *last : End(scene, scratch, segments.near, segments.lane);
     const End far(scene, scratch, segments.far, segments.lane);
+    if (curves.there()) curves.see_before(segments, near, far, seen);
     march(scene, ray, segments, near, far, seen);
-    if (!any(seen.through > 0.004f)) break;
+    if (!any(seen.through > 0.004f)) return;
     last.emplace(far);
   }
+  if (curves.there()) curves.see_rest(seen);
+}
+
+void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch, int group, float* picture) {
+  const int left = tile.left + group % groups_across * group_width,
+            top = tile.top + group / groups_across * group_height;
+  const std::uint32_t eyes = eyes_of(scratch, group);
+  if (!shows_anything(scene, scratch, group, eyes))
+    return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
+  const Ray ray = ray_of(scene, left, top);
+  Seen seen{Vec3(0.0f), 1.0f};
+  see_fur(scene, ray, scratch, group, seen);
   if (eyes != 0) see_eyes(scene, ray, scratch, group, eyes, seen);
   const SkinPoint skin(scene, scratch.skin, group);
   if (any(skin.there() & (seen.through > 0.002f))) {
@@ -127,6 +173,7 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
     seen.light += select(skin.there(), light, Vec3(0.0f)) * weight;
     seen.through -= weight;
   }
+  if (scene.ground.hidden && any(seen.through > 0.002f)) seen.through *= 1.0f - ground_dark(scene.ground, scene, ray);
   write_pixels(scene, left, top, seen.light, 1.0f - seen.through, picture);
 }
 
@@ -134,6 +181,7 @@ void DrawTile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, f
   scratch.clear();
   raster_skin(scene, tile, scratch);
   raster_eyes(scene, tile, scratch);
+  if (!scene.ribbons.empty()) raster_curves(scene, tile, scratch);
   raster_fur(scene, tile, scratch);
   for (int group = 0; group < groups_across * groups_down; ++group) draw_group(scene, tile, scratch, group, light);
 }

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "renderer/marched/ground_contact.h"
+#include "renderer/marched/ribbons.h"
 #include "renderer/marched/slice_atlas.h"
 #include "renderer/optics/frame_optics.h"
 
@@ -84,6 +86,14 @@ struct EyeCamera {
   PixelBox box;          // that the eye may touch
 };
 
+/// The level that catches the model's shadow. Nothing stands under it.
+struct GroundOptics {
+  static constexpr float extent = 4;  // to each side of the middle, sizes
+  float height = 0;
+  float contact = 0;                      // strength, [0, 1]
+  const GroundContact* hidden = nullptr;  // null: there is none to be seen
+};
+
 struct MarchScene {
   FrameOptics optics;
   MarchMesh mesh;
@@ -99,6 +109,8 @@ struct MarchScene {
   glm::vec3 ray_x{0}, ray_y{0}, ray_0{0};  // way of a pixel's ray by its x and y, 1 along the view
 
   std::vector<EyeCamera> eyes;  // of optics.eyes
+  GroundOptics ground;
+  Ribbons ribbons;  // of guided curves
 
   /// Rows of all shells' vertices, one shell after the other, and of those that cutting at the near plane makes. Those
   /// nearer than near_distance have 0 for `inverse`, and their other numbers as they are.
@@ -119,6 +131,7 @@ struct MarchScene {
 struct Tile {
   static constexpr int side = 16;
   int left = 0, top = 0;
+  std::size_t number = 0;                    // from the first tile of the scene's box, row by row
   std::span<const ShellTriangle> triangles;  // roughly from near to far
 };
 

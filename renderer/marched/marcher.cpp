@@ -77,12 +77,12 @@ struct Marcher::Coated {
   Slices slices;
   SliceAtlas atlas;
 
-  explicit Coated(const Coat& of) : coat(of), slices(bake_slices(of)), atlas(slices) {
+  Coated(const Coat& of, Slices baked) : coat(of), slices(std::move(baked)), atlas(slices) {
     for (SliceLevel& level : slices.levels) level.shape = {}, level.colour = {};  // the atlas has them now
   }
 };
 
-struct Marcher::Colours {
+struct Marcher::Kept {
   std::optional<Look> look;
   ScatteringBlock scattering{};
   AzimuthalFit azimuthal;
@@ -96,9 +96,14 @@ struct Marcher::Colours {
   std::optional<Coat> clumped;  // whose clumps they are
   std::vector<std::int32_t> clumps;
   float clump_reach = 0;
+  std::uint64_t standing = 0;  // the model on the ground
+  float ground_height = 0;
+  GroundContact contact;
+  std::vector<FurCurves> curves;
+  CurveStrips strips;  // of those curves
 };
 
-Marcher::Marcher(int threads) : threads_(threads), colours_(std::make_unique<Colours>()) { assert(threads >= 1); }
+Marcher::Marcher(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
 Marcher::~Marcher() = default;
 
 void Marcher::add(const FurModel& model, const FurFields& fields) {
@@ -115,14 +120,40 @@ const Marcher::Coated& Marcher::coat_of(const Coat& coat) {
     coats_.splice(coats_.begin(), coats_, found);
     return coats_.front();
   }
+  add(coat, bake_slices(coat));
+  return coats_.front();
+}
+
+bool Marcher::has(const Coat& coat) const {
+  return std::any_of(coats_.begin(), coats_.end(), [&](const Coated& c) { return same_strands(c.coat, coat); });
+}
+
+void Marcher::add(const Coat& coat, Slices slices) {
   if (coats_.size() == max_cached_coats) coats_.pop_back();
-  return coats_.emplace_front(coat);
+  coats_.emplace_front(coat, std::move(slices));
+}
+
+std::size_t Marcher::bytes_of(std::uint64_t original) const {
+  std::size_t bytes = 0;
+  for (const auto& [id, mesh] : meshes_) bytes += mesh.original() == original ? mesh.bytes() : 0;
+  return bytes;
+}
+
+void Marcher::forget(std::uint64_t original) {
+  std::erase_if(meshes_, [&](const auto& mesh) { return mesh.second.original() == original; });
+}
+
+void Marcher::forget_all() { meshes_.clear(); }
+
+std::optional<ClipBox> Marcher::changed_box(const FurFrame& frame, const glm::mat4& to_clip,
+                                            std::uint64_t since) const {
+  return meshes_.at(frame.model).changed_box(frame.coat, to_clip, since);
 }
 
 void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
   if (!has_pattern(frame.coat)) return;
   const PatternBlock block = make_pattern_block(frame.coat);
-  Colours& kept = *colours_;
+  Kept& kept = *kept_;
   if (kept.model != frame.model || kept.pattern != block) {
     kept.model = frame.model, kept.pattern = block;
     kept.volume = make_surface_volume(
@@ -137,7 +168,7 @@ void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
                           &kept.volume};
 }
 
-glm::ivec2 Marcher::size_of(const FurFrame& frame) const {
+glm::ivec2 Marcher::size_of(const FurFrame& frame) {
   const auto scaled = [&](int pixels) {
     return std::max(1, static_cast<int>(std::lround(pixels * frame.knobs.scale)));
   };
@@ -147,7 +178,7 @@ glm::ivec2 Marcher::size_of(const FurFrame& frame) const {
 void Marcher::add_tufts(const FurFrame& frame, MarchScene& scene) {
   const Tufts& tufts = frame.coat.tufts;
   if (!(tufts.gather > 0)) return;
-  Colours& kept = *colours_;
+  Kept& kept = *kept_;
   const float longest = longest_pull(tufts);
   if (kept.tufted != frame.model || kept.tufts != tufts) {
     kept.tufted = frame.model, kept.tufts = tufts;
@@ -169,7 +200,7 @@ void Marcher::add_paint(const FurFrame& frame, MarchScene& scene) {
   paint.wetness = static_cast<float>(coat.wetness), paint.curl = static_cast<float>(coat.curl);
   paint.curl_turns = static_cast<float>(coat.curl_turns);
   if (!paint.form) return;
-  Colours& kept = *colours_;
+  Kept& kept = *kept_;
   if (!kept.clumped || !same_strands(*kept.clumped, coat)) {
     const ClumpMap map = bake_clump_map(coat);
     kept.clumps.resize(map.texels.size() / 4);
@@ -177,6 +208,24 @@ void Marcher::add_paint(const FurFrame& frame, MarchScene& scene) {
     kept.clump_reach = static_cast<float>(map.reach), kept.clumped = coat;
   }
   paint.clumps = kept.clumps, paint.clump_side = ClumpMap::side, paint.clump_reach = kept.clump_reach;
+}
+
+void Marcher::add_ground(const FurFrame& frame, MarchScene& scene) {
+  if (!frame.ground || frame.camera.position.y <= frame.ground->height) return;
+  Kept& kept = *kept_;
+  if (kept.standing != frame.model || kept.ground_height != frame.ground->height) {
+    kept.standing = frame.model, kept.ground_height = frame.ground->height;
+    kept.contact =
+        make_ground_contact(scene.mesh.positions, scene.mesh.triangles, frame.ground->height, threads_);
+  }
+  scene.ground = {frame.ground->height, frame.ground->contact, &kept.contact};
+}
+
+void Marcher::add_curves(const FurFrame& frame, MarchScene& scene) {
+  if (frame.curves.empty()) return;
+  Kept& kept = *kept_;
+  if (kept.curves != frame.curves) kept.curves = frame.curves, kept.strips = make_strips(frame.curves);
+  scene.ribbons = Ribbons(kept.strips, scene);
 }
 
 MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
@@ -189,11 +238,11 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   FrameOptics& optics = scene.optics;
   optics.frame = make_frame_block(frame, coated.slices, mesh.has_colours(), scene.height);
   const Look look = wet_look(frame.coat, frame.look);
-  if (colours_->look != look) {
-    colours_->look = look;
-    colours_->scattering = scattering_block(look), colours_->azimuthal = fit_azimuthal(make_scattering_table(look));
+  if (kept_->look != look) {
+    kept_->look = look;
+    kept_->scattering = scattering_block(look), kept_->azimuthal = fit_azimuthal(make_scattering_table(look));
   }
-  optics.scattering = colours_->scattering, optics.azimuthal = &colours_->azimuthal;
+  optics.scattering = kept_->scattering, optics.azimuthal = &kept_->azimuthal;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
   optics.environment = true;
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
@@ -210,6 +259,7 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   scene.varyings = varyings_of(scene);
   if (!frame.eyes.empty() && !eyes_) eyes_ = std::make_unique<EyeCache>();
   if (!frame.eyes.empty()) eyes_->add(frame, scene);
+  add_ground(frame, scene);
   return scene;
 }
 
@@ -227,6 +277,7 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
   assert(size_of(frame) == glm::ivec2(picture.width, picture.height));
   MarchScene scene = scene_of(frame, quality);
   scene.box = part;
+  add_curves(frame, scene);
   MarchTimes taken;
   const Stopwatch placing;
   place_vertices(scene, threads_);

@@ -12,6 +12,7 @@
 #include "renderer/marched/eye_cache.h"
 #include "renderer/marched/fur_mesh.h"
 #include "renderer/marched/slice_atlas.h"
+#include "renderer/visibility/changed_fur.h"
 
 namespace pelage {
 
@@ -37,6 +38,22 @@ class Marcher {
   bool has(std::uint64_t model) const { return meshes_.contains(model); }
   void add(const FurModel& model, const FurFields& fields);
   void update(std::uint64_t model, const FurFields& fields);
+  /// Bytes of all copies of a model (FurModel::original).
+  std::size_t bytes_of(std::uint64_t original) const;
+  void forget(std::uint64_t original);
+  void forget_all();
+
+  bool has(const Coat& coat) const;
+  /// Takes the slices of a coat; one that it does not have is baked when it is first drawn.
+  void add(const Coat& coat, Slices slices);
+
+  /// How many changes of the model's fur there were so far, and where on a picture it has changed since there were so
+  /// many; none where none has.
+  std::uint64_t changes(std::uint64_t model) const { return meshes_.at(model).changes(); }
+  std::optional<ClipBox> changed_box(const FurFrame& frame, const glm::mat4& to_clip, std::uint64_t since) const;
+
+  /// Pixels that are drawn for a frame.
+  static glm::ivec2 size_of(const FurFrame& frame);
 
   /// Premultiplied linear light of the skin and its fur, of a model that it has.
   FloatImage draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times = nullptr);
@@ -47,18 +64,19 @@ class Marcher {
  private:
   struct Coated;
   const Coated& coat_of(const Coat& coat);
-  glm::ivec2 size_of(const FurFrame& frame) const;
   MarchScene scene_of(const FurFrame& frame, const MarchQuality& quality);
   void add_pattern(const FurFrame& frame, MarchScene& scene);
   void add_tufts(const FurFrame& frame, MarchScene& scene);
   void add_paint(const FurFrame& frame, MarchScene& scene);
+  void add_ground(const FurFrame& frame, MarchScene& scene);
+  void add_curves(const FurFrame& frame, MarchScene& scene);  // the box is there
 
   int threads_;
   std::map<std::uint64_t, FurMesh> meshes_;
   std::list<Coated> coats_;
   std::unique_ptr<EyeCache> eyes_;  // null before the first eye
-  struct Colours;                   // what a look and a pattern keep between frames
-  std::unique_ptr<Colours> colours_;
+  struct Kept;  // what is made once for a look, a model or its curves
+  std::unique_ptr<Kept> kept_;
 };
 
 }  // namespace pelage

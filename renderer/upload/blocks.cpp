@@ -65,12 +65,14 @@ double finest_texel(const FurFrame& frame, int pixels) {
 
 }  // namespace
 
+glm::mat4 world_to_clip(const FurFrame& frame) { return projection(frame) * view(frame.camera); }
+
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels) {
   assert(frame.lights.size() <= 8);
   const Look look = wet_look(frame.coat, frame.look);
   const Coat& coat = frame.coat;
   FrameBlock block;
-  block.world_to_clip = projection(frame) * view(frame.camera);
+  block.world_to_clip = world_to_clip(frame);
   block.viewpoint = {frame.camera.position, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};
   block.half_picture =
       0.5f * glm::vec4(pixels * static_cast<float>(frame.width) / static_cast<float>(frame.height), -pixels, 0, 0);

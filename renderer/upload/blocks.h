@@ -32,6 +32,9 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 64 + 16 * (7 + 8 + 8 + 32 + 1 + 24 + 9));
 
+/// From the world to the picture (FrameBlock::world_to_clip).
+glm::mat4 world_to_clip(const FurFrame& frame);
+
 /// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that
 /// shells stay apart at any distance (science.md 1).
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels);

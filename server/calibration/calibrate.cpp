@@ -120,11 +120,11 @@ std::string today() {
 Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
   const Result<std::unique_ptr<Context>> context = select_context(gl, threads);
   if (!context) return context.status();
-  const Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+  const CostUnit unit = cost_unit((*context)->is_software(), threads);
+  const Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(unit));
   if (!renderer) return renderer.status();
   fmt::print(stderr, "Calibrating {}\n", (*context)->description());
   ProgressBar bar;
-  const CostUnit unit = cost_unit((*context)->is_software(), threads);
   Result<Calibration> measured =
       calibrate(**renderer, unit, default_calibration(), [&](double share) { bar.show(share); });
   if (!measured) return measured.status();

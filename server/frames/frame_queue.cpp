@@ -10,6 +10,8 @@ CostUnit cost_unit(bool software, int threads) {
   return {software, threads > 0 ? threads : all};
 }
 
+RendererOptions renderer_options(const CostUnit& unit) { return {.march_threads = unit.software ? unit.threads : 0}; }
+
 double expected_cost(const FrameRequest& request) {
   constexpr double any_frame = 10, shell_pixel = 5e-6, sorted = 4;  // milliseconds; times as much
   constexpr double probe_shells = 256;

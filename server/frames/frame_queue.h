@@ -27,6 +27,9 @@ struct CostUnit {
 /// `threads` as of select_context: 0 for all cores.
 CostUnit cost_unit(bool software, int threads);
 
+/// Fur is marched wherever a software GL would draw it.
+RendererOptions renderer_options(const CostUnit& unit);
+
 /// Milliseconds that a frame of shells may take, above 0: a guess before its view is known, to order requests by.
 double expected_cost(const FrameRequest& request);
 

@@ -112,10 +112,10 @@ struct FrameService::Impl {
 void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>& started) {
   Result<std::unique_ptr<Context>> context = select_context(choice, threads);
   if (!context) return started.set_value(context.status());
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+  unit = cost_unit((*context)->is_software(), threads);
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(unit));
   if (!renderer) return started.set_value(renderer.status());
   description = (*context)->description();
-  unit = cost_unit((*context)->is_software(), threads);
   started.set_value({});
   serve(**renderer);
   renderer->reset();  // GL objects before their context

@@ -1,0 +1,43 @@
+// Times of a drawing.
+#pragma once
+
+#include <time.h>
+
+#include "protocol/base/stopwatch.h"
+#include "renderer/frame/draw_times.h"
+
+namespace pelage {
+
+/// CPU time of all threads of the process: what a software GL draws with.
+class CpuStopwatch {
+ public:
+  double milliseconds() const { return now() - start_; }
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
+  }
+  double start_ = now();
+};
+
+/// Adds the time that it lives to a frame's, but what was added to `shadow` meanwhile.
+class DrawClock {
+ public:
+  explicit DrawClock(DrawTimes& times) : times_(times), shadow_(times.shadow) {}
+  ~DrawClock() {
+    times_.draw += passed_.milliseconds() - (times_.shadow - shadow_);
+    times_.cpu += worked_.milliseconds();
+  }
+  DrawClock(const DrawClock&) = delete;
+  DrawClock& operator=(const DrawClock&) = delete;
+
+ private:
+  DrawTimes& times_;
+  double shadow_;
+  Stopwatch passed_;
+  CpuStopwatch worked_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,176 @@
+// Frames by a GL: the fixed, ordered list of passes, and the GPU copies of models and coats that they read.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+#include "renderer/frame/draw_times.h"
+#include "renderer/frame/pieces.h"
+#include "renderer/frame/shadow_maps.h"
+#include "renderer/frame/view_cache.h"
+#include "renderer/gl/handles.h"
+#include "renderer/gl/sync.h"
+#include "renderer/image/float_image.h"
+#include "renderer/image/image.h"
+#include "renderer/input/fur_scene.h"
+#include "renderer/passes/aovs/aovs_pass.h"
+#include "renderer/passes/curves/curves_pass.h"
+#include "renderer/passes/eye/eye_pass.h"
+#include "renderer/passes/fins/fins_pass.h"
+#include "renderer/passes/fur/fur_pass.h"
+#include "renderer/passes/ground/ground_pass.h"
+#include "renderer/passes/overlay/overlay_pass.h"
+#include "renderer/passes/resolve/resolve_pass.h"
+#include "renderer/passes/sorted/sorted_pass.h"
+#include "renderer/strands/tracer.h"
+#include "renderer/upload/model_buffers.h"
+#include "renderer/upload/textures.h"
+
+namespace pelage {
+
+/// Belongs to the thread and the context that it was made on.
+class GlRenderer {
+ public:
+  /// Fails (unavailable) when a program cannot be built. `sorted_bytes` bounds the fragments that a sorted frame keeps
+  /// at a time (SortedPass).
+  static Result<std::unique_ptr<GlRenderer>> create(const Gl& gl, std::size_t sorted_bytes = SortedPass::default_bytes);
+
+  bool has(std::uint64_t model) const { return models_.contains(model); }
+  /// Sends a model that the renderer does not have yet, with its fields.
+  UploadCount add(const FurModel& model, const FurFields& fields);
+  /// Sends the dirty ranges of a model that it has.
+  UploadCount update(std::uint64_t model, const FurFields& fields);
+
+  /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch,
+  /// with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the pause is called in
+  /// between; its time does not count. Fails with conflict when the pause gives the drawing up, with unavailable when
+  /// the GL does not answer within a minute, with too_large when there is no memory for the size, and with invalid when
+  /// the GL cannot sort as asked.
+  Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
+  /// Makes the next frame be drawn whole, for who measures or doubts.
+  void clear_view_cache() { cache_.clear_shown(); }
+  /// The same picture with 16 bits.
+  Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
+  /// Light and what is asked for beside it, one picture for each AOV, in internal coordinates: without exposure, tone
+  /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
+  /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
+  Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
+                                            DrawTimes* times = nullptr, const Pause& pause = {});
+
+  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground
+  /// and curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
+  /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
+  Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
+  /// overlay. `light` is premultiplied linear light. An overlay is of a model that the renderer has, and a field or the
+  /// difference; others are refused (invalid).
+  Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
+  Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
+
+  /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
+  std::size_t bytes_of(std::uint64_t original) const;
+  /// Storage of all GL objects: models, coats, targets, maps.
+  std::size_t gl_bytes() const { return gl_.held_bytes(); }
+  /// Drops all copies of a model (FurModel::original).
+  void forget(std::uint64_t original);
+  /// Drops the copies of all models, and the pictures kept of them.
+  void forget_all();
+
+ private:
+  GlRenderer(const Gl& gl, std::size_t sorted_bytes);
+  Status programs() const;  // whether all programs so far were built
+  /// Makes `view_` what the frame is drawn into: what shows its light already, or targets of its size.
+  Status prepare_targets(const FurFrame& frame, GLenum picture);
+  /// Makes a target anew where it is of another kind; whether it could be made.
+  bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
+  bool has(const Coat& coat) const;
+  const CoatTextures& textures_of(const Coat& coat);
+  const CoatTextures& add(const Coat& coat, Slices slices);
+  /// Bakes a coat that is not there yet while the pause is called; false when that gives the drawing up.
+  bool bake(const Coat& coat, const Pause& pause);
+  FrameCounters take_counts() const;    // but for fragments
+  FrameCounters take_counters() const;  // waits for the GL
+  /// What a frame draws, with its blocks and maps bound.
+  struct Prepared;
+  /// `part` is what will be drawn; all of the picture without it.
+  Prepared prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  /// Where the frame's light is not what the target shows.
+  Area changed_area(const FurFrame& frame, const ShownFrame& shown);
+  FrameBlock block_of(const FurFrame& frame);
+  ShellView shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const;
+  void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
+  void bind_blocks(const FurFrame& frame, const FrameBlock& block);
+  /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
+  /// are the #define lines of what is written beside light.
+  void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
+  void draw_fur(const FurFrame& frame, const FurDrawing& drawing);
+  Status draw_light(const FurFrame& frame, const Prepared& scene);
+  /// Prepares and draws the light of a part, and waits for it.
+  Result<Prepared> draw_part(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  /// The light of what changed since `shown`, or all of it, in pieces where there is a pause. What is drawn last, as it
+  /// was prepared.
+  Result<Prepared> draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
+                                  DrawTimes& times);
+  /// By the fur in them: a small frame is one piece.
+  Pieces pieces_of(const FurFrame& frame, const Area& area);
+  Prepared prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  bool let_in(const Pause& pause);  // whether to go on
+  Status draw_sorted(const FurFrame& frame, const Prepared& scene);
+  void draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target);
+  Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
+  Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
+                                         const ModelBuffers::DrawList& triangles);
+  Result<RenderTarget> draw_light_map(const FurFrame& frame, const Prepared& scene);
+  template <class Picture>
+  Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
+                               const Pause& pause);
+  /// Overlay and picture of the light that was drawn, in an area of the picture or all of it.
+  Status finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished, int largest,
+                      DrawTimes& times);
+  Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene, std::span<const Aov> aovs,
+                                              DrawTimes& times);
+  Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target);
+  void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
+                      const std::string& outputs);
+  Result<Backplate> read_backplate(const AovTarget& aovs, const RenderTarget& distance);
+  Result<RenderTarget> overlay_on_traced(const FurFrame& frame);
+  template <class Picture>
+  Result<Picture> finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
+                                 int largest, DrawTimes* times);
+  template <class Picture>
+  Result<Picture> read_back(const RenderTarget& picture, GLenum type);
+
+  const Gl& gl_;
+  FurPass fur_;
+  FinsPass fins_;
+  CurvesPass curves_;
+  ShadowMaps shadows_;
+  GroundPass ground_;
+  EyePass eyes_;
+  AovsPass aovs_;
+  OverlayPass overlay_;
+  ResolvePass resolve_;
+  SortedPass sorted_;
+  std::map<std::uint64_t, ModelBuffers> models_;
+  std::list<CoatTextures> coats_;  // most recently used first
+  PatternTextures pattern_;
+  TuftTextures tufts_;
+  PaintTextures paint_;
+  ScatteringTextures scattering_;
+  Buffer frame_block_, skin_block_;
+  FragmentCounter fragments_;
+  struct Targets {
+    RenderTarget drawn, picture;  // light, the finished picture
+    std::int64_t pixels() const { return drawn.width() * static_cast<std::int64_t>(drawn.height()); }
+  };
+  CachedView<Targets> view_;  // that is drawn; the others, and between frames all, are kept
+  ViewCache<Targets> cache_;
+};
+
+}  // namespace pelage

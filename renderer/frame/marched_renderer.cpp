@@ -1,0 +1,149 @@
+#include "renderer/frame/marched_renderer.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "protocol/base/stopwatch.h"
+#include "renderer/finish/finish.h"
+#include "renderer/frame/draw_clock.h"
+#include "renderer/frame/run_beside.h"
+#include "renderer/frame/shadow_maps.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr int format_8 = 8, format_16 = 16;  // bits of a finished picture
+
+/// What a sample of a pixel takes until it was measured.
+constexpr double sample_ms = 1e-5;
+
+PixelBox box_of(const Area& area) { return {area.left, area.top, area.left + area.width, area.top + area.height}; }
+
+}  // namespace
+
+MarchQuality march_quality(const Knobs& knobs) {
+  constexpr int most_shells = 64, most_samples = 1024;
+  MarchQuality quality;
+  quality.shells = std::min(knobs.shells, most_shells);
+  quality.halvings = knobs.shell_policy == ShellPolicy::adaptive ? 1 : 0;
+  quality.samples = std::min(knobs.shells * knobs.steps, most_samples);
+  return quality;
+}
+
+bool MarchedRenderer::draws(const FurFrame& frame) {
+  const Knobs& knobs = frame.knobs;
+  return !knobs.fins && knobs.guard_hairs == 0 && !ShadowMaps::wanted(frame) && frame.overlay == Overlay::none;
+}
+
+void MarchedRenderer::forget_all() {
+  marcher_.forget_all();
+  views_.give_back();
+}
+
+bool MarchedRenderer::fit(const FurFrame& frame, View& view) {
+  const glm::ivec2 size = Marcher::size_of(frame);
+  const auto numbers = 4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  try {
+    view.light.rgba.resize(numbers);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  view.light.width = size.x, view.light.height = size.y;
+  return true;
+}
+
+Area MarchedRenderer::changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const {
+  const glm::mat4 to_clip = world_to_clip(frame);
+  std::optional<ClipBox> changed = marcher_.changed_box(frame, to_clip, shown.changes);
+  if (const std::optional<ClipBox> curves = changed_curves(shown.frame, frame, to_clip))
+    changed = union_of(changed, *curves);
+  return area_of(changed, view.light.width, view.light.height);
+}
+
+bool MarchedRenderer::bake(const Coat& coat, const Pause& pause) {
+  if (marcher_.has(coat)) return true;
+  if (!pause) return marcher_.add(coat, bake_slices(coat)), true;
+  std::optional<Slices> slices = run_beside(pause, [&](const auto& go_on) { return bake_slices(coat, go_on); });
+  if (slices && !marcher_.has(coat)) marcher_.add(coat, std::move(*slices));
+  return slices.has_value();
+}
+
+std::optional<Area> MarchedRenderer::draw_light(const FurFrame& frame, const std::optional<ShownFrame>& shown,
+                                                const Pause& pause, DrawTimes& times, View& view) {
+  if (!bake(frame.coat, pause)) return {};
+  const Area whole{0, 0, view.light.width, view.light.height};
+  const Area part = shown ? changed_area(frame, *shown, view) : whole;
+  if (part.pixels() == 0) return part;
+  const MarchQuality quality = march_quality(frame.knobs);
+  const double unit_ms = pause ? sample_ms * quality.samples : 0;
+  Pieces pieces(part, [](const Area& area) { return area.pixels(); }, unit_ms);
+  for (;;) {
+    const Area piece = pieces.next();
+    const Stopwatch passed;
+    {
+      const DrawClock clock(times);
+      marcher_.draw_part(frame, quality, box_of(piece), view.light);
+    }
+    if (pieces.done()) return part;
+    pieces.took(passed.milliseconds());
+    if (!pause() || !bake(frame.coat, pause)) return {};  // many coats may have passed
+  }
+}
+
+Status MarchedRenderer::begin(const FurFrame& frame, int format, const Pause& pause, View& view, Area& drawn,
+                              DrawTimes& times) {
+  view = views_.take(frame, format);
+  if (!fit(frame, view)) {
+    views_.give_back();
+    return failure(Code::too_large, "no memory for a frame of this size", "/width");
+  }
+  const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
+  const std::optional<Area> area = draw_light(frame, shown, pause, times, view);
+  if (!area) return failure(Code::conflict, "the drawing was given up");
+  drawn = *area;
+  times.counters.redrawn = drawn.pixels() / static_cast<double>(view.pixels());
+  view.shown = {frame, shown ? shown->format : 0, marcher_.changes(frame.model)};
+  return {};
+}
+
+Result<Image> MarchedRenderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  View view;
+  Area drawn;
+  DrawTimes taken;
+  if (const Status begun = begin(frame, format_8, pause, view, drawn, taken); !begun.ok()) return begun;
+  {
+    const DrawClock clock(taken);
+    const glm::ivec2 size(frame.width, frame.height);
+    if (view.shown->format == format_8) {
+      const Area finished = finished_area(drawn, {view.light.width, view.light.height}, size);
+      finish_rows(frame, view.light, finished.top, finished.top + finished.height, view.picture, threads_);
+    } else {
+      view.picture = finish_picture(frame, view.light, threads_);
+    }
+  }
+  view.shown->format = format_8;
+  Image picture = view.picture;
+  views_.keep(std::move(view));
+  if (times) *times = taken;
+  return picture;
+}
+
+Result<Image16> MarchedRenderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  View view;
+  Area drawn;
+  DrawTimes taken;
+  if (const Status begun = begin(frame, format_16, pause, view, drawn, taken); !begun.ok()) return begun;
+  Image16 picture;
+  {
+    const DrawClock clock(taken);
+    picture = finish_picture_deep(frame, view.light, threads_);
+  }
+  view.shown->format = 0;
+  views_.keep(std::move(view));
+  if (times) *times = taken;
+  return picture;
+}
+
+}  // namespace pelage

@@ -1,0 +1,107 @@
+// Guided curves among the fur of a tile: each pixel of a ribbon is lit when it is rasterized and blended where it lies.
+#if defined(PELAGE_MARCHED_CURVES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PELAGE_MARCHED_CURVES_INL_H_
+#undef PELAGE_MARCHED_CURVES_INL_H_
+#else
+#define PELAGE_MARCHED_CURVES_INL_H_
+#endif
+
+#include <bit>
+
+#include "renderer/marched/march-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+/// Where a group's pixels lie on a ribbon.
+struct OnRibbon {
+  Mask there;
+  Real share;    // from root to tip
+  Real opacity;
+};
+
+HWY_INLINE OnRibbon on_ribbon(const Ribbon& ribbon, Real px, Real py) {
+  const RibbonEnd &a = ribbon.root, &b = ribbon.tip;
+  const Real from_root = (px - a.at.x) * a.along.x + (py - a.at.y) * a.along.y;
+  const Real past_tip = (px - b.at.x) * b.along.x + (py - b.at.y) * b.along.y;
+  const Mask between = (from_root >= 0.0f) & (past_tip < 0.0f);
+  const Real share = clamp(from_root / max(from_root - past_tip, 1e-12f), 0.0f, 1.0f);
+  const glm::vec2 way = b.at - a.at;
+  const float over_length = 1 / std::max(glm::length(way), 1e-12f);
+  const Real across = abs((px - a.at.x) * way.y - (py - a.at.y) * way.x) * over_length;
+  const Real opacity = mix(Real(a.strength), Real(b.strength), share) *
+                       clamp(mix(Real(a.reach), Real(b.reach), share) + 0.5f - across, 0.0f, 1.0f);
+  return {between & (opacity > 0.004f), share, opacity};
+}
+
+/// A curve is lit as a strand at the tips of the fur that it grows from: nothing stands above it.
+HWY_INLINE Vec3 ribbon_light(const MarchScene& scene, const Ribbon& ribbon, Real share) {
+  const RibbonEnd &a = ribbon.root, &b = ribbon.tip;
+  Fibre fibre;
+  fibre.place = mix(Vec3(a.place), Vec3(b.place), share);
+  fibre.normal = Vec3(ribbon.normal), fibre.tangent = unit(mix(Vec3(a.tangent), Vec3(b.tangent), share));
+  fibre.to_camera = unit(Vec3(scene.viewpoint) - fibre.place);
+  fibre.colour = mix(Vec3(a.colour), Vec3(b.colour), share), fibre.crossed = colour_above(scene.optics.frame, 1.0f);
+  fibre.height = 1.0f, fibre.above = 0.0f, fibre.strand = ribbon.number;
+  fibre.shine = {1.0f, 1.0f};
+  return fibre_light(scene.optics, fibre);
+}
+
+HWY_INLINE void raster_ribbon(const MarchScene& scene, const Ribbon& ribbon, int group, Real px, Real py,
+                              TileScratch& scratch) {
+  OnRibbon on = on_ribbon(ribbon, px, py);
+  if (!any(on.there)) return;
+  const Real inverse = mix(Real(ribbon.root.inverse), Real(ribbon.tip.inverse), on.share);
+  on.there = on.there & (inverse >= load(scratch.nearest() + group * lane_count));
+  if (!any(on.there)) return;
+  const Vec3 light = ribbon_light(scene, ribbon, on.share) * on.opacity;
+  float numbers[5][lane_count];
+  store(inverse, numbers[0]), store(light.x, numbers[1]), store(light.y, numbers[2]), store(light.z, numbers[3]);
+  store(on.opacity, numbers[4]);
+  for (std::uint32_t lanes = bits_of(on.there); lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    scratch.curves.pixels.push_back({group * lane_count + i, numbers[0][i],
+                                     {numbers[1][i], numbers[2][i], numbers[3][i], numbers[4][i]}});
+  }
+}
+
+/// After the skin and the eyes, which hide what lies behind them.
+HWY_INLINE void raster_curves(const MarchScene& scene, const Tile& tile, TileScratch& scratch) {
+  scratch.curves.pixels.clear();
+  for (const std::uint32_t number : scene.ribbons.of_tile(tile.number)) {
+    const Ribbon& ribbon = scene.ribbons[number];
+    const float reach = std::max(ribbon.root.reach, ribbon.tip.reach) + 1.5f;
+    const glm::vec2 low = glm::min(ribbon.root.at, ribbon.tip.at) - reach,
+                    high = glm::max(ribbon.root.at, ribbon.tip.at) + reach;
+    for (int group = 0; group < groups_across * groups_down; ++group) {
+      const int left = tile.left + group % groups_across * group_width,
+                top = tile.top + group / groups_across * group_height;
+      const bool apart = high.x < static_cast<float>(left) || high.y < static_cast<float>(top) ||
+                         low.x > static_cast<float>(left + group_width) || low.y > static_cast<float>(top + group_height);
+      if (!apart)
+        raster_ribbon(scene, ribbon, group, lanes_x() + static_cast<float>(left), lanes_y() + static_cast<float>(top),
+                      scratch);
+    }
+  }
+  scratch.curves.sort();
+}
+
+/// Blends the curves of a group that lie before `until` (1 / distance) and were not blended yet.
+HWY_INLINE void see_curves(const TileScratch& scratch, int group, const float* until, std::uint32_t* next, Seen& seen) {
+  float r[lane_count], g[lane_count], b[lane_count], through[lane_count];
+  store(seen.light.x, r), store(seen.light.y, g), store(seen.light.z, b), store(seen.through, through);
+  for (int i = 0; i < lane_count; ++i) {
+    const std::uint32_t end = scratch.curves.first[static_cast<std::size_t>(group * lane_count + i) + 1];
+    for (; next[i] < end && scratch.curves.pixels[next[i]].inverse >= until[i]; ++next[i]) {
+      const glm::vec4& light = scratch.curves.pixels[next[i]].light;
+      r[i] += through[i] * light.r, g[i] += through[i] * light.g, b[i] += through[i] * light.b;
+      through[i] -= through[i] * light.a;
+    }
+  }
+  seen.light = {load(r), load(g), load(b)}, seen.through = load(through);
+}
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,54 @@
+// Guided curves as a camera sees them: ribbons that face it. The twin of renderer/shaders/ribbon.glsl, sorted among the
+// fur.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/curves/curve_strips.h"
+
+namespace pelage {
+
+/// A place on a curve on the picture. Between two of them a ribbon lies where `along` is above the one and below the
+/// other.
+struct RibbonEnd {
+  glm::vec2 at{0};     // pixels from the left and the top
+  glm::vec2 along{0};  // across the ribbon's edge, towards the tip, unit; 0 where the curve points at the camera
+  float inverse = 0;   // 1 / distance along the view; 0 for what is nearer than near_distance
+  float reach = 0;     // half of the drawn width, pixels
+  float strength = 0;  // opacity in the middle
+  glm::vec3 place{0}, tangent{0}, colour{0};
+};
+
+struct Ribbon {
+  RibbonEnd root, tip;
+  glm::vec3 normal{0};  // of the skin at the curve's root
+  float number = 0;     // random, [0, 1)
+};
+
+struct MarchScene;
+
+/// The ribbons of a frame by the tiles of its box.
+class Ribbons {
+ public:
+  Ribbons() = default;
+  /// For a scene whose camera and box are there.
+  Ribbons(const CurveStrips& strips, const MarchScene& scene);
+
+  bool empty() const { return ribbons_.empty(); }
+  const Ribbon& operator[](std::uint32_t number) const { return ribbons_[number]; }
+  /// Numbers of those that a tile may show, tiles counted from the first of the box row by row.
+  std::span<const std::uint32_t> of_tile(std::size_t tile) const {
+    return std::span(numbers_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
+  }
+
+ private:
+  void sort_into_tiles(const MarchScene& scene);
+
+  std::vector<Ribbon> ribbons_;
+  std::vector<std::uint32_t> first_, numbers_;  // of each tile, in numbers_; one more at the end
+};
+
+}  // namespace pelage
