@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "protocol/base/parallel.h"
+
 namespace pelage {
 
 ResizedLight::ResizedLight(const FloatImage& light, int width, int height)
@@ -74,6 +76,18 @@ void ResizedLight::row(int y, float* rgba) const {
     const glm::vec4 pixel = scale_ < 1 ? enlarged(columns_[static_cast<std::size_t>(x)], down) : mean(x, y);
     std::memcpy(rgba + std::ptrdiff_t{4} * x, &pixel.x, sizeof pixel);
   }
+}
+
+FloatImage resized_light(const FloatImage& light, int width, int height, int threads) {
+  const ResizedLight resized(light, width, height);
+  FloatImage picture;
+  picture.width = width, picture.height = height;
+  const auto row_numbers = 4 * static_cast<std::size_t>(width);
+  picture.rgba.resize(row_numbers * static_cast<std::size_t>(height));
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(height),
+      [&](std::uint32_t y) { resized.row(static_cast<int>(y), &picture.rgba[y * row_numbers]); }, threads);
+  return picture;
 }
 
 }  // namespace pelage

@@ -34,4 +34,7 @@ class ResizedLight {
   std::vector<Taps> columns_;
 };
 
+/// All rows of it. The same bits for any number of threads.
+FloatImage resized_light(const FloatImage& light, int width, int height, int threads);
+
 }  // namespace pelage

@@ -27,6 +27,11 @@ void add_counts(FrameCounters& total, const FrameCounters& more) {
   total.objects += more.objects, total.allocated += more.allocated;
 }
 
+void add_times(DrawTimes& total, const DrawTimes& more) {
+  total.shadow += more.shadow, total.draw += more.draw, total.read += more.read, total.cpu += more.cpu;
+  add_counts(total.counters, more.counters);
+}
+
 Result<GlRenderer::Prepared> GlRenderer::draw_part(const FurFrame& frame, const std::optional<Area>& part,
                                                DrawTimes& times) {
   const DrawClock clock(times);

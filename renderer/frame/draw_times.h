@@ -12,4 +12,9 @@ struct DrawTimes {
   FrameCounters counters;
 };
 
+/// Adds what was counted; `redrawn` stays.
+void add_counts(FrameCounters& total, const FrameCounters& more);
+/// Adds another drawing's.
+void add_times(DrawTimes& total, const DrawTimes& more);
+
 }  // namespace pelage

@@ -73,6 +73,9 @@ class GlRenderer {
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
+  /// What was asked of the GL since this was last called or a frame was drawn; fragments are left out.
+  FrameCounters take_counts() const;
+
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.
@@ -94,7 +97,6 @@ class GlRenderer {
   const CoatTextures& add(const Coat& coat, Slices slices);
   /// Bakes a coat that is not there yet while the pause is called; false when that gives the drawing up.
   bool bake(const Coat& coat, const Pause& pause);
-  FrameCounters take_counts() const;    // but for fragments
   FrameCounters take_counters() const;  // waits for the GL
   /// What a frame draws, with its blocks and maps bound.
   struct Prepared;

@@ -6,15 +6,16 @@
 
 #include "protocol/base/stopwatch.h"
 #include "renderer/finish/finish.h"
+#include "renderer/finish/resize.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/run_beside.h"
-#include "renderer/frame/shadow_maps.h"
+#include "renderer/marched/shadow_cache.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr int format_8 = 8, format_16 = 16;  // bits of a finished picture
+constexpr int format_8 = 8, format_16 = 16, format_light = 32;  // bits of a picture's channels
 
 /// What a sample of a pixel takes until it was measured.
 constexpr double sample_ms = 1e-5;
@@ -24,17 +25,18 @@ PixelBox box_of(const Area& area) { return {area.left, area.top, area.left + are
 }  // namespace
 
 MarchQuality march_quality(const Knobs& knobs) {
-  constexpr int most_shells = 64, most_samples = 1024;
+  constexpr int max_shells = 64, max_samples = 1024;
   MarchQuality quality;
-  quality.shells = std::min(knobs.shells, most_shells);
+  quality.shells = std::min(knobs.shells, max_shells);
   quality.halvings = knobs.shell_policy == ShellPolicy::adaptive ? 1 : 0;
-  quality.samples = std::min(knobs.shells * knobs.steps, most_samples);
+  quality.samples = std::min(knobs.shells * knobs.steps, max_samples);
   return quality;
 }
 
 bool MarchedRenderer::draws(const FurFrame& frame) {
   const Knobs& knobs = frame.knobs;
-  return !knobs.fins && knobs.guard_hairs == 0 && !ShadowMaps::wanted(frame) && frame.overlay == Overlay::none;
+  return !knobs.fins && knobs.guard_hairs == 0 && ShadowCache::makes_all(frame) &&
+         frame.overlay == Overlay::none;
 }
 
 void MarchedRenderer::forget_all() {
@@ -144,6 +146,22 @@ Result<Image16> MarchedRenderer::draw_deep(const FurFrame& frame, DrawTimes* tim
   views_.keep(std::move(view));
   if (times) *times = taken;
   return picture;
+}
+
+Result<FloatImage> MarchedRenderer::draw_beauty(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  View view;
+  Area drawn;
+  DrawTimes taken;
+  if (const Status begun = begin(frame, format_light, pause, view, drawn, taken); !begun.ok()) return begun;
+  FloatImage light;
+  {
+    const DrawClock clock(taken);
+    light = resized_light(view.light, frame.width, frame.height, threads_);
+  }
+  view.shown->format = 0;
+  views_.keep(std::move(view));
+  if (times) *times = taken;
+  return light;
 }
 
 }  // namespace pelage

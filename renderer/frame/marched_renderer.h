@@ -22,7 +22,8 @@ class MarchedRenderer {
  public:
   explicit MarchedRenderer(int threads) : marcher_(threads), threads_(threads) {}
 
-  /// Whether it draws all that a frame shows: not yet maps of shadows, fins, guard hairs and overlays.
+  /// Whether it draws all that a frame shows: not yet maps of shadows but for penumbras, fins,
+  /// guard hairs and overlays.
   static bool draws(const FurFrame& frame);
 
   // As Renderer has them.
@@ -30,6 +31,8 @@ class MarchedRenderer {
   void update(std::uint64_t model, const FurFields& fields) { marcher_.update(model, fields); }
   Result<Image> draw(const FurFrame& frame, DrawTimes* times, const Pause& pause);
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause);
+  /// Premultiplied linear light with the ground's shadow in alpha: what beauty and alpha of the AOVs are.
+  Result<FloatImage> draw_beauty(const FurFrame& frame, DrawTimes* times, const Pause& pause);
   void clear_view_cache() { views_.clear_shown(); }
   std::size_t bytes_of(std::uint64_t original) const { return marcher_.bytes_of(original); }
   void forget(std::uint64_t original) { marcher_.forget(original); }

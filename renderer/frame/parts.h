@@ -43,9 +43,6 @@ Status no_memory();
 
 Area area_of(const RenderTarget& target);  // all of it
 
-/// Adds what was counted; `redrawn` stays.
-void add_counts(FrameCounters& total, const FrameCounters& more);
-
 /// The #define lines of a frame's light and colours: light from all around that is not white from everywhere, how many
 /// lights there are, whether all are far away, and whether the coat's ramp alone gives the colours.
 std::string light_of(const FurFrame& frame, bool model_has_colours);

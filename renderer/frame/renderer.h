@@ -38,7 +38,7 @@ class Renderer {
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
-  /// As GlRenderer has them.
+  /// Those of light by whoever draws the frame's, the others by the GL. This and the rest as GlRenderer has them.
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                             DrawTimes* times = nullptr, const Pause& pause = {});
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
@@ -57,6 +57,9 @@ class Renderer {
   void forget_all();
 
  private:
+  /// Draws a frame by the marcher, and adds what the GL was sent for it.
+  template <class Draw>
+  auto march(DrawTimes* times, const Draw& draw);
   bool marches(const FurFrame& frame) const { return marched_ && MarchedRenderer::draws(frame); }
 
   std::unique_ptr<GlRenderer> gl_;

@@ -18,20 +18,6 @@ bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShado
 bool casts_penumbra(const FurLight& light) { return light.cast_shadow == CastShadow::penumbra; }
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
-/// Half of a light's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63
-/// degrees.
-float spread_of(const FurLight& light) {
-  constexpr float widest = 2;
-  switch (light.kind) {
-    case LightKind::directional: return light.angle < std::atan(widest) ? std::tan(light.angle) : widest;
-    case LightKind::point:
-    case LightKind::spot: return light.radius;
-    case LightKind::area: return (light.extent.x + light.extent.y) / 4;
-  }
-  assert(false);
-  return 0;
-}
-
 /// The entry of ShadowBlock::slots of a light with maps, which begin at the two slots.
 glm::vec4 slots_of(const FurLight& light, float shells, float depth) {
   const glm::vec2 maps{light.self_shadow_maps ? shells : -1.0f, depth};

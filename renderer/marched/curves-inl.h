@@ -13,14 +13,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// Where a group's pixels lie on a ribbon.
-struct OnRibbon {
+/// Where a group's pixels lie on a ribbon (on_ribbon of ribbons.h).
+struct LanesOnRibbon {
   Mask there;
-  Real share;    // from root to tip
+  Real share;  // from root to tip
   Real opacity;
 };
 
-HWY_INLINE OnRibbon on_ribbon(const Ribbon& ribbon, Real px, Real py) {
+HWY_INLINE LanesOnRibbon lanes_on_ribbon(const Ribbon& ribbon, Real px, Real py) {
   const RibbonEnd &a = ribbon.root, &b = ribbon.tip;
   const Real from_root = (px - a.at.x) * a.along.x + (py - a.at.y) * a.along.y;
   const Real past_tip = (px - b.at.x) * b.along.x + (py - b.at.y) * b.along.y;
@@ -44,12 +44,13 @@ HWY_INLINE Vec3 ribbon_light(const MarchScene& scene, const Ribbon& ribbon, Real
   fibre.colour = mix(Vec3(a.colour), Vec3(b.colour), share), fibre.crossed = colour_above(scene.optics.frame, 1.0f);
   fibre.height = 1.0f, fibre.above = 0.0f, fibre.strand = ribbon.number;
   fibre.shine = {1.0f, 1.0f};
+  fibre.open = fibre.place, fibre.hull = 0.0f;
   return fibre_light(scene.optics, fibre);
 }
 
 HWY_INLINE void raster_ribbon(const MarchScene& scene, const Ribbon& ribbon, int group, Real px, Real py,
                               TileScratch& scratch) {
-  OnRibbon on = on_ribbon(ribbon, px, py);
+  LanesOnRibbon on = lanes_on_ribbon(ribbon, px, py);
   if (!any(on.there)) return;
   const Real inverse = mix(Real(ribbon.root.inverse), Real(ribbon.tip.inverse), on.share);
   on.there = on.there & (inverse >= load(scratch.nearest() + group * lane_count));

@@ -173,7 +173,7 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
     seen.light += select(skin.there(), light, Vec3(0.0f)) * weight;
     seen.through -= weight;
   }
-  if (scene.ground.hidden && any(seen.through > 0.002f)) seen.through *= 1.0f - ground_dark(scene.ground, scene, ray);
+  if (scene.ground.hidden && any(seen.through > 0.002f)) seen.through *= 1.0f - ground_dark(scene, ray);
   write_pixels(scene, left, top, seen.light, 1.0f - seen.through, picture);
 }
 

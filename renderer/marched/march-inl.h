@@ -367,6 +367,9 @@ HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments
   fibre.place = Vec3(scene.viewpoint) + ray.way * mix(near.distance, far.distance, t);
   fibre.to_camera = -ray.unit_way;
   fibre.shine = {1.0f, 1.0f};
+  const int open = scene.varyings.open;
+  fibre.open = open < 0 ? fibre.place : rows(open);
+  fibre.hull = open < 0 ? Real(0.0f) : row(open + 3);
   fibre.colour = strand_colour(optics, scene.varyings, slab.colour * share, row, rows,
                                image_pixel(scene, ray, segments, near.distance));
   Cover above{Vec3(0.0f), 0.0f};

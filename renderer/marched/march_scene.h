@@ -27,6 +27,7 @@ struct Varyings {
   static constexpr int share = 15;   // of the optical depth that this piece draws
   static constexpr int min_stride = 16;
   int root = -1, varied = -1;  // three and two: where the strand leaves the skin; factor on lightness, turn of hue
+  int open = -1;               // four: place on the hull, how high that is
   int image = -1;              // six: u, v, image, colour
   int paint = -1;              // six: density, width, wetness, bare, curl, clump
   int painted = -1;            // eight: colours at root and tip, times their cover, cover
@@ -63,6 +64,9 @@ struct MarchMesh {
   std::span<const PieceAxes> axes;         // of triangles
 };
 
+/// How high fur stops the light that comes to other parts of the body, over its height: its hull (lean.glsl).
+inline constexpr float hull_height = 0.6f;
+
 /// Nothing nearer is drawn, sizes along the view; as the camera of renderer/upload/blocks.cpp.
 inline constexpr float near_distance = 1e-4f;
 
@@ -91,6 +95,7 @@ struct GroundOptics {
   static constexpr float extent = 4;  // to each side of the middle, sizes
   float height = 0;
   float contact = 0;                      // strength, [0, 1]
+  float shadow = 0;                       // strength of what lights with maps cast, [0, 1]
   const GroundContact* hidden = nullptr;  // null: there is none to be seen
 };
 

@@ -12,6 +12,7 @@
 #include "renderer/coat/strand_tile.h"
 #include "renderer/marched/bins.h"
 #include "renderer/marched/kernels.h"
+#include "renderer/marched/shadow_cache.h"
 #include "renderer/pattern/tufts.h"
 
 namespace pelage {
@@ -54,7 +55,7 @@ Varyings varyings_of(const MarchScene& scene) {
   };
   const bool pattern = scene.optics.pattern.volume != nullptr;
   take(pattern || scene.optics.tufts.volume, at.root, 3), take(pattern, at.varied, 2);
-  take(scene.optics.model_colours, at.image, 6);
+  take(!scene.optics.casters.empty(), at.open, 4), take(scene.optics.model_colours, at.image, 6);
   take(scene.optics.paint.form, at.paint, 6), take(scene.optics.paint.colour, at.painted, 8);
   return at;
 }
@@ -101,6 +102,7 @@ struct Marcher::Kept {
   GroundContact contact;
   std::vector<FurCurves> curves;
   CurveStrips strips;  // of those curves
+  ShadowCache shadows;
 };
 
 Marcher::Marcher(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
@@ -218,14 +220,7 @@ void Marcher::add_ground(const FurFrame& frame, MarchScene& scene) {
     kept.contact =
         make_ground_contact(scene.mesh.positions, scene.mesh.triangles, frame.ground->height, threads_);
   }
-  scene.ground = {frame.ground->height, frame.ground->contact, &kept.contact};
-}
-
-void Marcher::add_curves(const FurFrame& frame, MarchScene& scene) {
-  if (frame.curves.empty()) return;
-  Kept& kept = *kept_;
-  if (kept.curves != frame.curves) kept.curves = frame.curves, kept.strips = make_strips(frame.curves);
-  scene.ribbons = Ribbons(kept.strips, scene);
+  scene.ground = {frame.ground->height, frame.ground->contact, frame.ground->shadow, &kept.contact};
 }
 
 MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
@@ -256,6 +251,8 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
   scene.reach = 4 * longest * optics.frame.tile.x;
   add_camera(frame, scene);
+  if (kept_->curves != frame.curves) kept_->curves = frame.curves, kept_->strips = make_strips(frame.curves);
+  kept_->shadows.add(frame, mesh.changes(), kept_->strips, scene);
   scene.varyings = varyings_of(scene);
   if (!frame.eyes.empty() && !eyes_) eyes_ = std::make_unique<EyeCache>();
   if (!frame.eyes.empty()) eyes_->add(frame, scene);
@@ -277,7 +274,7 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
   assert(size_of(frame) == glm::ivec2(picture.width, picture.height));
   MarchScene scene = scene_of(frame, quality);
   scene.box = part;
-  add_curves(frame, scene);
+  if (!frame.curves.empty()) scene.ribbons = Ribbons(kept_->strips, scene);
   MarchTimes taken;
   const Stopwatch placing;
   place_vertices(scene, threads_);

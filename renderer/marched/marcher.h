@@ -69,7 +69,6 @@ class Marcher {
   void add_tufts(const FurFrame& frame, MarchScene& scene);
   void add_paint(const FurFrame& frame, MarchScene& scene);
   void add_ground(const FurFrame& frame, MarchScene& scene);
-  void add_curves(const FurFrame& frame, MarchScene& scene);  // the box is there
 
   int threads_;
   std::map<std::uint64_t, FurMesh> meshes_;

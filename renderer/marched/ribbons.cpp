@@ -14,11 +14,11 @@ constexpr std::size_t points_each = curve_segments + 1;
 glm::vec3 unit_of(glm::vec3 v) { return v / std::max(glm::length(v), 1e-20f); }
 
 /// Pixels of a place that is not nearer than near_distance.
-glm::vec2 on_picture(const MarchScene& scene, const glm::vec4& clip) {
-  return (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(scene.width, scene.height);
+glm::vec2 on_picture(const RibbonCamera& camera, const glm::vec4& clip) {
+  return (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * camera.size;
 }
 
-RibbonEnd end_of(const CurveStrips& strips, std::size_t curve, std::size_t at, const MarchScene& scene) {
+RibbonEnd end_of(const CurveStrips& strips, std::size_t curve, std::size_t at, const RibbonCamera& camera) {
   const std::size_t root = curve * points_each;
   const CurveStyle& style = strips.styles[curve];
   RibbonEnd end;
@@ -27,36 +27,54 @@ RibbonEnd end_of(const CurveStrips& strips, std::size_t curve, std::size_t at, c
   end.tangent = unit_of(strips.points[root + after].place - strips.points[root + before].place);
   const glm::vec4 looks = glm::mix(style.root, style.tip, static_cast<float>(at) / curve_segments);
   end.colour = looks;
-  const glm::mat4& to_clip = scene.optics.frame.world_to_clip;
+  const glm::mat4& to_clip = camera.to_clip;
   const glm::vec4 clip = to_clip * glm::vec4(end.place, 1);
   if (!(clip.w > near_distance)) return end;
-  end.inverse = 1 / clip.w, end.at = on_picture(scene, clip);
-  const glm::vec3 to_camera = scene.viewpoint - end.place;
-  const float pixel = scene.optics.frame.viewpoint.w * glm::length(to_camera),
+  end.inverse = 1 / clip.w, end.at = on_picture(camera, clip);
+  const glm::vec3 to_camera = camera.viewpoint - end.place;
+  const float pixel = camera.pixel * glm::length(to_camera),
               pixels = looks.w / std::max(pixel, 1e-20f);
   end.reach = 0.5f * std::max(pixels, 1.0f), end.strength = std::min(pixels, 1.0f);
   const glm::vec3 spread = unit_of(glm::cross(end.tangent, unit_of(to_camera)));
   const glm::vec4 aside = to_clip * glm::vec4(end.place + spread * pixel, 1);
   if (!(aside.w > near_distance)) return end;
-  const glm::vec2 across = on_picture(scene, aside) - end.at;
+  const glm::vec2 across = on_picture(camera, aside) - end.at;
   const glm::vec4 ahead = to_clip * glm::vec4(end.place + end.tangent * pixel, 1);
   end.along = glm::vec2(across.y, -across.x) / std::max(glm::length(across), 1e-20f);
-  if (ahead.w > near_distance && glm::dot(end.along, on_picture(scene, ahead) - end.at) < 0) end.along = -end.along;
+  if (ahead.w > near_distance && glm::dot(end.along, on_picture(camera, ahead) - end.at) < 0) end.along = -end.along;
   return end;
 }
 
 }  // namespace
 
-Ribbons::Ribbons(const CurveStrips& strips, const MarchScene& scene) {
+std::vector<Ribbon> ribbons_of(const CurveStrips& strips, const RibbonCamera& camera) {
+  std::vector<Ribbon> ribbons;
   for (std::size_t curve = 0; curve < strips.styles.size(); ++curve) {
-    RibbonEnd root = end_of(strips, curve, 0, scene);
+    RibbonEnd root = end_of(strips, curve, 0, camera);
     for (std::size_t at = 1; at < points_each; ++at) {
-      const RibbonEnd tip = end_of(strips, curve, at, scene);
+      const RibbonEnd tip = end_of(strips, curve, at, camera);
       if (root.inverse > 0 && tip.inverse > 0)
-        ribbons_.push_back({root, tip, strips.styles[curve].normal, strips.styles[curve].normal.w});
+        ribbons.push_back({root, tip, strips.styles[curve].normal, strips.styles[curve].normal.w});
       root = tip;
     }
   }
+  return ribbons;
+}
+
+OnRibbon on_ribbon(const Ribbon& ribbon, glm::vec2 pixel) {
+  const RibbonEnd &a = ribbon.root, &b = ribbon.tip;
+  const float from_root = glm::dot(pixel - a.at, a.along), past_tip = glm::dot(pixel - b.at, b.along);
+  if (!(from_root >= 0 && past_tip < 0)) return {};
+  const float share = std::clamp(from_root / std::max(from_root - past_tip, 1e-12f), 0.0f, 1.0f);
+  const glm::vec2 way = b.at - a.at, off = pixel - a.at;
+  const float across = std::abs(off.x * way.y - off.y * way.x) / std::max(glm::length(way), 1e-12f);
+  return {share, glm::mix(a.strength, b.strength, share) *
+                     std::clamp(glm::mix(a.reach, b.reach, share) + 0.5f - across, 0.0f, 1.0f)};
+}
+
+Ribbons::Ribbons(const CurveStrips& strips, const MarchScene& scene)
+    : ribbons_(ribbons_of(strips, {scene.optics.frame.world_to_clip, scene.viewpoint, scene.optics.frame.viewpoint.w,
+                                   {scene.width, scene.height}})) {
   sort_into_tiles(scene);
 }
 

@@ -28,6 +28,24 @@ struct Ribbon {
   float number = 0;     // random, [0, 1)
 };
 
+/// Who looks at ribbons.
+struct RibbonCamera {
+  glm::mat4 to_clip{1};
+  glm::vec3 viewpoint{0};
+  float pixel = 0;    // size of a pixel at distance 1
+  glm::vec2 size{0};  // pixels of the picture
+};
+
+/// Those of all curves, one after the other, but for what reaches behind the camera.
+std::vector<Ribbon> ribbons_of(const CurveStrips& strips, const RibbonCamera& camera);
+
+/// Where a place lies on a ribbon.
+struct OnRibbon {
+  float share = 0;    // from root to tip
+  float opacity = 0;  // 0 beside it
+};
+OnRibbon on_ribbon(const Ribbon& ribbon, glm::vec2 pixel);
+
 struct MarchScene;
 
 /// The ribbons of a frame by the tiles of its box.

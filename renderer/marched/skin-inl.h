@@ -64,7 +64,8 @@ class SkinPoint {
 /// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body.
 HWY_INLINE Real rising_from_face(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
   int hull = 0;
-  while (hull + 1 < scene.shells.count() && scene.shells.heights[static_cast<std::size_t>(hull)] < 0.6f) ++hull;
+  while (hull + 1 < scene.shells.count() && scene.shells.heights[static_cast<std::size_t>(hull)] < hull_height)
+    ++hull;
   const Vec3 a = point.place_of(0, 0), b = point.place_of(1, 0), c = point.place_of(2, 0);
   Vec3 across = cross(b - a, c - a);
   across = select(dot(across, ray.way) > 0.0f, -across, across);
@@ -104,22 +105,28 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
   const Vec3 coat = covered_by(painted, undercoat * Vec3(frame.colour_above[0]), 1.0f);
   const Vec3 colour = mix(bare, mix(coat, undercoat, covered), grown), crossed = mix(bare, coat, covered);
   const float self_shadow = frame.exponents.w;
-  const Vec3 open = ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, self_shadow));
-  Vec3 sum = frame.weights.x * mix(Vec3(1.0f), open, covered) * colour * environment_light(optics, normal);
+  const Vec3 ambient = ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, self_shadow));
+  Vec3 sum = frame.weights.x * mix(Vec3(1.0f), ambient, covered) * colour * environment_light(optics, normal);
   const Vec3 stopped = stopped_by_strand(crossed, 1.0f, self_shadow);
   const Vec3 place = Vec3(scene.viewpoint) + ray.way * point.distance();
+  const int at_open = scene.varyings.open;
+  const Vec3 open = at_open < 0 ? place : rows(at_open);
+  const Real hull = at_open < 0 ? Real(0.0f) : row(at_open + 3);
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, place);
     const Real cosine = dot(normal, light.to_light);
     const Real strands = covered * strands_crossed(above, way_out(0.0f, cosine), normal, light.to_light);
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
-    sum += light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
+    Vec3 arriving = light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
+    if (!optics.casters.empty())
+      arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
+    sum += arriving;
   }
   if (optics.skin.count.x == 0 && !optics.paint.form) return sum;
   Bare region = optics.paint.form ? painted_bare(bare, fields.bare, fields.wetness) : not_bare();
   region = bare_over(optics.skin, region, place, normal, pixel);
   if (!any(region.share > 0.0f)) return sum;
-  return mix(sum, bare_light(optics, region, place, normal, -ray.unit_way, pixel), region.share);
+  return mix(sum, bare_light(optics, region, place, open, hull, normal, -ray.unit_way, pixel), region.share);
 }
 
 }  // namespace pelage::HWY_NAMESPACE

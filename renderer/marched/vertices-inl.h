@@ -84,6 +84,7 @@ struct VertexWriter {
 struct VertexStrand {
   Vec3 root, normal, lean;
   Real length, inclination, share;
+  Real hull_length, hull_inclination;  // without a pattern, which does not change the hull
 };
 
 HWY_INLINE VertexStrand strand_of(const MarchScene& scene, const VertexBlock& block) {
@@ -96,7 +97,7 @@ HWY_INLINE VertexStrand strand_of(const MarchScene& scene, const VertexBlock& bl
   const Mask leans = inclination > 1e-6f;
   strand.lean = tangent * select(leans, groom.x * over, 1.0f) +
                 cross(strand.normal, tangent) * select(leans, groom.y * over, 0.0f);
-  strand.length = groom.z, strand.inclination = inclination;
+  strand.length = strand.hull_length = groom.z, strand.inclination = strand.hull_inclination = inclination;
   // Fur of no length is no fur, or it would lie as a fog on bare skin.
   strand.share = block.read([&](std::size_t i) { return mesh.weights[i]; }) * smoothstep(0.0f, 0.002f, groom.z);
   if (mesh.variation.empty()) return strand;
@@ -133,8 +134,23 @@ HWY_INLINE void write_fields(const VertexWriter& to, const VertexStrand& strand,
            factor * block.read([&](std::size_t i) { return mesh.painted[i][static_cast<std::size_t>(k)]; }));
 }
 
-HWY_INLINE void write_vertex(const VertexWriter& to, const VertexStrand& strand, const LeanPlace& curve) {
+HWY_INLINE LeanPlace lean_place(const MarchScene& scene, Real inclination, float s) {
+  const Real tip = inclination * 1.57079633f, a0 = scene.optics.frame.counts.w * tip;
+  return scene.optics.frame.tile.z > 0.5f ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s);
+}
+
+/// Where light from other parts of the body comes to fur at a height `s`: at or above the hull (hull_offset of
+/// lean.glsl). Times a factor.
+HWY_INLINE void write_open(const VertexWriter& to, const VertexStrand& strand, float s, Real factor) {
+  const LeanPlace curve = lean_place(to.scene, strand.hull_inclination, std::max(s, hull_height));
+  const Vec3 open = strand.root + strand.hull_length * (curve.across * strand.lean + curve.up * strand.normal);
+  to.rows(to.scene.varyings.open, open * factor);
+  to.row(to.scene.varyings.open + 3, hull_height * strand.hull_length * factor);
+}
+
+HWY_INLINE void write_vertex(const VertexWriter& to, const VertexStrand& strand, float s) {
   const MarchScene& scene = to.scene;
+  const LeanPlace curve = lean_place(scene, strand.inclination, s);
   const Vec3 place = strand.root + strand.length * (curve.across * strand.lean + curve.up * strand.normal);
   to.rows(Varyings::place, place);
   const glm::mat4& m = scene.optics.frame.world_to_clip;
@@ -150,22 +166,19 @@ HWY_INLINE void write_vertex(const VertexWriter& to, const VertexStrand& strand,
   to.rows(Varyings::tangent, (strand.lean * sine(curve.angle) + strand.normal * cosine(curve.angle)) * factor);
   to.row(Varyings::inverse, inverse);
   write_fields(to, strand, factor);
+  if (scene.varyings.open >= 0) write_open(to, strand, s, factor);
 }
 
 /// All shells of the vertices [begin, end).
 HWY_INLINE void place_vertices(MarchScene& scene, std::size_t begin, std::size_t end) {
-  const bool root_curve = scene.optics.frame.tile.z > 0.5f;
   for (std::size_t first = begin; first < end; first += static_cast<std::size_t>(lane_count)) {
     VertexBlock block;
     block.count = static_cast<int>(std::min<std::size_t>(end - first, static_cast<std::size_t>(lane_count)));
     for (int i = 0; i < lane_count; ++i)
       block.index[i] = first + static_cast<std::size_t>(std::min(i, block.count - 1));
     const VertexStrand strand = strand_of(scene, block);
-    const Real tip = strand.inclination * 1.57079633f, a0 = scene.optics.frame.counts.w * tip;
-    for (int shell = 0; shell < scene.shells.count(); ++shell) {
-      const float s = scene.shells.heights[static_cast<std::size_t>(shell)];
-      write_vertex({scene, block, shell}, strand, root_curve ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s));
-    }
+    for (int shell = 0; shell < scene.shells.count(); ++shell)
+      write_vertex({scene, block, shell}, strand, scene.shells.heights[static_cast<std::size_t>(shell)]);
   }
 }
 

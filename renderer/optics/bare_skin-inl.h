@@ -158,8 +158,8 @@ HWY_INLINE Vec3 light_on_skin(const FrameOptics& optics, const Bare& bare, const
 }
 
 /// Light that bare skin sends to the camera; `pixel` is the size of one there, sizes.
-HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 normal, Vec3 to_camera,
-                           Real pixel) {
+HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 open, Real hull, Vec3 normal,
+                           Vec3 to_camera, Real pixel) {
   const SkinSurface surface = skin_surface(bare, place, normal, to_camera, pixel);
   Vec3 sum = optics.frame.weights.x * surface.open * surface.colour * environment_light(optics, surface.normal);
   const Vec3 dry = mirrored_sky(optics, surface.normal, to_camera, 0.08f * bare.shine, surface.dry_roughness);
@@ -167,7 +167,10 @@ HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 pla
   sum += surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, place);
-    sum += light.radiance * light_on_skin(optics, bare, surface, light.to_light);
+    Vec3 arriving = light.radiance * light_on_skin(optics, bare, surface, light.to_light);
+    if (!optics.casters.empty())
+      arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
+    sum += arriving;
   }
   return sum;
 }

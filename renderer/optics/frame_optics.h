@@ -9,6 +9,7 @@
 #include "renderer/optics/azimuthal_fit.h"
 #include "renderer/optics/base_images.h"
 #include "renderer/optics/eye_optics.h"
+#include "renderer/optics/shadow_optics.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/surface_volume.h"
 #include "renderer/shading/scattering_table.h"
@@ -54,6 +55,7 @@ struct FrameOptics {
   PatternOptics pattern;
   TuftOptics tufts;
   PaintOptics paint;
+  std::span<const ShadowCaster> casters;  // of each light; empty where none casts a shadow
   EyeOptics eyes;
 };
 

@@ -10,6 +10,7 @@
 #include "renderer/optics/frame_optics.h"
 #include "renderer/optics/lanes-inl.h"
 #include "renderer/optics/scattering-inl.h"
+#include "renderer/optics/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
@@ -91,6 +92,8 @@ struct Fibre {
   Real above;    // strands over the place that a ray at 45 degrees to upright fur would cross
   Real strand;   // number of the strand in [0, 1]
   Shine shine;
+  Vec3 open;  // where light that the rest of the body lets through comes to the fur, on its hull
+  Real hull;  // how high that is, sizes
 };
 
 /// What of a fibre's view all lights share.
@@ -134,7 +137,12 @@ HWY_INLINE Vec3 fibre_light(const FrameOptics& optics, const Fibre& fibre) {
     const Real strands = strands_to_light(fibre, view, light.to_light, facing);
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
     const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
-    sum += light.radiance * scattered * through * light_behind(optics.model, facing, frame.exponents.z);
+    Vec3 arriving = light.radiance * scattered * through * light_behind(optics.model, facing, frame.exponents.z);
+    if (!optics.casters.empty()) {
+      const ShadowCaster& caster = optics.casters[static_cast<std::size_t>(i)];
+      arriving *= cast_light(caster, fibre.place, fibre.open, fibre.hull, fibre.normal);
+    }
+    sum += arriving;
   }
   return sum;
 }

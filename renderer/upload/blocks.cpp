@@ -151,6 +151,18 @@ LightView point_view(glm::vec3 position, float radius, int resolution) {
 
 }  // namespace
 
+float spread_of(const FurLight& light) {
+  constexpr float widest = 2;
+  switch (light.kind) {
+    case LightKind::directional: return light.angle < std::atan(widest) ? std::tan(light.angle) : widest;
+    case LightKind::point:
+    case LightKind::spot: return light.radius;
+    case LightKind::area: return (light.extent.x + light.extent.y) / 4;
+  }
+  assert(false);
+  return 0;
+}
+
 std::optional<LightView> view_of_light(const FurLight& light, float radius, int resolution) {
   if (light.kind == LightKind::directional) return directional_view(light.direction, radius, resolution);
   if (!(glm::length(light.position) > 1.1f * radius)) return {};

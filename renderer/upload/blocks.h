@@ -50,6 +50,10 @@ struct LightView {
   float texel = 0;         // size of a map's texel at distance 1 from the eye, for maps of `resolution`
 };
 
+/// Half of a light's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63
+/// degrees.
+float spread_of(const FurLight& light);
+
 /// None for a light inside the model's surroundings (a ball of `radius` about the centre), which no one map holds.
 std::optional<LightView> view_of_light(const FurLight& light, float radius, int resolution);
 

@@ -1,0 +1,40 @@
+// Maps of what lights see, kept until a light, the fur, the coat or the resolution changes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/curves/curve_strips.h"
+#include "renderer/marched/depth_map.h"
+#include "renderer/marched/march_scene.h"
+
+namespace pelage {
+
+class ShadowCache {
+ public:
+  /// Whether penumbras are all that a frame's lights ask of maps: those that it can make.
+  static bool makes_all(const FurFrame& frame);
+
+  /// Adds the casters of a frame to its scene, whose mesh and frame block are there, where it has any. `changes`:
+  /// FurMesh::changes. Valid until the next call.
+  void add(const FurFrame& frame, std::uint64_t changes, const CurveStrips& curves, MarchScene& scene);
+
+ private:
+  struct Key {
+    std::uint64_t model = 0, changes = 0;
+    double root_share = 0;
+    LeanCurve curve = LeanCurve::arc;
+    std::vector<FurLight> lights;
+    std::vector<FurCurves> curves;
+    int resolution = 0;
+    bool operator==(const Key&) const = default;
+  };
+  void make_maps(const FurFrame& frame, const CurveStrips& curves, const MarchScene& scene);
+
+  Key key_;
+  std::vector<ShadowCaster> casters_;
+  std::vector<DepthMap> depths_;
+  std::vector<std::vector<glm::vec2>> curves_;
+};
+
+}  // namespace pelage
