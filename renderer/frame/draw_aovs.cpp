@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "renderer/frame/parts.h"
 #include "renderer/frame/gl_renderer.h"
+#include "renderer/frame/parts.h"
 #include "renderer/gl/sync.h"
 #include "renderer/passes/draw/draw.h"
 
@@ -16,8 +16,8 @@ void GlRenderer::draw_beside_light(const FurFrame& frame, const Prepared& scene,
   draw_body(frame, scene, "#define AOVS\n");
 }
 
-Result<std::vector<FloatImage>> GlRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
-                                                    const Pause& pause) {
+Result<std::vector<FloatImage>> GlRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
+                                                      DrawTimes* times, const Pause& pause) {
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   DrawTimes taken;
   const Result<Prepared> scene = draw_in_pieces(frame, {}, pause, taken);
@@ -33,7 +33,7 @@ Result<std::vector<FloatImage>> GlRenderer::draw_aovs(const FurFrame& frame, std
 }
 
 Result<std::vector<FloatImage>> GlRenderer::gather_aovs(const FurFrame& frame, const Prepared& scene,
-                                                      std::span<const Aov> aovs, DrawTimes& times) {
+                                                        std::span<const Aov> aovs, DrawTimes& times) {
   const DrawClock clock(times);
   std::optional<AovTarget> target;
   if (std::any_of(aovs.begin(), aovs.end(), AovTarget::holds)) {
@@ -50,7 +50,8 @@ Result<std::vector<FloatImage>> GlRenderer::gather_aovs(const FurFrame& frame, c
   return images;
 }
 
-Result<FloatImage> GlRenderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target) {
+Result<FloatImage> GlRenderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov,
+                                        const AovTarget* target) {
   RenderTarget distance;
   GLuint source = view_.drawn.texture();
   if (aov == Aov::depth) {

@@ -1,9 +1,9 @@
 // A frame's light, drawn in pieces where others may be served in between.
 #include <utility>
 
+#include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/parts.h"
 #include "renderer/frame/pieces.h"
-#include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/run_beside.h"
 #include "renderer/gl/sync.h"
 
@@ -33,7 +33,7 @@ void add_times(DrawTimes& total, const DrawTimes& more) {
 }
 
 Result<GlRenderer::Prepared> GlRenderer::draw_part(const FurFrame& frame, const std::optional<Area>& part,
-                                               DrawTimes& times) {
+                                                   DrawTimes& times) {
   const DrawClock clock(times);
   fragments_.begin();
   const Prepared scene = prepare_scene(frame, part, times);
@@ -46,7 +46,7 @@ Result<GlRenderer::Prepared> GlRenderer::draw_part(const FurFrame& frame, const 
 }
 
 Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown,
-                                                    const Pause& pause, DrawTimes& times) {
+                                                        const Pause& pause, DrawTimes& times) {
   const Status given_up = failure(Code::conflict, "the drawing was given up");
   if (pause && !bake(frame.coat, pause)) return given_up;
   const std::optional<Area> part = shown ? std::optional(changed_area(frame, *shown)) : std::nullopt;
@@ -66,7 +66,8 @@ Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, c
   return prepare_alone(frame, part, times);  // for what is drawn beside light
 }
 
-GlRenderer::Prepared GlRenderer::prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
+GlRenderer::Prepared GlRenderer::prepare_alone(const FurFrame& frame, const std::optional<Area>& part,
+                                               DrawTimes& times) {
   const DrawClock clock(times);
   return prepare_scene(frame, part, times);
 }

@@ -3,8 +3,8 @@
 #include <array>
 #include <cassert>
 
-#include "renderer/frame/parts.h"
 #include "renderer/frame/gl_renderer.h"
+#include "renderer/frame/parts.h"
 #include "renderer/gl/sync.h"
 #include "renderer/passes/draw/draw.h"
 
@@ -61,7 +61,7 @@ Result<Backplate> GlRenderer::draw_backplate(const FurFrame& asked, DrawTimes* t
 }
 
 void GlRenderer::draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
-                              const std::string& outputs) {
+                                const std::string& outputs) {
   const std::string variant = light_of(frame, model.has_colours()) + shape_of(frame.coat, model) + outputs;
   fur_.draw_open_skin(gl_, model, lists, variant);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
@@ -99,7 +99,7 @@ Result<Image16> GlRenderer::finish_deep(const FurFrame& frame, const FloatImage&
 
 template <class Picture>
 Result<Picture> GlRenderer::finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
-                                         int largest, DrawTimes* times) {
+                                           int largest, DrawTimes* times) {
   assert(light.width == frame.width && light.height == frame.height);
   const Stopwatch drawing;
   const RenderTarget traced(gl_, GL_RGBA32F, frame.width, frame.height, false);

@@ -164,7 +164,8 @@ Area GlRenderer::changed_area(const FurFrame& frame, const ShownFrame& shown) {
   return area_of(changed, view_.drawn.width(), view_.drawn.height());
 }
 
-ShellView GlRenderer::shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const {
+ShellView GlRenderer::shell_view(const FurFrame& frame, const FrameBlock& block,
+                                 const std::optional<Area>& part) const {
   const bool sorted = frame.knobs.order == FragmentOrder::sorted;
   const float stretch = 1 + static_cast<float>(frame.coat.variation.length);
   ShellView view{frame.camera.position,
@@ -179,7 +180,8 @@ ShellView GlRenderer::shell_view(const FurFrame& frame, const FrameBlock& block,
   return view;
 }
 
-GlRenderer::Prepared GlRenderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times) {
+GlRenderer::Prepared GlRenderer::prepare_scene(const FurFrame& frame, const std::optional<Area>& part,
+                                               DrawTimes& times) {
   const auto found = models_.find(frame.model);
   assert(found != models_.end());
   ModelBuffers& model = found->second;
@@ -293,7 +295,7 @@ Result<RenderTarget> GlRenderer::draw_overlay(const FurFrame& frame, const Prepa
 }
 
 Result<RenderTarget> GlRenderer::draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
-                                                 const ModelBuffers::DrawList& triangles) {
+                                                   const ModelBuffers::DrawList& triangles) {
   RenderTarget overlay = frame.overlay == Overlay::difference ? overlay_.draw_difference(gl_, frame, model, triangles)
                                                               : overlay_.draw_field(gl_, frame, model, triangles);
   if (!overlay.complete()) return no_memory();
@@ -309,8 +311,8 @@ Result<Image16> GlRenderer::draw_deep(const FurFrame& frame, DrawTimes* times, c
 }
 
 template <class Picture>
-Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
-                                       const Pause& pause) {
+Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
+                                         DrawTimes* times, const Pause& pause) {
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
   const std::optional<ShownFrame> shown = std::exchange(view_.shown, {});
   DrawTimes taken;
@@ -334,7 +336,7 @@ Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, GLenum format, G
 }
 
 Status GlRenderer::finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished,
-                              int largest, DrawTimes& times) {
+                                int largest, DrawTimes& times) {
   const DrawClock clock(times);
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();

@@ -9,6 +9,7 @@
 #include "renderer/finish/resize.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/run_beside.h"
+#include "renderer/marched/kernels.h"
 #include "renderer/marched/shadow_cache.h"
 
 namespace pelage {
@@ -33,10 +34,11 @@ MarchQuality march_quality(const Knobs& knobs) {
   return quality;
 }
 
+std::string MarchedRenderer::description() { return std::string(instruction_set()) + " on the CPU"; }
+
 bool MarchedRenderer::draws(const FurFrame& frame) {
   const Knobs& knobs = frame.knobs;
-  return !knobs.fins && knobs.guard_hairs == 0 && ShadowCache::makes_all(frame) &&
-         frame.overlay == Overlay::none;
+  return !knobs.fins && knobs.guard_hairs == 0 && ShadowCache::makes_all(frame) && frame.overlay == Overlay::none;
 }
 
 void MarchedRenderer::forget_all() {
@@ -80,7 +82,8 @@ std::optional<Area> MarchedRenderer::draw_light(const FurFrame& frame, const std
   if (part.pixels() == 0) return part;
   const MarchQuality quality = march_quality(frame.knobs);
   const double unit_ms = pause ? sample_ms * quality.samples : 0;
-  Pieces pieces(part, [](const Area& area) { return area.pixels(); }, unit_ms);
+  Pieces pieces(
+      part, [](const Area& area) { return area.pixels(); }, unit_ms);
   for (;;) {
     const Area piece = pieces.next();
     const Stopwatch passed;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "protocol/base/status.h"
 #include "renderer/frame/draw_times.h"
@@ -22,6 +23,8 @@ class MarchedRenderer {
  public:
   explicit MarchedRenderer(int threads) : marcher_(threads), threads_(threads) {}
 
+  /// What it draws with: "AVX2 on the CPU".
+  static std::string description();
   /// Whether it draws all that a frame shows: not yet maps of shadows but for penumbras, fins,
   /// guard hairs and overlays.
   static bool draws(const FurFrame& frame);

@@ -53,8 +53,8 @@ struct EyePixels {
 /// Lit pixels of guided curves, before all skin and eyes.
 struct CurvePixels {
   struct Pixel {
-    int number = 0;     // in the order of SkinPixels
-    float inverse = 0;  // 1 / distance along the view
+    int number = 0;      // in the order of SkinPixels
+    float inverse = 0;   // 1 / distance along the view
     glm::vec4 light{0};  // premultiplied
   };
   std::vector<Pixel> pixels;

@@ -61,8 +61,8 @@ HWY_INLINE void raster_ribbon(const MarchScene& scene, const Ribbon& ribbon, int
   store(on.opacity, numbers[4]);
   for (std::uint32_t lanes = bits_of(on.there); lanes != 0; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    scratch.curves.pixels.push_back({group * lane_count + i, numbers[0][i],
-                                     {numbers[1][i], numbers[2][i], numbers[3][i], numbers[4][i]}});
+    scratch.curves.pixels.push_back(
+        {group * lane_count + i, numbers[0][i], {numbers[1][i], numbers[2][i], numbers[3][i], numbers[4][i]}});
   }
 }
 
@@ -78,7 +78,8 @@ HWY_INLINE void raster_curves(const MarchScene& scene, const Tile& tile, TileScr
       const int left = tile.left + group % groups_across * group_width,
                 top = tile.top + group / groups_across * group_height;
       const bool apart = high.x < static_cast<float>(left) || high.y < static_cast<float>(top) ||
-                         low.x > static_cast<float>(left + group_width) || low.y > static_cast<float>(top + group_height);
+                         low.x > static_cast<float>(left + group_width) ||
+                         low.y > static_cast<float>(top + group_height);
       if (!apart)
         raster_ribbon(scene, ribbon, group, lanes_x() + static_cast<float>(left), lanes_y() + static_cast<float>(top),
                       scratch);

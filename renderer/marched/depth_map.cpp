@@ -36,10 +36,10 @@ void draw_triangle(const Corner& a, const Corner& b, const Corner& c, DepthMap& 
       const glm::dvec2 middle(x + 0.5, y + 0.5);
       const double u = side_of(b.at, c.at, middle) / area, v = side_of(c.at, a.at, middle) / area, w = 1 - u - v;
       if (u < 0 || v < 0 || w < 0) continue;
-      const double depth = (u * a.depth_over_w + v * b.depth_over_w + w * c.depth_over_w) /
-                           (u * a.over_w + v * b.over_w + w * c.over_w);
-      float& nearest = map.depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.side) +
-                                  static_cast<std::size_t>(x)];
+      const double depth =
+          (u * a.depth_over_w + v * b.depth_over_w + w * c.depth_over_w) / (u * a.over_w + v * b.over_w + w * c.over_w);
+      float& nearest =
+          map.depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.side) + static_cast<std::size_t>(x)];
       nearest = std::min(nearest, static_cast<float>(depth));
     }
   }
@@ -49,8 +49,8 @@ void draw_triangle(const Corner& a, const Corner& b, const Corner& c, DepthMap& 
 
 DepthMap draw_depth_map(std::span<const glm::vec3> places, std::span<const glm::uvec3> triangles,
                         const LightView& light, int side) {
-  DepthMap map{side, std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
-                                        DepthMap::nowhere)};
+  DepthMap map{side,
+               std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), DepthMap::nowhere)};
   std::vector<Corner> corners;
   for (const glm::vec3& place : places) corners.push_back(corner_of(place, light, side));
   for (const glm::uvec3& t : triangles) {

@@ -17,7 +17,8 @@ namespace pelage::HWY_NAMESPACE {
 /// Share of the sky that the model hides, [0, 1]: between the four nearest numbers of the map.
 HWY_INLINE Real contact_at(const GroundContact& contact, Real x, Real z) {
   constexpr float per_size = GroundContact::side / (2 * GroundContact::extent), last = GroundContact::side - 2.0f;
-  const Real column = (x + GroundContact::extent) * per_size - 0.5f, row = (z + GroundContact::extent) * per_size - 0.5f;
+  const Real column = (x + GroundContact::extent) * per_size - 0.5f,
+             row = (z + GroundContact::extent) * per_size - 0.5f;
   const Real left = clamp(floor(column), 0.0f, last), top = clamp(floor(row), 0.0f, last);
   const Real across = clamp(column - left, 0.0f, 1.0f), down = clamp(row - top, 0.0f, 1.0f);
   const Int at = to_int(top * static_cast<float>(GroundContact::side) + left);

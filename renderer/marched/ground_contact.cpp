@@ -56,7 +56,8 @@ GroundContact make_ground_contact(std::span<const glm::vec3> places, std::span<c
     float sum = 0, whole = 0;
     for (const Tap& tap : all) {
       const glm::vec4 clip = below.world_to_clip * glm::vec4(x + tap.off.x, height, z + tap.off.y, 1);
-      const float above = between(map, (glm::vec2(0.5f, -0.5f) * glm::vec2(clip) + 0.5f) * float{contact_texels}) - lowest;
+      const float above =
+          between(map, (glm::vec2(0.5f, -0.5f) * glm::vec2(clip) + 0.5f) * float{contact_texels}) - lowest;
       sum += tap.weight / (1 + above * above / (tap.square + 0.0036f)), whole += tap.weight;
     }
     return sum / whole;

@@ -102,8 +102,8 @@ void write_pixels(const MarchScene& scene, int left, int top, const Vec3& light,
 /// Whether a group shows anything at all.
 bool shows_anything(const MarchScene& scene, const TileScratch& scratch, int group, std::uint32_t eyes) {
   const auto first_pixel = static_cast<std::size_t>(group * lane_count);
-  const bool curves = !scene.ribbons.empty() && scratch.curves.first[first_pixel] !=
-                                                    scratch.curves.first[first_pixel + lane_count];
+  const bool curves =
+      !scene.ribbons.empty() && scratch.curves.first[first_pixel] != scratch.curves.first[first_pixel + lane_count];
   return scratch.first[static_cast<std::size_t>(group)] != 0 || eyes != 0 || curves || scene.ground.hidden ||
          any(load(&scratch.skin.inverse[first_pixel]) > 0.0f);
 }
@@ -160,8 +160,7 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
   const int left = tile.left + group % groups_across * group_width,
             top = tile.top + group / groups_across * group_height;
   const std::uint32_t eyes = eyes_of(scratch, group);
-  if (!shows_anything(scene, scratch, group, eyes))
-    return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
+  if (!shows_anything(scene, scratch, group, eyes)) return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
   const Ray ray = ray_of(scene, left, top);
   Seen seen{Vec3(0.0f), 1.0f};
   see_fur(scene, ray, scratch, group, seen);
@@ -171,8 +170,8 @@ void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch,
     const Real weight = select(skin.there(), seen.through, 0.0f);
     const Vec3 light = skin_light(scene, ray, skin);
     seen.light += select(skin.there(), light, Vec3(0.0f)) * weight;
-    seen.through -= weight;
   }
+  seen.through = select(skin.there(), 0.0f, seen.through);
   if (scene.ground.hidden && any(seen.through > 0.002f)) seen.through *= 1.0f - ground_dark(scene, ray);
   write_pixels(scene, left, top, seen.light, 1.0f - seen.through, picture);
 }

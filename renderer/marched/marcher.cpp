@@ -217,8 +217,7 @@ void Marcher::add_ground(const FurFrame& frame, MarchScene& scene) {
   Kept& kept = *kept_;
   if (kept.standing != frame.model || kept.ground_height != frame.ground->height) {
     kept.standing = frame.model, kept.ground_height = frame.ground->height;
-    kept.contact =
-        make_ground_contact(scene.mesh.positions, scene.mesh.triangles, frame.ground->height, threads_);
+    kept.contact = make_ground_contact(scene.mesh.positions, scene.mesh.triangles, frame.ground->height, threads_);
   }
   scene.ground = {frame.ground->height, frame.ground->contact, frame.ground->shadow, &kept.contact};
 }

@@ -74,7 +74,7 @@ class Marcher {
   std::map<std::uint64_t, FurMesh> meshes_;
   std::list<Coated> coats_;
   std::unique_ptr<EyeCache> eyes_;  // null before the first eye
-  struct Kept;  // what is made once for a look, a model or its curves
+  struct Kept;                      // what is made once for a look, a model or its curves
   std::unique_ptr<Kept> kept_;
 };
 

@@ -32,8 +32,7 @@ RibbonEnd end_of(const CurveStrips& strips, std::size_t curve, std::size_t at, c
   if (!(clip.w > near_distance)) return end;
   end.inverse = 1 / clip.w, end.at = on_picture(camera, clip);
   const glm::vec3 to_camera = camera.viewpoint - end.place;
-  const float pixel = camera.pixel * glm::length(to_camera),
-              pixels = looks.w / std::max(pixel, 1e-20f);
+  const float pixel = camera.pixel * glm::length(to_camera), pixels = looks.w / std::max(pixel, 1e-20f);
   end.reach = 0.5f * std::max(pixels, 1.0f), end.strength = std::min(pixels, 1.0f);
   const glm::vec3 spread = unit_of(glm::cross(end.tangent, unit_of(to_camera)));
   const glm::vec4 aside = to_clip * glm::vec4(end.place + spread * pixel, 1);
@@ -73,7 +72,9 @@ OnRibbon on_ribbon(const Ribbon& ribbon, glm::vec2 pixel) {
 }
 
 Ribbons::Ribbons(const CurveStrips& strips, const MarchScene& scene)
-    : ribbons_(ribbons_of(strips, {scene.optics.frame.world_to_clip, scene.viewpoint, scene.optics.frame.viewpoint.w,
+    : ribbons_(ribbons_of(strips, {scene.optics.frame.world_to_clip,
+                                   scene.viewpoint,
+                                   scene.optics.frame.viewpoint.w,
                                    {scene.width, scene.height}})) {
   sort_into_tiles(scene);
 }

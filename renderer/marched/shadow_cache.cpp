@@ -20,7 +20,8 @@ std::vector<glm::vec3> hull_of(const MarchMesh& mesh, LeanCurve curve, double ro
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Lean<float> lean = lean_of(glm::vec2(mesh.groom[i]), mesh.normals[i], mesh.tangents[i]);
     const LeanPoint point = lean_point(curve, double{lean.inclination}, root_share, double{hull_height});
-    const glm::vec3 way = static_cast<float>(point.across) * lean.along + static_cast<float>(point.up) * mesh.normals[i];
+    const glm::vec3 way =
+        static_cast<float>(point.across) * lean.along + static_cast<float>(point.up) * mesh.normals[i];
     places[i] = mesh.positions[i] + mesh.groom[i].z * way;
   }
   return places;
@@ -39,7 +40,8 @@ std::vector<glm::vec2> curve_map(const CurveStrips& strips, const LightView& lig
         const OnRibbon on = on_ribbon(ribbon, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
         if (on.opacity < 0.004f) continue;
         const glm::vec3 place = glm::mix(ribbon.root.place, ribbon.tip.place, on.share);
-        glm::vec2& texel = map[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)];
+        glm::vec2& texel =
+            map[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)];
         texel = {texel.x * (1 - on.opacity), std::min(texel.y, glm::dot(glm::vec3(light.axis), place) + light.axis.w)};
       }
     }
@@ -80,8 +82,9 @@ void ShadowCache::make_maps(const FurFrame& frame, const CurveStrips& curves, co
     if (!view) continue;
     depths_[i] = draw_depth_map(hull, scene.mesh.triangles, *view, side);
     if (!frame.curves.empty()) curves_[i] = curve_map(curves, *view, side);
-    casters_[i] = {view->world_to_clip, view->axis, spread_of(light), side, depths_[i].depths.data(),
-                   curves_[i].empty() ? nullptr : curves_[i].data()};
+    casters_[i] = {view->world_to_clip,      view->axis,
+                   spread_of(light),         side,
+                   depths_[i].depths.data(), curves_[i].empty() ? nullptr : curves_[i].data()};
   }
 }
 

@@ -64,8 +64,7 @@ class SkinPoint {
 /// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body.
 HWY_INLINE Real rising_from_face(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
   int hull = 0;
-  while (hull + 1 < scene.shells.count() && scene.shells.heights[static_cast<std::size_t>(hull)] < hull_height)
-    ++hull;
+  while (hull + 1 < scene.shells.count() && scene.shells.heights[static_cast<std::size_t>(hull)] < hull_height) ++hull;
   const Vec3 a = point.place_of(0, 0), b = point.place_of(1, 0), c = point.place_of(2, 0);
   Vec3 across = cross(b - a, c - a);
   across = select(dot(across, ray.way) > 0.0f, -across, across);
@@ -117,7 +116,8 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
     const Real cosine = dot(normal, light.to_light);
     const Real strands = covered * strands_crossed(above, way_out(0.0f, cosine), normal, light.to_light);
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
-    Vec3 arriving = light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
+    Vec3 arriving =
+        light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
     if (!optics.casters.empty())
       arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
     sum += arriving;

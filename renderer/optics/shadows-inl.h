@@ -73,7 +73,8 @@ HWY_INLINE Blockers blockers(const ShadowCaster& caster, const LightDisc& disc, 
   for (int tap = 0; tap < taps; ++tap) {
     const Real far = radius * std::sqrt((static_cast<float>(tap) + 0.5f) / static_cast<float>(taps));
     const Vec2 off{far * x, far * y};
-    const Real seen = depth_at(caster, {disc.middle.at.x + disc.per_size * off.x, disc.middle.at.y - disc.per_size * off.y});
+    const Real seen =
+        depth_at(caster, {disc.middle.at.x + disc.per_size * off.x, disc.middle.at.y - disc.per_size * off.y});
     const Real before = disc.middle.depth + disc.slope.x * off.x + disc.slope.y * off.y - seen;
     found.before += select(before > bias, before, 0.0f), found.count += select(before > bias, 1.0f, 0.0f);
     const float turned = -0.7373688f * x - 0.6754903f * y;

@@ -18,22 +18,16 @@ namespace pelage {
 namespace {
 
 struct Row {
-  FragmentOrder order;
+  ShellPolicy policy;
   int shells, steps;
   double scale;
 };
 
-// Shells times steps that divide the slices of the coat, or are a multiple of them, are nearest for their price; the
-// others stand where no such ones are.
-constexpr auto shells = FragmentOrder::shells, sorted = FragmentOrder::sorted;
-constexpr Row rows[] = {{shells, 4, 4, .25}, {shells, 4, 4, .35}, {shells, 4, 4, .5},  {shells, 4, 8, .5},
-                        {shells, 8, 4, .5},  {shells, 4, 8, .6},  {shells, 8, 4, .6},  {shells, 4, 8, .75},
-                        {shells, 8, 4, .75}, {shells, 8, 4, .87}, {shells, 4, 8, 1},   {shells, 8, 4, 1},
-                        {shells, 12, 3, 1},  {shells, 16, 4, 1},  {shells, 24, 3, 1},  {shells, 32, 2, 1},
-                        {shells, 64, 1, 1},  {sorted, 8, 4, .6},  {sorted, 8, 4, .75}, {sorted, 8, 4, .87},
-                        {sorted, 8, 4, 1},   {sorted, 12, 3, 1},  {sorted, 16, 2, 1},  {sorted, 18, 4, 1},
-                        {sorted, 24, 3, 1},  {sorted, 24, 5, 1},  {sorted, 32, 2, 1},  {sorted, 32, 4, 1},
-                        {sorted, 64, 2, 1},  {sorted, 64, 3, 1},  {sorted, 96, 2, 1}};
+constexpr auto uniform = ShellPolicy::uniform, adaptive = ShellPolicy::adaptive;
+constexpr Row rows[] = {{uniform, 4, 4, .25}, {uniform, 4, 4, .35}, {uniform, 4, 4, .5}, {uniform, 4, 4, .7},
+                        {adaptive, 8, 2, .7}, {uniform, 4, 4, 1},   {adaptive, 8, 2, 1}, {uniform, 8, 3, 1},
+                        {uniform, 12, 2, 1},  {adaptive, 16, 2, 1}, {uniform, 24, 2, 1}, {adaptive, 32, 2, 1},
+                        {uniform, 32, 2, 1},  {uniform, 48, 3, 1},  {uniform, 64, 4, 1}};
 
 }  // namespace
 
@@ -42,7 +36,7 @@ std::vector<Knobs> candidate_ladder() {
   for (const Row& row : rows) {
     Knobs knobs = knobs_of(Tier::interactive);
     knobs.shells = row.shells, knobs.steps = row.steps, knobs.scale = row.scale;
-    knobs.shell_policy = ShellPolicy::uniform, knobs.order = row.order;
+    knobs.shell_policy = row.policy;
     ladder.push_back(knobs);
   }
   return ladder;
@@ -123,12 +117,12 @@ Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
   const CostUnit unit = cost_unit((*context)->is_software(), threads);
   const Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(unit));
   if (!renderer) return renderer.status();
-  fmt::print(stderr, "Calibrating {}\n", (*context)->description());
+  fmt::print(stderr, "Calibrating {}\n", drawn_by(**context));
   ProgressBar bar;
   Result<Calibration> measured =
       calibrate(**renderer, unit, default_calibration(), [&](double share) { bar.show(share); });
   if (!measured) return measured.status();
-  measured->name = today(), measured->machine = (*context)->description(), measured->threads = unit.threads;
+  measured->name = today(), measured->machine = drawn_by(**context), measured->threads = unit.threads;
   std::error_code error;
   if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
     std::filesystem::create_directories(folder, error);

@@ -15,8 +15,8 @@
 
 namespace pelage {
 
-/// The tier `interactive`, so that its frames have an estimate, and candidates that differ from it in shells, steps,
-/// scale and order.
+/// The tier `interactive`, so that its frames have an estimate, and candidates that differ from it in shells, their
+/// policy, steps and scale.
 std::vector<Knobs> candidate_ladder();
 
 // Measures what frames cost on this machine.

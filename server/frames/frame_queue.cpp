@@ -12,6 +12,10 @@ CostUnit cost_unit(bool software, int threads) {
 
 RendererOptions renderer_options(const CostUnit& unit) { return {.march_threads = unit.software ? unit.threads : 0}; }
 
+std::string drawn_by(const Context& context) {
+  return context.description() + (context.is_software() ? "; fur by " + MarchedRenderer::description() : "");
+}
+
 double expected_cost(const FrameRequest& request) {
   constexpr double any_frame = 10, shell_pixel = 5e-6, sorted = 4;  // milliseconds; times as much
   constexpr double probe_shells = 256;

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/gl/context/context.h"
 #include "renderer/quality/view_features.h"
 #include "server/scene/scene.h"
 
@@ -29,6 +31,8 @@ CostUnit cost_unit(bool software, int threads);
 
 /// Fur is marched wherever a software GL would draw it.
 RendererOptions renderer_options(const CostUnit& unit);
+/// What draws: "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5; fur by AVX2 on the CPU".
+std::string drawn_by(const Context& context);
 
 /// Milliseconds that a frame of shells may take, above 0: a guess before its view is known, to order requests by.
 double expected_cost(const FrameRequest& request);

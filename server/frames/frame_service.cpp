@@ -115,7 +115,7 @@ void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>&
   unit = cost_unit((*context)->is_software(), threads);
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(unit));
   if (!renderer) return started.set_value(renderer.status());
-  description = (*context)->description();
+  description = drawn_by(**context);
   started.set_value({});
   serve(**renderer);
   renderer->reset();  // GL objects before their context

@@ -75,7 +75,7 @@ class FrameService {
   /// Forgets GPU copies of a model that is gone, and its earlier revisions.
   void forget(std::uint64_t model_id);
 
-  /// "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5".
+  /// What draws (drawn_by).
   const std::string& description() const;
   /// False once a readback has hung or the context is lost; the server is then not ready.
   bool healthy() const;

@@ -24,10 +24,8 @@
 namespace pelage::bench {
 namespace {
 
-const char* name_of(FragmentOrder order) { return order == FragmentOrder::sorted ? "sorted" : "shells"; }
-
 void print_row(const Knobs& k, double cost, double error, const char* mark = "") {
-  std::printf("  %s %3d x %d, scale %.2f, %s: %8.2f ms, FLIP %.4f %s\n", name_of(k.order), k.shells, k.steps, k.scale,
+  std::printf("  %3d x %d, scale %.2f, %s: %8.2f ms, FLIP %.4f %s\n", k.shells, k.steps, k.scale,
               k.shell_policy == ShellPolicy::uniform ? "uniform" : "adaptive", cost, error, mark);
 }
 
@@ -239,7 +237,7 @@ int judge(Renderer& renderer, const std::string& folder, const MeasureOptions& o
 int main(int count, char** arguments) {
   const std::string mode = count > 2 ? arguments[1] : "";
   if (mode != "fit" && mode != "judge") return std::fprintf(stderr, "usage: bench_dial fit FILE | judge FOLDER\n"), 2;
-  const BenchRenderer opened = open_renderer();
+  const BenchRenderer opened = open_renderer(renderer_options(cost_unit(true, 0)));
   if (!opened.renderer) return 4;
   const auto number = [&](const char* name, int fallback) {
     return argument(count - 2, arguments + 2, name, fallback);

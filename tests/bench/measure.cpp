@@ -5,10 +5,10 @@
 
 namespace pelage::bench {
 
-BenchRenderer open_renderer() {
+BenchRenderer open_renderer(const RendererOptions& options) {
   Result<std::unique_ptr<Context>> context = select_context(GlChoice::automatic, 0);
   if (!context) return std::fprintf(stderr, "%s\n", context.status().message.c_str()), BenchRenderer{};
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl());
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), options);
   if (!renderer) return std::fprintf(stderr, "%s\n", renderer.status().message.c_str()), BenchRenderer{};
   std::printf("%s\n", (*context)->description().c_str());
   return {std::move(context).value(), std::move(renderer).value()};

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/compare/compare.h"
 #include "renderer/finish/finish.h"
 #include "renderer/marched/marcher.h"
 #include "server/frames/fur_view.h"
+#include "tests/gl/flip.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
@@ -35,12 +35,6 @@ FrameRequest request_of(AutoView view = AutoView::front) {
   return request;
 }
 
-double flip(const Image& truth, const Image& image) {
-  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(image)));
-  const Result<PictureError> error = compare(truth, image, mask);
-  return error && error->figures ? error->figures->flip.mean : 1;
-}
-
 bool is_light(const FloatImage& image) {
   return std::all_of(image.rgba.begin(), image.rgba.end(), [](float v) { return std::isfinite(v) && v >= 0; });
 }
@@ -50,7 +44,7 @@ class MarchedEyes : public WithRenderer {
   double apart(const FurredModel& model, const FrameRequest& request) {
     const Image drawn = draw(*renderer, model, request);
     const FurFrame frame = make_frame(model.view(), request);
-    return flip(drawn, finish_picture(frame, march(model, frame)));
+    return flip_between(drawn, finish_picture(frame, march(model, frame)));
   }
   double apart(const Eye& eye, int steps = 8) {
     FrameRequest request = request_of();

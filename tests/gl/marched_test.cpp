@@ -8,11 +8,11 @@
 #include <set>
 #include <string>
 
-#include "renderer/compare/compare.h"
 #include "renderer/marched/kernels.h"
 #include "renderer/marched/marcher.h"
 #include "server/builtin/builtin.h"
 #include "server/frames/fur_view.h"
+#include "tests/gl/flip.h"
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 #include "tests/support/textured.h"
@@ -42,12 +42,6 @@ FloatImage march(const FurredModel& model, const FurFrame& frame, const MarchQua
   return marcher.draw(frame, quality);
 }
 
-double flip(const Image& truth, const Image& image) {
-  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(image)));
-  const Result<PictureError> error = compare(truth, image, mask);
-  return error && error->figures ? error->figures->flip.mean : 1;
-}
-
 bool is_light(const FloatImage& image) {
   return std::all_of(image.rgba.begin(), image.rgba.end(), [](float v) { return std::isfinite(v) && v >= 0; });
 }
@@ -59,7 +53,7 @@ class Marched : public WithRenderer {
     const Image sorted = draw(*renderer, model, request);
     const FurFrame frame = make_frame(model.view(), request);
     const Result<Image> marched = renderer->finish(frame, march(model, frame, fine));
-    return marched ? flip(sorted, *marched) : 1;
+    return marched ? flip_between(sorted, *marched) : 1;
   }
 };
 

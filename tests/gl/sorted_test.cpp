@@ -250,7 +250,8 @@ TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {
   const FrameRequest request = request_of(FragmentOrder::sorted, 32);
   DrawTimes whole, parts;
   const FloatImage wanted = light_of(*renderer, model, request, &whole);
-  Result<std::unique_ptr<Renderer>> small = Renderer::create(gl(), {.sorted_bytes = 4000 * FragmentLists::fragment_bytes});
+  Result<std::unique_ptr<Renderer>> small =
+      Renderer::create(gl(), {.sorted_bytes = 4000 * FragmentLists::fragment_bytes});
   ASSERT_TRUE(small.ok());
   const FloatImage image = light_of(**small, model, request, &parts);
   EXPECT_GT(parts.counters.draws, 8 * whole.counters.draws);
