@@ -1,4 +1,4 @@
-// Frames of the marcher: kept views, pieces, and what the GL draws in its place.
+// Frames of the marcher: cached views, pieces, and what the GL draws in its place.
 #include "renderer/frame/marched_renderer.h"
 
 #include <algorithm>
