@@ -12,8 +12,6 @@ struct GroundContact {
   static constexpr int side = 192;
   static constexpr float extent = 1;  // the square reaches so far to each side of the middle, sizes
   std::vector<float> hidden;          // [0, 1], rows by z, both rising; nothing is hidden beyond
-
-  bool operator==(const GroundContact&) const = default;
 };
 
 /// Of the ground at that height, sizes.

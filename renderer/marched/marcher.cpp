@@ -21,16 +21,25 @@ namespace {
 
 constexpr std::size_t max_cached_coats = 3;
 
+/// Vertices of all shells together are bounded, 1.5 million of about 100 bytes: of a mesh of 200,000 triangles 14 shells,
+/// of the largest four.
+int shells_for(const MarchQuality& quality, std::size_t vertices) {
+  constexpr std::size_t max_rows = 1'500'000, min_shells = 4;
+  const std::size_t affordable = max_rows / std::max<std::size_t>(vertices, 1);
+  return std::min(quality.shells, static_cast<int>(std::max(affordable, min_shells + 1) - 1));
+}
+
 /// Boundaries of shells: closer to the tips, where rays come in, and fewer where the skin faces the camera.
-ShellSet shells_of(const MarchQuality& quality) {
+ShellSet shells_of(const MarchQuality& quality, std::size_t vertices) {
   constexpr std::array<float, 3> silhouettes{0.5f, 0.3f, 0.15f};
+  const int count = shells_for(quality, vertices);
   ShellSet shells;
-  for (int i = 0; i <= quality.shells; ++i) {
-    const float below = 1 - static_cast<float>(i) / static_cast<float>(quality.shells);
+  for (int i = 0; i <= count; ++i) {
+    const float below = 1 - static_cast<float>(i) / static_cast<float>(count);
     shells.heights.push_back(1 - std::pow(below, quality.denser));
     float facing = 2;
     for (int k = 0; i > 0 && k < quality.halvings; ++k) {
-      if ((quality.shells - i) % (1 << (quality.halvings - k)) == 0) break;
+      if ((count - i) % (1 << (quality.halvings - k)) == 0) break;
       facing = silhouettes[static_cast<std::size_t>(k)];
     }
     shells.facing.push_back(facing);
@@ -222,21 +231,16 @@ void Marcher::add_ground(const FurFrame& frame, MarchScene& scene) {
   scene.ground = {frame.ground->height, frame.ground->contact, frame.ground->shadow, &kept.contact};
 }
 
-MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
-  const FurMesh& mesh = meshes_.at(frame.model);
-  const Coated& coated = coat_of(frame.coat);
-  MarchScene scene;
-  scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
-  scene.width = size_of(frame).x, scene.height = size_of(frame).y;
-  scene.shells = shells_of(quality), scene.samples = quality.samples;
+void Marcher::add_optics(const FurFrame& frame, const FurMesh& mesh, const Coated& coated, MarchScene& scene) {
   FrameOptics& optics = scene.optics;
   optics.frame = make_frame_block(frame, coated.slices, mesh.has_colours(), scene.height);
   const Look look = wet_look(frame.coat, frame.look);
-  if (kept_->look != look) {
-    kept_->look = look;
-    kept_->scattering = scattering_block(look), kept_->azimuthal = fit_azimuthal(make_scattering_table(look));
+  Kept& kept = *kept_;
+  if (kept.look != look) {
+    kept.look = look;
+    kept.scattering = scattering_block(look), kept.azimuthal = fit_azimuthal(make_scattering_table(look));
   }
-  optics.scattering = kept_->scattering, optics.azimuthal = &kept_->azimuthal;
+  optics.scattering = kept.scattering, optics.azimuthal = &kept.azimuthal;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
   optics.environment = true;
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
@@ -245,10 +249,20 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   if (!frame.skin.empty()) optics.skin = make_skin_block(frame.skin);
   if (optics.model_colours && !mesh.images().empty()) optics.images = &mesh.images();
   add_pattern(frame, scene), add_tufts(frame, scene), add_paint(frame, scene);
-  scene.bends = optics.tufts.volume || optics.paint.form;
+}
+
+MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
+  const FurMesh& mesh = meshes_.at(frame.model);
+  const Coated& coated = coat_of(frame.coat);
+  MarchScene scene;
+  scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
+  scene.width = size_of(frame).x, scene.height = size_of(frame).y;
+  scene.shells = shells_of(quality, scene.mesh.positions.size()), scene.samples = quality.samples;
+  add_optics(frame, mesh, coated, scene);
+  scene.bends = scene.optics.tufts.volume || scene.optics.paint.form;
   float longest = 0;
   for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
-  scene.reach = 4 * longest * optics.frame.tile.x;
+  scene.reach = 4 * longest * scene.optics.frame.tile.x;
   add_camera(frame, scene);
   if (kept_->curves != frame.curves) kept_->curves = frame.curves, kept_->strips = make_strips(frame.curves);
   kept_->shadows.add(frame, mesh.changes(), kept_->strips, scene);

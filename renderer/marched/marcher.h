@@ -18,7 +18,7 @@ namespace pelage {
 
 /// How closely fur is marched.
 struct MarchQuality {
-  int shells = 8;       // segments between skin and tips at silhouettes, [1, 64]
+  int shells = 8;       // segments between skin and tips at silhouettes, [1, 64]; fewer for large meshes
   int halvings = 1;     // how often their number is halved where the skin faces the camera, [0, 3]
   float denser = 1.5f;  // power by which shells lie closer to the tips, [1, 3]
   int samples = 16;     // of the coat over the height of the fur, [1, 256]
@@ -65,6 +65,7 @@ class Marcher {
   struct Coated;
   const Coated& coat_of(const Coat& coat);
   MarchScene scene_of(const FurFrame& frame, const MarchQuality& quality);
+  void add_optics(const FurFrame& frame, const FurMesh& mesh, const Coated& coated, MarchScene& scene);
   void add_pattern(const FurFrame& frame, MarchScene& scene);
   void add_tufts(const FurFrame& frame, MarchScene& scene);
   void add_paint(const FurFrame& frame, MarchScene& scene);
