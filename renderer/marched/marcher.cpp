@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::size_t max_cached_coats = 3;
 
-/// Vertices of all shells together are bounded, 1.5 million of about 100 bytes: of a mesh of 200,000 triangles 14 shells,
-/// of the largest four.
+/// Vertices of all shells together are bounded, 1.5 million of about 100 bytes: of a mesh of 200,000 triangles 14
+/// shells, of the largest four.
 int shells_for(const MarchQuality& quality, std::size_t vertices) {
   constexpr std::size_t max_rows = 1'500'000, min_shells = 4;
   const std::size_t affordable = max_rows / std::max<std::size_t>(vertices, 1);

@@ -38,8 +38,10 @@ TEST(DepthMap, LeavesNoTexelBetweenTwoTrianglesFree) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-0.4f, 0.4f);
   for (int i = 0; i < 50; ++i) {
-    const std::vector<glm::vec3> places{{-0.5f, any(random), -0.5f}, {0.5f, any(random), -0.5f},
-                                        {0.5f, any(random), 0.5f},   {-0.5f, any(random), 0.5f},
+    const std::vector<glm::vec3> places{{-0.5f, any(random), -0.5f},
+                                        {0.5f, any(random), -0.5f},
+                                        {0.5f, any(random), 0.5f},
+                                        {-0.5f, any(random), 0.5f},
                                         {any(random), 0, any(random)}};
     const std::vector<glm::uvec3> fan{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
     const DepthMap map = draw_depth_map(places, fan, from_above(), side);

@@ -34,7 +34,8 @@ TEST(Ribbons, CoverEachPixelOnceAlongACurve) {
     for (int x = 0; x < 256; ++x) {
       int times = 0;
       for (const Ribbon& ribbon : ribbons)
-        times += on_ribbon(ribbon, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}).opacity > 0.99f ? 1 : 0;
+        times +=
+            on_ribbon(ribbon, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}).opacity > 0.99f ? 1 : 0;
       ASSERT_LE(times, 1) << x << ", " << y;
       covered += times;
     }
