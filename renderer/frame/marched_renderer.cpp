@@ -77,8 +77,10 @@ bool MarchedRenderer::bake(const Coat& coat, const Pause& pause) {
 std::optional<Area> MarchedRenderer::draw_light(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                                 const Pause& pause, DrawTimes& times, View& view) {
   if (!bake(frame.coat, pause)) return {};
+  const float reach = marcher_.reach_of(frame.model);
+  const bool same_reach = std::exchange(view.reach, reach) == reach;
   const Area whole{0, 0, view.light.width, view.light.height};
-  const Area part = shown ? changed_area(frame, *shown, view) : whole;
+  const Area part = shown && same_reach ? changed_area(frame, *shown, view) : whole;
   if (part.pixels() == 0) return part;
   const MarchQuality quality = march_quality(frame.knobs);
   const double unit_ms = pause ? sample_ms * quality.samples : 0;

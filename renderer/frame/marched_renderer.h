@@ -44,7 +44,8 @@ class MarchedRenderer {
  private:
   struct Targets {
     FloatImage light;
-    Image picture;  // of 8 bits
+    Image picture;    // of 8 bits
+    float reach = 0;  // Marcher::reach_of when it was drawn
     std::int64_t pixels() const { return light.width * static_cast<std::int64_t>(light.height); }
   };
   using View = CachedView<Targets>;

@@ -156,6 +156,12 @@ void Marcher::forget(std::uint64_t original) {
 
 void Marcher::forget_all() { meshes_.clear(); }
 
+float Marcher::reach_of(std::uint64_t model) const {
+  float longest = 1e-6f;
+  for (const glm::vec3& groom : meshes_.at(model).view().groom) longest = std::max(longest, groom.z);
+  return std::exp2(std::ceil(std::log2(longest)));
+}
+
 std::optional<ClipBox> Marcher::changed_box(const FurFrame& frame, const glm::mat4& to_clip,
                                             std::uint64_t since) const {
   return meshes_.at(frame.model).changed_box(frame.coat, to_clip, since);
@@ -260,9 +266,7 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   scene.shells = shells_of(quality, scene.mesh.positions.size()), scene.samples = quality.samples;
   add_optics(frame, mesh, coated, scene);
   scene.bends = scene.optics.tufts.volume || scene.optics.paint.form;
-  float longest = 0;
-  for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
-  scene.reach = 4 * longest * scene.optics.frame.tile.x;
+  scene.reach = 3 * reach_of(frame.model) * scene.optics.frame.tile.x;
   add_camera(frame, scene);
   if (kept_->curves != frame.curves) kept_->curves = frame.curves, kept_->strips = make_strips(frame.curves);
   kept_->shadows.add(frame, mesh.changes(), kept_->strips, scene);

@@ -52,6 +52,10 @@ class Marcher {
   std::uint64_t changes(std::uint64_t model) const { return meshes_.at(model).changes(); }
   std::optional<ClipBox> changed_box(const FurFrame& frame, const glm::mat4& to_clip, std::uint64_t since) const;
 
+  /// The longest fur rounded up to a power of two, sizes: how far a ray may go sideways in it. A change of it may
+  /// change any pixel.
+  float reach_of(std::uint64_t model) const;
+
   /// Pixels that are drawn for a frame.
   static glm::ivec2 size_of(const FurFrame& frame);
 
