@@ -16,7 +16,7 @@ export interface Shown { stage: Stage; state: number; picture: Picture; width: n
 export interface Wish { scene: string; camera: Pinhole; width: number; height: number; ratio: number; revision: number }
 
 const rest_after = 140;      // ms without movement
-const turning_budget = 60;   // ms of a picture while the camera moves
+const turning_budget = 35;   // ms of a picture while the camera moves
 const trace_after = 1200;    // ms after the picture at rest
 const max_in_flight = 2;
 const again_after = 1000;     // ms after a lost connection or a full server
