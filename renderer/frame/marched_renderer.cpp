@@ -16,7 +16,7 @@ namespace pelage {
 
 namespace {
 
-constexpr int format_8 = 8, format_16 = 16, format_light = 32;  // bits of a picture's channels
+constexpr int no_format = 0, kept_format = 8;  // bits of the finished picture's channels that is kept (ShownFrame)
 
 /// What a sample of a pixel takes until it was measured.
 constexpr double sample_ms = 1e-5;
@@ -99,74 +99,53 @@ std::optional<Area> MarchedRenderer::draw_light(const FurFrame& frame, const std
   }
 }
 
-Status MarchedRenderer::begin(const FurFrame& frame, int format, const Pause& pause, View& view, Area& drawn,
-                              DrawTimes& times) {
-  view = views_.take(frame, format);
+template <class Picture, class Finish>
+Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format, DrawTimes* times, const Pause& pause,
+                                               const Finish& finish) {
+  View view = views_.take(frame, format);
   if (!fit(frame, view)) {
     views_.give_back();
     return failure(Code::too_large, "no memory for a frame of this size", "/width");
   }
+  DrawTimes taken;
   const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
-  const std::optional<Area> area = draw_light(frame, shown, pause, times, view);
-  if (!area) return failure(Code::conflict, "the drawing was given up");
-  drawn = *area;
-  times.counters.redrawn = drawn.pixels() / static_cast<double>(view.pixels());
+  const std::optional<Area> drawn = draw_light(frame, shown, pause, taken, view);
+  if (!drawn) return failure(Code::conflict, "the drawing was given up");
+  taken.counters.redrawn = drawn->pixels() / static_cast<double>(view.pixels());
   view.shown = {frame, shown ? shown->format : 0, marcher_.changes(frame.model)};
-  return {};
+  Picture picture;
+  {
+    const DrawClock clock(taken);
+    picture = finish(view, *drawn);
+  }
+  views_.keep(std::move(view));
+  if (times) *times = taken;
+  return picture;
 }
 
 Result<Image> MarchedRenderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  View view;
-  Area drawn;
-  DrawTimes taken;
-  if (const Status begun = begin(frame, format_8, pause, view, drawn, taken); !begun.ok()) return begun;
-  {
-    const DrawClock clock(taken);
-    const glm::ivec2 size(frame.width, frame.height);
-    if (view.shown->format == format_8) {
-      const Area finished = finished_area(drawn, {view.light.width, view.light.height}, size);
+  return draw_finished<Image>(frame, kept_format, times, pause, [&](View& view, const Area& drawn) {
+    if (view.shown->format == kept_format) {
+      const Area finished = finished_area(drawn, {view.light.width, view.light.height}, {frame.width, frame.height});
       finish_rows(frame, view.light, finished.top, finished.top + finished.height, view.picture, threads_);
     } else {
       view.picture = finish_picture(frame, view.light, threads_);
     }
-  }
-  view.shown->format = format_8;
-  Image picture = view.picture;
-  views_.keep(std::move(view));
-  if (times) *times = taken;
-  return picture;
+    view.shown->format = kept_format;
+    return view.picture;
+  });
 }
 
 Result<Image16> MarchedRenderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  View view;
-  Area drawn;
-  DrawTimes taken;
-  if (const Status begun = begin(frame, format_16, pause, view, drawn, taken); !begun.ok()) return begun;
-  Image16 picture;
-  {
-    const DrawClock clock(taken);
-    picture = finish_picture_deep(frame, view.light, threads_);
-  }
-  view.shown->format = 0;
-  views_.keep(std::move(view));
-  if (times) *times = taken;
-  return picture;
+  return draw_finished<Image16>(frame, no_format, times, pause, [&](View& view, const Area&) {
+    return finish_picture_deep(frame, view.light, threads_);
+  });
 }
 
 Result<FloatImage> MarchedRenderer::draw_beauty(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  View view;
-  Area drawn;
-  DrawTimes taken;
-  if (const Status begun = begin(frame, format_light, pause, view, drawn, taken); !begun.ok()) return begun;
-  FloatImage light;
-  {
-    const DrawClock clock(taken);
-    light = resized_light(view.light, frame.width, frame.height, threads_);
-  }
-  view.shown->format = 0;
-  views_.keep(std::move(view));
-  if (times) *times = taken;
-  return light;
+  return draw_finished<FloatImage>(frame, no_format, times, pause, [&](View& view, const Area&) {
+    return resized_light(view.light, frame.width, frame.height, threads_);
+  });
 }
 
 }  // namespace pelage

@@ -25,8 +25,8 @@ class MarchedRenderer {
 
   /// What it draws with: "AVX2 on the CPU".
   static std::string description();
-  /// Whether it draws all that a frame shows: not yet maps of shadows but for penumbras, fins,
-  /// guard hairs and overlays.
+  /// Whether it draws all that a frame shows: not maps of shadows but for penumbras, fins, guard hairs and
+  /// overlays.
   static bool draws(const FurFrame& frame);
 
   // As Renderer has them.
@@ -50,15 +50,18 @@ class MarchedRenderer {
   };
   using View = CachedView<Targets>;
 
-  /// Draws the light of what changed since the view was shown, or all of it, into the view; whether it was not given
-  /// up. The area that was drawn.
+  /// Draws the light of what changed since the view was shown, or all of it, into the view. The area that was
+  /// drawn; none when the pause gave it up.
   std::optional<Area> draw_light(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
                                  DrawTimes& times, View& view);
   Area changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const;
   bool bake(const Coat& coat, const Pause& pause);
   /// Makes the view's light of the frame's size; false where there is no memory for it.
   bool fit(const FurFrame& frame, View& view);
-  Status begin(const FurFrame& frame, int format, const Pause& pause, View& view, Area& drawn, DrawTimes& times);
+  /// Draws the light and makes a picture of it: `finish` takes the view and the area that was drawn.
+  template <class Picture, class Finish>
+  Result<Picture> draw_finished(const FurFrame& frame, int format, DrawTimes* times, const Pause& pause,
+                                const Finish& finish);
 
   Marcher marcher_;
   int threads_;
