@@ -189,7 +189,7 @@ GlRenderer::Prepared GlRenderer::prepare_scene(const FurFrame& frame, const std:
   const Stopwatch making;
   const FrameBlock block = block_of(frame);
   const ShellView view = shell_view(frame, block, part);
-  const auto lists = model.sort_for(gl_, frame.coat, view);
+  const auto lists = model.sort_for(gl_, view);
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   prepare_colours(frame, model);
   const std::string shape = shape_of(frame.coat, model);

@@ -238,34 +238,26 @@ ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vec
 
 }  // namespace
 
-std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists& lists, const Coat& coat,
-                                                                const ShellView& view,
+std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists& lists, const ShellView& view,
                                                                 std::vector<glm::uvec3>& elements) const {
-  const DepthParts depths(view.to_clip, positions_, triangles_.size() <= max_parted_triangles ? view.depth_parts : 1);
-  StrandDepths strands({positions_, normals_, tangents_, groom_values_}, coat, view.to_clip);
-  std::vector<DepthPart> parts;
-  for (int part = 0; part < depths.count(); ++part) parts.push_back({depths.range(part), {}, {}});
+  const std::vector<DepthRange> ranges =
+      depth_parts(view.to_clip, positions_, triangles_.size() <= max_parted_triangles ? view.depth_parts : 1);
+  const std::vector<glm::vec2> distances = distances_of_fur(view.to_clip, positions_, lengths_, view.stretch);
   const int highest = max_lod(view.shells, view.policy);
-  const std::span<const float> lods = highest > 0 ? std::span<const float>(lods_) : std::span<const float>();
-  const auto add = [&](const ShellLists::OfLods& triangles, std::vector<ShellList> DepthPart::*side) {
-    std::array<DrawList, max_shell_lod + 1> whole;  // of all shells that go at the same level
-    for (std::size_t lod = 0; parts.size() == 1 && lod < whole.size(); ++lod)
-      whole[lod] = append(triangles[lod], elements);
-    for (int shell = 0; shell < view.shells; ++shell) {
-      const auto lod = static_cast<std::size_t>(std::min(gone_from(shell) - 1, highest));
-      if (parts.size() == 1) {
-        (parts[0].*side).push_back({shell, whole[lod]});
-        continue;
-      }
-      const auto reached = in_parts(depths, strands, triangles[lod], {shell, view.shells, lods});
-      for (std::size_t part = 0; part < parts.size(); ++part) {
-        if (!reached[part].empty()) (parts[part].*side).push_back({shell, append(reached[part], elements)});
-      }
-    }
+  const auto shells_in = [&](const DepthRange& range, const ShellLists::OfLods& triangles) {
+    std::array<DrawList, max_shell_lod + 1> of_lods;
+    for (std::size_t lod = 0; lod < of_lods.size(); ++lod)
+      of_lods[lod] = append(triangles_in(range, distances, triangles[lod]), elements);
+    std::vector<ShellList> shells;
+    for (int shell = 0; shell < view.shells; ++shell)
+      shells.push_back({shell, of_lods[static_cast<std::size_t>(std::min(gone_from(shell) - 1, highest))]});
+    return shells;
   };
-  add(lists.back_facing, &DepthPart::back_facing);
-  add(lists.facing, &DepthPart::facing);
-  for (DepthPart& part : parts) std::reverse(part.back_facing.begin(), part.back_facing.end());
+  std::vector<DepthPart> parts;
+  for (const DepthRange& range : ranges) {
+    parts.push_back({range, shells_in(range, lists.back_facing), shells_in(range, lists.facing)});
+    std::reverse(parts.back().back_facing.begin(), parts.back().back_facing.end());
+  }
   return parts;
 }
 
@@ -280,7 +272,7 @@ FurWork ModelBuffers::work_of(const ShellView& view, glm::ivec2 pixels) {
   return FurWork(mesh_in(view, cells), view, pixels);
 }
 
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, const ShellView& view) {
+ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const ShellView& view) {
   const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
   const ShellMesh mesh = mesh_in(view, cells);
   gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
@@ -297,7 +289,7 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const Coat& coat, c
     result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)), elements);
   }
   result.shown = append(shown_triangles(mesh, view), elements);
-  result.parts = parts_of_fur(lists, coat, view, elements);
+  result.parts = parts_of_fur(lists, view, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);
   return result;

@@ -94,8 +94,8 @@ class ModelBuffers {
   };
   /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
   DrawLists skin_lists(const Gl& gl);
-  /// Sends the triangles to draw for a view of a coat, and the level of each vertex.
-  DrawLists sort_for(const Gl& gl, const Coat& coat, const ShellView& view);
+  /// Sends the triangles to draw for a view, and the level of each vertex.
+  DrawLists sort_for(const Gl& gl, const ShellView& view);
   /// How much is drawn where for a view that fills so many pixels.
   FurWork work_of(const ShellView& view, glm::ivec2 pixels);
 
@@ -117,7 +117,7 @@ class ModelBuffers {
   /// The mesh with its levels in a view; `cells` are those of cells_of_fur.
   ShellMesh mesh_in(const ShellView& view, std::span<const CellBox> cells);
   /// Adds the lists of fur to the elements.
-  std::vector<DepthPart> parts_of_fur(const ShellLists& lists, const Coat& coat, const ShellView& view,
+  std::vector<DepthPart> parts_of_fur(const ShellLists& lists, const ShellView& view,
                                       std::vector<glm::uvec3>& elements) const;
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);

@@ -69,8 +69,8 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
 
 Image NaiveRenderer::draw() {
   const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
-  const auto lists = model_.sort_for(
-      gl_, frame_.coat, {glm::vec3(block.viewpoint), block.viewpoint.w, frame_.knobs.shells, ShellPolicy::uniform});
+  const auto lists =
+      model_.sort_for(gl_, {glm::vec3(block.viewpoint), block.viewpoint.w, frame_.knobs.shells, ShellPolicy::uniform});
   const std::array<float, 4> nothing{};
   const float far_away = 0;
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());
