@@ -20,15 +20,14 @@ Result<std::vector<FloatImage>> GlRenderer::draw_aovs(const FurFrame& frame, std
                                                       DrawTimes* times, const Pause& pause) {
   if (const Status status = prepare_targets(frame, GL_RGBA32F); !status.ok()) return status;
   DrawTimes taken;
-  const Result<Prepared> scene = draw_in_pieces(frame, {}, pause, taken);
+  const Result<Prepared> scene = draw_in_pieces(frame, pause, taken);
   if (!scene) return scene.status();
   Result<std::vector<FloatImage>> images = gather_aovs(frame, *scene, aovs, taken);
   if (!images) return images;
   if (const Status built = programs(); !built.ok()) return built;
   add_counts(taken.counters, take_counts());
   if (times) *times = taken;
-  view_.shown.reset();
-  cache_.keep(std::move(view_));
+  drop_large_targets();
   return images;
 }
 
@@ -37,7 +36,7 @@ Result<std::vector<FloatImage>> GlRenderer::gather_aovs(const FurFrame& frame, c
   const DrawClock clock(times);
   std::optional<AovTarget> target;
   if (std::any_of(aovs.begin(), aovs.end(), AovTarget::holds)) {
-    target.emplace(gl_, aovs, view_.drawn.width(), view_.drawn.height());
+    target.emplace(gl_, aovs, targets_.drawn.width(), targets_.drawn.height());
     if (!target->complete()) return no_memory();
     draw_beside_light(frame, scene, *target);
   }
@@ -53,20 +52,20 @@ Result<std::vector<FloatImage>> GlRenderer::gather_aovs(const FurFrame& frame, c
 Result<FloatImage> GlRenderer::draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov,
                                         const AovTarget* target) {
   RenderTarget distance;
-  GLuint source = view_.drawn.texture();
+  GLuint source = targets_.drawn.texture();
   if (aov == Aov::depth) {
-    distance = RenderTarget(gl_, GL_R32F, view_.drawn.width(), view_.drawn.height(), true);
-    const RenderTarget covered(gl_, GL_RG32F, view_.drawn.width(), view_.drawn.height(), true);
+    distance = RenderTarget(gl_, GL_R32F, targets_.drawn.width(), targets_.drawn.height(), true);
+    const RenderTarget covered(gl_, GL_RG32F, targets_.drawn.width(), targets_.drawn.height(), true);
     if (!distance.complete() || !covered.complete()) return no_memory();
     aovs_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
     source = distance.texture();
   } else if (AovTarget::holds(aov)) {
     source = target->texture(aov);
   }
-  const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
-  aovs_.gather(gl_, aov, source, scale, view_.picture);
+  const float scale = static_cast<float>(targets_.drawn.height()) / static_cast<float>(frame.height);
+  aovs_.gather(gl_, aov, source, scale, targets_.picture);
   if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
-  return read_back<FloatImage>(view_.picture, GL_FLOAT);
+  return read_back<FloatImage>(targets_.picture, GL_FLOAT);
 }
 
 }  // namespace pelage

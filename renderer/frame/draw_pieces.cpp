@@ -1,4 +1,6 @@
 // A frame's light, drawn in pieces where others may be served in between.
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "renderer/frame/gl_renderer.h"
@@ -17,9 +19,22 @@ double fragment_ms(FragmentOrder order) {
   return order == FragmentOrder::sorted ? sorted : ordered;
 }
 
+/// All that hold one of the pixels, and one more on each side.
+glm::ivec2 cells_in(glm::ivec2 range, int pixels) {
+  const auto cell = [&](int pixel) { return static_cast<int>(std::int64_t{pixel} * cells_a_side / pixels); };
+  return {std::max(0, cell(range.x) - 1), std::min(cells_a_side - 1, cell(range.y) + 1)};
+}
+
 }  // namespace
 
 Area area_of(const RenderTarget& target) { return {0, 0, target.width(), target.height()}; }
+
+CellBox cells_of(const Area& area, int width, int height) {
+  const int low = height - area.top - area.height;
+  const glm::ivec2 columns = cells_in({area.left, area.left + area.width}, width);
+  const glm::ivec2 rows = cells_in({low, low + area.height}, height);
+  return {columns.x, rows.x, columns.y, rows.y};
+}
 
 void add_counts(FrameCounters& total, const FrameCounters& more) {
   total.passes += more.passes, total.draws += more.draws, total.textures += more.textures;
@@ -45,17 +60,15 @@ Result<GlRenderer::Prepared> GlRenderer::draw_part(const FurFrame& frame, const 
   return scene;
 }
 
-Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown,
-                                                        const Pause& pause, DrawTimes& times) {
+Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, const Pause& pause, DrawTimes& times) {
+  if (!pause) return draw_part(frame, {}, times);
   const Status given_up = failure(Code::conflict, "the drawing was given up");
-  if (pause && !bake(frame.coat, pause)) return given_up;
-  const std::optional<Area> part = shown ? std::optional(changed_area(frame, *shown)) : std::nullopt;
-  if (!pause) return draw_part(frame, part, times);
-  Pieces pieces = pieces_of(frame, part.value_or(area_of(view_.drawn)));
+  if (!bake(frame.coat, pause)) return given_up;
+  Pieces pieces = pieces_of(frame);
   Area piece = pieces.next();
-  if (pieces.done()) return draw_part(frame, part, times);
+  if (pieces.done()) return draw_part(frame, {}, times);
   if (!let_in(pause) || !bake(frame.coat, pause)) return given_up;  // large targets take long to make
-  prepare_alone(frame, part, times);                                // shadow maps, which the pieces share
+  prepare_whole(frame, times);                                      // shadow maps, which the pieces share
   for (;; piece = pieces.next()) {
     if (!let_in(pause) || !bake(frame.coat, pause)) return given_up;  // many coats may have passed
     const Stopwatch passed;
@@ -63,13 +76,12 @@ Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, c
     if (pieces.done()) break;
     pieces.took(passed.milliseconds());
   }
-  return prepare_alone(frame, part, times);  // for what is drawn beside light
+  return prepare_whole(frame, times);  // for what is drawn beside light
 }
 
-GlRenderer::Prepared GlRenderer::prepare_alone(const FurFrame& frame, const std::optional<Area>& part,
-                                               DrawTimes& times) {
+GlRenderer::Prepared GlRenderer::prepare_whole(const FurFrame& frame, DrawTimes& times) {
   const DrawClock clock(times);
-  return prepare_scene(frame, part, times);
+  return prepare_scene(frame, {}, times);
 }
 
 bool GlRenderer::bake(const Coat& coat, const Pause& pause) {
@@ -80,21 +92,21 @@ bool GlRenderer::bake(const Coat& coat, const Pause& pause) {
   return slices.has_value();
 }
 
-Pieces GlRenderer::pieces_of(const FurFrame& frame, const Area& area) {
-  const int width = view_.drawn.width(), height = view_.drawn.height();
-  const FurWork fur = models_.at(frame.model).work_of(shell_view(frame, block_of(frame), area), {width, height});
+Pieces GlRenderer::pieces_of(const FurFrame& frame) {
+  const int width = targets_.drawn.width(), height = targets_.drawn.height();
+  const FurWork fur = models_.at(frame.model).work_of(shell_view(frame, block_of(frame), {}), {width, height});
   const glm::dvec2 pixels(width, height);
   const auto work = [fur, pixels](const Area& in) {
     const glm::dvec2 low(in.left, pixels.y - in.top - in.height), size(in.width, in.height);
     return in.pixels() + fur.in(low / pixels, (low + size) / pixels);
   };
-  return {area, work, fragment_ms(frame.knobs.order)};
+  return {area_of(targets_.drawn), work, fragment_ms(frame.knobs.order)};
 }
 
 bool GlRenderer::let_in(const Pause& pause) {
-  CachedView<Targets> view = std::move(view_);
+  Targets drawn_so_far = std::exchange(targets_, {});  // others draw into targets of their own
   const bool go_on = pause();
-  view_ = go_on ? std::move(view) : CachedView<Targets>();
+  targets_ = go_on ? std::move(drawn_so_far) : Targets();
   return go_on;
 }
 

@@ -39,9 +39,9 @@ Result<Backplate> GlRenderer::draw_backplate(const FurFrame& asked, DrawTimes* t
   const ModelBuffers::DrawLists lists = model.skin_lists(gl_);
   prepare_colours(frame, model);
   bind_blocks(frame, make_frame_block(frame, Slices{}, model.has_colours(), frame.height));
-  set_draw_state(gl_, view_.drawn);
+  set_draw_state(gl_, targets_.drawn);
   gl_.DepthMask(GL_TRUE);
-  clear_target(gl_, view_.drawn, {});
+  clear_target(gl_, targets_.drawn, {});
   draw_open_body(frame, model, lists, "");
   fragments_.end();
   const AovTarget aovs(gl_, std::array{Aov::direct, Aov::albedo, Aov::normal}, frame.width, frame.height);
@@ -55,8 +55,7 @@ Result<Backplate> GlRenderer::draw_backplate(const FurFrame& asked, DrawTimes* t
   Result<Backplate> base = read_backplate(aovs, distance);
   if (const Status built = programs(); !built.ok()) return built;
   if (times) *times = {.draw = drawing.milliseconds(), .counters = take_counters()};
-  view_.shown.reset();
-  cache_.keep(std::move(view_));
+  drop_large_targets();
   return base;
 }
 
@@ -75,14 +74,14 @@ Result<Backplate> GlRenderer::read_backplate(const AovTarget& aovs, const Render
   };
   const auto texture = [&](Aov aov) { return aovs.texture(aov); };
   Backplate base;
-  for (const Part& part : {Part{Aov::beauty, view_.drawn.texture(), &Backplate::beauty},
+  for (const Part& part : {Part{Aov::beauty, targets_.drawn.texture(), &Backplate::beauty},
                            Part{Aov::direct, texture(Aov::direct), &Backplate::direct},
                            Part{Aov::albedo, texture(Aov::albedo), &Backplate::albedo},
                            Part{Aov::normal, texture(Aov::normal), &Backplate::normal},
                            Part{Aov::depth, distance.texture(), &Backplate::depth}}) {
-    aovs_.gather(gl_, part.aov, part.texture, 1.0f, view_.picture);
+    aovs_.gather(gl_, part.aov, part.texture, 1.0f, targets_.picture);
     if (const Status answer = wait_for(gl_); !answer.ok()) return answer;
-    Result<FloatImage> image = read_back<FloatImage>(view_.picture, GL_FLOAT);
+    Result<FloatImage> image = read_back<FloatImage>(targets_.picture, GL_FLOAT);
     if (!image) return image.status();
     base.*part.image = std::move(image).value();
   }

@@ -20,6 +20,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_cached_coats = 3;  // 90 MB each
+constexpr std::int64_t max_kept_pixels = 2048 * 2048;
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
@@ -112,7 +113,7 @@ void GlRenderer::forget(std::uint64_t original) {
 
 void GlRenderer::forget_all() {
   models_.clear();
-  cache_.give_back();
+  targets_ = {};
 }
 
 bool GlRenderer::has(const Coat& coat) const {
@@ -135,13 +136,15 @@ const CoatTextures& GlRenderer::add(const Coat& coat, Slices slices) {
 
 Status GlRenderer::prepare_targets(const FurFrame& frame, GLenum picture) {
   const int width = scaled(frame.width, frame.knobs.scale), height = scaled(frame.height, frame.knobs.scale);
-  view_ = cache_.take(frame, static_cast<int>(picture));
-  const bool complete = fit(view_.drawn, GL_RGBA32F, width, height, true) &&
-                        fit(view_.picture, picture, frame.width, frame.height, false);
+  const bool complete = fit(targets_.drawn, GL_RGBA32F, width, height, true) &&
+                        fit(targets_.picture, picture, frame.width, frame.height, false);
   if (complete) return {};
-  view_ = {};
-  cache_.give_back();
+  targets_ = {};
   return no_memory();
+}
+
+void GlRenderer::drop_large_targets() {
+  if (targets_.drawn.width() * std::int64_t{targets_.drawn.height()} > max_kept_pixels) targets_ = {};
 }
 
 bool GlRenderer::fit(RenderTarget& target, GLenum format, int width, int height, bool depth) {
@@ -153,15 +156,7 @@ bool GlRenderer::fit(RenderTarget& target, GLenum format, int width, int height,
 
 FrameBlock GlRenderer::block_of(const FurFrame& frame) {
   return make_frame_block(frame, textures_of(frame.coat).slices(), models_.at(frame.model).has_colours(),
-                          view_.drawn.height());
-}
-
-Area GlRenderer::changed_area(const FurFrame& frame, const ShownFrame& shown) {
-  const glm::mat4 to_clip = block_of(frame).world_to_clip;
-  std::optional<ClipBox> changed = models_.at(frame.model).changed_box(frame.coat, to_clip, shown.changes);
-  if (const std::optional<ClipBox> curves = changed_curves(shown.frame, frame, to_clip))
-    changed = union_of(changed, *curves);
-  return area_of(changed, view_.drawn.width(), view_.drawn.height());
+                          targets_.drawn.height());
 }
 
 ShellView GlRenderer::shell_view(const FurFrame& frame, const FrameBlock& block,
@@ -176,7 +171,7 @@ ShellView GlRenderer::shell_view(const FurFrame& frame, const FrameBlock& block,
                  block.world_to_clip,
                  stretch};
   view.depth_parts = sorted ? 1 : depth_part_count;
-  if (part) view.part = cells_of(*part, view_.drawn.width(), view_.drawn.height());
+  if (part) view.part = cells_of(*part, targets_.drawn.width(), targets_.drawn.height());
   return view;
 }
 
@@ -238,11 +233,10 @@ void GlRenderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
 }
 
 Status GlRenderer::draw_light(const FurFrame& frame, const Prepared& scene) {
-  if (scene.part && scene.part->pixels() == 0) return {};  // what the target shows is the frame
-  set_draw_state(gl_, view_.drawn);
+  set_draw_state(gl_, targets_.drawn);
   const ScissorTest part(gl_, scene.part);
   gl_.DepthMask(GL_TRUE);
-  clear_target(gl_, view_.drawn, {});
+  clear_target(gl_, targets_.drawn, {});
   if (frame.ground) ground_.draw(gl_, frame, scene.variant);
   if (frame.knobs.order == FragmentOrder::sorted) return draw_sorted(frame, scene);
   draw_body(frame, scene, "");
@@ -254,7 +248,7 @@ Status GlRenderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   fur_.draw_skin(gl_, scene.drawing(frame));
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
   const FurDrawing drawing = scene.drawing(frame).with("#define SORTED\n");
-  return sorted_.draw(gl_, view_.drawn, scene.part.value_or(area_of(view_.drawn)), frame.knobs.shells, [&] {
+  return sorted_.draw(gl_, targets_.drawn, scene.part.value_or(area_of(targets_.drawn)), frame.knobs.shells, [&] {
     draw_fur(frame, drawing);
     if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
     if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
@@ -278,10 +272,10 @@ Result<RenderTarget> GlRenderer::draw_overlay(const FurFrame& frame, const Prepa
   RenderTarget overlay;
   if (frame.overlay == Overlay::none) return overlay;
   if (frame.overlay == Overlay::shell_count) {
-    const AovTarget counts(gl_, std::array{Aov::shell_count}, view_.drawn.width(), view_.drawn.height());
+    const AovTarget counts(gl_, std::array{Aov::shell_count}, targets_.drawn.width(), targets_.drawn.height());
     if (!counts.complete()) return no_memory();
     draw_beside_light(frame, scene, counts);
-    const float scale = static_cast<float>(view_.drawn.height()) / static_cast<float>(frame.height);
+    const float scale = static_cast<float>(targets_.drawn.height()) / static_cast<float>(frame.height);
     overlay = overlay_.draw_count(gl_, frame, counts.texture(Aov::shell_count), scale);
   } else if (OverlayPass::is_map(frame.overlay)) {
     Result<RenderTarget> map = draw_light_map(frame, scene);
@@ -314,36 +308,24 @@ template <class Picture>
 Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
                                          DrawTimes* times, const Pause& pause) {
   if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
-  const std::optional<ShownFrame> shown = std::exchange(view_.shown, {});
   DrawTimes taken;
-  const Result<Prepared> scene = draw_in_pieces(frame, shown, pause, taken);
+  const Result<Prepared> scene = draw_in_pieces(frame, pause, taken);
   if (!scene) return scene.status();
-  std::optional<Area> finished;
-  if (shown && shown->format) {
-    const auto size = [](const RenderTarget& target) { return glm::ivec2(target.width(), target.height()); };
-    finished = finished_area(*scene->part, size(view_.drawn), size(view_.picture));
-  }
-  if (const Status done = finish_light(frame, *scene, finished, largest, taken); !done.ok()) return done;
+  if (const Status done = finish_light(frame, *scene, largest, taken); !done.ok()) return done;
   const Stopwatch reading;
-  Result<Picture> image = read_back<Picture>(view_.picture, type);
+  Result<Picture> image = read_back<Picture>(targets_.picture, type);
   taken.read = reading.milliseconds();
   add_counts(taken.counters, take_counts());
-  if (scene->part) taken.counters.redrawn = scene->part->pixels() / area_of(view_.drawn).pixels();
   if (times) *times = taken;
-  view_.shown = {frame, static_cast<int>(format), scene->model.changes()};
-  cache_.keep(std::move(view_));
+  drop_large_targets();
   return image;
 }
 
-Status GlRenderer::finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished,
-                                int largest, DrawTimes& times) {
+Status GlRenderer::finish_light(const FurFrame& frame, const Prepared& scene, int largest, DrawTimes& times) {
   const DrawClock clock(times);
   const Result<RenderTarget> overlay = draw_overlay(frame, scene);
   if (!overlay) return overlay.status();
-  {
-    const ScissorTest part(gl_, finished);
-    resolve_.draw(gl_, frame, view_.drawn, view_.picture, largest, overlay->texture());
-  }
+  resolve_.draw(gl_, frame, targets_.drawn, targets_.picture, largest, overlay->texture());
   if (const Status built = programs(); !built.ok()) return built;
   return wait_for(gl_);
 }

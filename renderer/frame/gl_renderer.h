@@ -13,7 +13,6 @@
 #include "renderer/frame/draw_times.h"
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/shadow_maps.h"
-#include "renderer/frame/view_cache.h"
 #include "renderer/gl/handles.h"
 #include "renderer/gl/sync.h"
 #include "renderer/image/float_image.h"
@@ -47,14 +46,11 @@ class GlRenderer {
   /// Sends the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch,
-  /// with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the pause is called in
-  /// between; its time does not count. Fails with conflict when the pause gives the drawing up, with unavailable when
-  /// the GL does not answer within a minute, with too_large when there is no memory for the size, and with invalid when
-  /// the GL cannot sort as asked.
+  /// Draws a model that it has. With `pause` a long drawing is done in pieces, with the same bits, and the pause is
+  /// called in between; its time does not count. Fails with conflict when the pause gives the drawing up, with
+  /// unavailable when the GL does not answer within a minute, with too_large when there is no memory for the size, and
+  /// with invalid when the GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
-  /// Makes the next frame be drawn whole, for who measures or doubts.
-  void clear_view_cache() { cache_.clear_shown(); }
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// Light and what is asked for beside it, one picture for each AOV, in internal coordinates: without exposure, tone
@@ -82,14 +78,16 @@ class GlRenderer {
   std::size_t gl_bytes() const { return gl_.held_bytes(); }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
-  /// Drops the copies of all models, and the pictures kept of them.
+  /// Drops the copies of all models, and the targets.
   void forget_all();
 
  private:
   GlRenderer(const Gl& gl, std::size_t sorted_bytes);
   Status programs() const;  // whether all programs so far were built
-  /// Makes `view_` what the frame is drawn into: what shows its light already, or targets of its size.
+  /// Makes the targets of the frame's size, with a picture of a format.
   Status prepare_targets(const FurFrame& frame, GLenum picture);
+  /// Once a frame is drawn: drops targets that are too large to be kept.
+  void drop_large_targets();
   /// Makes a target anew where it is of another kind; whether it could be made.
   bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
   bool has(const Coat& coat) const;
@@ -102,8 +100,6 @@ class GlRenderer {
   struct Prepared;
   /// `part` is what will be drawn; all of the picture without it.
   Prepared prepare_scene(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
-  /// Where the frame's light is not what the target shows.
-  Area changed_area(const FurFrame& frame, const ShownFrame& shown);
   FrameBlock block_of(const FurFrame& frame);
   ShellView shell_view(const FurFrame& frame, const FrameBlock& block, const std::optional<Area>& part) const;
   void prepare_colours(const FurFrame& frame, ModelBuffers& model);  // patterns and paint
@@ -115,13 +111,11 @@ class GlRenderer {
   Status draw_light(const FurFrame& frame, const Prepared& scene);
   /// Prepares and draws the light of a part, and waits for it.
   Result<Prepared> draw_part(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
-  /// The light of what changed since `shown`, or all of it, in pieces where there is a pause. What is drawn last, as it
-  /// was prepared.
-  Result<Prepared> draw_in_pieces(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
-                                  DrawTimes& times);
+  /// The light of the frame, in pieces where there is a pause. The whole, as it was prepared.
+  Result<Prepared> draw_in_pieces(const FurFrame& frame, const Pause& pause, DrawTimes& times);
   /// By the fur in them: a small frame is one piece.
-  Pieces pieces_of(const FurFrame& frame, const Area& area);
-  Prepared prepare_alone(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
+  Pieces pieces_of(const FurFrame& frame);
+  Prepared prepare_whole(const FurFrame& frame, DrawTimes& times);
   bool let_in(const Pause& pause);  // whether to go on
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target);
@@ -132,9 +126,8 @@ class GlRenderer {
   template <class Picture>
   Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
                                const Pause& pause);
-  /// Overlay and picture of the light that was drawn, in an area of the picture or all of it.
-  Status finish_light(const FurFrame& frame, const Prepared& scene, const std::optional<Area>& finished, int largest,
-                      DrawTimes& times);
+  /// Overlay and picture of the light that was drawn.
+  Status finish_light(const FurFrame& frame, const Prepared& scene, int largest, DrawTimes& times);
   Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene, std::span<const Aov> aovs,
                                               DrawTimes& times);
   Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target);
@@ -169,10 +162,8 @@ class GlRenderer {
   FragmentCounter fragments_;
   struct Targets {
     RenderTarget drawn, picture;  // light, the finished picture
-    std::int64_t pixels() const { return drawn.width() * static_cast<std::int64_t>(drawn.height()); }
   };
-  CachedView<Targets> view_;  // that is drawn; the others, and between frames all, are kept
-  ViewCache<Targets> cache_;
+  Targets targets_;  // kept for the next frame of that size
 };
 
 }  // namespace pelage

@@ -42,13 +42,7 @@ class MarchedRenderer {
   void forget_all();
 
  private:
-  struct Targets {
-    FloatImage light;
-    Image picture;    // of 8 bits
-    float reach = 0;  // Marcher::reach_of when it was drawn
-    std::int64_t pixels() const { return light.width * static_cast<std::int64_t>(light.height); }
-  };
-  using View = CachedView<Targets>;
+  using View = CachedView;
 
   /// Draws the light of what changed since the view was shown, or all of it, into the view. The area that was
   /// drawn; none when the pause gave it up.
@@ -65,7 +59,7 @@ class MarchedRenderer {
 
   Marcher marcher_;
   int threads_;
-  ViewCache<Targets> views_;
+  ViewCache views_;
 };
 
 }  // namespace pelage

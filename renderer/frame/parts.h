@@ -42,6 +42,8 @@ struct GlRenderer::Prepared {
 Status no_memory();
 
 Area area_of(const RenderTarget& target);  // all of it
+/// All cells that an area of a picture of that size touches.
+CellBox cells_of(const Area& area, int width, int height);
 
 /// The #define lines of a frame's light and colours: light from all around that is not white from everywhere, how many
 /// lights there are, whether all are far away, and whether the coat's ramp alone gives the colours.

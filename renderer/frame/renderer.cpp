@@ -81,7 +81,6 @@ Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& l
 
 void Renderer::clear_view_cache() {
   if (marched_) marched_->clear_view_cache();
-  gl_->clear_view_cache();
 }
 
 std::size_t Renderer::bytes_of(std::uint64_t original) const {

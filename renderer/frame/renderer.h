@@ -30,11 +30,11 @@ class Renderer {
   /// Takes over the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws a model that it has; after changes of its fields alone, only the part of the picture that they may touch,
-  /// with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the pause is called in
-  /// between; its time does not count. Fails with conflict when the pause gives the drawing up, with unavailable when
-  /// the GL does not answer within a minute, with too_large when there is no memory for the size, and with invalid when
-  /// the GL cannot sort as asked.
+  /// Draws a model that it has; after changes of its fields alone, the marcher draws only the part of the picture that
+  /// they may touch, with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the
+  /// pause is called in between; its time does not count. Fails with conflict when the pause gives the drawing up, with
+  /// unavailable when the GL does not answer within a minute, with too_large when there is no memory for the size, and
+  /// with invalid when the GL cannot sort as asked.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});

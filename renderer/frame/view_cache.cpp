@@ -25,6 +25,20 @@ FurFrame light_of(const FurFrame& frame) {
   return light;
 }
 
+/// Whether a change of the fur changes pixels near it alone.
+bool changes_stay_near(const FurFrame& frame) {
+  return frame.knobs.order == FragmentOrder::shells && !ShadowMaps::wanted(frame);
+}
+
+/// Whether both have the same light but for curves and the fields.
+bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
+
+/// Whether light is made a picture the same way.
+bool same_finish(const FurFrame& a, const FurFrame& b) {
+  return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
+         a.tone_map == b.tone_map;
+}
+
 /// Adds the places of one group's curves that are not as in the other's, with what lies next to them.
 void add_changes(const CurveStrips& strips, const CurveStrips& other, const BallBoxes& boxes,
                  std::optional<ClipBox>& all) {
@@ -51,12 +65,6 @@ glm::ivec2 pixels_of(float low, float high, int pixels) {
   return {std::max(0, static_cast<int>(pixel(low)) - 1), std::min(pixels, static_cast<int>(pixel(high)) + 2)};
 }
 
-/// All that hold one of the pixels, and one more on each side.
-glm::ivec2 cells_in(glm::ivec2 range, int pixels) {
-  const auto cell = [&](int pixel) { return static_cast<int>(std::int64_t{pixel} * cells_a_side / pixels); };
-  return {std::max(0, cell(range.x) - 1), std::min(cells_a_side - 1, cell(range.y) + 1)};
-}
-
 // The cubic of Catmull and Rom reads two pixels to each side.
 glm::ivec2 finished_range(int begin, int length, int light, int picture) {
   const double scale = static_cast<double>(picture) / light;
@@ -65,19 +73,6 @@ glm::ivec2 finished_range(int begin, int length, int light, int picture) {
 }
 
 }  // namespace
-
-bool changes_stay_near(const FurFrame& frame) {
-  const Knobs& knobs = frame.knobs;
-  return knobs.order == FragmentOrder::shells && !knobs.fins && knobs.guard_hairs == 0 && !ShadowMaps::wanted(frame) &&
-         frame.overlay == Overlay::none;
-}
-
-bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
-
-bool same_finish(const FurFrame& a, const FurFrame& b) {
-  return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
-         a.tone_map == b.tone_map;
-}
 
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
   if (before.curves == now.curves) return {};
@@ -95,18 +90,56 @@ Area area_of(const std::optional<ClipBox>& box, int width, int height) {
   return {across.x, height - up.y, across.y - across.x, up.y - up.x};
 }
 
-CellBox cells_of(const Area& area, int width, int height) {
-  if (area.pixels() == 0) return {0, 0, -2, -2};
-  const int low = height - area.top - area.height;
-  const glm::ivec2 columns = cells_in({area.left, area.left + area.width}, width);
-  const glm::ivec2 rows = cells_in({low, low + area.height}, height);
-  return {columns.x, rows.x, columns.y, rows.y};
-}
-
 Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture) {
   const glm::ivec2 across = finished_range(area.left, area.width, light.x, picture.x);
   const glm::ivec2 down = finished_range(area.top, area.height, light.y, picture.y);
   return {across.x, down.x, across.y - across.x, down.y - down.x};
+}
+
+CachedView ViewCache::take(const FurFrame& frame, int format) {
+  const auto shows = [&](const CachedView& view) {
+    return view.shown && changes_stay_near(frame) && same_light(view.shown->frame, frame);
+  };
+  const auto found = std::find_if(views_.begin(), views_.end(), shows);
+  if (found == views_.end()) {
+    const bool spare = std::any_of(views_.begin(), views_.end(), [](const CachedView& view) { return !view.shown; });
+    if (!spare && views_.size() < max_views) return {};
+    CachedView view = take_out(victim());
+    view.shown.reset(), view.came_back = false;
+    return view;
+  }
+  CachedView view = take_out(found);
+  if (view.shown->format != format || !same_finish(view.shown->frame, frame)) view.shown->format = 0;
+  view.came_back = true;
+  return view;
+}
+
+void ViewCache::keep(CachedView view) {
+  if (view.shown && !changes_stay_near(view.shown->frame)) view.shown.reset();
+  if (view.pixels() > max_pixels) return;
+  views_.push_front(std::move(view));
+  std::int64_t pixels = 0;
+  for (const CachedView& each : views_) pixels += each.pixels();
+  while (views_.size() > max_views || pixels > max_pixels) pixels -= take_out(victim()).pixels();
+}
+
+// The last view is kept: two that are asked for in turn would push each other out before they come back.
+ViewCache::Views::iterator ViewCache::victim() {
+  assert(!views_.empty());
+  const auto oldest = [&](auto first, auto unwanted) {
+    const auto found = std::find_if(views_.rbegin(), std::make_reverse_iterator(first), unwanted);
+    return found == std::make_reverse_iterator(first) ? views_.end() : std::prev(found.base());
+  };
+  const auto spare = oldest(views_.begin(), [](const CachedView& view) { return !view.shown; });
+  if (spare != views_.end()) return spare;
+  const auto once = oldest(std::next(views_.begin()), [](const CachedView& view) { return !view.came_back; });
+  return once != views_.end() ? once : std::prev(views_.end());
+}
+
+CachedView ViewCache::take_out(Views::iterator view) {
+  CachedView taken = std::move(*view);
+  views_.erase(view);
+  return taken;
 }
 
 }  // namespace pelage

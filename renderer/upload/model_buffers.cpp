@@ -74,9 +74,9 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
 void ModelBuffers::keep(const FurModel& model, SplitModel split) {
   triangles_ = std::move(split.triangles), welded_ = std::move(split.welded), first_ = std::move(split.first);
   const std::vector<RenderVertex>& vertices = split.vertices;
-  positions_.reserve(vertices.size()), normals_.reserve(vertices.size()), tangents_.reserve(vertices.size());
+  positions_.reserve(vertices.size()), normals_.reserve(vertices.size());
   for (const RenderVertex& vertex : vertices) {
-    positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);
+    positions_.push_back(vertex.position), normals_.push_back(vertex.normal);
   }
   lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), lods_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
@@ -138,9 +138,9 @@ std::size_t ModelBuffers::bytes(const Gl& gl) const {
   for (const Buffer* buffer : {&fixed_, &groom_, &lod_, &variation_, &elements_})
     bytes += gl.bytes_of_buffer(buffer->id());
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
-  add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, tangents_, lengths_, groom_values_,
-      skin_, skin_order_, fur_share_, curvatures_, lods_);
-  return bytes + changed_.bytes();
+  add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, lengths_, groom_values_, skin_,
+      skin_order_, fur_share_, curvatures_, lods_);
+  return bytes;
 }
 
 float ModelBuffers::longest_fur() const {
@@ -194,10 +194,8 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
 void ModelBuffers::change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end) {
   assert(begin <= end && end <= lengths_.size());
   for (std::uint32_t i = begin; i < end; ++i) {
-    changed_.note(i, groom_values_[i]);
     lengths_[i] = length_at(fields, i);
     groom_values_[i] = {fields.direction[welded_[i]], lengths_[i]};
-    changed_.note(i, groom_values_[i]);
   }
 }
 

@@ -3,14 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/upload/paint_buffers.h"
-#include "renderer/visibility/changed_fur.h"
 #include "renderer/visibility/depth_parts.h"
 #include "renderer/visibility/fur_work.h"
 #include "renderer/visibility/shell_lod.h"
@@ -99,13 +97,6 @@ class ModelBuffers {
   /// How much is drawn where for a view that fills so many pixels.
   FurWork work_of(const ShellView& view, glm::ivec2 pixels);
 
-  /// How many changes of the fur there were so far, and where on a picture it has changed since there were so many;
-  /// none where none has.
-  std::uint64_t changes() const { return changed_.count(); }
-  std::optional<ClipBox> changed_box(const Coat& coat, const glm::mat4& to_clip, std::uint64_t since) const {
-    return changed_.box({positions_, normals_, tangents_, groom_values_, triangles_}, coat, to_clip, since);
-  }
-
  private:
   void keep(const FurModel& model, SplitModel split);
   const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
@@ -133,12 +124,11 @@ class ModelBuffers {
   std::vector<std::uint32_t> first_;   // of each model's vertex, its first render vertex; one more at the end
   std::vector<glm::uvec3> triangles_;  // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
-  std::vector<glm::vec3> positions_, normals_, tangents_;  // of render vertices
-  std::vector<float> lengths_;                             // of render vertices
-  std::vector<glm::vec3> groom_values_;                    // as in groom_: direction, length
-  ChangedFur changed_;
-  std::vector<FurSkinRegion> skin_;     // bare regions
-  std::vector<glm::uvec3> skin_order_;  // the triangles, those that bare skin may touch first
+  std::vector<glm::vec3> positions_, normals_;  // of render vertices
+  std::vector<float> lengths_;                  // of render vertices
+  std::vector<glm::vec3> groom_values_;         // as in groom_: direction, length
+  std::vector<FurSkinRegion> skin_;             // bare regions
+  std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;
   std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes

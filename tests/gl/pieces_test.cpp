@@ -16,10 +16,7 @@ class FramesInPieces : public WithRenderer {
     sync_scene(*renderer, model.view(), {});
     return make_frame(model.view(), request);
   }
-  std::vector<std::uint8_t> whole(const FurFrame& frame) {
-    renderer->clear_view_cache();
-    return renderer->draw(frame).value().rgba;
-  }
+  std::vector<std::uint8_t> whole(const FurFrame& frame) { return renderer->draw(frame).value().rgba; }
 };
 
 FrameRequest large(Tier tier, int pixels) {
@@ -51,7 +48,6 @@ TEST_P(FramesInPieces, HaveTheBitsOfAWholeOne) {
     const FurFrame frame = frame_of(model, request);
     const std::vector<std::uint8_t> expected = whole(frame);
     int pauses = 0;
-    renderer->clear_view_cache();
     const Result<Image> image = renderer->draw(frame, nullptr, [&] {
       // Another picture leaves targets, maps and tables of its own.
       if (++pauses == 2) {
