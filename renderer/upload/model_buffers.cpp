@@ -276,16 +276,8 @@ ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const ShellView& vi
   gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
   const ShellLists lists = sort_triangles(mesh, view);
 
-  std::vector<glm::uvec3> elements;
-  const std::span<const glm::uvec3> skin(skin_elements());
-  DrawLists result;
-  result.all = append(skin_elements(), elements);  // what lies outside the picture may throw a shadow into it
-  const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  result.bare = {0, bare}, result.furred = {bare, result.all.count - bare};
-  if (view.part != CellBox{}) {
-    result.bare = append(triangles_in(view.part, mesh, skin.first(bare_count_)), elements);
-    result.furred = append(triangles_in(view.part, mesh, skin.subspan(bare_count_)), elements);
-  }
+  std::vector<glm::uvec3> elements = skin_elements();  // what lies outside the picture may throw a shadow into it
+  DrawLists result = lists_of_skin();
   result.shown = append(shown_triangles(mesh, view), elements);
   result.parts = parts_of_fur(lists, view, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),

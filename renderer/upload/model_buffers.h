@@ -86,7 +86,7 @@ class ModelBuffers {
   };
   struct DrawLists {
     DrawList all;                  // every triangle
-    DrawList bare, furred;         // those in the view's part that bare skin may touch, and the others
+    DrawList bare, furred;         // those that bare skin may touch, and the others
     DrawList shown;                // those whose fur is drawn
     std::vector<DepthPart> parts;  // of the fur, far to near
   };

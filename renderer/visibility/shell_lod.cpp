@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace pelage {
 
@@ -101,14 +100,6 @@ std::vector<glm::uvec3> shown_triangles(const ShellMesh& mesh, const ShellView& 
       shown.push_back(t);
   }
   return shown;
-}
-
-std::vector<glm::uvec3> triangles_in(const CellBox& part, const ShellMesh& mesh,
-                                     std::span<const glm::uvec3> triangles) {
-  std::vector<glm::uvec3> inside;
-  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(inside),
-               [&](const glm::uvec3& t) { return touch(cells_of(mesh, t), part); });
-  return inside;
 }
 
 CellBox cells_of(const ShellMesh& mesh, const glm::uvec3& triangle) {

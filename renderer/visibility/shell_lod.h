@@ -83,9 +83,6 @@ ShellLists sort_triangles(const ShellMesh& mesh, const ShellView& view);
 /// fur that is not drawn hides what is.
 std::vector<glm::uvec3> shown_triangles(const ShellMesh& mesh, const ShellView& view);
 
-/// Those that reach a part of the picture.
-std::vector<glm::uvec3> triangles_in(const CellBox& part, const ShellMesh& mesh, std::span<const glm::uvec3> triangles);
-
 /// The cells that the fur of a triangle may reach.
 CellBox cells_of(const ShellMesh& mesh, const glm::uvec3& triangle);
 
