@@ -255,7 +255,7 @@ TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   EXPECT_EQ(plain.passes, 11u);
   EXPECT_EQ(plain.draws, 46u);
   EXPECT_EQ(plain.textures, 28u);
-  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 52048);  // a level for each vertex, lists of triangles for each shell
+  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 16216);  // a level for each vertex, lists of triangles for each part
   EXPECT_NEAR(static_cast<double>(plain.fragments), 89599, 0.05 * 89599);  // edges differ between drivers
   EXPECT_EQ(counters(frame), plain);
 
