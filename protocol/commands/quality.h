@@ -1,11 +1,8 @@
-// The dial: how far a frame is estimated to be from the truth, what it is estimated to cost, and the calibration that
-// both estimates come from.
+// The dial: how far a frame is estimated to be from the truth, what it is estimated to cost, and the price that the
+// machine has learnt.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "protocol/commands/frame.h"
 
@@ -21,12 +18,10 @@ enum class PlanEnd {
 };
 
 /// Of a frame of shells, before it is drawn. Error is the mean LDR-FLIP over the fur's mask against the same fur in
-/// many sorted shells (R1 of science.md 6). Cost is drawing time: CPU milliseconds of the process while it draws, over
-/// the GL's threads; of a hardware GL the milliseconds until it is done.
+/// many sorted shells (R1 of science.md 6). Cost is the milliseconds that pass while this machine draws it.
 struct FrameEstimate {
-  double error = 0;         // [0, 1]
+  double error = 0;         // of half of the frames in views like it, [0, 1]
   double error_safety = 1;  // 1 or more: 95% of frames have at most error times it
-  bool measured = false;    // in such a view of the scene; else estimated from the view's features
   double cost_ms = 0;
   double cost_safety = 1;  // the same of cost
   double correction = 1;   // measured over predicted cost of this scene so far, which cost_ms has in it
@@ -35,28 +30,13 @@ struct FrameEstimate {
   bool operator==(const FrameEstimate&) const = default;
 };
 
-inline constexpr std::size_t cost_terms = 16;   // renderer/quality/cost_model.h
-inline constexpr std::size_t error_traits = 6;  // renderer/quality/error_model.h
-
-/// Knobs that a planner may choose, and their error as a function of a view.
-struct CalibratedKnobs {
-  Knobs knobs;
-  double log_error = 0;                       // natural logarithm, of a view with the lowest of all traits
-  std::array<double, error_traits> slopes{};  // added over the range of each trait
-  double error_safety = 1;                    // [1, 100]
-};
-
-/// What a machine was measured to draw at. Costs belong to the machine, errors hardly.
+/// What a machine was measured to draw at.
 struct Calibration {
   std::string name = "defaults";
-  std::string machine;                    // the GL's description; "" for any
-  int threads = 0;                        // that the costs were divided by; 0 for any
-  std::array<double, cost_terms> cost{};  // milliseconds for a unit of each term, 0 or more
-  double cost_safety = 1;                 // [1, 100], of a scene whose frames have told nothing yet
-  double learnt_safety = 1;               // [1, 100], once they have
-  double probe_safety = 1;                // [1, 100]: 95% of views have at most the error that was measured times it
-  std::array<double, error_traits> low{}, high{};  // of the views that were measured; outside, the nearest counts
-  std::vector<CalibratedKnobs> ladder;             // at least one
+  std::string machine;  // what draws (drawn_by); "" for any
+  int threads = 0;      // that it draws on; 0 for any
+  double price = 1;     // milliseconds over those of the default prices, above 0
+  bool operator==(const Calibration&) const = default;
 };
 
 }  // namespace pelage

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// With line breaks, one row of the ladder each.
+/// One line.
 std::string encode(const Calibration& calibration);
 
 /// Refused as a request is, with a pointer: another version, unknown members, numbers that are out of range.

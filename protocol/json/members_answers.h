@@ -30,11 +30,8 @@ void members(V& v, Visited<V, FrameCounters>& c) {
 template <class V>
 void members(V& v, Visited<V, FrameEstimate>& c) {
   v.answer("FrameEstimate");
-  v.number("error", c.error, share, "Mean FLIP where there is fur, against the reference.");
+  v.number("error", c.error, share, "Mean FLIP where there is fur, against the reference: that of half of the frames.");
   v.number("error_safety", c.error_safety, one_or_more, "95% of frames have at most `error` times it.");
-  v.boolean("measured", c.measured,
-            "Whether such a view of this scene was drawn and compared, as `max_error` does when it meets one; else the "
-            "error is estimated from the view alone.");
   std::size_t reference = 0;
   v.name("reference", reference, json_names::error_references,
          "The same fur and light in 1024 or fewer sorted shells.");
@@ -42,7 +39,7 @@ void members(V& v, Visited<V, FrameEstimate>& c) {
   v.number("cost_safety", c.cost_safety, one_or_more, "95% of frames cost at most `cost_ms` times it.");
   v.number("correction", c.correction, positive,
            "Measured over predicted cost of this scene's frames so far, which `cost_ms` has in it. It moves in steps, "
-           "and only when it is off by more than a fifth.");
+           "and only when it is off by more than 8%.");
   v.name("end", c.end, json_names::plan_ends,
          "Why the frame has its knobs. asked: the request named them. budget: better ones cost too much. error: the "
          "cheapest that keep the error. best: nothing better is known. cheapest: even the cheapest are over the "

@@ -6,20 +6,8 @@
 
 namespace pelage::json_parts {
 
-inline constexpr int calibration_version = 3;  // of the cost terms and error traits
-inline constexpr Range price{0, 1e9};
-inline constexpr Range trait{-1e6, 1e6};
-inline constexpr Range exponent{-100, 100};
-inline constexpr Range safety{1, 100};
-inline constexpr Count ladder_rows{1, 256};
-
-template <class V>
-void members(V& v, Visited<V, CalibratedKnobs>& c) {
-  v.number(required("log_error"), c.log_error, exponent);
-  v.numbers(required("slopes"), c.slopes, exponent);
-  v.number(required("error_safety"), c.error_safety, safety);
-  v.special(required("knobs"), c.knobs);
-}
+inline constexpr int calibration_version = 4;  // of what a price is over
+inline constexpr Range price{1e-6, 1e6};
 
 template <class V>
 void members(V& v, Visited<V, Calibration>& c) {
@@ -28,13 +16,7 @@ void members(V& v, Visited<V, Calibration>& c) {
   v.label(required("name"), c.name);
   v.text(required("machine"), c.machine);
   v.integer(required("threads"), c.threads, {0, 65536});
-  v.numbers(required("cost"), c.cost, price);
-  v.number(required("cost_safety"), c.cost_safety, safety);
-  v.number(required("learnt_safety"), c.learnt_safety, safety);
-  v.number(required("probe_safety"), c.probe_safety, safety);
-  v.numbers(required("low"), c.low, trait);
-  v.numbers(required("high"), c.high, trait);
-  v.objects(required("ladder"), c.ladder, ladder_rows);
+  v.number(required("price"), c.price, price);
 }
 
 }  // namespace pelage::json_parts

@@ -89,8 +89,8 @@ void members(V& v, Visited<V, FrameRequest>& c) {
   v.number(
       "budget_ms", c.budget_ms, budget_ms,
       "In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of frames keep "
-      "it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is CPU milliseconds of the "
-      "server while it draws, over the GL's threads; of a hardware GL the milliseconds until the frame is done. "
+      "it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the milliseconds that pass "
+      "on this machine while the frame is drawn; waiting for other frames, reading and encoding are not in it. "
       "AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.");
   v.number(
       "max_error", c.max_error, max_error,

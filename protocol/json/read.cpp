@@ -77,13 +77,6 @@ class MemberReader {
       for (const Value& v : list.list(count.min, count.max)) out.push_back(v.number(range));
     });
   }
-  template <std::size_t N>
-  void numbers(MemberName name, std::array<double, N>& out, Range range) {
-    member(name, [&](const Value& list) {
-      const std::vector<Value> values = list.list(N, N);
-      for (std::size_t i = 0; i < values.size(); ++i) out[i] = values[i].number(range);
-    });
-  }
   void integer(MemberName name, int& out, Range range, const char* = "") {
     member(name, [&](const Value& v) { out = static_cast<int>(v.integer(range)); });
   }

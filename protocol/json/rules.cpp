@@ -126,10 +126,6 @@ void check(const Value& value, const Camera& camera) {
   }
 }
 
-void check(const Value& value, const CalibratedKnobs& row) {
-  if (row.knobs.method != Method::shells) value.refuse_below("knobs/method", "The ladder is of shells.", "shells");
-}
-
 void check(const Value& value, const Stroke& stroke) {
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     const StrokeSample& sample = stroke.samples[i];

@@ -30,7 +30,6 @@ void check(const Value& value, const FrameRequest& request);
 void check(const Value& value, const ImportOptions& options);
 void check(const Value& value, const MapRequest& map);
 void check(const Value& value, const MapUpload& map);
-void check(const Value& value, const CalibratedKnobs& row);
 
 void check_command(const Value& value, const Command& command);
 

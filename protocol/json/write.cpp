@@ -55,10 +55,6 @@ class MemberWriter {
   void numbers(MemberName name, const std::vector<double>& values, Range, Count, const char* = "") {
     if (says(name, values.empty())) json_[name.text] = values;
   }
-  template <std::size_t N>
-  void numbers(MemberName name, const std::array<double, N>& values, Range) {
-    json_[name.text] = values;
-  }
   void integer(MemberName name, int value, Range, const char* = "") { json_[name.text] = value; }
   void seed(MemberName name, std::uint32_t value, const char* = "") { json_[name.text] = value; }
   void counter(MemberName name, std::uint64_t value, const char* = "") { json_[name.text] = value; }

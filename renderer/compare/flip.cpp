@@ -1,7 +1,6 @@
 #include "renderer/compare/flip.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -233,28 +232,20 @@ void write_errors(const Seen& reference, const Seen& test, float* errors) {
 
 }  // namespace
 
-std::vector<float> flip_map(const FloatImage& reference, const FloatImage& test, double pixels_per_degree, int threads,
-                            const std::function<bool()>& go_on) {
+std::vector<float> flip_map(const FloatImage& reference, const FloatImage& test, double pixels_per_degree,
+                            int threads) {
   assert(reference.width == test.width && reference.height == test.height);
   assert(reference.width > 0 && reference.height > 0);
   const FlipKernels kernels = flip_kernels(pixels_per_degree);
   const std::size_t width = static_cast<std::size_t>(reference.width);
   const int strips = (reference.height + strip_rows - 1) / strip_rows;
   std::vector<float> errors(width * static_cast<std::size_t>(reference.height));
-  std::atomic<bool> given_up = false;
-  const auto gives_up = [&] {
-    if (go_on && !given_up && !go_on()) given_up = true;
-    return given_up.load();
-  };
   const auto work = [&](std::uint32_t strip) {
-    if (gives_up()) return;
     const int begin = static_cast<int>(strip) * strip_rows, end = std::min(begin + strip_rows, reference.height);
     const Seen first = see(reference, begin, end, kernels);
-    if (gives_up()) return;
     write_errors(first, see(test, begin, end, kernels), errors.data() + width * static_cast<std::size_t>(begin));
   };
   for_each_in_parallel(static_cast<std::uint32_t>(strips), work, threads > 0 ? threads : default_threads());
-  if (given_up) return {};
   return errors;
 }
 

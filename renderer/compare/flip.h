@@ -1,7 +1,6 @@
 // The one-dimensional filters of LDR-FLIP (Andersson et al. 2020, 4.1.1 and 4.2; all of its filters are separable).
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "renderer/image/float_image.h"
@@ -34,9 +33,8 @@ FlipKernels flip_kernels(double pixels_per_degree);
 
 /// The error of each pixel in [0, 1], rows from the top. Both pictures have one size and hold linear RGB in [0, 1], as
 /// a display shows it; alpha is not looked at. At the border the outermost pixels are repeated. Equal pictures give
-/// exactly 0. The bits do not depend on `threads`; 0 stands for as many as there are processors. `go_on` is asked on
-/// those threads, twice for each 64 rows; once it is false the work ends, and the map is empty.
+/// exactly 0. The bits do not depend on `threads`; 0 stands for as many as there are processors.
 std::vector<float> flip_map(const FloatImage& reference, const FloatImage& test, double pixels_per_degree,
-                            int threads = 0, const std::function<bool()>& go_on = {});
+                            int threads = 0);
 
 }  // namespace pelage

@@ -1,106 +1,21 @@
 #include "server/calibration/calibrate.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <vector>
 
-#include "protocol/base/stopwatch.h"
+#include "renderer/quality/dial_model.h"
+#include "server/calibration/scenes.h"
 #include "server/frames/frame_planner.h"
+#include "server/frames/frame_queue.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
 
 namespace {
-
-struct Row {
-  ShellPolicy policy;
-  int shells, steps;
-  double scale;
-};
-
-constexpr auto uniform = ShellPolicy::uniform, adaptive = ShellPolicy::adaptive;
-constexpr Row rows[] = {{uniform, 4, 4, .25}, {uniform, 4, 4, .35}, {uniform, 4, 4, .5}, {uniform, 4, 4, .7},
-                        {adaptive, 8, 2, .7}, {uniform, 4, 4, 1},   {adaptive, 8, 2, 1}, {uniform, 8, 3, 1},
-                        {uniform, 12, 2, 1},  {adaptive, 16, 2, 1}, {uniform, 24, 2, 1}, {adaptive, 32, 2, 1},
-                        {uniform, 32, 2, 1},  {uniform, 48, 3, 1},  {uniform, 64, 4, 1}};
-
-}  // namespace
-
-std::vector<Knobs> candidate_ladder() {
-  std::vector<Knobs> ladder{knobs_of(Tier::interactive)};
-  for (const Row& row : rows) {
-    Knobs knobs = knobs_of(Tier::interactive);
-    knobs.shells = row.shells, knobs.steps = row.steps, knobs.scale = row.scale;
-    knobs.shell_policy = row.policy;
-    ladder.push_back(knobs);
-  }
-  return ladder;
-}
-
-namespace {
-
-std::size_t count_views(const std::vector<CalibrationScene>& scenes) {
-  std::size_t count = 0;
-  for (const CalibrationScene& scene : scenes) count += scene.views.size();
-  return count;
-}
-
-}  // namespace
-
-Result<Calibration> calibrate(Renderer& renderer, const CostUnit& unit, const Calibration& defaults,
-                              const std::function<void(double)>& progress, const CalibrateOptions& options) {
-  const Stopwatch passed;
-  std::vector<Knobs> ladder;
-  for (const CalibratedKnobs& row : defaults.ladder) ladder.push_back(row.knobs);
-  const std::vector<CalibrationScene> scenes = calibration_scenes();
-  const double count = static_cast<double>(count_views(scenes));
-  std::vector<MeasuredView> views;
-  const auto out_of_time = [&] { return views.size() >= options.min_views && passed.seconds() > options.seconds; };
-  for (std::size_t i = 0; i < scenes.size() && !out_of_time(); ++i) {
-    const MeasuredScene scene = make_measured_scene(scenes[i], i + 1);
-    sync_scene(renderer, scene.view(), {});
-    for (const CalibrationScene::View& view : scenes[i].views) {
-      if (out_of_time()) break;
-      Result<MeasuredView> measured = measure_view(renderer, unit, scene.view(), measured_frame(scene.view(), view),
-                                                   ladder, {.truth_shells = 0, .repetitions = 2});
-      if (!measured) return measured.status();
-      views.push_back(std::move(measured).value());
-      const double by_time = passed.seconds() / options.seconds;
-      progress(std::min(0.99, std::max(by_time, static_cast<double>(views.size()) / count)));
-    }
-    renderer.forget(scene.model.id);
-  }
-  progress(1);
-  return fit_costs(defaults, views);
-}
-
-namespace {
-
-constexpr int bar_width = 40;
-
-/// On a terminal one line that grows; elsewhere a line for each tenth.
-class ProgressBar {
- public:
-  void show(double share) {
-    if (isatty(STDERR_FILENO)) {
-      const auto full = static_cast<std::size_t>(share * bar_width);
-      fmt::print(stderr, "\rMeasuring [{:<{}}] {:3.0f}%{}", std::string(full, '#'), bar_width, share * 100,
-                 share < 1 ? "" : "\n");
-    } else if (const int tenth = static_cast<int>(share * 10); tenth > tenth_) {
-      tenth_ = tenth;
-      fmt::print(stderr, "Measuring: {}%\n", tenth * 10);
-    }
-    std::fflush(stderr);
-  }
-
- private:
-  int tenth_ = 0;
-};
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -111,26 +26,47 @@ std::string today() {
 
 }  // namespace
 
+Result<double> measure_price(Renderer& renderer) {
+  constexpr std::size_t every = 2;  // row of the dial
+  constexpr int repetitions = 3;
+  const DialModel& model = default_model();
+  std::vector<double> ratios;
+  std::uint64_t id = 0;
+  for (const CalibrationScene& described : calibration_scenes()) {
+    const MeasuredScene scene = make_measured_scene(described, ++id);
+    sync_scene(renderer, scene.view(), {});
+    const FurFrame frame = measured_frame(scene.view(), described.views.front());
+    const ViewFeatures view = view_features(frame, furred_skin(scene.view()));
+    for (std::size_t row = 0; row < model.rows.size(); row += every) {
+      const Knobs& knobs = model.rows[row].knobs;
+      const Result<TimedPicture> timed = draw_often(renderer, frame, knobs, repetitions);
+      if (!timed) return timed.status();
+      ratios.push_back(timed->cost_ms / predicted_cost(model, view, knobs));
+    }
+    renderer.forget(id);
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
 Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
   const Result<std::unique_ptr<Context>> context = select_context(gl, threads);
   if (!context) return context.status();
-  const CostUnit unit = cost_unit((*context)->is_software(), threads);
-  const Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(unit));
+  const int used = drawing_threads(threads);
+  const Result<std::unique_ptr<Renderer>> renderer =
+      Renderer::create((*context)->gl(), renderer_options(**context, used));
   if (!renderer) return renderer.status();
   fmt::print(stderr, "Calibrating {}\n", drawn_by(**context));
-  ProgressBar bar;
-  Result<Calibration> measured =
-      calibrate(**renderer, unit, default_calibration(), [&](double share) { bar.show(share); });
-  if (!measured) return measured.status();
-  measured->name = today(), measured->machine = drawn_by(**context), measured->threads = unit.threads;
+  const Result<double> price = measure_price(**renderer);
+  if (!price) return price.status();
   std::error_code error;
   if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
     std::filesystem::create_directories(folder, error);
-  if (Status written = write_calibration(file, *measured); !written.ok()) return written;
-  fmt::print(stderr,
-             "Stored in {}; a server reads it when it starts. 95% of measured frames cost at most {:.2f} times their "
-             "estimate.\n",
-             file, measured->cost_safety);
+  const Calibration measured{today(), drawn_by(**context), used, *price};
+  if (Status written = write_calibration(file, measured); !written.ok()) return written;
+  fmt::print(stderr, "Stored in {}; a server reads it when it starts. Frames take {:.2f} times the defaults.\n", file,
+             *price / default_calibration(used).price);
   return {};
 }
 

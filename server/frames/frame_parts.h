@@ -9,12 +9,13 @@ namespace pelage {
 
 inline Status server_stopping() { return failure(Code::unavailable, "the server is stopping"); }
 
-/// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands. `probe`
-/// is what a max_error took to measure parts of the view before the frame; it is not in `draw`.
+/// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands.
 struct FrameTimings {
   double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
-  double probe = 0;
-  double cost = 0;  // of shells: the drawing time that budgets are of (FrameEstimate)
+  double cpu = 0;  // of shells: of all threads of the server while `shadow` and `draw` passed
+
+  /// What budgets are of (FrameEstimate).
+  double cost() const { return shadow + draw; }
 };
 
 /// From the renderer's coordinates to the model's own: internal * size + centre.

@@ -3,24 +3,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 
 #include "protocol/json/calibration.h"
+#include "renderer/quality/planner.h"
 
 namespace pelage {
 
-extern const std::string_view default_calibration_json;  // made from defaults.json by the build
-
-const Calibration& default_calibration() {
-  static const Calibration calibration = [] {
-    Result<Calibration> decoded = decode_calibration(default_calibration_json);
-    assert(decoded);
-    return std::move(decoded).value();
-  }();
+Calibration default_calibration(int threads) {
+  Calibration calibration;
+  calibration.price = 1.0 / std::max(1, threads);
   return calibration;
 }
 
@@ -50,31 +44,26 @@ Status write_calibration(const std::string& path, const Calibration& calibration
   return failure(Code::internal, "Cannot write " + path + ".");
 }
 
-FramePlanner::FramePlanner() : calibration_(default_calibration()) {}
-
 void FramePlanner::use(Calibration calibration) {
   const std::lock_guard lock(mutex_);
   next_ = std::move(calibration);
 }
 
 bool FramePlanner::looks_at(const FrameRequest& request) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (next_) calibration_ = std::move(*next_), costs_ = CostLog(), errors_ = ErrorLog(), next_.reset();
-  }
-  const auto& ladder = calibration_.ladder;
+  const auto& rows = default_model().rows;
   return request.plans() ||
-         std::any_of(ladder.begin(), ladder.end(), [&](const auto& row) { return row.knobs == request.knobs; });
+         std::any_of(rows.begin(), rows.end(), [&](const DialRow& row) { return row.knobs == request.knobs; });
 }
 
-std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame,
-                                                const MeasureError& measure) {
-  const CostCorrection correction = costs_.correction(frame.model);
-  if (!request.plans()) return estimate_of(calibration_, view, frame.knobs, correction);
-  const PlannedFrame planned =
-      request.max_error ? plan_measured(calibration_, view, frame, correction, *request.max_error,
-                                        errors_.of(frame, in_range(calibration_, error_traits_of(view))), measure)
-                        : pelage::plan(calibration_, view, frame, correction, {request.budget_ms, {}});
+std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view,
+                                                FurFrame& frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (next_) calibration_ = std::move(*next_), costs_ = CostLog(), next_.reset();
+  }
+  const PlanBasis basis{default_model(), calibration_, view, costs_.correction(frame.model)};
+  if (!request.plans()) return estimate_of(basis, frame.knobs);
+  const PlannedFrame planned = pelage::plan(basis, {request.budget_ms, request.max_error});
   frame.knobs = planned.knobs;
   return planned.estimate;
 }
@@ -82,7 +71,7 @@ std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, con
 void FramePlanner::learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,
                          double cost_ms) {
   if (request.format == FrameFormat::exr || request.overlay != Overlay::none) return;
-  costs_.add(frame.model, frame.knobs, estimate.cost_ms / estimate.correction, cost_ms);
+  costs_.add(frame.model, estimate.cost_ms / estimate.correction, cost_ms);
 }
 
 }  // namespace pelage

@@ -1,6 +1,4 @@
 // The stored calibration, and the dial that plans frames by it.
-//
-// The calibration that the server plans by: one that was measured here, or the safe defaults.
 #pragma once
 
 #include <mutex>
@@ -10,13 +8,13 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
-#include "renderer/quality/cost_model.h"
-#include "renderer/quality/error_model.h"
+#include "renderer/quality/cost_log.h"
+#include "renderer/quality/view_features.h"
 
 namespace pelage {
 
-/// defaults.json beside this file; tests/bench/dial.cpp writes it.
-const Calibration& default_calibration();
+/// What is known of a machine that was never measured: so many threads share the work.
+Calibration default_calibration(int threads);
 
 /// Reads a file that write_calibration has written. Fails with not_found where there is none, and (invalid) with what
 /// is wrong with it: not readable as a calibration, or measured with another GL or another number of threads.
@@ -25,22 +23,18 @@ Result<Calibration> read_calibration(const std::string& path, const std::string&
 /// By rename, so that readers see no half of it. Fails with internal.
 Status write_calibration(const std::string& path, const Calibration& calibration);
 
-// The dial of a server: its calibration, and what its scenes' frames have cost.
-
-/// All but `use` belongs to the thread that draws.
+/// The dial of a server: the price of its machine, and what its scenes' frames have cost. All but `use` belongs to the
+/// thread that draws.
 class FramePlanner {
  public:
-  FramePlanner();  // plans by the safe defaults
-
   /// From any thread; counts from the next frame on.
   void use(Calibration calibration);
 
-  /// Whether the request's frame is planned or can be estimated, and its view has to be looked at.
-  bool looks_at(const FrameRequest& request);
-  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame. Where an
-  /// error is asked for, `measure` is called for what is not known of the scene as it is seen.
-  std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame,
-                                    const MeasureError& measure);
+  /// Whether the request's frame is planned or may be estimated, and its view has to be looked at.
+  static bool looks_at(const FrameRequest& request);
+  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame; none where
+  /// the request names knobs that are no row.
+  std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame);
   /// What the frame has cost. Frames that draw more than shells in light are not counted.
   void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 
@@ -49,7 +43,6 @@ class FramePlanner {
   std::optional<Calibration> next_;
   Calibration calibration_;
   CostLog costs_;
-  ErrorLog errors_;
 };
 
 }  // namespace pelage

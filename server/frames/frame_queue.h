@@ -1,6 +1,6 @@
 // Frames that wait: their expected cost, and the queue that takes the shortest first.
 //
-// What a drawn frame has cost, and what a view's estimates are estimated from.
+// What frames are drawn on, and what a view's estimates are estimated from.
 #pragma once
 
 #include <algorithm>
@@ -19,18 +19,11 @@
 
 namespace pelage {
 
-/// What turns the times of a drawn frame into its cost (FrameEstimate).
-struct CostUnit {
-  bool software = true;  // GL: its CPU time counts, else the time that passes
-  int threads = 1;       // of a software GL
-
-  double of(const DrawTimes& times) const { return software ? times.cpu / threads : times.shadow + times.draw; }
-};
-/// `threads` as of select_context: 0 for all cores.
-CostUnit cost_unit(bool software, int threads);
+/// Threads that fur is drawn on where the GL is software; `asked` as of select_context: 0 for all cores.
+int drawing_threads(int asked);
 
 /// Fur is marched wherever a software GL would draw it.
-RendererOptions renderer_options(const CostUnit& unit);
+RendererOptions renderer_options(const Context& context, int threads);
 /// What draws: "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5; fur by AVX2 on the CPU".
 std::string drawn_by(const Context& context);
 

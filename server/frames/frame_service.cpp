@@ -13,7 +13,6 @@
 
 #include "protocol/base/stopwatch.h"
 #include "renderer/frame/renderer.h"
-#include "server/frames/error_probe.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/frame_planner.h"
 #include "server/frames/frame_queue.h"
@@ -83,13 +82,13 @@ struct FrameService::Impl {
   RendererMemory memory;
   PastScenes past_scenes;
   FramePlanner planner;
-  CostUnit unit;
-  PngEncoder png;  // of whoever asked, not of the render thread
+  int threads = 1;  // that fur is drawn on
+  PngEncoder png;   // of whoever asked, not of the render thread
   const Stopwatch running_time;
   std::vector<Job*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
-  void run(GlChoice choice, int threads, std::promise<Status>& started);
+  void run(GlChoice choice, int asked_threads, std::promise<Status>& started);
   void serve(Renderer& renderer);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
@@ -100,8 +99,6 @@ struct FrameService::Impl {
   bool let_in(Renderer& renderer, Job& job);
   /// Running frames of the job's scene that show another revision have to begin anew.
   void mark_outdated(const Job& job);
-  /// Gives the frame its knobs; `probed` says how long parts of it were drawn for that.
-  std::optional<FrameEstimate> plan(Renderer& renderer, Job& job, Shown& shown, double& probed);
   void count(double milliseconds, const Status& outcome);
   void add(std::unique_ptr<Job> job);
   /// Runs `work` on the render thread and waits for it.
@@ -109,11 +106,12 @@ struct FrameService::Impl {
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
 };
 
-void FrameService::Impl::run(GlChoice choice, int threads, std::promise<Status>& started) {
-  Result<std::unique_ptr<Context>> context = select_context(choice, threads);
+void FrameService::Impl::run(GlChoice choice, int asked_threads, std::promise<Status>& started) {
+  Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads);
   if (!context) return started.set_value(context.status());
-  unit = cost_unit((*context)->is_software(), threads);
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(unit));
+  threads = drawing_threads(asked_threads);
+  planner.use(default_calibration(threads));
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(**context, threads));
   if (!renderer) return started.set_value(renderer.status());
   description = drawn_by(**context);
   started.set_value({});
@@ -211,43 +209,25 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
   if (!shown) return shown.status();
   job.revision = shown->revision;
   mark_outdated(job);
-  if (shown->features) frame.estimate = plan(renderer, job, *shown, frame.timings.probe);
+  if (shown->features) frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
   frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = passed.milliseconds() - (job.paused - paused);
   DrawTimes times;
-  Result<DrawnPicture> picture = failure(Code::conflict, "given up while its error was measured");
-  if (!job.given_up)
-    picture = draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
+  Result<DrawnPicture> picture =
+      draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
   memory.measure(renderer, shown->copy_id);
   count(passed.milliseconds() - (job.paused - paused), picture ? Status{} : picture.status());
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
-  frame.timings.cost = unit.of(times);
-  const bool alone = running.size() == 1;  // else the CPU time is of others too
-  if (frame.estimate && times.counters.redrawn == 1 && alone)
-    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost);
+  frame.timings.cpu = times.cpu;
+  if (frame.estimate && times.counters.redrawn == 1)
+    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost());
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   return frame;
-}
-
-std::optional<FrameEstimate> FrameService::Impl::plan(Renderer& renderer, Job& job, Shown& shown, double& probed) {
-  const Stopwatch passed;
-  const double paused = job.paused;
-  const FrameRequest& request = job.request;
-  std::optional<ErrorProbe> probe;
-  const MeasureError measure = [&](const Knobs& knobs) {
-    if (!probe)
-      probe.emplace(renderer, shown.fur, shown.features->places, truth_shells(*request.max_error),
-                    [&] { return let_in(renderer, job); });
-    return probe->error(knobs);
-  };
-  std::optional<FrameEstimate> estimate = planner.plan(request, *shown.features, shown.fur, measure);
-  if (probe) probed = passed.milliseconds() - (job.paused - paused);
-  return estimate;
 }
 
 template <class T>
@@ -392,7 +372,7 @@ void FrameService::forget(std::uint64_t model_id) {
 }
 
 void FrameService::plan_by(Calibration calibration) { impl_->planner.use(std::move(calibration)); }
-int FrameService::threads() const { return impl_->unit.threads; }
+int FrameService::threads() const { return impl_->threads; }
 
 const std::string& FrameService::description() const { return impl_->description; }
 bool FrameService::healthy() const { return impl_->healthy; }

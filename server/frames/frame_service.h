@@ -24,7 +24,7 @@ struct FrameAnswer {
   FrameTimings timings;
   FrameCounters counters;
   std::optional<TraceReport> trace = {};       // of a traced picture, and of a request with progressive
-  std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are on the ladder
+  std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are a row of the dial
 };
 
 /// What a picture is traced from, all of one revision.
@@ -49,7 +49,7 @@ class FrameService {
 
   /// What frames are planned by from now on; the safe defaults until then.
   void plan_by(Calibration calibration);
-  /// Threads that costs are divided by.
+  /// That fur is drawn on where the GL is software.
   int threads() const;
 
   /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Short frames go before

@@ -69,7 +69,7 @@ int main(int count, char** arguments) {
   if (ply.empty())
     add("creature", testing::furred({Builtin::creature, 100000}));
   else
-    add("file", testing::furred_ply(ply));
+    add("file", testing::furred_file(ply));
   return difference <= max_difference ? 0 : 1;
 }
 

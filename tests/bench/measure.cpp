@@ -16,7 +16,7 @@ BenchRenderer open_renderer(const RendererOptions& options) {
 
 testing::FurredModel speed_model(int number) {
   if (number == 0) return testing::furred({Builtin::creature, 5000});
-  if (number == 1) return testing::furred_ply("../shared/meshes/spot.ply");
+  if (number == 1) return testing::furred_file("../shared/meshes/spot.ply");
   return testing::furred({Builtin::torus, 5000});
 }
 

@@ -58,7 +58,7 @@ Options options_of(int argc, char** argv) {
 testing::FurredModel plush(const Options& options) {
   const FirstGroom fur{.length = 0.042, .inclination = 0.42};
   testing::FurredModel model =
-      options.ply.empty() ? testing::furred({Builtin::creature, 20000}, fur) : testing::furred_ply(options.ply, fur);
+      options.ply.empty() ? testing::furred({Builtin::creature, 20000}, fur) : testing::furred_file(options.ply, fur);
   Coat& coat = model.settings.coat;
   coat.count = options.count, coat.width_root = 0.00044, coat.width_tip = 0.00011, coat.root_share = 0.15;
   coat.clump = 0.45, coat.clump_size = 0.025, coat.fine_clump = 0.6, coat.fine_clump_size = 0.008, coat.curl = 0.01;

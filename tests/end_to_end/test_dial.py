@@ -108,7 +108,7 @@ class StoredCalibration(unittest.TestCase):
         self.addCleanup(server.close)
         self.assertEqual(self.calibration_of(server), "defaults")
         file = server.data / "calibration.json"
-        for text, said in (("{", "is no calibration"), ('{"version": 99}', "field:   /version\n"),
+        for text, said in (("{", "is no calibration"), ('{"version": 3}', "field:   /version\n"),
                            ('{"name": "x"}', '"version" is missing.\n'), ("", "is no calibration")):
             server.terminate()
             file.write_text(text)
@@ -120,12 +120,12 @@ class StoredCalibration(unittest.TestCase):
     def test_a_calibration_counts_for_the_machine_that_it_was_measured_on(self):
         server = Server()
         self.addCleanup(server.close)
-        defaults = json.loads((BIN.parents[2] / "server" / "frames" / "defaults.json").read_text())
         description = server.printed().split(" with ", 1)[1].splitlines()[0]
         file = server.data / "calibration.json"
         for threads, name in ((server.threads, "2001-01-01"), (server.threads + 1, "defaults")):
             server.terminate()
-            file.write_text(json.dumps({**defaults, "name": "2001-01-01", "machine": description, "threads": threads}))
+            file.write_text(json.dumps({"version": 4, "name": "2001-01-01", "machine": description, "threads": threads,
+                                        "price": 0.5}))
             server.start()
             self.assertEqual(self.calibration_of(server), name)
         self.assertRegex(server.printed(), fr"measured with {server.threads + 1} threads of .*\.\n  next:    .*`pelage calibrate`")

@@ -26,11 +26,12 @@ FurredModel furred(const RawModel& raw, FirstGroom fur) {
 
 FurredModel furred(BuiltinModel model, FirstGroom fur) { return furred(make_builtin(model), fur); }
 
-FurredModel furred_ply(const std::string& path, FirstGroom fur) {
+FurredModel furred_file(const std::string& path, FirstGroom fur) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const ModelFormat format = path.ends_with(".obj") ? ModelFormat::obj : ModelFormat::ply;
   const Result<RawModel> raw =
-      import_model(program_folder() + "/pelage-import", ModelFormat::ply, std::as_bytes(std::span(bytes)));
+      import_model(program_folder() + "/pelage-import", format, std::as_bytes(std::span(bytes)));
   if (!raw) throw std::runtime_error(raw.status().message);
   return furred(*raw, fur);
 }

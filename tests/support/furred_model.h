@@ -26,8 +26,8 @@ FurredModel furred(const RawModel& raw, FirstGroom fur = {});
 /// A built-in, prepared as the server does it.
 FurredModel furred(BuiltinModel model, FirstGroom fur = {});
 
-/// A PLY file, read by the worker beside this program; front is +Z. Throws when it is refused.
-FurredModel furred_ply(const std::string& path, FirstGroom fur = {});
+/// A PLY or OBJ file, read by the worker beside this program; front is +Z. Throws when it is refused.
+FurredModel furred_file(const std::string& path, FirstGroom fur = {});
 
 /// Small frames, no tone map, so that values can be compared.
 FrameRequest small_frame(AutoView view = AutoView::front, int size = 128);

@@ -80,7 +80,7 @@ Result<FrameCost> cost_of_frame(Session& session, const Place& place, const Knob
     if (!answer) return answer.status();
     const std::string timing = header(*answer, "server-timing");
     min.draw = std::min(min.draw, timing_of(timing, "draw") + timing_of(timing, "shadow"));
-    min.cpu = std::min(min.cpu, timing_of(timing, "cost"));
+    min.cpu = std::min(min.cpu, timing_of(timing, "cpu"));
   }
   return min;
 }

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -160,18 +159,6 @@ TEST(ColourSpaces, HavePublishedValuesAndAnInverse) {
   EXPECT_NEAR(glm::length(hunt_lab_from_linear({0, 1, 0}) - glm::dvec3(87.73, -86.18 * 0.8773, 83.18 * 0.8773)), 0,
               0.03);
   EXPECT_NEAR(hyab({50, 3, 0}, {40, 0, 4}), 15, 1e-12);
-}
-
-TEST(Flip, EndsOnceItIsToldTo) {
-  FloatImage grey{32, 300, std::vector<float>(32 * 300 * 4, 0.5f), true}, light = grey;
-  std::fill(light.rgba.begin(), light.rgba.end(), 0.6f);
-  const std::vector<float> whole = flip_map(grey, light, 67);
-  std::atomic<int> asked = 0;
-  EXPECT_EQ(flip_map(grey, light, 67, 2, [&] { return ++asked > 0; }), whole);
-  EXPECT_EQ(asked, 2 * 5);  // twice for each 64 rows
-  asked = 0;
-  EXPECT_TRUE(flip_map(grey, light, 67, 1, [&] { return ++asked < 4; }).empty());
-  EXPECT_EQ(asked, 4);
 }
 
 }  // namespace

@@ -1,0 +1,35 @@
+#include "renderer/quality/dial_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage {
+
+Knobs dial_knobs(int shells, int steps, double scale) {
+  Knobs knobs = knobs_of(Tier::interactive);
+  knobs.shells = shells, knobs.steps = steps, knobs.scale = scale;
+  return knobs;
+}
+
+std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs) {
+  constexpr double million = 1e6, hundred_thousand = 1e5;
+  const double segments = view.area * knobs.scale * knobs.scale * knobs.shells / million;
+  return {view.pixels / million, segments, segments * view.lights, segments * knobs.steps,
+          view.triangles * knobs.shells / hundred_thousand};
+}
+
+double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs) {
+  constexpr double min_cost = 1e-3;
+  const std::array<double, cost_terms> terms = cost_terms_of(view, knobs);
+  double sum = 0;
+  for (std::size_t i = 0; i < cost_terms; ++i) sum += model.prices[i] * terms[i];
+  return std::max(sum, min_cost);
+}
+
+double predicted_error(const DialModel& model, const DialRow& row, const ViewFeatures& view) {
+  constexpr double min_error = 1e-5;  // below it an error is not told apart from none
+  const double fur = std::clamp(view.fur_pixels, model.min_fur, model.max_fur);
+  return std::clamp(row.error * std::pow(fur, row.growth), min_error, 1.0);
+}
+
+}  // namespace pelage

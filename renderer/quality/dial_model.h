@@ -1,0 +1,48 @@
+// What frames of shells cost and how far they are from the truth, as far as a view tells without being drawn.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "protocol/commands/quality.h"
+#include "renderer/quality/view_features.h"
+
+namespace pelage {
+
+inline constexpr std::size_t cost_terms = 5;
+
+/// Knobs that a planner may choose, and their error: that of a view where the fur is one pixel long, times its length
+/// in pixels to the power of `growth`.
+struct DialRow {
+  Knobs knobs;
+  double error = 0;   // mean FLIP of half of the views, above 0
+  double growth = 0;  // of the error with the fur's length
+  double safety = 1;  // 95% of views have at most the error times it, 1 or more
+};
+
+/// Prices are milliseconds of one thread of the machine that the defaults were measured on.
+struct DialModel {
+  std::array<double, cost_terms> prices{};  // of cost_terms_of, 0 or more
+  double cost_safety = 1;                   // 1 or more, of a scene whose frames have told nothing yet
+  double learnt_safety = 1;                 // 1 or more, once they have
+  double min_fur = 1, max_fur = 1;          // pixels, of the views that were measured; outside, the nearest counts
+  std::vector<DialRow> rows;                // one to eight
+};
+
+/// Written by tests/bench/dial.cpp.
+const DialModel& default_model();
+
+/// The tier `interactive` but for these: what rows differ in.
+Knobs dial_knobs(int shells, int steps, double scale);
+
+/// Millions of pixels of the picture, of segments between shells, of segments for each light and of samples; a hundred
+/// thousand triangles of shells.
+std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs);
+
+/// By the default prices: milliseconds above 0, without what eyes, curves, the ground and shadow maps add.
+double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs);
+
+/// Mean FLIP of half of the views like this, (0, 1].
+double predicted_error(const DialModel& model, const DialRow& row, const ViewFeatures& view);
+
+}  // namespace pelage

@@ -1,0 +1,34 @@
+// Long work beside the thread that draws.
+#include "renderer/frame/run_beside.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+namespace pelage {
+namespace {
+
+TEST(RunBeside, AsksUntilTheWorkIsDone) {
+  int pauses = 0;
+  std::atomic<bool> enough = false;
+  const auto done = run_beside([&] { return enough = ++pauses >= 3, true; },
+                               [&](const auto& go_on) {
+                                 while (!enough && go_on()) std::this_thread::yield();
+                                 return 7;
+                               });
+  EXPECT_EQ(done, 7);
+  EXPECT_GE(pauses, 3);
+}
+
+TEST(RunBeside, EndsTheWorkOnceThePauseGivesUp) {
+  const auto done = run_beside([] { return false; },
+                               [](const auto& go_on) {
+                                 while (go_on()) std::this_thread::yield();
+                                 return 7;
+                               });
+  EXPECT_FALSE(done);
+}
+
+}  // namespace
+}  // namespace pelage
