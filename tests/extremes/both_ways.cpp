@@ -35,6 +35,12 @@ FrameRequest sorted_with_all(FrameRequest request) {
   return request;
 }
 
+FrameRequest marchable(FrameRequest request) {
+  request.knobs.fins = false, request.knobs.guard_hairs = 0;
+  request.overlay = Overlay::none, request.overlay_from.reset();
+  return request;
+}
+
 FrameRequest traced(FrameRequest request, Transport transport) {
   Knobs& knobs = request.knobs;
   const int guard_hairs = knobs.guard_hairs, eye_steps = knobs.eye_steps;
@@ -78,6 +84,24 @@ Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest&
   return renderer_.draw_aovs(frame, all_aovs);
 }
 
+Result<std::vector<FloatImage>> BothWays::march(Scene& scene, const FrameRequest& request) {
+  std::optional<FurFrame> frame;
+  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
+    frame = make_frame(view, marchable(request));
+    const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, view.model.surface.mesh());
+    const ModelArrays arrays = make_arrays(view);
+    marched_.forget_all();
+    marched_.add(make_model(view, arrays), make_fields(view, skin, {}));
+  });
+  if (!MarchedRenderer::draws(*frame)) frame->knobs.shadow_maps = false;  // those that the marcher does not make
+  DrawTimes times;
+  Result<FloatImage> light = marched_.draw_beauty(*frame, &times, {});
+  if (!light) return light.status();
+  std::vector<FloatImage> layers;
+  layers.push_back(std::move(light).value());
+  return layers;
+}
+
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
   if (Status refused = tracer_.admit(request.width, request.height, all_aovs, true); !refused.ok()) return refused;
   Status status;
@@ -113,6 +137,7 @@ Status BothWays::check(Result<std::vector<FloatImage>> images, const char* way, 
 
 Status BothWays::look_at(Scene& scene, const FrameRequest& request, std::string& complaint) {
   Status status = check(draw(scene, request), "shells", complaint);
+  if (status.ok()) status = check(march(scene, request), "marched", complaint);
   if (status.ok()) status = check(draw(scene, sorted_with_all(request)), "sorted shells", complaint);
   if (status.ok()) status = check(trace(scene, traced(request, Transport::transmittance)), "strands", complaint);
   if (status.ok()) status = check(trace(scene, traced(request, Transport::paths)), "paths", complaint);

@@ -1,4 +1,4 @@
-// A scene drawn by shells and traced as strands, with every number of every layer looked at.
+// A scene drawn by shells, marched and traced as strands, with every number of every layer looked at.
 #pragma once
 
 #include <memory>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocol/commands/frame.h"
+#include "renderer/frame/marched_renderer.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/tracer.h"
@@ -13,8 +14,8 @@
 
 namespace pelage::testing {
 
-/// Pictures of one request: shells as they are asked for, shells sorted with fins and guard hairs, and strands in both
-/// transports.
+/// Pictures of one request: shells as they are asked for, the same marched, shells sorted with fins and guard hairs,
+/// and strands in both transports.
 class BothWays {
  public:
   explicit BothWays(Renderer& renderer) : renderer_(renderer) {}
@@ -24,6 +25,8 @@ class BothWays {
 
   /// Layers of shells with the request's own knobs, or of strands.
   Result<std::vector<FloatImage>> draw(Scene& scene, const FrameRequest& request);
+  /// Light alone, of what can be marched of the request.
+  Result<std::vector<FloatImage>> march(Scene& scene, const FrameRequest& request);
   /// As a client sees it, in 8 bits.
   Result<Image> show(Scene& scene, const FrameRequest& request);
   Result<std::vector<FloatImage>> trace(Scene& scene, const FrameRequest& request);
@@ -35,6 +38,7 @@ class BothWays {
   Status check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint);
 
   Renderer& renderer_;
+  MarchedRenderer marched_{2};
   Tracer tracer_{2, std::size_t{1} << 28, false};
   std::size_t pictures_ = 0;
 };

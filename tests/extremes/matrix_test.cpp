@@ -1,5 +1,5 @@
-// The matrix of science.md 7: each row is drawn by shells, drawn sorted, traced in both transports and finite, or
-// refused with a pointer and a limit. The page rows.md lists the same rows.
+// The matrix of science.md 7: each row is drawn by shells, marched, drawn sorted, traced in both transports and finite,
+// or refused with a pointer and a limit. The page rows.md lists the same rows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -96,9 +96,10 @@ std::string table() {
     }
   }
   text << "\n"
-       << rows << " rows: " << rows - refused << " drawn, each as shells, as sorted shells with fins and guard hairs, "
-       << "as strands and as paths, on both backends (" << 8 * (rows - refused) << " pictures of ten layers), and "
-       << refused << " refused.\n";
+       << rows << " rows: " << rows - refused
+       << " drawn, each as shells, marched, as sorted shells with fins and guard hairs, "
+       << "as strands and as paths, on both backends (" << 10 * (rows - refused) << " pictures), and " << refused
+       << " refused.\n";
   return text.str();
 }
 
