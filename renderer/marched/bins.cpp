@@ -57,13 +57,13 @@ Bins::Bins(MarchScene& scene)
       across_((scene.box.right + Tile::side - 1) / Tile::side - left_),
       down_((scene.box.bottom + Tile::side - 1) / Tile::side - top_) {
   std::vector<Facing> facings;
-  for (const glm::uvec3& t : scene.mesh.triangles) facings.push_back(facing_of(scene, t));
+  for (const std::uint32_t piece : scene.pieces) facings.push_back(facing_of(scene, scene.mesh.triangles[piece]));
   Entries entries;
   for (int k = scene.shells.count() - 1; k >= 0; --k) {
-    for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
       if (k > 0 && facings[i].most <= furthest_back_facing) continue;
       if (facings[i].least > scene.shells.facing[static_cast<std::size_t>(k)]) continue;
-      add(scene, {i, static_cast<std::uint16_t>(k), true, 0}, entries);
+      add(scene, {scene.pieces[i], static_cast<std::uint16_t>(k), true, 0}, entries);
     }
   }
   std::reverse(entries.far.begin(), entries.far.end());

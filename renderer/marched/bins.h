@@ -11,10 +11,9 @@ namespace pelage {
 
 class Bins {
  public:
-  /// Of a scene whose vertices are placed. In each tile roughly from near to far: first what faces the camera, the
-  /// outer shells first, then what faces away, the inner shells first.
-  /// Only the tiles that the scene's box touches.
-  /// What reaches behind the camera is cut, and its rows added to the scene's.
+  /// Of the pieces of a scene whose vertices are placed. In each tile roughly from near to far: first what faces the
+  /// camera, the outer shells first, then what faces away, the inner shells first. Only the tiles that the scene's box
+  /// touches. What reaches behind the camera is cut, and its rows added to the scene's.
   explicit Bins(MarchScene& scene);
 
   int count() const { return across_ * down_; }

@@ -4,7 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
+#include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/marched/ground_contact.h"
@@ -99,6 +102,24 @@ struct GroundOptics {
   const GroundContact* hidden = nullptr;  // null: there is none to be seen
 };
 
+/// Makes room without writing to it: of the rows of a large mesh a part of a picture places few, and memory that nobody
+/// writes to costs nothing.
+template <class T>
+struct UninitialisedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UninitialisedAllocator<U>;
+  };
+  template <class U>
+  void construct(U* at) noexcept {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
 struct MarchScene {
   FrameOptics optics;
   MarchMesh mesh;
@@ -117,9 +138,12 @@ struct MarchScene {
   GroundOptics ground;
   Ribbons ribbons;  // of guided curves
 
-  /// Rows of all shells' vertices, one shell after the other, and of those that cutting at the near plane makes. Those
-  /// nearer than near_distance have 0 for `inverse`, and their other numbers as they are.
-  std::vector<float> vertices;
+  std::vector<std::uint32_t> pieces;  // triangles of the mesh whose fur may touch the box, in their order
+
+  /// Rows of all shells' vertices, one shell after the other, and of those that cutting at the near plane makes; what
+  /// no piece has is not placed. Those nearer than near_distance have 0 for `inverse`, and their other numbers as they
+  /// are.
+  std::vector<float, UninitialisedAllocator<float>> vertices;
 
   std::size_t row_of(int shell, std::size_t vertex) const {
     return static_cast<std::size_t>(shell) * mesh.positions.size() + vertex;

@@ -11,6 +11,7 @@
 #include "protocol/base/stopwatch.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/marched/bins.h"
+#include "renderer/marched/box_cull.h"
 #include "renderer/marched/kernels.h"
 #include "renderer/marched/shadow_cache.h"
 #include "renderer/pattern/tufts.h"
@@ -69,15 +70,35 @@ Varyings varyings_of(const MarchScene& scene) {
   return at;
 }
 
+constexpr std::size_t block_vertices = 8;
+
+/// Blocks of vertices, one after the other, of which the pieces have any.
+std::vector<std::size_t> blocks_of(const MarchScene& scene) {
+  std::vector<char> used((scene.mesh.positions.size() + block_vertices - 1) / block_vertices);
+  for (const std::uint32_t piece : scene.pieces) {
+    for (int k = 0; k < 3; ++k) used[scene.mesh.triangles[piece][k] / block_vertices] = 1;
+  }
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) blocks.push_back(i);
+  }
+  return blocks;
+}
+
 void place_vertices(MarchScene& scene, int threads) {
-  constexpr std::uint32_t grain = 256;
+  constexpr std::size_t grain = 32;
   const std::size_t vertices = scene.mesh.positions.size();
   scene.vertices.resize(vertices * static_cast<std::size_t>(scene.shells.count() * scene.varyings.stride));
-  for_each_in_parallel((static_cast<std::uint32_t>(vertices) + grain - 1) / grain,
-                       [&](std::uint32_t i) {
-                         place_shell_vertices(scene, i * grain, std::min<std::size_t>(vertices, (i + 1) * grain));
-                       },
-                       threads);
+  const std::vector<std::size_t> blocks = blocks_of(scene);
+  for_each_in_parallel(
+      static_cast<std::uint32_t>((blocks.size() + grain - 1) / grain),
+      [&](std::uint32_t i) {
+        for (std::size_t k = i * grain; k < std::min(blocks.size(), (i + 1) * grain); ++k) {
+          const std::size_t begin = blocks[k] * block_vertices;
+          place_shell_vertices(scene, begin, std::min(vertices, begin + block_vertices));
+        }
+      },
+      threads);
 }
 
 }  // namespace
@@ -294,6 +315,7 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
   if (!frame.curves.empty()) scene.ribbons = Ribbons(kept_->strips, scene);
   MarchTimes taken;
   const Stopwatch placing;
+  scene.pieces = pieces_in_box(scene);
   place_vertices(scene, threads_);
   taken.vertices = placing.milliseconds();
   const Stopwatch sorting;
