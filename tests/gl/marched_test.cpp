@@ -238,6 +238,23 @@ TEST(Marcher, TakesOverChangedFields) {
   EXPECT_EQ(marcher.draw(frame, {}).rgba, before.rgba);
 }
 
+/// A part has the whole's bits in each tile of 16 pixels that its box touches, and nothing is drawn elsewhere.
+void expect_part(Marcher& marcher, const FurFrame& frame, const MarchQuality& quality, const FloatImage& whole,
+                 const PixelBox& box) {
+  FloatImage picture = whole;
+  std::fill(picture.rgba.begin(), picture.rgba.end(), -1.0f);
+  marcher.draw_part(frame, quality, box, picture);
+  const auto drawn = [](int at, int begin, int end) { return at / 16 >= begin / 16 && at / 16 <= (end - 1) / 16; };
+  for (int y = 0; y < whole.height; ++y) {
+    for (int x = 0; x < whole.width; ++x) {
+      const bool inside = drawn(x, box.left, box.right) && drawn(y, box.top, box.bottom);
+      const std::size_t at = 4 * static_cast<std::size_t>(whole.width * y + x);
+      for (std::size_t k = at; k < at + 4; ++k)
+        ASSERT_EQ(picture.rgba[k], inside ? whole.rgba[k] : -1) << x << " " << y;
+    }
+  }
+}
+
 TEST(Marcher, DrawsAPartWithTheBitsOfTheWhole) {
   const FurredModel model = furred({Builtin::creature, 1000});
   const FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 100));
@@ -245,16 +262,8 @@ TEST(Marcher, DrawsAPartWithTheBitsOfTheWhole) {
   const ModelArrays arrays = make_arrays(model.view());
   marcher.add(make_model(model.view(), arrays), make_fields(model.view(), frame.skin, {}));
   const FloatImage whole = marcher.draw(frame, {});
-  FloatImage picture = whole;
-  std::fill(picture.rgba.begin(), picture.rgba.end(), -1.0f);
-  marcher.draw_part(frame, {}, {30, 40, 60, 77}, picture);
-  for (int y = 0; y < 100; ++y) {
-    for (int x = 0; x < 100; ++x) {
-      const bool drawn = x >= 16 && x < 64 && y >= 32 && y < 80;  // tiles of 16 pixels
-      const std::size_t at = 4 * static_cast<std::size_t>(100 * y + x);
-      for (std::size_t k = at; k < at + 4; ++k) ASSERT_EQ(picture.rgba[k], drawn ? whole.rgba[k] : -1) << x << " " << y;
-    }
-  }
+  for (const PixelBox& box : {PixelBox{30, 40, 60, 77}, PixelBox{16, 16, 32, 32}, PixelBox{50, 0, 51, 100}})
+    expect_part(marcher, frame, {}, whole, box);
 }
 
 /// A camera somewhere about the model, or in its fur, that looks anywhere.
@@ -270,7 +279,7 @@ FurCamera random_camera(std::mt19937& random) {
   return camera;
 }
 
-TEST(Marcher, DrawsLightFromAnywhereOfAnyFur) {
+TEST(Marcher, DrawsLightFromAnywhereOfAnyFurAndItsPartsAlike) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0, 1);
   Marcher& marcher = marcher_on(2);
@@ -278,13 +287,16 @@ TEST(Marcher, DrawsLightFromAnywhereOfAnyFur) {
     FirstGroom groom;
     groom.length = std::exp(-8 * share(random)), groom.inclination = share(random);
     FurredModel model = furred({i % 2 ? Builtin::torus : Builtin::sphere, 60}, groom);
-    model.settings.coat.root_share = share(random);
+    model.settings.coat.root_share = share(random), model.settings.coat.variation.length = 0.5 * share(random);
     FurFrame frame = make_frame(model.view(), small_frame(AutoView::front, 40 + i));
     frame.camera = random_camera(random);
     const MarchQuality quality{1 + i % 9, i % 3, 1 + static_cast<float>(share(random)), 1 + i % 20};
     const ModelArrays arrays = make_arrays(model.view());
     marcher.add(make_model(model.view(), arrays), make_fields(model.view(), frame.skin, {}));
-    EXPECT_TRUE(is_light(marcher.draw(frame, quality))) << i;
+    const FloatImage whole = marcher.draw(frame, quality);
+    EXPECT_TRUE(is_light(whole)) << i;
+    const int left = static_cast<int>(random() % 40), top = static_cast<int>(random() % 40);
+    expect_part(marcher, frame, quality, whole, {left, top, left + 1, top + 1});
   }
 }
 
