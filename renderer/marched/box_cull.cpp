@@ -24,7 +24,7 @@ glm::vec2 quotient_range(float upper, float upper_apart, float lower, float lowe
           most / (most < 0 ? lower + lower_apart : lower - lower_apart)};
 }
 
-/// Places of strands on the picture: by rows of the matrix and their sizes.
+/// Positions of strands on the picture: by rows of the matrix and their sizes.
 class Projection {
  public:
   explicit Projection(const MarchScene& scene)
@@ -36,12 +36,12 @@ class Projection {
   Bounds of(std::size_t vertex) const {
     const float grown = scene_.mesh.variation.empty() ? 1 : scene_.mesh.variation[vertex].x;
     const float radius = 1.01f * scene_.mesh.groom[vertex].z * std::max(grown, 1.0f) + 1e-5f;
-    const glm::vec4 place(scene_.mesh.positions[vertex], 1);
-    const float w = glm::dot(rows_[3], place), w_apart = radius * sizes_[3];
+    const glm::vec4 position(scene_.mesh.positions[vertex], 1);
+    const float w = glm::dot(rows_[3], position), w_apart = radius * sizes_[3];
     constexpr float any = std::numeric_limits<float>::infinity();
     if (w - w_apart <= near_distance) return {-any, any, -any, any};
-    const glm::vec2 x = quotient_range(glm::dot(rows_[0], place), radius * sizes_[0], w, w_apart),
-                    y = quotient_range(glm::dot(rows_[1], place), radius * sizes_[1], w, w_apart);
+    const glm::vec2 x = quotient_range(glm::dot(rows_[0], position), radius * sizes_[0], w, w_apart),
+                    y = quotient_range(glm::dot(rows_[1], position), radius * sizes_[1], w, w_apart);
     const auto width = static_cast<float>(scene_.width), height = static_cast<float>(scene_.height);
     return {(0.5f + 0.5f * x.x) * width - 1, (0.5f + 0.5f * x.y) * width + 1, (0.5f - 0.5f * y.y) * height - 1,
             (0.5f - 0.5f * y.x) * height + 1};

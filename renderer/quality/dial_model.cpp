@@ -27,7 +27,7 @@ double predicted_cost(const DialModel& model, const ViewFeatures& view, const Kn
 }
 
 double predicted_error(const DialModel& model, const DialRow& row, const ViewFeatures& view) {
-  constexpr double min_error = 1e-5;  // below it an error is not told apart from none
+  constexpr double min_error = 1e-5;  // a smaller error counts as this
   const double fur = std::clamp(view.fur_pixels, model.min_fur, model.max_fur);
   return std::clamp(row.error * std::pow(fur, row.growth), min_error, 1.0);
 }

@@ -1,4 +1,4 @@
-// What frames of shells cost and how far they are from the truth, as far as a view tells without being drawn.
+// What frames of shells cost and how far they are from the truth, estimated from a view without drawing it.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct DialRow {
 /// Prices are milliseconds of one thread of the machine that the defaults were measured on.
 struct DialModel {
   std::array<double, cost_terms> prices{};  // of cost_terms_of, 0 or more
-  double cost_safety = 1;                   // 1 or more, of a scene whose frames have told nothing yet
+  double cost_safety = 1;                   // 1 or more, of a scene of which nothing is learnt yet
   double learnt_safety = 1;                 // 1 or more, once they have
   double min_fur = 1, max_fur = 1;          // pixels, of the views that were measured; outside, the nearest counts
   std::vector<DialRow> rows;                // one to eight

@@ -1,4 +1,4 @@
-// What a view of furred skin has that decides cost and error, told without drawing.
+// What a view of furred skin has that decides cost and error, found without drawing.
 #pragma once
 
 #include <glm/glm.hpp>
