@@ -179,7 +179,7 @@ FIGURES = [
                     for title, field, value in (("half the strands", "density", 0.5), ("wet", "wetness", 1), ("clump", "clump", 0.8),
                                                 ("curl", "curl", 0.06)))]},
     {"name": "stages", "title": "From shells to fur",
-     "text": "More shells give firmer fur. `adaptive` takes as many as each place needs. Fins and guard hairs add strands at "
+     "text": "More shells give firmer fur. `adaptive` takes as many as each place needs. Guard hairs add strands at "
              "the silhouette.",
      "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)
                   for title, quality, overlay in (
@@ -188,7 +188,7 @@ FIGURES = [
                       ("16 shells", {"shells": 16, "shell_policy": "uniform"}, "none"),
                       ("adaptive, up to 32", {"shells": 32, "shell_policy": "adaptive"}, "none"),
                       ("how many", {"shells": 32, "shell_policy": "adaptive"}, "shell_count"),
-                      ("fins and guard hairs", {"shells": 32, "fins": True, "guard_hairs": 20000}, "none"))]},
+                      ("guard hairs", {"shells": 32, "guard_hairs": 20000}, "none"))]},
     {"name": "tufts", "title": "Tufts",
      "text": "Clumps larger than the tile, anchored on the body.",
      "pictures": [picture(title, CREATURE, coat(tufts={"gather": gather, "size": size}), studio())

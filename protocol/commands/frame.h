@@ -107,7 +107,6 @@ struct Knobs {
   bool shadow_maps = false;                     // draw the shadows that lights ask for
   int shadow_resolution = 512;                  // texels of a map's side, [1, 4096]
   FragmentOrder order = FragmentOrder::shells;  // in which fur is blended
-  bool fins = false;                            // side views of the fur on edges at silhouettes
   int guard_hairs = 0;                          // single hairs over the model, [0, 100000]; drawn near silhouettes
   Method method = Method::shells;
   Tracing trace = {};  // of method strands

@@ -59,7 +59,6 @@ void members(V& v, Visited<V, Knobs>& c) {
     v.boolean("self_shadow", c.self_shadow);
     v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
     v.integer("shadow_resolution", c.shadow_resolution, {1, 4096}, "Texels along the side of a shadow map.");
-    v.boolean("fins", c.fins, "Side views of the fur on edges near silhouettes.");
     v.name("shell_policy", c.shell_policy, json_names::shell_policies,
            "adaptive: fewer shells where fur is seen from above or is small on the picture.");
     v.name("order", c.order, json_names::fragment_orders,

@@ -58,6 +58,6 @@ inline constexpr NamedWords named_words<Aov>{
     "hairs and curves, from root to tip; 0 on bare skin and eyes.\n"
     "direct: what lights add, without the ambient part. shadow: share of that light that shadows leave, 1 where none "
     "comes and on eyes, which take no shadow.\n"
-    "shell_count: shells drawn at the pixel; fins, hairs and curves are none.\n"};
+    "shell_count: shells drawn at the pixel; hairs and curves are none.\n"};
 
 }  // namespace pelage::json_parts

@@ -81,7 +81,7 @@ void check_overlay(const Value& value, const FrameRequest& request) {
 void check_method(const Value& value, const Knobs& knobs) {
   const bool strands = knobs.method == Method::strands;
   for (const char* name : {"shells", "shell_policy", "steps", "scale", "min_radius", "self_shadow", "shadow_maps",
-                           "shadow_resolution", "order", "fins"}) {
+                           "shadow_resolution", "order"}) {
     if (strands && given(value, name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
   }
   if (!strands && given(value, "trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");

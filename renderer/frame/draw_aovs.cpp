@@ -57,7 +57,7 @@ Result<FloatImage> GlRenderer::draw_aov(const FurFrame& frame, const Prepared& s
     distance = RenderTarget(gl_, GL_R32F, targets_.drawn.width(), targets_.drawn.height(), true);
     const RenderTarget covered(gl_, GL_RG32F, targets_.drawn.width(), targets_.drawn.height(), true);
     if (!distance.complete() || !covered.complete()) return no_memory();
-    aovs_.draw_distance(gl_, {fur_, fins_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
+    aovs_.draw_distance(gl_, {fur_, guard_hairs_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
     source = distance.texture();
   } else if (AovTarget::holds(aov)) {
     source = target->texture(aov);

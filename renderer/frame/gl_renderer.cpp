@@ -64,7 +64,7 @@ Result<std::unique_ptr<GlRenderer>> GlRenderer::create(const Gl& gl, std::size_t
 GlRenderer::GlRenderer(const Gl& gl, std::size_t sorted_bytes)
     : gl_(gl),
       fur_(gl),
-      fins_(gl),
+      guard_hairs_(gl),
       shadows_(gl),
       ground_(gl),
       eyes_(gl),
@@ -81,7 +81,7 @@ GlRenderer::GlRenderer(const Gl& gl, std::size_t sorted_bytes)
       fragments_(gl) {}
 
 Status GlRenderer::programs() const {
-  const std::string log = fur_.failure() + fins_.failure() + curves_.failure() + shadows_.failure() +
+  const std::string log = fur_.failure() + guard_hairs_.failure() + curves_.failure() + shadows_.failure() +
                           ground_.failure() + eyes_.failure() + aovs_.failure() + overlay_.failure() +
                           resolve_.failure() + sorted_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
@@ -219,15 +219,14 @@ void GlRenderer::draw_body(const FurFrame& frame, const Prepared& scene, const s
   fur_.draw_skin(gl_, drawing);
   fur_.draw_dense(gl_, drawing);
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, outputs);
-  draw_fur(frame, drawing);
-  if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
+  draw_fur(drawing);
+  if (frame.knobs.guard_hairs > 0) guard_hairs_.draw(gl_, frame, drawing);
   if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
 }
 
-void GlRenderer::draw_fur(const FurFrame& frame, const FurDrawing& drawing) {
+void GlRenderer::draw_fur(const FurDrawing& drawing) {
   for (const ModelBuffers::DepthPart& part : drawing.lists.parts) {
     fur_.draw_back_facing(gl_, drawing, part);
-    if (frame.knobs.fins) fins_.draw_fins(gl_, frame, drawing, part.range);
     fur_.draw_facing(gl_, drawing, part);
   }
 }
@@ -249,8 +248,8 @@ Status GlRenderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   if (!frame.eyes.empty()) eyes_.draw(gl_, frame, "");
   const FurDrawing drawing = scene.drawing(frame).with("#define SORTED\n");
   return sorted_.draw(gl_, targets_.drawn, scene.part.value_or(area_of(targets_.drawn)), frame.knobs.shells, [&] {
-    draw_fur(frame, drawing);
-    if (frame.knobs.guard_hairs > 0) fins_.draw_hairs(gl_, frame, drawing);
+    draw_fur(drawing);
+    if (frame.knobs.guard_hairs > 0) guard_hairs_.draw(gl_, frame, drawing);
     if (!frame.curves.empty()) curves_.draw(gl_, frame, drawing.variant);
   });
 }

@@ -21,9 +21,9 @@
 #include "renderer/passes/aovs/aovs_pass.h"
 #include "renderer/passes/curves/curves_pass.h"
 #include "renderer/passes/eye/eye_pass.h"
-#include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
+#include "renderer/passes/guard_hairs/guard_hairs_pass.h"
 #include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/passes/sorted/sorted_pass.h"
@@ -107,7 +107,7 @@ class GlRenderer {
   /// The model and all that grows on it or is set into it, in the order of blending, into the bound target. `outputs`
   /// are the #define lines of what is written beside light.
   void draw_body(const FurFrame& frame, const Prepared& scene, const std::string& outputs);
-  void draw_fur(const FurFrame& frame, const FurDrawing& drawing);
+  void draw_fur(const FurDrawing& drawing);
   Status draw_light(const FurFrame& frame, const Prepared& scene);
   /// Prepares and draws the light of a part, and waits for it.
   Result<Prepared> draw_part(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
@@ -143,7 +143,7 @@ class GlRenderer {
 
   const Gl& gl_;
   FurPass fur_;
-  FinsPass fins_;
+  GuardHairsPass guard_hairs_;
   CurvesPass curves_;
   ShadowMaps shadows_;
   GroundPass ground_;

@@ -38,7 +38,7 @@ std::string MarchedRenderer::description() { return std::string(instruction_set(
 
 bool MarchedRenderer::draws(const FurFrame& frame) {
   const Knobs& knobs = frame.knobs;
-  return !knobs.fins && knobs.guard_hairs == 0 && ShadowCache::makes_all(frame) && frame.overlay == Overlay::none;
+  return knobs.guard_hairs == 0 && ShadowCache::makes_all(frame) && frame.overlay == Overlay::none;
 }
 
 void MarchedRenderer::forget_all() {

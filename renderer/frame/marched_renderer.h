@@ -25,7 +25,7 @@ class MarchedRenderer {
 
   /// What it draws with: "AVX2 on the CPU".
   static std::string description();
-  /// Whether it draws all that a frame shows: not maps of shadows but for penumbras, fins, guard hairs and
+  /// Whether it draws all that a frame shows: not maps of shadows but for penumbras, guard hairs and
   /// overlays.
   static bool draws(const FurFrame& frame);
 

@@ -121,7 +121,7 @@ class Truths:
         shells = shells or self.options.truth
         shadows = {name: knobs[name] for name in ("self_shadow", "shadow_maps", "shadow_resolution")}
         quality = {**self.base, "shells": shells, "shell_policy": "uniform", "order": "sorted",
-                   "scale": max(1, knobs["scale"]), "fins": False, "guard_hairs": 0, **shadows}
+                   "scale": max(1, knobs["scale"]), "guard_hairs": 0, **shadows}
         return self.frame((shells, quality["scale"], *shadows.values()), quality)
 
     def r2(self):

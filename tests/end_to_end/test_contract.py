@@ -203,7 +203,7 @@ class Requests(ServedTest):
         scene = self.server.new_scene("plane", 50)
         frame = {"width": 8, "height": 8, "camera": {"position": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
                  "quality": {"shells": 4, "shell_policy": "uniform", "steps": 2, "scale": 1.0, "min_radius": 5, "eye_steps": 2, "self_shadow": True, "order": "sorted",
-                             "fins": True, "guard_hairs": 100},
+                             "guard_hairs": 100},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
         exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "aovs": ["depth", "beauty"], "overlay": "none"}
         jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}

@@ -203,7 +203,6 @@ std::string any_shells() {
                      {"shadow_maps", truth},
                      {"shadow_resolution", {"1", "7", "64"}},
                      {"order", {"\"layers\"", "\"layers\"", "\"sorted\""}},
-                     {"fins", truth},
                      {"guard_hairs", {"0", "1", "3000"}}},
                     50);
 }

@@ -30,13 +30,13 @@ bool fine(Aov aov, std::size_t channel, float value) {
 FrameRequest sorted_with_all(FrameRequest request) {
   Knobs& knobs = request.knobs;
   knobs.order = FragmentOrder::sorted, knobs.shell_policy = ShellPolicy::uniform;
-  knobs.fins = true, knobs.guard_hairs = std::max(knobs.guard_hairs, 200);
+  knobs.guard_hairs = std::max(knobs.guard_hairs, 200);
   knobs.scale = 1;
   return request;
 }
 
 FrameRequest marchable(FrameRequest request) {
-  request.knobs.fins = false, request.knobs.guard_hairs = 0;
+  request.knobs.guard_hairs = 0;
   request.overlay = Overlay::none, request.overlay_from.reset();
   return request;
 }

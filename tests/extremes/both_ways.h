@@ -14,7 +14,7 @@
 
 namespace pelage::testing {
 
-/// Pictures of one request: shells as they are asked for, the same marched, shells sorted with fins and guard hairs,
+/// Pictures of one request: shells as they are asked for, the same marched, shells sorted with guard hairs,
 /// and strands in both transports.
 class BothWays {
  public:

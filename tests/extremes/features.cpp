@@ -59,7 +59,6 @@ std::vector<Feature> of_light() {
 
 std::vector<Feature> of_the_frame() {
   return {
-      {"fins", "", quality(R"("fins": true)"), "", quality(R"("fins": false)")},
       {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
       {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "shells")")},
       {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},

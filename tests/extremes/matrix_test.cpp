@@ -96,8 +96,7 @@ std::string table() {
     }
   }
   text << "\n"
-       << rows << " rows: " << rows - refused
-       << " drawn, each as shells, marched, as sorted shells with fins and guard hairs, "
+       << rows << " rows: " << rows - refused << " drawn, each as shells, marched, as sorted shells with guard hairs, "
        << "as strands and as paths, on both backends (" << 10 * (rows - refused) << " pictures), and " << refused
        << " refused.\n";
   return text.str();

@@ -113,9 +113,8 @@ Rows fur_rows() {
                             "size": 0.005}, "pattern": {"kind": "rosettes", "scale": 0.005, "warp": 2, "softness": 0})")})};
   for (const char* shells : {"1", "2", "1024"}) {
     rows.push_back(of_quality(std::string(shells) + " layers", std::string(R"("shells": )") + shells));
-    rows.push_back(of_quality(
-        std::string(shells) + " layers everywhere, 16 steps",
-        std::string(R"("shells": )") + shells + R"(, "shell_policy": "uniform", "steps": 16, "fins": true)"));
+    rows.push_back(of_quality(std::string(shells) + " layers everywhere, 16 steps",
+                              std::string(R"("shells": )") + shells + R"(, "shell_policy": "uniform", "steps": 16)"));
   }
   rows.push_back(of_quality("0 layers", R"("shells": 0)", "/quality/shells"));
   rows.push_back(of_quality("1,025 layers", R"("shells": 1025)", "/quality/shells"));

@@ -50,8 +50,7 @@ TEST_F(MarchedFrames, KnowWhatTheyCannotDraw) {
   request.knobs = knobs_of(Tier::detailed);
   EXPECT_TRUE(draws());
   for (const auto& knob :
-       {+[](FrameRequest& r) { r.knobs.fins = true; }, +[](FrameRequest& r) { r.knobs.guard_hairs = 5; },
-        +[](FrameRequest& r) { r.overlay = Overlay::length; }}) {
+       {+[](FrameRequest& r) { r.knobs.guard_hairs = 5; }, +[](FrameRequest& r) { r.overlay = Overlay::length; }}) {
     const FrameRequest before = request;
     knob(request);
     EXPECT_FALSE(draws());

@@ -57,7 +57,7 @@ glm::dvec3 colour_at(const Image& image, glm::dvec2 place, int reach = 6) {
 
 TEST_P(PaintedFrames, TouchedButAtRestGivesTheSamePicture) {
   FurredModel model = ball();
-  request.knobs.fins = true, request.knobs.guard_hairs = 2000;
+  request.knobs.guard_hairs = 2000;
   const Image before = drawn(model);
   for (std::size_t i = first_painted; i < field_count; ++i) {  // touched, but as at rest
     const float rest = field_shapes[i].default_value;
@@ -327,7 +327,7 @@ TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {
   model.settings.coat.curl_turns = 20, model.settings.coat.clump_size = 0.5, model.settings.coat.tile = 0.01;
   request = small_frame(AutoView::front, 24);
   request.background = Background::colour;
-  request.knobs.fins = true, request.knobs.guard_hairs = 500;
+  request.knobs.guard_hairs = 500;
   for (const bool max : {false, true}) {
     for (std::size_t i = first_painted; i < field_count; ++i) {
       const float value = max ? field_shapes[i].max : field_shapes[i].min;

@@ -41,7 +41,7 @@ TEST_P(FramesInPieces, HaveTheBitsOfAWholeOne) {
   FrameRequest layers = large(Tier::interactive, 512);
   layers.knobs.shells = 128;
   FrameRequest hairy = layers;
-  hairy.knobs.fins = true, hairy.knobs.guard_hairs = 200, hairy.knobs.shadow_maps = true;
+  hairy.knobs.guard_hairs = 200, hairy.knobs.shadow_maps = true;
   FrameRequest shown = layers;
   shown.overlay = Overlay::shell_count;
   for (const FrameRequest& request : {layers, hairy, shown, large(Tier::detailed, 400)}) {

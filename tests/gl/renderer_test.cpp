@@ -266,7 +266,7 @@ TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   frame.knobs.shadow_maps = false;  // having drawn something once costs later frames nothing
   EXPECT_EQ(counters(frame), plain);
   FurFrame rich = frame;
-  rich.knobs.fins = true, rich.knobs.guard_hairs = 100, rich.overlay = Overlay::strokes, rich.eyes.resize(1);
+  rich.knobs.guard_hairs = 100, rich.overlay = Overlay::strokes, rich.eyes.resize(1);
   EXPECT_GT(counters(rich).passes, plain.passes + 4);
   EXPECT_EQ(counters(frame), plain);
 }

@@ -258,16 +258,13 @@ TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {
   EXPECT_LT(largest(wanted, image), 1e-6);
 }
 
-TEST_P(Sorted, HoldsFinsHairsCurvesAndBareSkin) {
+TEST_P(Sorted, HoldsGuardHairs) {
   const FurredModel model = furred({Builtin::creature, 2000});
   FrameRequest request = request_of(FragmentOrder::sorted, 16);
   const FloatImage plain = light_of(*renderer, model, request);
-  request.knobs.fins = true;
-  const FloatImage fins = light_of(*renderer, model, request);
   request.knobs.guard_hairs = 20'000;
   const FloatImage hairs = light_of(*renderer, model, request);
-  EXPECT_GT(largest(plain, fins), 0.01);
-  EXPECT_GT(largest(fins, hairs), 0.01);
+  EXPECT_GT(largest(plain, hairs), 0.01);
   for (const float value : hairs.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
 }
 

@@ -138,8 +138,6 @@ void add_choices(Collector& collect, const Base& base) {
   collect.choice(base, "shell policy", "adaptive", [](Knobs& k) { k.shell_policy = ShellPolicy::adaptive; });
   collect.choice(base, "order", "aovs", [](Knobs& k) { k.order = FragmentOrder::shells; });
   collect.choice(base, "order", "sorted", [](Knobs& k) { k.order = FragmentOrder::sorted; });
-  collect.choice(base, "fins", "off", [](Knobs& k) { k.fins = false; });
-  collect.choice(base, "fins", "on", [](Knobs& k) { k.fins = true; });
   collect.numbers(base, "guard hairs", &Knobs::guard_hairs, std::vector<int>{0, 5000, 20000});
 }
 

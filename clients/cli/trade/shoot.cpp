@@ -123,7 +123,7 @@ Knobs converged(int shells, const Knobs& wanted) {
   Knobs knobs;
   knobs.shells = shells;
   knobs.shell_policy = ShellPolicy::uniform;
-  knobs.scale = truth_scale(wanted), knobs.fins = false, knobs.guard_hairs = 0;
+  knobs.scale = truth_scale(wanted), knobs.guard_hairs = 0;
   knobs.order = FragmentOrder::sorted;
   knobs.self_shadow = wanted.self_shadow, knobs.shadow_maps = wanted.shadow_maps;
   knobs.shadow_resolution = wanted.shadow_resolution;

@@ -110,7 +110,7 @@ const AovsPass::DistancePrograms& AovsPass::distance_programs(const Gl& gl, cons
   return place->second;
 }
 
-// What a frame blends, the other way round: guided curves and guard hairs, fur that is front-facing, fins, fur turned
+// What a frame blends, the other way round: guided curves and guard hairs, fur that is front-facing, fur turned
 // away.
 std::vector<AovsPass::Piece> AovsPass::pieces_inwards(const Gl& gl, const BodyPasses& body, const FurFrame& frame,
                                                       const FurDrawing& drawing) {
@@ -130,19 +130,14 @@ std::vector<AovsPass::Piece> AovsPass::pieces_inwards(const Gl& gl, const BodyPa
       });
     }
   };
-  const auto add_strips = [&](const auto& draw) {
-    pieces.push_back([&drawing, defines, draw](bool crossing) { draw(drawing.with(defines(crossing))); });
-  };
   if (!frame.curves.empty())
     pieces.push_back(
         [&, defines](bool crossing) { body.curves.draw_plain(gl, frame, drawing.with(defines(crossing)).variant); });
   if (frame.knobs.guard_hairs > 0)
-    add_strips([&](const FurDrawing& with) { body.fins.draw_plain_hairs(gl, frame, with); });
+    pieces.push_back(
+        [&, defines](bool crossing) { body.guard_hairs.draw_plain(gl, frame, drawing.with(defines(crossing))); });
   for (auto part = drawing.lists.parts.rbegin(); part != drawing.lists.parts.rend(); ++part) {
     add_shells(FurPass::facing_shells(drawing.frame.knobs, *part));
-    if (frame.knobs.fins)
-      add_strips(
-          [&, range = part->range](const FurDrawing& with) { body.fins.draw_plain_fins(gl, frame, with, range); });
     add_shells(FurPass::back_facing_shells(drawing.frame.knobs, *part));
   }
   return pieces;

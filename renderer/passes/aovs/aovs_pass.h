@@ -16,8 +16,8 @@
 #include "renderer/gl/program.h"
 #include "renderer/passes/curves/curves_pass.h"
 #include "renderer/passes/eye/eye_pass.h"
-#include "renderer/passes/fins/fins_pass.h"
 #include "renderer/passes/fur/fur_pass.h"
+#include "renderer/passes/guard_hairs/guard_hairs_pass.h"
 
 namespace pelage {
 
@@ -52,7 +52,7 @@ class AovTarget {
 /// The passes that draw what a frame shows of a model.
 struct BodyPasses {
   FurPass& fur;
-  FinsPass& fins;
+  GuardHairsPass& guard_hairs;
   CurvesPass& curves;
   EyePass& eyes;
 };

@@ -162,7 +162,6 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
                                            {"camera", "front"},
                                            {"shells", "9"},
                                            {"self_shadow", "false"},
-                                           {"fins", "true"},
                                            {"guard_hairs", "300"},
                                            {"min_radius", "90"},
                                            {"background", "#ff0000"},
@@ -172,7 +171,6 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   EXPECT_EQ(request->camera.automatic, AutoView::front);
   EXPECT_EQ(request->knobs.shells, 9);
   EXPECT_FALSE(request->knobs.self_shadow);
-  EXPECT_TRUE(request->knobs.fins);
   EXPECT_EQ(request->knobs.guard_hairs, 300);
   EXPECT_EQ(request->knobs.min_radius, 90);
   EXPECT_FLOAT_EQ(request->background_colour.r, 1);

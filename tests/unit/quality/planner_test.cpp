@@ -88,7 +88,7 @@ TEST(Planner, TheTierInteractiveHasAnEstimate) {
   const PlanBasis basis{default_model(), machine, view};
   EXPECT_TRUE(estimate_of(basis, knobs_of(Tier::interactive)));
   Knobs other = knobs_of(Tier::interactive);
-  other.fins = true;
+  other.guard_hairs = 1;
   EXPECT_FALSE(estimate_of(basis, other));
 }
 
