@@ -46,7 +46,8 @@ HWY_INLINE Int number_of(const Encoding& encoding, Real share) {
   return hn::Min(hn::Max(number, whole(0)), whole(encoding.largest));
 }
 
-HWY_INLINE void encode(const Encoding& encoding, Real x, float y, const float* light, std::int32_t* numbers) {
+HWY_INLINE void encode(const Encoding& encoding, Real x, float y, const float* light, const float* overlay,
+                       std::int32_t* numbers) {
   hn::Vec<FloatTag> r, g, b, a;
   hn::LoadInterleaved4(float_tag, light, r, g, b, a);
   const Real alpha = clamp(a, 0.0f, 1.0f);
@@ -58,18 +59,23 @@ HWY_INLINE void encode(const Encoding& encoding, Real x, float y, const float* l
     colour = mix(encoding.studio ? studio(encoding, x, y) : Vec3(encoding.background), colour, alpha);
   colour = each(colour, [](Real c) HWY_ATTR { return to_srgb(c); });
   if (encoding.studio) colour += Vec3(dither(encoding, x, y) * (1.0f - alpha));
-  const Int opacity = encoding.transparent ? number_of(encoding, alpha) : whole(encoding.largest);
+  Real opacity = encoding.transparent ? alpha : Real(1.0f);
+  if (overlay) {
+    hn::LoadInterleaved4(float_tag, overlay, r, g, b, a);
+    colour = mix(colour, Vec3(r, g, b), Real(a));
+    opacity = select(Real(a) >= 1.0f, 1.0f, opacity);
+  }
   hn::StoreInterleaved4(number_of(encoding, colour.x), number_of(encoding, colour.y), number_of(encoding, colour.z),
-                        opacity, int_tag, numbers);
+                        number_of(encoding, opacity), int_tag, numbers);
 }
 
-void EncodeRow(const Encoding& encoding, int row, const float* light, std::int32_t* numbers) {
+void EncodeRow(const Encoding& encoding, int row, const float* light, const float* overlay, std::int32_t* numbers) {
   static_assert(encoded_together % lane_count == 0);
   const Real middles = to_real(hn::Iota(int_tag, 0)) + 0.5f;
   const float y = static_cast<float>(row) + 0.5f;
   for (int x = 0; x < encoding.width; x += lane_count)
     encode(encoding, middles + static_cast<float>(x), y, light + std::ptrdiff_t{4} * x,
-           numbers + std::ptrdiff_t{4} * x);
+           overlay ? overlay + std::ptrdiff_t{4} * x : nullptr, numbers + std::ptrdiff_t{4} * x);
 }
 
 }  // namespace pelage::HWY_NAMESPACE
@@ -80,8 +86,8 @@ namespace pelage {
 
 HWY_EXPORT(EncodeRow);
 
-void encode_row(const Encoding& encoding, int row, const float* light, std::int32_t* numbers) {
-  HWY_DYNAMIC_DISPATCH(EncodeRow)(encoding, row, light, numbers);
+void encode_row(const Encoding& encoding, int row, const float* light, const float* overlay, std::int32_t* numbers) {
+  HWY_DYNAMIC_DISPATCH(EncodeRow)(encoding, row, light, overlay, numbers);
 }
 
 }  // namespace pelage

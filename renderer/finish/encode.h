@@ -17,8 +17,8 @@ struct Encoding {
   std::int32_t largest = 255;  // of a channel
 };
 
-/// A row of premultiplied linear light to straight sRGB in [0, largest], four numbers a pixel each. Both rows are
-/// padded.
-void encode_row(const Encoding& encoding, int row, const float* light, std::int32_t* numbers);
+/// A row of premultiplied linear light to straight sRGB in [0, largest], four numbers a pixel each. `overlay`: sRGB
+/// with straight alpha over it, or null; where its alpha is 1, it hides what is transparent. All rows are padded.
+void encode_row(const Encoding& encoding, int row, const float* light, const float* overlay, std::int32_t* numbers);
 
 }  // namespace pelage

@@ -25,50 +25,48 @@ Encoding encoding_of(const FurFrame& frame, std::int32_t largest) {
 }
 
 template <class Picture>
-void finish_into(const FurFrame& frame, const FloatImage& light, int top, int bottom, Picture& picture, int threads) {
+void finish_into(const FurFrame& frame, const FinishInput& input, int top, int bottom, Picture& picture) {
   using Number = typename decltype(Picture::rgba)::value_type;
-  assert(light.width > 0 && light.height > 0 && 0 <= top && top <= bottom && bottom <= frame.height);
+  assert(input.light.width > 0 && input.light.height > 0 && 0 <= top && top <= bottom && bottom <= frame.height);
   constexpr int rows_together = 8;
   const Encoding encoding = encoding_of(frame, std::numeric_limits<Number>::max());
-  const ResizedLight resized(light, frame.width, frame.height);
+  const ResizedLight resized(input.light, frame.width, frame.height);
   const auto row_numbers = 4 * static_cast<std::size_t>(frame.width);
   const auto finish_run = [&](std::uint32_t run) {
-    std::vector<float> row(row_numbers + 4 * encoded_together);
+    std::vector<float> row(row_numbers + 4 * encoded_together), over(input.overlay ? row.size() : 0);
     std::vector<std::int32_t> numbers(row.size());
     const int begin = top + static_cast<int>(run) * rows_together, end = std::min(bottom, begin + rows_together);
     for (int y = begin; y < end; ++y) {
+      const std::size_t first = static_cast<std::size_t>(y) * row_numbers;
       resized.row(y, row.data());
-      encode_row(encoding, y, row.data(), numbers.data());
+      if (input.overlay) std::copy_n(&input.overlay->rgba[first], row_numbers, over.begin());
+      encode_row(encoding, y, row.data(), input.overlay ? over.data() : nullptr, numbers.data());
       std::transform(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(row_numbers),
-                     picture.rgba.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row_numbers),
+                     picture.rgba.begin() + static_cast<std::ptrdiff_t>(first),
                      [](std::int32_t number) { return static_cast<Number>(number); });
     }
   };
   for_each_in_parallel(static_cast<std::uint32_t>((bottom - top + rows_together - 1) / rows_together), finish_run,
-                       threads);
+                       input.threads);
 }
 
 template <class Picture>
-Picture finished(const FurFrame& frame, const FloatImage& light, int threads) {
+Picture finished(const FurFrame& frame, const FinishInput& input) {
   Picture picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  finish_into(frame, light, 0, frame.height, picture, threads);
+  finish_into(frame, input, 0, frame.height, picture);
   return picture;
 }
 
 }  // namespace
 
-Image finish_picture(const FurFrame& frame, const FloatImage& light, int threads) {
-  return finished<Image>(frame, light, threads);
-}
+Image finish_picture(const FurFrame& frame, const FinishInput& input) { return finished<Image>(frame, input); }
 
-Image16 finish_picture_deep(const FurFrame& frame, const FloatImage& light, int threads) {
-  return finished<Image16>(frame, light, threads);
-}
+Image16 finish_picture_deep(const FurFrame& frame, const FinishInput& input) { return finished<Image16>(frame, input); }
 
-void finish_rows(const FurFrame& frame, const FloatImage& light, int top, int bottom, Image& picture, int threads) {
-  finish_into(frame, light, top, bottom, picture, threads);
+void finish_rows(const FurFrame& frame, const FinishInput& input, int top, int bottom, Image& picture) {
+  finish_into(frame, input, top, bottom, picture);
 }
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// From premultiplied linear light to the picture without a GL: size, exposure, tone map, background, sRGB. The twin of
-// renderer/passes/resolve/resolve.frag.
+// From premultiplied linear light to the picture without a GL: size, exposure, tone map, background, sRGB, overlay. The
+// twin of renderer/passes/resolve/resolve.frag.
 #pragma once
 
 #include "protocol/base/parallel.h"
@@ -9,13 +9,19 @@
 
 namespace pelage {
 
-/// A picture of the frame's size. Light of another height is enlarged or averaged to it; it has the frame's aspect
-/// ratio. The frame's overlay is left out. The same bits for any number of threads.
-Image finish_picture(const FurFrame& frame, const FloatImage& light, int threads = default_threads());
-Image16 finish_picture_deep(const FurFrame& frame, const FloatImage& light, int threads = default_threads());
+/// What finishing needs beside the frame. Light of another height is enlarged or averaged to the frame's; it has its
+/// aspect ratio.
+struct FinishInput {
+  const FloatImage& light;
+  const FloatImage* overlay = nullptr;  // of the frame's size: sRGB with straight alpha; null for none
+  int threads = default_threads();      // the same bits for any number
+};
+
+/// A picture of the frame's size.
+Image finish_picture(const FurFrame& frame, const FinishInput& input);
+Image16 finish_picture_deep(const FurFrame& frame, const FinishInput& input);
 
 /// The rows [top, bottom) of finish_picture, into a picture of the frame's size whose others stay.
-void finish_rows(const FurFrame& frame, const FloatImage& light, int top, int bottom, Image& picture,
-                 int threads = default_threads());
+void finish_rows(const FurFrame& frame, const FinishInput& input, int top, int bottom, Image& picture);
 
 }  // namespace pelage

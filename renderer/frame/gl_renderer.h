@@ -27,7 +27,6 @@
 #include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/passes/sorted/sorted_pass.h"
-#include "renderer/strands/tracer.h"
 #include "renderer/upload/model_buffers.h"
 #include "renderer/upload/textures.h"
 
@@ -53,21 +52,9 @@ class GlRenderer {
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
-  /// Light and what is asked for beside it, one picture for each AOV, in internal coordinates: without exposure, tone
-  /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
-  /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
+  /// As Renderer has them.
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                             DrawTimes* times = nullptr, const Pause& pause = {});
-
-  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground
-  /// and curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
-  /// frame's. The skin under fur has the colour of the roots. Fails as `draw` does.
-  Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
-  /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
-  /// overlay. `light` is premultiplied linear light. An overlay is of a model that the renderer has, and a field or the
-  /// difference; others are refused (invalid).
-  Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
-  Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
   /// What was asked of the GL since this was last called or a frame was drawn; fragments are left out.
   FrameCounters take_counts() const;
@@ -131,13 +118,6 @@ class GlRenderer {
   Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene, std::span<const Aov> aovs,
                                               DrawTimes& times);
   Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target);
-  void draw_open_body(const FurFrame& frame, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
-                      const std::string& outputs);
-  Result<Backplate> read_backplate(const AovTarget& aovs, const RenderTarget& distance);
-  Result<RenderTarget> overlay_on_traced(const FurFrame& frame);
-  template <class Picture>
-  Result<Picture> finish_picture(const FurFrame& frame, const FloatImage& light, GLenum format, GLenum type,
-                                 int largest, DrawTimes* times);
   template <class Picture>
   Result<Picture> read_back(const RenderTarget& picture, GLenum type);
 

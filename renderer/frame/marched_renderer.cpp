@@ -1,16 +1,16 @@
 #include "renderer/frame/marched_renderer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <new>
 #include <utility>
 
 #include "protocol/base/stopwatch.h"
 #include "renderer/finish/finish.h"
-#include "renderer/finish/resize.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/run_beside.h"
+#include "renderer/marched/field_overlay.h"
 #include "renderer/marched/kernels.h"
-#include "renderer/marched/shadow_cache.h"
 
 namespace pelage {
 
@@ -20,6 +20,22 @@ constexpr int no_format = 0, kept_format = 8;  // bits of the finished picture's
 
 /// What a sample of a pixel takes until it was measured.
 constexpr double sample_ms = 1e-5;
+
+Status no_memory_for_light() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
+
+/// Makes light of a frame's size; false where there is no memory for it.
+bool fit(const FurFrame& frame, FloatImage& light) {
+  const glm::ivec2 size = Marcher::size_of(frame);
+  try {
+    light.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  light.width = size.x, light.height = size.y;
+  return true;
+}
+
+Status given_up() { return failure(Code::conflict, "the drawing was given up"); }
 
 PixelBox box_of(const Area& area) { return {area.left, area.top, area.left + area.width, area.top + area.height}; }
 
@@ -38,24 +54,13 @@ std::string MarchedRenderer::description() { return std::string(instruction_set(
 
 bool MarchedRenderer::draws(const FurFrame& frame) {
   const Knobs& knobs = frame.knobs;
-  return knobs.guard_hairs == 0 && ShadowCache::makes_all(frame) && frame.overlay == Overlay::none;
+  const bool shown = frame.overlay == Overlay::none || frame.overlay == Overlay::shell_count || is_field(frame.overlay);
+  return knobs.guard_hairs == 0 && shown;
 }
 
 void MarchedRenderer::forget_all() {
   marcher_.forget_all();
   views_.give_back();
-}
-
-bool MarchedRenderer::fit(const FurFrame& frame, View& view) {
-  const glm::ivec2 size = Marcher::size_of(frame);
-  const auto numbers = 4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  try {
-    view.light.rgba.resize(numbers);
-  } catch (const std::bad_alloc&) {
-    return false;
-  }
-  view.light.width = size.x, view.light.height = size.y;
-  return true;
 }
 
 Area MarchedRenderer::changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const {
@@ -74,49 +79,80 @@ bool MarchedRenderer::bake(const Coat& coat, const Pause& pause) {
   return slices.has_value();
 }
 
-std::optional<Area> MarchedRenderer::draw_light(const FurFrame& frame, const std::optional<ShownFrame>& shown,
-                                                const Pause& pause, DrawTimes& times, View& view) {
+std::optional<Area> MarchedRenderer::draw_changed(const FurFrame& frame, const std::optional<ShownFrame>& shown,
+                                                  const Pause& pause, DrawTimes& times, View& view) {
   if (!bake(frame.coat, pause)) return {};
   const float reach = marcher_.reach_of(frame.model);
   const bool same_reach = std::exchange(view.reach, reach) == reach;
   const Area whole{0, 0, view.light.width, view.light.height};
   const Area part = shown && same_reach ? changed_area(frame, *shown, view) : whole;
-  if (part.pixels() == 0) return part;
+  if (part.pixels() == 0 || draw_area(frame, part, pause, times, view.light, nullptr)) return part;
+  return {};
+}
+
+bool MarchedRenderer::draw_area(const FurFrame& frame, const Area& area, const Pause& pause, DrawTimes& times,
+                                FloatImage& light, std::vector<AovPixel>* aovs) {
   const MarchQuality quality = march_quality(frame.knobs);
   const double unit_ms = pause ? sample_ms * quality.samples : 0;
   Pieces pieces(
-      part, [](const Area& area) { return area.pixels(); }, unit_ms);
+      area, [](const Area& piece) { return piece.pixels(); }, unit_ms);
   for (;;) {
     const Area piece = pieces.next();
     const Stopwatch passed;
     {
       const DrawClock clock(times);
-      marcher_.draw_part(frame, quality, box_of(piece), view.light);
+      marcher_.draw_part(frame, quality, box_of(piece), light, aovs);
     }
-    if (pieces.done()) return part;
+    if (pieces.done()) return true;
     pieces.took(passed.milliseconds());
-    if (!pause() || !bake(frame.coat, pause)) return {};  // many coats may have passed
+    if (!pause() || !bake(frame.coat, pause)) return false;  // many coats may have passed
   }
+}
+
+Result<MarchedAovs> MarchedRenderer::draw_kept(const FurFrame& frame, DrawTimes& times, const Pause& pause) {
+  MarchedAovs drawn;
+  if (!fit(frame, drawn.light)) return no_memory_for_light();
+  try {
+    drawn.pixels.resize(drawn.light.rgba.size() / 4);
+  } catch (const std::bad_alloc&) {
+    return no_memory_for_light();
+  }
+  const Area whole{0, 0, drawn.light.width, drawn.light.height};
+  if (!bake(frame.coat, pause) || !draw_area(frame, whole, pause, times, drawn.light, &drawn.pixels)) return given_up();
+  return drawn;
+}
+
+Result<FloatImage> MarchedRenderer::draw_overlay(const FurFrame& frame, const Pause& pause) {
+  if (frame.overlay == Overlay::none) return FloatImage();
+  if (is_field(frame.overlay)) return marcher_.draw_overlay(frame);
+  constexpr float full_shells = 2;  // times the shells: what the end of the ramp stands for
+  DrawTimes times;
+  const Result<MarchedAovs> drawn = draw_kept(frame, times, pause);
+  if (!drawn) return drawn.status();
+  return count_overlay(aov_picture(*drawn, Aov::shell_count, frame.width, frame.height, threads_),
+                       full_shells * static_cast<float>(frame.knobs.shells));
 }
 
 template <class Picture, class Finish>
 Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format, DrawTimes* times, const Pause& pause,
                                                const Finish& finish) {
   View view = views_.take(frame, format);
-  if (!fit(frame, view)) {
+  if (!fit(frame, view.light)) {
     views_.give_back();
-    return failure(Code::too_large, "no memory for a frame of this size", "/width");
+    return no_memory_for_light();
   }
   DrawTimes taken;
   const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
-  const std::optional<Area> drawn = draw_light(frame, shown, pause, taken, view);
-  if (!drawn) return failure(Code::conflict, "the drawing was given up");
+  const std::optional<Area> drawn = draw_changed(frame, shown, pause, taken, view);
+  if (!drawn) return given_up();
   taken.counters.redrawn = drawn->pixels() / static_cast<double>(view.pixels());
   view.shown = {frame, shown ? shown->format : 0, marcher_.changes(frame.model)};
+  const Result<FloatImage> overlay = draw_overlay(frame, pause);
+  if (!overlay) return overlay.status();
   Picture picture;
   {
     const DrawClock clock(taken);
-    picture = finish(view, *drawn);
+    picture = finish(view, overlay->rgba.empty() ? nullptr : &*overlay, *drawn);
   }
   views_.keep(std::move(view));
   if (times) *times = taken;
@@ -124,12 +160,16 @@ Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format
 }
 
 Result<Image> MarchedRenderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_finished<Image>(frame, kept_format, times, pause, [&](View& view, const Area& drawn) {
+  const int format = frame.overlay == Overlay::none ? kept_format : no_format;
+  return draw_finished<
+      Image>(frame, format, times, pause, [&](View& view, const FloatImage* overlay, const Area& drawn) {
+    const FinishInput input{view.light, overlay, threads_};
+    if (format == no_format) return finish_picture(frame, input);
     if (view.shown->format == kept_format) {
       const Area finished = finished_area(drawn, {view.light.width, view.light.height}, {frame.width, frame.height});
-      finish_rows(frame, view.light, finished.top, finished.top + finished.height, view.picture, threads_);
+      finish_rows(frame, input, finished.top, finished.top + finished.height, view.picture);
     } else {
-      view.picture = finish_picture(frame, view.light, threads_);
+      view.picture = finish_picture(frame, input);
     }
     view.shown->format = kept_format;
     return view.picture;
@@ -137,15 +177,65 @@ Result<Image> MarchedRenderer::draw(const FurFrame& frame, DrawTimes* times, con
 }
 
 Result<Image16> MarchedRenderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_finished<Image16>(frame, no_format, times, pause, [&](View& view, const Area&) {
-    return finish_picture_deep(frame, view.light, threads_);
-  });
+  return draw_finished<Image16>(frame, no_format, times, pause,
+                                [&](View& view, const FloatImage* overlay, const Area&) {
+                                  return finish_picture_deep(frame, {view.light, overlay, threads_});
+                                });
 }
 
-Result<FloatImage> MarchedRenderer::draw_beauty(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_finished<FloatImage>(frame, no_format, times, pause, [&](View& view, const Area&) {
-    return resized_light(view.light, frame.width, frame.height, threads_);
-  });
+Result<std::vector<FloatImage>> MarchedRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
+                                                           DrawTimes* times, const Pause& pause) {
+  DrawTimes taken;
+  const Result<MarchedAovs> drawn = draw_kept(frame, taken, pause);
+  if (!drawn) return drawn.status();
+  std::vector<FloatImage> images;
+  {
+    const DrawClock clock(taken);
+    for (const Aov aov : aovs) images.push_back(aov_picture(*drawn, aov, frame.width, frame.height, threads_));
+  }
+  taken.counters.redrawn = 1;
+  if (times) *times = taken;
+  return images;
+}
+
+Result<Backplate> MarchedRenderer::draw_backplate(const FurFrame& asked, DrawTimes* times) {
+  DrawTimes taken;
+  Backplate base;
+  try {
+    const DrawClock clock(taken);
+    MarchedAovs drawn;
+    drawn.light = marcher_.draw_bare(backplate_frame(asked), drawn.pixels);
+    base = backplate_of(std::move(drawn), threads_);
+  } catch (const std::bad_alloc&) {
+    return no_memory_for_light();
+  }
+  if (times) *times = taken;
+  return base;
+}
+
+template <class Picture, class Finish>
+Result<Picture> MarchedRenderer::finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
+                                               const Finish& finish) const {
+  assert(light.width == frame.width && light.height == frame.height);
+  if (frame.overlay != Overlay::none && !is_field(frame.overlay))
+    return failure(Code::invalid, "Traced strands have no such map.", "/overlay");
+  DrawTimes taken;
+  Picture picture;
+  {
+    const DrawClock clock(taken);
+    const FloatImage overlay = frame.overlay == Overlay::none ? FloatImage() : marcher_.draw_overlay(frame);
+    picture = finish(frame, FinishInput{light, overlay.rgba.empty() ? nullptr : &overlay, threads_});
+  }
+  if (times) *times = taken;
+  return picture;
+}
+
+Result<Image> MarchedRenderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const {
+  return finish_traced<Image>(frame, light, times, finish_picture);
+}
+
+Result<Image16> MarchedRenderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const {
+  return finish_traced<Image16>(frame, light, times, finish_picture_deep);
 }
 
 }  // namespace pelage

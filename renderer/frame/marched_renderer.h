@@ -3,10 +3,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "renderer/frame/draw_times.h"
+#include "renderer/frame/marched_aovs.h"
 #include "renderer/frame/pieces.h"
 #include "renderer/frame/view_cache.h"
 #include "renderer/image/image.h"
@@ -25,17 +28,20 @@ class MarchedRenderer {
 
   /// What it draws with: "AVX2 on the CPU".
   static std::string description();
-  /// Whether it draws all that a frame shows: not maps of shadows but for penumbras, guard hairs and
-  /// overlays.
+  /// Whether it draws all that a frame shows: not maps of shadows but for penumbras, nor guard hairs.
   static bool draws(const FurFrame& frame);
 
+  bool has(std::uint64_t model) const { return marcher_.has(model); }
   // As Renderer has them.
   void add(const FurModel& model, const FurFields& fields) { marcher_.add(model, fields); }
   void update(std::uint64_t model, const FurFields& fields) { marcher_.update(model, fields); }
   Result<Image> draw(const FurFrame& frame, DrawTimes* times, const Pause& pause);
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause);
-  /// Premultiplied linear light with the ground's shadow in alpha: what beauty and alpha of the AOVs are.
-  Result<FloatImage> draw_beauty(const FurFrame& frame, DrawTimes* times, const Pause& pause);
+  Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
+                                            const Pause& pause);
+  Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times);
+  Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const;
+  Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const;
   void clear_view_cache() { views_.clear_shown(); }
   std::size_t bytes_of(std::uint64_t original) const { return marcher_.bytes_of(original); }
   void forget(std::uint64_t original) { marcher_.forget(original); }
@@ -46,16 +52,26 @@ class MarchedRenderer {
 
   /// Draws the light of what changed since the view was shown, or all of it, into the view. The area that was
   /// drawn; none when the pause gave it up.
-  std::optional<Area> draw_light(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
-                                 DrawTimes& times, View& view);
+  std::optional<Area> draw_changed(const FurFrame& frame, const std::optional<ShownFrame>& shown, const Pause& pause,
+                                   DrawTimes& times, View& view);
+  /// Draws an area in pieces where there is a pause; whether it was not given up.
+  bool draw_area(const FurFrame& frame, const Area& area, const Pause& pause, DrawTimes& times, FloatImage& light,
+                 std::vector<AovPixel>* aovs);
+  /// Light and what AOVs keep of the whole frame.
+  Result<MarchedAovs> draw_kept(const FurFrame& frame, DrawTimes& times, const Pause& pause);
+  /// What lies over the frame's picture; empty for nothing.
+  Result<FloatImage> draw_overlay(const FurFrame& frame, const Pause& pause);
   Area changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const;
   bool bake(const Coat& coat, const Pause& pause);
-  /// Makes the view's light of the frame's size; false where there is no memory for it.
-  bool fit(const FurFrame& frame, View& view);
-  /// Draws the light and makes a picture of it: `finish` takes the view and the area that was drawn.
+  /// Draws the light and makes a picture of it: `finish` takes the view, the overlay (null for none) and the area that
+  /// was drawn.
   template <class Picture, class Finish>
   Result<Picture> draw_finished(const FurFrame& frame, int format, DrawTimes* times, const Pause& pause,
                                 const Finish& finish);
+
+  template <class Picture, class Finish>
+  Result<Picture> finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
+                                const Finish& finish) const;
 
   Marcher marcher_;
   int threads_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/base/parallel.h"
 #include "protocol/base/status.h"
 #include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/marched_renderer.h"
@@ -15,16 +16,20 @@ namespace pelage {
 
 struct RendererOptions {
   std::size_t sorted_bytes = SortedPass::default_bytes;  // fragments that a sorted frame keeps at a time (SortedPass)
-  int march_threads = 0;  // that fur is marched on where the GL is software; 0: the GL draws all
+  int threads = default_threads();                       // of what is drawn on the CPU
+  bool march = false;  // whether frames are marched although there is a GL, but for those that only a GL draws
 };
 
-/// Belongs to the thread and the context that it was made on.
+/// Belongs to the thread and the context that it was made on. What traced strands stand on, and their finished picture,
+/// are made on the CPU in any case.
 class Renderer {
  public:
-  /// Fails (unavailable) when a program cannot be built.
+  /// With a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
+  /// On the CPU alone.
+  explicit Renderer(const RendererOptions& options) : marched_(options.threads), march_(true) {}
 
-  bool has(std::uint64_t model) const { return gl_->has(model); }
+  bool has(std::uint64_t model) const { return marched_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
   UploadCount add(const FurModel& model, const FurFields& fields);
   /// Takes over the dirty ranges of a model that it has.
@@ -38,10 +43,19 @@ class Renderer {
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
-  /// Those of light by whoever draws the frame's, the others by the GL. This and the rest as GlRenderer has them.
+  /// Light and what is asked for beside it, one picture for each AOV, in internal coordinates: without exposure, tone
+  /// map, background and overlay. Colours have alpha in the fourth number; position, normal, tangent and shadow (in the
+  /// first three) the coverage. The first number of depth is one over the distance along the view, 0 for none.
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                             DrawTimes* times = nullptr, const Pause& pause = {});
+
+  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground
+  /// and curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
+  /// frame's. The skin under fur has the colour of the roots. Fails with too_large when there is no memory for it.
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
+  /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
+  /// overlay. `light` is premultiplied linear light. An overlay is of a model that the renderer has, and a field or the
+  /// difference; others are refused (invalid).
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
@@ -50,7 +64,7 @@ class Renderer {
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.
-  std::size_t gl_bytes() const { return gl_->gl_bytes(); }
+  std::size_t gl_bytes() const { return gl_ ? gl_->gl_bytes() : 0; }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
   /// Drops the copies of all models, and the pictures kept of them.
@@ -60,10 +74,11 @@ class Renderer {
   /// Draws a frame by the marcher, and adds what the GL was sent for it.
   template <class Draw>
   auto march(DrawTimes* times, const Draw& draw);
-  bool marches(const FurFrame& frame) const { return marched_ && MarchedRenderer::draws(frame); }
+  bool marches(const FurFrame& frame) const { return march_ && (!gl_ || MarchedRenderer::draws(frame)); }
 
-  std::unique_ptr<GlRenderer> gl_;
-  std::unique_ptr<MarchedRenderer> marched_;  // null where the GL draws all
+  std::unique_ptr<GlRenderer> gl_;  // null: there is none
+  MarchedRenderer marched_;
+  bool march_;
 };
 
 }  // namespace pelage

@@ -21,6 +21,7 @@ FurFrame light_of(const FurFrame& frame) {
   const FurFrame rest;
   light.background = rest.background, light.background_colour = rest.background_colour;
   light.exposure = rest.exposure, light.tone_map = rest.tone_map;
+  light.overlay = rest.overlay, light.difference.clear();
   light.curves.clear();
   return light;
 }

@@ -53,11 +53,13 @@ struct EyePixels {
 /// Lit pixels of guided curves, before all skin and eyes.
 struct CurvePixels {
   struct Pixel {
-    int number = 0;      // in the order of SkinPixels
-    float inverse = 0;   // 1 / distance along the view
-    glm::vec4 light{0};  // premultiplied
+    int number = 0;          // in the order of SkinPixels
+    float inverse = 0;       // 1 / distance along the view
+    glm::vec4 light{0};      // premultiplied
+    std::uint32_t aovs = 0;  // place in CurvePixels::aovs
   };
   std::vector<Pixel> pixels;
+  std::vector<AovPixel> aovs;                                 // multiplied by nothing; empty where none are asked for
   std::array<std::uint32_t, SkinPixels::pixels + 1> first{};  // of each of the tile's pixels, and one more
 
   /// By pixel, from near to far, and what lies at the same place as it came.

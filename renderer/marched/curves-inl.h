@@ -35,7 +35,7 @@ HWY_INLINE LanesOnRibbon lanes_on_ribbon(const Ribbon& ribbon, Real px, Real py)
 }
 
 /// A curve is lit as a strand at the tips of the fur that it grows from: nothing stands above it.
-HWY_INLINE Vec3 ribbon_light(const MarchScene& scene, const Ribbon& ribbon, Real share) {
+HWY_INLINE Fibre ribbon_fibre(const MarchScene& scene, const Ribbon& ribbon, Real share) {
   const RibbonEnd &a = ribbon.root, &b = ribbon.tip;
   Fibre fibre;
   fibre.place = mix(Vec3(a.place), Vec3(b.place), share);
@@ -45,30 +45,46 @@ HWY_INLINE Vec3 ribbon_light(const MarchScene& scene, const Ribbon& ribbon, Real
   fibre.height = 1.0f, fibre.above = 0.0f, fibre.strand = ribbon.number;
   fibre.shine = {1.0f, 1.0f};
   fibre.open = fibre.place, fibre.hull = 0.0f;
-  return fibre_light(scene.optics, fibre);
+  return fibre;
+}
+
+/// What AOVs keep of each lane that is there.
+HWY_INLINE void keep_ribbon_aovs(const Fibre& fibre, const Direct& direct, Real inverse, Mask there,
+                                 std::vector<AovPixel>& aovs) {
+  AovSums sums;
+  sums.add({fibre.place, fibre.normal, fibre.tangent, fibre.colour, direct, 0.0f, inverse}, 1.0f, 1.0f);
+  for (std::uint32_t lanes = bits_of(there); lanes != 0; lanes &= lanes - 1) {
+    AovPixel& pixel = aovs.emplace_back();
+    for (int row = 0; row < AovRows::count; ++row)
+      pixel[static_cast<std::size_t>(row)] = sums.at(row, std::countr_zero(lanes));
+  }
 }
 
 HWY_INLINE void raster_ribbon(const MarchScene& scene, const Ribbon& ribbon, int group, Real px, Real py,
-                              TileScratch& scratch) {
+                              bool keeps_aovs, TileScratch& scratch) {
   LanesOnRibbon on = lanes_on_ribbon(ribbon, px, py);
   if (!any(on.there)) return;
   const Real inverse = mix(Real(ribbon.root.inverse), Real(ribbon.tip.inverse), on.share);
   on.there = on.there & (inverse >= load(scratch.nearest() + group * lane_count));
   if (!any(on.there)) return;
-  const Vec3 light = ribbon_light(scene, ribbon, on.share) * on.opacity;
+  const Fibre fibre = ribbon_fibre(scene, ribbon, on.share);
+  Direct direct = Direct::none();
+  const Vec3 light = fibre_light(scene.optics, fibre, keeps_aovs ? &direct : nullptr) * on.opacity;
+  auto kept = static_cast<std::uint32_t>(scratch.curves.aovs.size());
+  if (keeps_aovs) keep_ribbon_aovs(fibre, direct, inverse, on.there, scratch.curves.aovs);
   float numbers[5][lane_count];
   store(inverse, numbers[0]), store(light.x, numbers[1]), store(light.y, numbers[2]), store(light.z, numbers[3]);
   store(on.opacity, numbers[4]);
   for (std::uint32_t lanes = bits_of(on.there); lanes != 0; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     scratch.curves.pixels.push_back(
-        {group * lane_count + i, numbers[0][i], {numbers[1][i], numbers[2][i], numbers[3][i], numbers[4][i]}});
+        {group * lane_count + i, numbers[0][i], {numbers[1][i], numbers[2][i], numbers[3][i], numbers[4][i]}, kept++});
   }
 }
 
 /// After the skin and the eyes, which hide what lies behind them.
-HWY_INLINE void raster_curves(const MarchScene& scene, const Tile& tile, TileScratch& scratch) {
-  scratch.curves.pixels.clear();
+HWY_INLINE void raster_curves(const MarchScene& scene, const Tile& tile, bool keeps_aovs, TileScratch& scratch) {
+  scratch.curves.pixels.clear(), scratch.curves.aovs.clear();
   for (const std::uint32_t number : scene.ribbons.of_tile(tile.number)) {
     const Ribbon& ribbon = scene.ribbons[number];
     const float reach = std::max(ribbon.root.reach, ribbon.tip.reach) + 1.5f;
@@ -82,7 +98,7 @@ HWY_INLINE void raster_curves(const MarchScene& scene, const Tile& tile, TileScr
                          low.y > static_cast<float>(top + group_height);
       if (!apart)
         raster_ribbon(scene, ribbon, group, lanes_x() + static_cast<float>(left), lanes_y() + static_cast<float>(top),
-                      scratch);
+                      keeps_aovs, scratch);
     }
   }
   scratch.curves.sort();
@@ -96,6 +112,8 @@ HWY_INLINE void see_curves(const TileScratch& scratch, int group, const float* u
     const std::uint32_t end = scratch.curves.first[static_cast<std::size_t>(group * lane_count + i) + 1];
     for (; next[i] < end && scratch.curves.pixels[next[i]].inverse >= until[i]; ++next[i]) {
       const glm::vec4& light = scratch.curves.pixels[next[i]].light;
+      if (seen.aovs)
+        seen.aovs->add(i, scratch.curves.aovs[scratch.curves.pixels[next[i]].aovs], through[i] * light.a, through[i]);
       r[i] += through[i] * light.r, g[i] += through[i] * light.g, b[i] += through[i] * light.b;
       through[i] -= through[i] * light.a;
     }

@@ -20,8 +20,8 @@ struct DepthMap {
   }
 };
 
-/// The nearest of all triangles, whatever side they show. What reaches behind the light is left out.
+/// The nearest of all triangles, whatever side they show.
 DepthMap draw_depth_map(std::span<const glm::vec3> places, std::span<const glm::uvec3> triangles,
-                        const LightView& light, int side);
+                        const LightView& light, int side, int threads);
 
 }  // namespace pelage

@@ -63,6 +63,18 @@ HWY_INLINE std::uint32_t eyes_of(const TileScratch& scratch, int group) {
   return numbers;
 }
 
+/// Lids and cornea count as what reflects, not as shadow: all of the lights' share is left.
+HWY_INLINE void keep_eye_aovs(const MarchScene& scene, const TileScratch& scratch, int group, const EyeEntry& eye,
+                              const EyeHit& hit, Vec3 light, Real weight, Seen& seen) {
+  const EyeSurface surface = eye_surface(scene.optics, eye, hit);
+  Direct direct = Direct::none();
+  const Vec3 of_lights = max(light - eye_light(scene.optics, eye, hit, 0), 0.0f);
+  direct.add(of_lights, of_lights);
+  const Real inverse = load(&scratch.eyes.inverse[static_cast<std::size_t>(group * lane_count)]);
+  seen.aovs->add({surface.place, surface.normal, Vec3(0.0f), surface.albedo, direct, 0.0f, inverse}, weight,
+                 seen.through);
+}
+
 /// Behind all fur that is before the skin: `numbers` of eyes_of.
 HWY_INLINE void see_eyes(const MarchScene& scene, const Ray& ray, const TileScratch& scratch, int group,
                          std::uint32_t numbers, Seen& seen) {
@@ -75,7 +87,10 @@ HWY_INLINE void see_eyes(const MarchScene& scene, const Ray& ray, const TileScra
     hit.there = hit.there & (load(mine) > 0.5f) & (seen.through > 0.002f);
     if (!any(hit.there)) continue;
     const Real weight = select(hit.there, seen.through * hit.covered, 0.0f);
-    seen.light += eye_light(scene.optics, scene.optics.eyes.block.eyes[static_cast<std::size_t>(number)], hit) * weight;
+    const EyeEntry& eye = scene.optics.eyes.block.eyes[static_cast<std::size_t>(number)];
+    const Vec3 light = eye_light(scene.optics, eye, hit, scene.optics.lights);
+    seen.light += light * weight;
+    if (seen.aovs) keep_eye_aovs(scene, scratch, group, eye, hit, light, weight, seen);
     seen.through -= weight;
   }
 }

@@ -76,8 +76,9 @@ bool FurMesh::set_paint(const FurPaint& paint) {
                       paint.curl.empty() && paint.clump.empty());
   const bool colour = !(paint.root_colour.empty() && paint.tip_colour.empty());
   const std::size_t forms = form ? positions_.size() : 0, painted = colour ? positions_.size() : 0;
-  if (paint_.size() == forms && painted_.size() == painted) return false;
-  paint_.resize(forms), painted_.resize(painted);
+  const std::size_t masks = paint.mask.empty() ? 0 : positions_.size();
+  if (paint_.size() == forms && painted_.size() == painted && mask_.size() == masks) return false;
+  paint_.resize(forms), painted_.resize(painted), mask_.resize(masks);
   return true;
 }
 
@@ -106,6 +107,7 @@ void FurMesh::change(const FurFields& fields, std::uint32_t begin, std::uint32_t
     if (!paint_.empty())
       paint_[i] = {value_of(paint.density, v, 1), value_of(paint.width, v, 1), value_of(paint.wetness, v, 0),
                    value_of(paint.bare, v, 0),    value_of(paint.curl, v, 0),  value_of(paint.clump, v, 0)};
+    if (!mask_.empty()) mask_[i] = paint.mask[v];
     if (painted_.empty()) continue;
     const glm::vec4 root = covered(paint.root_colour, v), tip = covered(paint.tip_colour, v);
     painted_[i] = {root.r, root.g, root.b, root.a, tip.r, tip.g, tip.b, tip.a};
@@ -124,6 +126,8 @@ MarchMesh FurMesh::view() const {
           .variation = {},
           .paint = paint_,
           .painted = painted_,
+          .mask = mask_,
+          .welded = welded_,
           .triangles = triangles_,
           .patches = patches_,
           .axes = axes_};
@@ -132,8 +136,8 @@ MarchMesh FurMesh::view() const {
 std::size_t FurMesh::bytes() const {
   std::size_t bytes = sizeof(FurMesh);
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
-  add(positions_, normals_, tangents_, image_uvs_, colours_, groom_, tiles_, weights_, fur_share_, paint_, painted_,
-      triangles_, patches_, welded_, first_, axes_, skin_);
+  add(positions_, normals_, tangents_, image_uvs_, colours_, groom_, tiles_, weights_, fur_share_, mask_, paint_,
+      painted_, triangles_, patches_, welded_, first_, axes_, skin_);
   return bytes + changed_.bytes();
 }
 

@@ -41,7 +41,7 @@ class FurMesh {
   BaseImages images_;
   std::vector<glm::vec3> positions_, normals_, tangents_, image_uvs_, colours_, groom_;
   std::vector<glm::vec2> tiles_;
-  std::vector<float> weights_, fur_share_;
+  std::vector<float> weights_, fur_share_, mask_;
   std::vector<std::array<float, 6>> paint_;
   std::vector<std::array<float, 8>> painted_;
   std::vector<glm::uvec3> triangles_;

@@ -49,7 +49,7 @@ float between(const DepthMap& map, glm::vec2 at) {
 GroundContact make_ground_contact(std::span<const glm::vec3> places, std::span<const glm::uvec3> triangles,
                                   float height, int threads) {
   const LightView below = *view_of_light({.direction = {0, 1, 0}}, contact_radius, contact_texels);
-  const DepthMap map = draw_depth_map(places, triangles, below, contact_texels);
+  const DepthMap map = draw_depth_map(places, triangles, below, contact_texels, threads);
   const std::array<Tap, taps> all = make_taps();
   const float lowest = below.axis.y * height + below.axis.w;
   const auto hidden_at = [&](float x, float z) {

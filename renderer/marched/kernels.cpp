@@ -13,6 +13,7 @@
 #include "renderer/marched/eyes-inl.h"
 #include "renderer/marched/ground-inl.h"
 #include "renderer/marched/march-inl.h"
+#include "renderer/marched/shell_shadow-inl.h"
 #include "renderer/marched/skin-inl.h"
 #include "renderer/marched/vertices-inl.h"
 
@@ -87,6 +88,16 @@ HWY_INLINE Ray ray_of(const MarchScene& scene, int left, int top) {
   return ray;
 }
 
+void write_aovs(const MarchScene& scene, int left, int top, const AovSums& sums, AovPixel* aovs) {
+  for (int i = 0; i < lane_count; ++i) {
+    const int x = left + i % group_width, y = top + i / group_width;
+    if (x >= scene.width || y >= scene.height) continue;
+    AovPixel& pixel =
+        aovs[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x)];
+    for (int row = 0; row < AovRows::count; ++row) pixel[static_cast<std::size_t>(row)] = sums.at(row, i);
+  }
+}
+
 void write_pixels(const MarchScene& scene, int left, int top, const Vec3& light, Real alpha, float* picture) {
   float numbers[4][lane_count];
   store(light.x, numbers[0]), store(light.y, numbers[1]), store(light.z, numbers[2]), store(alpha, numbers[3]);
@@ -136,9 +147,9 @@ class GroupCurves {
   bool there_ = false;
 };
 
-/// Marches through the fur of a group, with the curves in it.
-void see_fur(const MarchScene& scene, const Ray& ray, TileScratch& scratch, int group, Seen& seen) {
-  GroupCurves curves(scene, scratch, group);
+/// Calls visit(segments, near, far) for the segments of a group from near to far until it answers false.
+template <class Visit>
+HWY_INLINE void for_each_step(const MarchScene& scene, TileScratch& scratch, int group, const Visit& visit) {
   const std::size_t steps = find_group_segments(scene, scratch, group);
   Segments segments;
   std::optional<End> last;  // mostly where the next segments begin
@@ -148,41 +159,95 @@ void see_fur(const MarchScene& scene, const Ray& ray, TileScratch& scratch, int 
     segments = next;
     const End near = goes_on ? *last : End(scene, scratch, segments.near, segments.lane);
     const End far(scene, scratch, segments.far, segments.lane);
-    if (curves.there()) curves.see_before(segments, near, far, seen);
-    march(scene, ray, segments, near, far, seen);
-    if (!any(seen.through > 0.004f)) return;
+    if (!visit(segments, near, far)) return;
     last.emplace(far);
   }
-  if (curves.there()) curves.see_rest(seen);
 }
 
-void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch, int group, float* picture) {
-  const int left = tile.left + group % groups_across * group_width,
-            top = tile.top + group / groups_across * group_height;
-  const std::uint32_t eyes = eyes_of(scratch, group);
-  if (!shows_anything(scene, scratch, group, eyes)) return write_pixels(scene, left, top, Vec3(0.0f), 0.0f, picture);
-  const Ray ray = ray_of(scene, left, top);
-  Seen seen{Vec3(0.0f), 1.0f};
-  see_fur(scene, ray, scratch, group, seen);
-  if (eyes != 0) see_eyes(scene, ray, scratch, group, eyes, seen);
+/// Marches through the fur of a group, with the curves in it.
+void see_fur(const MarchScene& scene, const Ray& ray, TileScratch& scratch, int group, Seen& seen) {
+  GroupCurves curves(scene, scratch, group);
+  bool more = true;
+  for_each_step(scene, scratch, group, [&](const Segments& segments, const End& near, const End& far) HWY_ATTR {
+    if (curves.there()) curves.see_before(segments, near, far, seen);
+    march(scene, ray, segments, near, far, seen);
+    return more = any(seen.through > 0.004f);
+  });
+  if (more && curves.there()) curves.see_rest(seen);
+}
+
+/// Behind all fur and eyes.
+void see_skin(const MarchScene& scene, const Ray& ray, const TileScratch& scratch, int group, Seen& seen) {
   const SkinPoint skin(scene, scratch.skin, group);
   if (any(skin.there() & (seen.through > 0.002f))) {
     const Real weight = select(skin.there(), seen.through, 0.0f);
-    const Vec3 light = skin_light(scene, ray, skin);
+    AovSums::Shown shown;
+    const Vec3 light = skin_light(scene, ray, skin, seen.aovs ? &shown : nullptr);
     seen.light += select(skin.there(), light, Vec3(0.0f)) * weight;
+    if (seen.aovs) seen.aovs->add(shown, weight, seen.through);
   }
   seen.through = select(skin.there(), 0.0f, seen.through);
-  if (scene.ground.hidden && any(seen.through > 0.002f)) seen.through *= 1.0f - ground_dark(scene, ray);
-  write_pixels(scene, left, top, seen.light, 1.0f - seen.through, picture);
 }
 
-void DrawTile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light) {
+void draw_group(const MarchScene& scene, const Tile& tile, TileScratch& scratch, int group, float* picture,
+                AovPixel* aovs) {
+  const int left = tile.left + group % groups_across * group_width,
+            top = tile.top + group / groups_across * group_height;
+  const std::uint32_t eyes = eyes_of(scratch, group);
+  std::optional<AovSums> sums;
+  if (aovs) sums.emplace();
+  Seen seen{Vec3(0.0f), 1.0f, sums ? &*sums : nullptr};
+  if (shows_anything(scene, scratch, group, eyes)) {
+    const Ray ray = ray_of(scene, left, top);
+    see_fur(scene, ray, scratch, group, seen);
+    if (eyes != 0) see_eyes(scene, ray, scratch, group, eyes, seen);
+    see_skin(scene, ray, scratch, group, seen);
+    if (scene.ground.hidden && any(seen.through > 0.002f)) seen.through *= 1.0f - ground_dark(scene, ray);
+  }
+  write_pixels(scene, left, top, seen.light, 1.0f - seen.through, picture);
+  if (aovs) write_aovs(scene, left, top, *sums, aovs);
+}
+
+void DrawTile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light, AovPixel* aovs) {
   scratch.clear();
   raster_skin(scene, tile, scratch);
   raster_eyes(scene, tile, scratch);
-  if (!scene.ribbons.empty()) raster_curves(scene, tile, scratch);
+  if (!scene.ribbons.empty()) raster_curves(scene, tile, aovs != nullptr, scratch);
+  if (!scene.bare) raster_fur(scene, tile, scratch);
+  for (int group = 0; group < groups_across * groups_down; ++group)
+    draw_group(scene, tile, scratch, group, light, aovs);
+}
+
+void write_kept(const MarchScene& scene, int left, int top, const KeptLight& kept, float* maps) {
+  const std::size_t texels = static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
+  for (int i = 0; i < lane_count; ++i) {
+    const int x = left + i % group_width, y = top + i / group_width;
+    if (x >= scene.width || y >= scene.height) continue;
+    float* to =
+        maps + static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
+    for (int boundary = 0; boundary <= shadow_shells; ++boundary)
+      to[static_cast<std::size_t>(boundary) * texels] = kept.at(boundary, i);
+  }
+}
+
+void DrawShellShadow(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* maps) {
+  scratch.clear();
+  raster_skin(scene, tile, scratch);
   raster_fur(scene, tile, scratch);
-  for (int group = 0; group < groups_across * groups_down; ++group) draw_group(scene, tile, scratch, group, light);
+  for (int group = 0; group < groups_across * groups_down; ++group) {
+    const int left = tile.left + group % groups_across * group_width,
+              top = tile.top + group / groups_across * group_height;
+    Ray ray = ray_of(scene, left, top);
+    ray.offset = 0.5f;  // maps are read between their texels
+    KeptLight kept;
+    if (scratch.first[static_cast<std::size_t>(group)] != 0) {
+      for_each_step(scene, scratch, group, [&](const Segments& segments, const End& near, const End& far) HWY_ATTR {
+        stop_light(scene, ray, scratch, segments, near, far, kept);
+        return true;
+      });
+    }
+    write_kept(scene, left, top, kept, maps);
+  }
 }
 
 const char* InstructionSet() { return hwy::TargetName(HWY_TARGET); }
@@ -195,14 +260,19 @@ namespace pelage {
 
 HWY_EXPORT(PlaceShellVertices);
 HWY_EXPORT(DrawTile);
+HWY_EXPORT(DrawShellShadow);
 HWY_EXPORT(InstructionSet);
 
 void place_shell_vertices(MarchScene& scene, std::size_t begin, std::size_t end) {
   HWY_DYNAMIC_DISPATCH(PlaceShellVertices)(scene, begin, end);
 }
 
-void draw_tile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light) {
-  HWY_DYNAMIC_DISPATCH(DrawTile)(scene, tile, scratch, light);
+void draw_tile(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* light, AovPixel* aovs) {
+  HWY_DYNAMIC_DISPATCH(DrawTile)(scene, tile, scratch, light, aovs);
+}
+
+void draw_shell_shadow(const MarchScene& scene, const Tile& tile, TileScratch& scratch, float* maps) {
+  HWY_DYNAMIC_DISPATCH(DrawShellShadow)(scene, tile, scratch, maps);
 }
 
 const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(InstructionSet)(); }

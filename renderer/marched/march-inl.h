@@ -13,10 +13,52 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
+/// What AOVs keep of a group.
+class AovSums {
+ public:
+  /// What shows at a place of each pixel.
+  struct Shown {
+    Vec3 place, normal, tangent, albedo;
+    Direct direct;
+    Real segments, inverse;
+  };
+
+  /// `weight`: share of the pixel; `before`: what had got through to it.
+  void add(const Shown& shown, Real weight, Real before) {
+    add(AovRows::position, shown.place, weight), add(AovRows::normal, shown.normal, weight);
+    add(AovRows::tangent, shown.tangent, weight), add(AovRows::albedo, shown.albedo, weight);
+    add(AovRows::direct, shown.direct.light, weight);
+    add(AovRows::kept, shown.direct.kept, weight), add(AovRows::whole, shown.direct.whole, weight);
+    add(AovRows::cover, 1.0f, weight);
+    float* count = rows_[AovRows::count_of_segments];
+    store(load(count) + shown.segments, count);
+    float* inverse = rows_[AovRows::inverse];
+    store(select((before > 0.5f) & (before - weight <= 0.5f), shown.inverse, load(inverse)), inverse);
+  }
+  /// The same of one lane.
+  void add(int lane, const AovPixel& shown, float weight, float before) {
+    for (int row = 0; row < AovRows::count_of_segments; ++row)
+      rows_[row][lane] += weight * shown[static_cast<std::size_t>(row)];
+    rows_[AovRows::cover][lane] += weight;
+    if (before > 0.5f && before - weight <= 0.5f) rows_[AovRows::inverse][lane] = shown[AovRows::inverse];
+  }
+  float at(int row, int lane) const { return rows_[row][lane]; }
+
+ private:
+  void add(int row, const Vec3& value, Real weight) {
+    add(row, value.x, weight), add(row + 1, value.y, weight), add(row + 2, value.z, weight);
+  }
+  void add(int row, Real value, Real weight) {
+    store(load(rows_[row]) + select(weight > 0.0f, value * weight, 0.0f), rows_[row]);
+  }
+  float rows_[AovRows::count][lane_count] = {};
+};
+
 /// Light that has come to the eye so far, and what still gets through.
 struct Seen {
   Vec3 light;
   Real through;
+  AovSums* aovs = nullptr;  // null where none are asked for
 };
 
 /// The records of one end of a segment, one for each lane. What every frame reads is read once.
@@ -349,9 +391,9 @@ HWY_INLINE Real image_pixel(const MarchScene& scene, const Ray& ray, const Segme
   return gather(&scene.mesh.axes[0].image_scale, axes) * distance * ray.size * scene.optics.frame.viewpoint.w;
 }
 
-/// Light of a segment whose samples are taken; premultiplied by nothing.
-HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
-                         const End& far, const Path& path, const Slab& slab) {
+/// The strand that a segment's samples have found.
+HWY_INLINE Fibre fibre_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
+                          const End& far, const Path& path, const Slab& slab) {
   const FrameOptics& optics = scene.optics;
   const Real share = 1.0f / max(slab.opacity, 1e-9f), t = slab.at * share;
   const auto row = [&](int at) HWY_ATTR { return mix(near.row(at), far.row(at), t); };
@@ -386,24 +428,43 @@ HWY_INLINE Vec3 light_of(const MarchScene& scene, const Ray& ray, const Segments
     fibre.shine = shine_of(optics.paint, path.fields.wetness);
   }
   fibre.crossed = covered_by(above, fibre.colour * colour_above(optics.frame, fibre.height), 1.0f);
-  return fibre_light(optics, fibre);
+  return fibre;
+}
+
+/// Where a ray goes through a segment, and what its samples find there.
+struct Sampled {
+  Path path;
+  Slab slab;
+};
+
+HWY_INLINE Sampled slab_of(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
+                           const End& far) {
+  const Real none = 0.0f;
+  Sampled sampled{path_of(scene, ray, segments, near, far), {none, none, none, none, none, none, none, Vec3(none)}};
+  if (scene.bends) add_bends(scene, segments, near, far, sampled.path);
+  const float step = 1.0f / static_cast<float>(segments.samples);
+  for (int i = 0; i < segments.samples; ++i)
+    take_sample(scene, sampled.path, (static_cast<float>(i) + ray.offset) * step, sampled.slab);
+  return sampled;
 }
 
 /// One step of all lanes.
 HWY_INLINE void march(const MarchScene& scene, const Ray& ray, const Segments& segments, const End& near,
                       const End& far, Seen& seen) {
-  Path path = path_of(scene, ray, segments, near, far);
-  if (scene.bends) add_bends(scene, segments, near, far, path);
-  const Real none = 0.0f;
-  Slab slab{none, none, none, none, none, none, none, Vec3(none)};
-  const float step = 1.0f / static_cast<float>(segments.samples);
-  for (int i = 0; i < segments.samples; ++i)
-    take_sample(scene, path, (static_cast<float>(i) + ray.offset) * step, slab);
+  const Sampled sampled = slab_of(scene, ray, segments, near, far);
+  const Slab& slab = sampled.slab;
   const Mask met = slab.opacity > 0.0005f;
   if (!any(met)) return;
-  const Vec3 light = light_of(scene, ray, segments, near, far, path, slab);
+  const Fibre fibre = fibre_of(scene, ray, segments, near, far, sampled.path, slab);
   const Real weight = select(met, seen.through * slab.opacity, 0.0f);
-  seen.light += light * weight;
+  Direct direct = Direct::none();
+  seen.light += fibre_light(scene.optics, fibre, seen.aovs ? &direct : nullptr) * weight;
+  if (seen.aovs) {
+    const Real distance = mix(near.distance, far.distance, slab.at / max(slab.opacity, 1e-9f));
+    seen.aovs->add({fibre.place, fibre.normal, fibre.tangent, fibre.colour, direct, select(met, Real(1.0f), 0.0f),
+                    1.0f / distance},
+                   weight, seen.through);
+  }
   seen.through -= weight;
 }
 

@@ -62,6 +62,8 @@ struct MarchMesh {
   std::span<const glm::vec4> variation;           // empty without a pattern
   std::span<const std::array<float, 6>> paint;    // empty where none
   std::span<const std::array<float, 8>> painted;  // empty where none
+  std::span<const float> mask;                    // empty where all is free
+  std::span<const std::uint32_t> welded;          // the model's own vertex of each
   std::span<const glm::uvec3> triangles;
   std::span<const std::uint32_t> patches;  // of triangles
   std::span<const PieceAxes> axes;         // of triangles
@@ -130,6 +132,7 @@ struct MarchScene {
   PixelBox box;               // of them that are drawn, by whole tiles
   int samples = 16;           // of the coat over the height of the fur
   bool bends = false;         // whether strands gather or curl beside what the coat has
+  bool bare = false;          // without fur: the skin that traced strands grow from, lit as if nothing stood on it
   float reach = 0;            // how far a ray moves over the tile between two shells at most, tiles
   glm::vec3 viewpoint{0}, forward{0, 0, -1};
   glm::vec3 ray_x{0}, ray_y{0}, ray_0{0};  // way of a pixel's ray by its x and y, 1 along the view
@@ -155,6 +158,17 @@ struct MarchScene {
   float* row(std::size_t number) { return &vertices[number * static_cast<std::size_t>(varyings.stride)]; }
   const float* row(std::size_t number) const { return &vertices[number * static_cast<std::size_t>(varyings.stride)]; }
 };
+
+/// What AOVs keep of a pixel beside its light (protocol Aov), multiplied by the share of what shows it.
+struct AovRows {
+  static constexpr int position = 0, normal = 3, tangent = 6, albedo = 9, direct = 12;  // three each
+  static constexpr int kept = 15, whole = 16;  // luminance of direct light, and what it would be without shadows
+  static constexpr int count_of_segments = 17;
+  static constexpr int inverse = 18;  // 1 / distance along the view of what brings the opacity to a half, 0 for none
+  static constexpr int cover = 19;    // share that skin, eyes and what grows there cover
+  static constexpr int count = 20;
+};
+using AovPixel = std::array<float, AovRows::count>;
 
 /// Pixels of a tile, which threads draw one by one.
 struct Tile {

@@ -12,9 +12,13 @@
 #include "renderer/coat/strand_tile.h"
 #include "renderer/marched/bins.h"
 #include "renderer/marched/box_cull.h"
+#include "renderer/marched/field_overlay.h"
 #include "renderer/marched/kernels.h"
 #include "renderer/marched/shadow_cache.h"
+#include "renderer/marched/shell_shadow.h"
 #include "renderer/pattern/tufts.h"
+#include "renderer/shaders/constants.h"
+#include "renderer/upload/blocks.h"
 
 namespace pelage {
 
@@ -70,6 +74,13 @@ Varyings varyings_of(const MarchScene& scene) {
   return at;
 }
 
+FloatImage picture_of(glm::ivec2 size) {
+  FloatImage picture;
+  picture.width = size.x, picture.height = size.y;
+  picture.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  return picture;
+}
+
 constexpr std::size_t block_vertices = 8;
 
 /// Blocks of vertices, one after the other, of which the pieces have any.
@@ -113,6 +124,25 @@ struct Marcher::Coated {
   }
 };
 
+namespace {
+
+/// Maps of the shells of a frame's lights.
+struct ShellShadows {
+  struct Key {
+    std::uint64_t model = 0, changes = 0;
+    Coat coat;
+    std::vector<FurLight> lights;
+    int resolution = 0;
+    bool operator==(const Key&) const = default;
+  };
+  Key key;
+  std::vector<std::vector<float>> maps;
+  std::vector<ShellShadow> shadows;   // of each light
+  std::vector<ShadowCaster> casters;  // of the last frame
+};
+
+}  // namespace
+
 struct Marcher::Kept {
   std::optional<Look> look;
   ScatteringBlock scattering{};
@@ -133,6 +163,7 @@ struct Marcher::Kept {
   std::vector<FurCurves> curves;
   CurveStrips strips;  // of those curves
   ShadowCache shadows;
+  ShellShadows shell_shadows;
 };
 
 Marcher::Marcher(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
@@ -258,6 +289,42 @@ void Marcher::add_ground(const FurFrame& frame, MarchScene& scene) {
   scene.ground = {frame.ground->height, frame.ground->contact, frame.ground->shadow, &kept.contact};
 }
 
+ShellShadow Marcher::shell_shadow_of(const FurFrame& frame, const FurLight& light, float radius,
+                                     std::vector<float>& maps) {
+  constexpr int samples = 2 * shadow_shells;
+  const FurFrame seen = frame_of_light(frame, light, radius);
+  MarchScene scene = scene_of(seen, shadow_shell_set(), samples);
+  scene.box = {0, 0, scene.width, scene.height};
+  maps.assign(shell_map_numbers(scene.width), 1.0f);
+  draw_tiles(scene, nullptr,
+             [&](const Tile& tile, TileScratch& scratch) { draw_shell_shadow(scene, tile, scratch, maps.data()); });
+  return {world_to_clip(seen), scene.width, maps.data()};
+}
+
+void Marcher::add_shell_shadows(const FurFrame& frame, MarchScene& scene) {
+  const bool any = std::any_of(frame.lights.begin(), frame.lights.end(),
+                               [](const FurLight& light) { return light.self_shadow_maps; });
+  if (!any) return;
+  ShellShadows& kept = kept_->shell_shadows;
+  const ShellShadows::Key key{frame.model, meshes_.at(frame.model).changes(), frame.coat, frame.lights,
+                              frame.knobs.shadow_resolution};
+  const std::span<const ShadowCaster> casters = scene.optics.casters;
+  if (kept.key != key) {
+    kept.key = key;
+    kept.maps.assign(frame.lights.size(), {});
+    kept.shadows.assign(frame.lights.size(), {});
+    float longest = 0;
+    for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
+    for (std::size_t i = 0; i < frame.lights.size(); ++i) {
+      if (frame.lights[i].self_shadow_maps && casters[i].depths)
+        kept.shadows[i] = shell_shadow_of(frame, frame.lights[i], 0.5f + longest, kept.maps[i]);
+    }
+  }
+  kept.casters.assign(casters.begin(), casters.end());
+  for (std::size_t i = 0; i < kept.casters.size(); ++i) kept.casters[i].shells = kept.shadows[i];
+  scene.optics.casters = kept.casters;
+}
+
 void Marcher::add_optics(const FurFrame& frame, const FurMesh& mesh, const Coated& coated, MarchScene& scene) {
   FrameOptics& optics = scene.optics;
   optics.frame = make_frame_block(frame, coated.slices, mesh.has_colours(), scene.height);
@@ -278,19 +345,20 @@ void Marcher::add_optics(const FurFrame& frame, const FurMesh& mesh, const Coate
   add_pattern(frame, scene), add_tufts(frame, scene), add_paint(frame, scene);
 }
 
-MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality) {
+MarchScene Marcher::scene_of(const FurFrame& frame, const ShellSet& shells, int samples) {
   const FurMesh& mesh = meshes_.at(frame.model);
   const Coated& coated = coat_of(frame.coat);
   MarchScene scene;
   scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
   scene.width = size_of(frame).x, scene.height = size_of(frame).y;
-  scene.shells = shells_of(quality, scene.mesh.positions.size()), scene.samples = quality.samples;
+  scene.shells = shells, scene.samples = samples;
   add_optics(frame, mesh, coated, scene);
   scene.bends = scene.optics.tufts.volume || scene.optics.paint.form;
   scene.reach = 3 * reach_of(frame.model) * scene.optics.frame.tile.x;
   add_camera(frame, scene);
   if (kept_->curves != frame.curves) kept_->curves = frame.curves, kept_->strips = make_strips(frame.curves);
-  kept_->shadows.add(frame, mesh.changes(), kept_->strips, scene);
+  kept_->shadows.add(frame, mesh.changes(), kept_->strips, threads_, scene);
+  if (!scene.optics.casters.empty()) add_shell_shadows(frame, scene);
   scene.varyings = varyings_of(scene);
   if (!frame.eyes.empty() && !eyes_) eyes_ = std::make_unique<EyeCache>();
   if (!frame.eyes.empty()) eyes_->add(frame, scene);
@@ -298,21 +366,8 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const MarchQuality& quality)
   return scene;
 }
 
-FloatImage Marcher::draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times) {
-  const glm::ivec2 size = size_of(frame);
-  FloatImage picture;
-  picture.width = size.x, picture.height = size.y;
-  picture.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  draw_part(frame, quality, {0, 0, size.x, size.y}, picture, times);
-  return picture;
-}
-
-void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, const PixelBox& part, FloatImage& picture,
-                        MarchTimes* times) {
-  assert(size_of(frame) == glm::ivec2(picture.width, picture.height));
-  MarchScene scene = scene_of(frame, quality);
-  scene.box = part;
-  if (!frame.curves.empty()) scene.ribbons = Ribbons(kept_->strips, scene);
+template <class Draw>
+void Marcher::draw_tiles(MarchScene& scene, MarchTimes* times, const Draw& draw) const {
   MarchTimes taken;
   const Stopwatch placing;
   scene.pieces = pieces_in_box(scene);
@@ -325,10 +380,44 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
   std::atomic<int> next = 0;
   run_on_threads(threads_, [&] {
     TileScratch scratch;
-    for (int i = next++; i < bins.count(); i = next++) draw_tile(scene, bins.tile(i), scratch, picture.rgba.data());
+    for (int i = next++; i < bins.count(); i = next++) draw(bins.tile(i), scratch);
   });
   taken.tiles = drawing.milliseconds();
   if (times) *times = taken;
+}
+
+FloatImage Marcher::draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times) {
+  FloatImage picture = picture_of(size_of(frame));
+  draw_part(frame, quality, {0, 0, picture.width, picture.height}, picture, nullptr, times);
+  return picture;
+}
+
+void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, const PixelBox& part, FloatImage& picture,
+                        std::vector<AovPixel>* aovs, MarchTimes* times) {
+  assert(size_of(frame) == glm::ivec2(picture.width, picture.height));
+  const std::size_t vertices = meshes_.at(frame.model).view().positions.size();
+  MarchScene scene = scene_of(frame, shells_of(quality, vertices), quality.samples);
+  scene.box = part;
+  if (!frame.curves.empty()) scene.ribbons = Ribbons(kept_->strips, scene);
+  draw_tiles(scene, times, [&](const Tile& tile, TileScratch& scratch) {
+    draw_tile(scene, tile, scratch, picture.rgba.data(), aovs ? aovs->data() : nullptr);
+  });
+}
+
+FloatImage Marcher::draw_bare(const FurFrame& frame, std::vector<AovPixel>& aovs) {
+  const ShellSet skin{{0}, {2}};
+  MarchScene scene = scene_of(frame, skin, 1);
+  scene.bare = true, scene.box = {0, 0, scene.width, scene.height};
+  FloatImage picture = picture_of({scene.width, scene.height});
+  aovs.resize(picture.rgba.size() / 4);
+  draw_tiles(scene, nullptr, [&](const Tile& tile, TileScratch& scratch) {
+    draw_tile(scene, tile, scratch, picture.rgba.data(), aovs.data());
+  });
+  return picture;
+}
+
+FloatImage Marcher::draw_overlay(const FurFrame& frame) const {
+  return field_overlay(frame, meshes_.at(frame.model).view(), threads_);
 }
 
 }  // namespace pelage

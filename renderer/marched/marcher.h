@@ -61,19 +61,30 @@ class Marcher {
 
   /// Premultiplied linear light of the skin and its fur, of a model that it has.
   FloatImage draw(const FurFrame& frame, const MarchQuality& quality, MarchTimes* times = nullptr);
-  /// The same of a part alone, by whole tiles of 16 pixels, into a picture of the frame's size; the rest stays.
+  /// The same of a part alone, by whole tiles of 16 pixels, into a picture of the frame's size; the rest stays. What
+  /// AOVs keep goes into `aovs`, of as many pixels, where that is given.
   void draw_part(const FurFrame& frame, const MarchQuality& quality, const PixelBox& part, FloatImage& picture,
-                 MarchTimes* times = nullptr);
+                 std::vector<AovPixel>* aovs = nullptr, MarchTimes* times = nullptr);
+  /// The skin and the eyes alone, lit as if no fur stood on them; the skin under fur has the colour of the roots.
+  FloatImage draw_bare(const FurFrame& frame, std::vector<AovPixel>& aovs);
+
+  /// Fields of a model that it has as colours over a frame (field_overlay).
+  FloatImage draw_overlay(const FurFrame& frame) const;
 
  private:
   struct Coated;
   const Coated& coat_of(const Coat& coat);
-  MarchScene scene_of(const FurFrame& frame, const MarchQuality& quality);
+  MarchScene scene_of(const FurFrame& frame, const ShellSet& shells, int samples);
+  /// Places and sorts the scene's box, and calls draw(tile, scratch) for its tiles.
+  template <class Draw>
+  void draw_tiles(MarchScene& scene, MarchTimes* times, const Draw& draw) const;
   void add_optics(const FurFrame& frame, const FurMesh& mesh, const Coated& coated, MarchScene& scene);
   void add_pattern(const FurFrame& frame, MarchScene& scene);
   void add_tufts(const FurFrame& frame, MarchScene& scene);
   void add_paint(const FurFrame& frame, MarchScene& scene);
   void add_ground(const FurFrame& frame, MarchScene& scene);
+  void add_shell_shadows(const FurFrame& frame, MarchScene& scene);
+  ShellShadow shell_shadow_of(const FurFrame& frame, const FurLight& light, float radius, std::vector<float>& maps);
 
   int threads_;
   std::map<std::uint64_t, FurMesh> meshes_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "protocol/base/lean_curve.h"
+#include "renderer/marched/shadow_width.h"
 
 namespace pelage {
 
@@ -13,6 +14,7 @@ constexpr float half_diagonal = 0.5f;  // of every model's box, sizes
 constexpr float nowhere = 1e30f;       // depth of the nearest curve where there is none, sizes
 
 bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
+bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
 /// Places of the fur's hull over the mesh's vertices.
 std::vector<glm::vec3> hull_of(const MarchMesh& mesh, LeanCurve curve, double root_share) {
@@ -51,40 +53,53 @@ std::vector<glm::vec2> curve_map(const CurveStrips& strips, const LightView& lig
 
 }  // namespace
 
-bool ShadowCache::makes_all(const FurFrame& frame) {
-  return !frame.knobs.shadow_maps || std::all_of(frame.lights.begin(), frame.lights.end(), [](const FurLight& light) {
-    return !light.self_shadow_maps && (!casts(light) || light.cast_shadow == CastShadow::penumbra);
-  });
+bool ShadowCache::wanted(const FurFrame& frame) {
+  return frame.knobs.shadow_maps && std::any_of(frame.lights.begin(), frame.lights.end(), has_maps);
 }
 
-void ShadowCache::add(const FurFrame& frame, std::uint64_t changes, const CurveStrips& curves, MarchScene& scene) {
-  if (!frame.knobs.shadow_maps || std::none_of(frame.lights.begin(), frame.lights.end(), casts)) return;
+void ShadowCache::add(const FurFrame& frame, std::uint64_t changes, const CurveStrips& curves, int threads,
+                      MarchScene& scene) {
+  if (!wanted(frame)) return;
   const LeanCurve curve = scene.optics.frame.tile.z > 0.5f ? LeanCurve::root : LeanCurve::arc;
   Key key{frame.model,  changes,      frame.coat.root_share,        curve,
           frame.lights, frame.curves, frame.knobs.shadow_resolution};
   if (key != key_) {
     key_ = std::move(key);
-    make_maps(frame, curves, scene);
+    make_maps(frame, curves, threads, scene);
   }
   scene.optics.casters = casters_;
 }
 
-void ShadowCache::make_maps(const FurFrame& frame, const CurveStrips& curves, const MarchScene& scene) {
-  const std::vector<glm::vec3> hull = hull_of(scene.mesh, key_.curve, key_.root_share);
+DepthMap ShadowCache::depths_of(const FurLight& light, const LightView& view, const MarchMesh& mesh, const Key& key,
+                                int threads) {
+  if (light.cast_shadow != CastShadow::penumbra)
+    return draw_depth_map(mesh.positions, mesh.triangles, view, key.resolution, threads);
+  return draw_depth_map(hull_of(mesh, key.curve, key.root_share), mesh.triangles, view, key.resolution, threads);
+}
+
+void ShadowCache::make_maps(const FurFrame& frame, const CurveStrips& curves, int threads, const MarchScene& scene) {
+  const MarchMesh& mesh = scene.mesh;
   const int side = key_.resolution;
   float longest = 0;
-  for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
+  for (const glm::vec3& groom : mesh.groom) longest = std::max(longest, groom.z);
   casters_.assign(frame.lights.size(), {});
-  depths_.assign(frame.lights.size(), {}), curves_.assign(frame.lights.size(), {});
+  maps_.assign(frame.lights.size(), {});
   for (std::size_t i = 0; i < frame.lights.size(); ++i) {
     const FurLight& light = frame.lights[i];
-    const auto view = casts(light) ? view_of_light(light, half_diagonal + longest, side) : std::nullopt;
+    const auto view = has_maps(light) ? view_of_light(light, half_diagonal + longest, side) : std::nullopt;
     if (!view) continue;
-    depths_[i] = draw_depth_map(hull, scene.mesh.triangles, *view, side);
-    if (!frame.curves.empty()) curves_[i] = curve_map(curves, *view, side);
-    casters_[i] = {view->world_to_clip,      view->axis,
-                   spread_of(light),         side,
-                   depths_[i].depths.data(), curves_[i].empty() ? nullptr : curves_[i].data()};
+    Maps& maps = maps_[i];
+    ShadowCaster& caster = casters_[i];
+    caster.to_light = view->world_to_clip, caster.axis = view->axis, caster.cast = light.cast_shadow;
+    caster.spread = spread_of(light), caster.scale = light.shadow_scale, caster.side = side;
+    maps.depths = depths_of(light, *view, mesh, key_, threads), caster.depths = maps.depths.depths.data();
+    if (light.cast_shadow == CastShadow::soft) {
+      maps.widths =
+          shadow_widths(occlusion_map(mesh.positions, mesh.normals, mesh.triangles, *view, maps.depths, threads), side);
+      caster.widths = maps.widths.data(), caster.width_side = shadow_width_side(side);
+    }
+    if (casts(light) && !frame.curves.empty())
+      maps.curves = curve_map(curves, *view, side), caster.curves = maps.curves.data();
   }
 }
 

@@ -12,12 +12,12 @@ namespace pelage {
 
 class ShadowCache {
  public:
-  /// Whether penumbras are all that a frame's lights ask of maps: those that it can make.
-  static bool makes_all(const FurFrame& frame);
+  /// Whether a frame's lights have any maps.
+  static bool wanted(const FurFrame& frame);
 
   /// Adds the casters of a frame to its scene, whose mesh and frame block are there, where it has any. `changes`:
   /// FurMesh::changes. Valid until the next call.
-  void add(const FurFrame& frame, std::uint64_t changes, const CurveStrips& curves, MarchScene& scene);
+  void add(const FurFrame& frame, std::uint64_t changes, const CurveStrips& curves, int threads, MarchScene& scene);
 
  private:
   struct Key {
@@ -29,12 +29,17 @@ class ShadowCache {
     int resolution = 0;
     bool operator==(const Key&) const = default;
   };
-  void make_maps(const FurFrame& frame, const CurveStrips& curves, const MarchScene& scene);
+  static DepthMap depths_of(const FurLight& light, const LightView& view, const MarchMesh& mesh, const Key& key,
+                            int threads);
+  void make_maps(const FurFrame& frame, const CurveStrips& curves, int threads, const MarchScene& scene);
 
   Key key_;
   std::vector<ShadowCaster> casters_;
-  std::vector<DepthMap> depths_;
-  std::vector<std::vector<glm::vec2>> curves_;
+  struct Maps {
+    DepthMap depths;
+    std::vector<glm::vec2> widths, curves;
+  };
+  std::vector<Maps> maps_;  // of each light
 };
 
 }  // namespace pelage

@@ -73,8 +73,8 @@ HWY_INLINE Real rising_from_face(const MarchScene& scene, const Ray& ray, const 
   return select(size > 0.0f, smoothstep(-0.1f, 0.15f, dot(across, offset) / max(size, 1e-30f)), 1.0f);
 }
 
-/// Light that the skin sends to the camera.
-HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
+/// Light that the skin sends to the camera. What AOVs keep of it goes into `shown` where that is given.
+HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPoint& point, AovSums::Shown* shown) {
   const FrameOptics& optics = scene.optics;
   const FrameBlock& frame = optics.frame;
   const auto row = [&](int at) HWY_ATTR { return point.row(at); };
@@ -91,7 +91,9 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
     grown *= 1.0f - thin * thin * thin;  // thinned fur does not hide the skin
     above *= fields.depth();
   }
-  const Real covered = select(facing, grown, 0.0f) * rising_from_face(scene, ray, point);
+  const Real furred =
+      scene.bare ? select(facing, grown, 0.0f) : select(facing, grown, 0.0f) * rising_from_face(scene, ray, point);
+  const Real covered = scene.bare ? Real(0.0f) : furred;  // the share that fur keeps light from
   const Real pixel = frame.viewpoint.w * point.distance() * ray.size, texels = pixel * point.image_scale();
   Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows, texels);
   Cover painted{Vec3(0.0f), 0.0f};
@@ -102,31 +104,51 @@ HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPo
   if (optics.paint.form) undercoat = colour_wetted(optics.paint, fields.wetness, undercoat);
   const Vec3 bare = optics.model_colours ? model_colour(optics, scene.varyings.image, rows, texels) : Vec3(frame.skin);
   const Vec3 coat = covered_by(painted, undercoat * Vec3(frame.colour_above[0]), 1.0f);
-  const Vec3 colour = mix(bare, mix(coat, undercoat, covered), grown), crossed = mix(bare, coat, covered);
+  const Vec3 crossed = mix(bare, coat, furred);
+  Vec3 colour = mix(bare, mix(coat, undercoat, furred), grown);
   const float self_shadow = frame.exponents.w;
   const Vec3 ambient = ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, self_shadow));
   Vec3 sum = frame.weights.x * mix(Vec3(1.0f), ambient, covered) * colour * environment_light(optics, normal);
   const Vec3 stopped = stopped_by_strand(crossed, 1.0f, self_shadow);
   const Vec3 place = Vec3(scene.viewpoint) + ray.way * point.distance();
+  Direct direct = Direct::none();
   const int at_open = scene.varyings.open;
   const Vec3 open = at_open < 0 ? place : rows(at_open);
   const Real hull = at_open < 0 ? Real(0.0f) : row(at_open + 3);
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, place);
     const Real cosine = dot(normal, light.to_light);
-    const Real strands = covered * strands_crossed(above, way_out(0.0f, cosine), normal, light.to_light);
+    Real strands = covered * strands_crossed(above, way_out(0.0f, cosine), normal, light.to_light);
+    if (!optics.casters.empty())
+      strands = shell_depth(optics.casters[static_cast<std::size_t>(i)], place, open, 0.0f, cosine, strands);
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
-    Vec3 arriving =
-        light.radiance * colour * through * (frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered));
+    const Real lit = frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered);
+    Vec3 arriving = light.radiance * colour * through * lit;
     if (!optics.casters.empty())
       arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
+    if (shown) direct.add(arriving, light.radiance * colour * lit);
     sum += arriving;
   }
-  if (optics.skin.count.x == 0 && !optics.paint.form) return sum;
-  Bare region = optics.paint.form ? painted_bare(bare, fields.bare, fields.wetness) : not_bare();
-  region = bare_over(optics.skin, region, place, normal, pixel);
-  if (!any(region.share > 0.0f)) return sum;
-  return mix(sum, bare_light(optics, region, place, open, hull, normal, -ray.unit_way, pixel), region.share);
+  if (optics.skin.count.x > 0 || optics.paint.form) {
+    Bare region = optics.paint.form ? painted_bare(bare, fields.bare, fields.wetness) : not_bare();
+    region = bare_over(optics.skin, region, place, normal, pixel);
+    if (any(region.share > 0.0f)) {
+      direct.keep(1.0f - region.share);
+      sum = mix(sum,
+                bare_light(optics, region, place, open, hull, normal, -ray.unit_way, pixel, shown ? &direct : nullptr),
+                region.share);
+      colour = mix(colour, region.colour, region.share);
+    }
+  }
+  if (shown)
+    *shown = {place,
+              normal,
+              select(length > 0.0f, unit(rows(Varyings::tangent)), Vec3(0.0f)),
+              colour,
+              direct,
+              0.0f,
+              1.0f / point.distance()};
+  return sum;
 }
 
 }  // namespace pelage::HWY_NAMESPACE

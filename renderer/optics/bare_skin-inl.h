@@ -157,9 +157,10 @@ HWY_INLINE Vec3 light_on_skin(const FrameOptics& optics, const Bare& bare, const
   return diffuse + Vec3(surface.open * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
 }
 
-/// Light that bare skin sends to the camera; `pixel` is the size of one there, sizes.
+/// Light that bare skin sends to the camera; `pixel` is the size of one there, sizes. Its share of `direct` is added to
+/// where that is given.
 HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 open, Real hull, Vec3 normal,
-                           Vec3 to_camera, Real pixel) {
+                           Vec3 to_camera, Real pixel, Direct* direct) {
   const SkinSurface surface = skin_surface(bare, place, normal, to_camera, pixel);
   Vec3 sum = optics.frame.weights.x * surface.open * surface.colour * environment_light(optics, surface.normal);
   const Vec3 dry = mirrored_sky(optics, surface.normal, to_camera, 0.08f * bare.shine, surface.dry_roughness);
@@ -167,9 +168,11 @@ HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 pla
   sum += surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, place);
-    Vec3 arriving = light.radiance * light_on_skin(optics, bare, surface, light.to_light);
+    const Vec3 without = light.radiance * light_on_skin(optics, bare, surface, light.to_light);
+    Vec3 arriving = without;
     if (!optics.casters.empty())
       arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
+    if (direct) direct->add(bare.share * arriving, bare.share * without);
     sum += arriving;
   }
   return sum;

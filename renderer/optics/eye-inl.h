@@ -30,7 +30,7 @@ HWY_INLINE Vec3 sclera_colour(const EyeView& view, Vec3 place) {
 
 HWY_INLINE Vec3 sclera_light(const EyeView& view, Vec3 place, Vec3 normal) {
   Vec3 sum(open_sky(view.eye, place) * view.ambient());
-  for (int i = 0; i < view.optics.lights; ++i) {
+  for (int i = 0; i < view.lights; ++i) {
     const Arriving light = light_on_eye(view, i, place);
     const Real cosine = dot(normal, light.to_light);
     const auto wrapped = [&](float wrap) HWY_ATTR { return max((cosine + wrap) * (1 / (1 + wrap)), 0.0f); };
@@ -66,7 +66,7 @@ HWY_INLINE Vec3 light_in_tear_film(const EyeView& view, Vec3 place, Vec3 normal)
   const Real cosine = dot(view.along, normal);
   const Vec3 way = view.along - 2.0f * min(cosine, 0.0f) * normal;
   Vec3 sum = surroundings_along(view, way, place);
-  for (int i = 0; i < view.optics.lights; ++i) {
+  for (int i = 0; i < view.lights; ++i) {
     const Arriving light = light_on_eye(view, i, place);
     const Real off = acos(clamp(dot(way, light.to_light), -1.0f, 1.0f));
     const Real shown = 1.0f - smoothstep(0.85f * disc, 1.15f * disc, off);
@@ -75,12 +75,21 @@ HWY_INLINE Vec3 light_in_tear_film(const EyeView& view, Vec3 place, Vec3 normal)
   return sum * (eye_reflectance(view.eye, -cosine) * (0.35f + 0.65f * wetness));
 }
 
+/// How near the edge of the lids a place is, where they are moist.
+HWY_INLINE Real lid_margin(const EyeView& view, Vec3 normal) {
+  return 1.0f - smoothstep(0.02f, 0.14f, -lid_opening(view.eye, normal));
+}
+HWY_INLINE Vec3 lid_colour(const EyeView& view, Real margin) {
+  const Vec3 lid(view.eye.lid);
+  return mix(lid, lid * Vec3(0.7f, 0.55f, 0.55f), margin);
+}
+
 HWY_INLINE Vec3 lid_light(const EyeView& view, Vec3 place) {
-  const Vec3 normal = unit_or_zero(place), lid(view.eye.lid);
-  const Real margin = 1.0f - smoothstep(0.02f, 0.14f, -lid_opening(view.eye, normal));  // moist along the edge
-  const Vec3 colour = mix(lid, lid * Vec3(0.7f, 0.55f, 0.55f), margin);
+  const Vec3 normal = unit_or_zero(place);
+  const Real margin = lid_margin(view, normal);
+  const Vec3 colour = lid_colour(view, margin);
   Vec3 sum = colour * view.ambient();
-  for (int i = 0; i < view.optics.lights; ++i) {
+  for (int i = 0; i < view.lights; ++i) {
     const Arriving light = light_on_eye(view, i, place);
     const Vec3 middle = unit_or_zero(light.to_light - view.along);
     const Real gloss =
@@ -179,14 +188,32 @@ HWY_INLINE EyeHit meet_eye(const EyeEntry& eye, const glm::vec3& viewer, Vec3 wa
   return hit;
 }
 
-/// Light of what is met; more than a half float holds would mix badly on the GPU too.
-HWY_INLINE Vec3 eye_light(const FrameOptics& optics, const EyeEntry& eye, const EyeHit& hit) {
-  const EyeView view{optics, eye, hit.along, hit.pixel};
+/// Light of what is met, of as many lights; more than a half float holds would mix badly on the GPU too.
+HWY_INLINE Vec3 eye_light(const FrameOptics& optics, const EyeEntry& eye, const EyeHit& hit, int lights) {
+  const EyeView view{optics, eye, hit.along, hit.pixel, lights};
   const Mask ball = hit.there & (hit.shut < 1.0f) & (hit.open > 0.0f), lid = hit.there & (hit.shut > 0.0f);
   Vec3 light(0.0f);
   if (any(ball)) light = select(ball, eyeball_light(view, hit.ball), light);
   if (any(lid)) light = select(lid, mix(light, lid_light(view, hit.lid), hit.shut), light);
   return clamp(light, 0.0f, 6e4f);
+}
+
+/// The surface of what is met.
+struct EyeSurface {
+  Vec3 place, normal, albedo;  // in the world
+};
+
+HWY_INLINE EyeSurface eye_surface(const FrameOptics& optics, const EyeEntry& eye, const EyeHit& hit) {
+  const EyeView view{optics, eye, hit.along, hit.pixel, 0};
+  const Real cornea = cornea_share(view, hit.ball);
+  const Vec3 ball_normal = eyeball_normal(view, hit.ball, cornea), lid_normal = unit_or_zero(hit.lid);
+  const Vec2 at = behind_cornea(view, hit.ball, ball_normal).bottom;
+  const Real edge = pupil_edge(eye, at), there = smoothstep(-hit.pixel, hit.pixel, length(at) - edge);
+  const Texel tissue = iris_tissue(view, at, edge);
+  const Vec3 ball = mix(sclera_colour(view, hit.ball), tissue_colour(eye, tissue) * (there * tissue.x), cornea);
+  return {Vec3(eye.position) + out_of_eye_frame(eye, hit.nearest) * eye.right.w,
+          out_of_eye_frame(eye, select(hit.shut > 0.5f, lid_normal, ball_normal)),
+          mix(ball, lid_colour(view, lid_margin(view, lid_normal)), hit.shut)};
 }
 
 }  // namespace pelage::HWY_NAMESPACE

@@ -42,6 +42,7 @@ struct EyeView {
   const EyeEntry& eye;
   Vec3 along;  // of the rays, unit
   Real pixel;  // its size at the eye, radii
+  int lights;  // that light it, of the frame's
 
   HWY_INLINE float iris_radius() const { return eye.up.w; }
   HWY_INLINE float ambient() const { return optics.frame.weights.x; }
@@ -185,7 +186,7 @@ struct IrisLight {
 HWY_INLINE IrisLight light_on_iris(const EyeView& view, Vec3 surface, Vec3 normal, Vec3 inside, Vec2 at) {
   IrisLight lights;
   lights.sky = Vec3(open_sky(view.eye, surface) * view.ambient()), lights.whole = lights.sky;
-  for (int i = 0; i < view.optics.lights; ++i) {
+  for (int i = 0; i < view.lights; ++i) {
     const Arriving light = light_on_eye(view, i, surface);
     lights.arriving[i] =
         light.radiance * (caustic(view, at, light.to_light) * past_lids(view.eye, surface, light.to_light));
@@ -226,7 +227,7 @@ struct IrisStep {
 
 HWY_INLINE Vec3 light_of_step(const EyeView& view, const IrisLight& lights, const IrisStep& step, const Texel& tissue) {
   Vec3 light = lights.sky * sent_back(step.above, step.thick, step.slant, 2.0f);
-  for (int i = 0; i < view.optics.lights; ++i) {
+  for (int i = 0; i < view.lights; ++i) {
     light +=
         lights.arriving[i] * (lights.scattered[i] * sent_back(step.above, step.thick, step.slant, lights.rising[i]));
   }
@@ -261,14 +262,31 @@ HWY_INLINE Vec3 marched_iris(const EyeView& view, Vec2 top, Vec2 bottom, Real sl
   return sum + lights.whole * colour * colour * (0.25f * passed * seen);
 }
 
+/// Where the ray that enters the cornea at a place meets the plane of the iris.
+struct BehindCornea {
+  Vec3 inside;  // its way, unit
+  Real over;    // way over depth
+  Vec2 bottom;
+};
+
+HWY_INLINE BehindCornea behind_cornea(const EyeView& view, Vec3 place, Vec3 normal) {
+  BehindCornea behind;
+  behind.inside = view.optics.eyes.steps == 0 ? Vec3(0.0f, 0.0f, -1.0f) : refracted(view.eye, view.along, normal);
+  behind.over = 1.0f / max(-behind.inside.z, 0.05f);
+  const Real fallen = max(place.z - view.eye.cornea.z, 0.0f) * behind.over;
+  behind.bottom = {place.x + behind.inside.x * fallen, place.y + behind.inside.y * fallen};
+  return behind;
+}
+
 /// What is seen through the cornea at a place on it.
 HWY_INLINE Vec3 iris_light(const EyeView& view, Vec3 place, Vec3 normal) {
   const EyeEntry& eye = view.eye;
   const int steps = view.optics.eyes.steps;
   const float radius = view.iris_radius();
-  const Vec3 inside = steps == 0 ? Vec3(0.0f, 0.0f, -1.0f) : refracted(eye, view.along, normal);
-  const Real over = 1.0f / max(-inside.z, 0.05f), fallen = max(place.z - eye.cornea.z, 0.0f) * over;
-  Vec2 bottom{place.x + inside.x * fallen, place.y + inside.y * fallen};
+  const BehindCornea behind = behind_cornea(view, place, normal);
+  const Vec3 inside = behind.inside;
+  const Real over = behind.over;
+  Vec2 bottom = behind.bottom;
   const Vec2 top = bottom - Vec2{inside.x, inside.y} * (eye.cornea.w * over);
   const Real reach = length(bottom);
   bottom = bottom * min(1.0f, radius / max(reach, 1e-6f));

@@ -119,8 +119,20 @@ HWY_INLINE Real strands_to_light(const Fibre& fibre, const FibreView& view, Vec3
   return max(strands - sqrt(max(view.strands * strands, 0.0f)) * share, 0.0f);
 }
 
-/// Light that a fibre sends to the camera, after GPU fur eq 1 to 3.
-HWY_INLINE Vec3 fibre_light(const FrameOptics& optics, const Fibre& fibre) {
+/// What lights add beside the light from all around (Aov::direct and shadow).
+struct Direct {
+  Vec3 light;
+  Real kept, whole;  // luminance of it, and what it would be without shadows
+
+  static HWY_INLINE Direct none() { return {Vec3(0.0f), 0.0f, 0.0f}; }
+  HWY_INLINE void add(Vec3 with_shadows, Vec3 without) {
+    light += with_shadows, kept += luminance(with_shadows), whole += luminance(without);
+  }
+  HWY_INLINE void keep(Real share) { light *= share, kept *= share, whole *= share; }
+};
+
+/// Light that a fibre sends to the camera, after GPU fur eq 1 to 3. `direct` is added to where it is given.
+HWY_INLINE Vec3 fibre_light(const FrameOptics& optics, const Fibre& fibre, Direct* direct = nullptr) {
   const FrameBlock& frame = optics.frame;
   const float self_shadow = frame.exponents.w;
   const Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f, self_shadow);
@@ -134,14 +146,19 @@ HWY_INLINE Vec3 fibre_light(const FrameOptics& optics, const Fibre& fibre) {
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, fibre.place);
     const Real facing = dot(fibre.normal, light.to_light);
-    const Real strands = strands_to_light(fibre, view, light.to_light, facing);
+    Real strands = strands_to_light(fibre, view, light.to_light, facing);
+    if (!optics.casters.empty())
+      strands = shell_depth(optics.casters[static_cast<std::size_t>(i)], fibre.place, fibre.open, fibre.height, facing,
+                            strands);
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
     const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
-    Vec3 arriving = light.radiance * scattered * through * light_behind(optics.model, facing, frame.exponents.z);
+    const Real behind = light_behind(optics.model, facing, frame.exponents.z);
+    Vec3 arriving = light.radiance * scattered * through * behind;
     if (!optics.casters.empty()) {
       const ShadowCaster& caster = optics.casters[static_cast<std::size_t>(i)];
       arriving *= cast_light(caster, fibre.place, fibre.open, fibre.hull, fibre.normal);
     }
+    if (direct) direct->add(arriving, light.radiance * scattered * behind);
     sum += arriving;
   }
   return sum;

@@ -1,19 +1,32 @@
-// Maps of the shadows that a body and its guided curves cast, as plain numbers: penumbras of
+// Maps of the shadows that a body, its fur and its guided curves cast, as plain numbers: those of
 // renderer/shaders/shadow.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
 
+#include "protocol/commands/look.h"
+
 namespace pelage {
 
-/// A light that casts a shadow. Maps are seen from it, rows from the top.
+/// Light that the shells above let through (GPU fur 3.1), as a light sees it.
+struct ShellShadow {
+  glm::mat4 to_light{1};
+  int side = 0;                 // texels of the maps
+  const float* kept = nullptr;  // at shadow_boundaries heights, the skin first, each side * side; null for none
+};
+
+/// A light that has maps. They are seen from it, rows from the top.
 struct ShadowCaster {
   glm::mat4 to_light{1};
-  glm::vec4 axis{0};              // linear depth: dot(xyz, place) + w, sizes
+  glm::vec4 axis{0};  // linear depth: dot(xyz, place) + w, sizes
+  CastShadow cast = CastShadow::none;
   float spread = 0;               // half of the light's width over its distance; of a light at a place, at distance 1
-  int side = 0;                   // texels of the maps
-  const float* depths = nullptr;  // of the fur's hull; null for a light that casts none
+  float scale = 1;                // of a soft edge's width
+  int side = 0, width_side = 0;   // texels of the maps, and of the widths
+  const float* depths = nullptr;  // of the fur's hull for a penumbra, else of the skin; null for a light without maps
+  const glm::vec2* widths = nullptr;  // of a soft edge: share of shadow nearby, and its mean times what casts it
   const glm::vec2* curves = nullptr;  // light that curves let through, and depth of the nearest; null for no curves
+  ShellShadow shells;
 };
 
 }  // namespace pelage

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/coat/slices.h"
 #include "renderer/optics/lanes-inl.h"
 #include "renderer/optics/shadow_optics.h"
 #include "renderer/shaders/constants.h"
@@ -120,15 +121,77 @@ HWY_INLINE Real past_curves(const ShadowCaster& caster, Vec3 place) {
   const Real below = on.depth - nearest;
   const glm::mat4& m = caster.to_light;
   const Real texels = 0.5f * side * glm::length(glm::vec3(m[0].x, m[1].x, m[2].x)) / on.w;
-  const Real stopped = (1.0f - kept) / (1.0f + penumbra * max(below, 0.0f) * texels);
+  const Real thinned = caster.cast == CastShadow::hard ? Real(1.0f) : 1.0f + penumbra * max(below, 0.0f) * texels;
+  const Real stopped = (1.0f - kept) / thinned;
   return select(inside, 1.0f - stopped * smoothstep(curve_bias, 3.0f * curve_bias, below), 1.0f);
+}
+
+/// Between the four nearest of a map's numbers; beyond its edge those at it. `map`: the first of each lane's map;
+/// `stride`: floats from one to the next.
+HWY_INLINE Real between_texels(const float* first, Int map, int stride, int side, Vec2 at) {
+  const float last = static_cast<float>(side) - 1;
+  const Real x = clamp(at.x * static_cast<float>(side) - 0.5f, 0.0f, last);
+  const Real y = clamp(at.y * static_cast<float>(side) - 0.5f, 0.0f, last);
+  const Real left = floor(x), top = floor(y), right = min(left + 1.0f, last), bottom = min(top + 1.0f, last);
+  const auto texel = [&](Real column, Real row) HWY_ATTR {
+    const Int texel_at = hn::Add(hn::Mul(to_int(row), whole(side)), to_int(column));
+    return gather(first, hn::Add(map, hn::Mul(texel_at, whole(stride))));
+  };
+  return mix(mix(texel(left, top), texel(right, top), x - left),
+             mix(texel(left, bottom), texel(right, bottom), x - left), y - top);
+}
+
+/// A hard edge, or 1 - scale width / depth below what casts the shadow (past_body of shadow.glsl).
+HWY_INLINE Real past_edge(const ShadowCaster& caster, Vec3 place) {
+  constexpr auto bias = static_cast<float>(cast_bias);
+  constexpr float shadow_width = 0.03f;  // sizes from the edge of a shadow to where its map is white
+  const OnLightMap on = on_light_map(caster, place);
+  const Real below = on.depth - depth_at(caster, on.at);
+  const Mask hidden = below > bias;
+  if (!any(hidden)) return 1.0f;
+  if (caster.cast == CastShadow::hard) return select(hidden, 0.0f, 1.0f);
+  const float* widths = &caster.widths[0].x;
+  const Real share = between_texels(widths, whole(0), 2, caster.width_side, on.at);
+  const Real depth = between_texels(widths + 1, whole(0), 2, caster.width_side, on.at);
+  const Real white = clamp((share * on.depth - depth) / max(below, 1e-9f), 0.0f, share);  // .5 at the edge
+  const Real width = shadow_width * max(2.0f * white - 1.0f, 0.0f);
+  const Real fade = smoothstep(bias, 3 * bias, below);
+  return select(hidden, 1.0f - fade * clamp(caster.scale * width / max(below, 1e-9f), 0.0f, 1.0f), 1.0f);
+}
+
+/// Optical depth of the shells above a place from maps of them; what the estimate says where the map shows another part
+/// of the body, or where the surface is turned so far away that its shells leave no trace on the map (shell_depth of
+/// shadow.glsl). `facing` is N.L.
+HWY_INLINE Real shell_depth(const ShadowCaster& caster, Vec3 place, Vec3 open, Real height, Real facing,
+                            Real estimate) {
+  const ShellShadow& shells = caster.shells;
+  if (!shells.kept) return estimate;
+  constexpr float count = shadow_shells, own_part = 0.5f / slice_count;  // what lies nearer is the strand itself
+  constexpr auto bias = static_cast<float>(cast_bias);
+  const glm::mat4& m = shells.to_light;
+  const auto clip = [&](int row) HWY_ATTR {
+    return mul_add(place.x, m[0][row], mul_add(place.y, m[1][row], mul_add(place.z, m[2][row], m[3][row])));
+  };
+  const Real w = max(clip(3), 1e-4f);
+  const Vec2 at{0.5f * clip(0) / w + 0.5f, 0.5f - 0.5f * clip(1) / w};
+  const Real in_shells = min(height + own_part, 1.0f) * count, low = min(floor(in_shells), count - 1);
+  const auto kept_at = [&](Real boundary) HWY_ATTR {
+    const Int map = hn::Mul(to_int(boundary), whole(shells.side * shells.side));
+    return between_texels(shells.kept, map, 1, shells.side, at);
+  };
+  const Real kept = mix(kept_at(low), kept_at(low + 1.0f), in_shells - low);
+  const OnLightMap on = on_light_map(caster, caster.cast == CastShadow::penumbra ? open : place);
+  const Real below = on.depth - depth_at(caster, on.at);
+  const Real estimated = max(smoothstep(bias, 2 * bias, below), 1.0f - smoothstep(0.05f, 0.35f, facing));
+  return mix(-0.69314718f * log2(max(kept, 1e-3f)), estimate, estimated);
 }
 
 /// Share of a light that other parts of the body and guided curves let through to fur whose hull is at `open`, and as
 /// high as `hull`, or to skin.
 HWY_INLINE Real cast_light(const ShadowCaster& caster, Vec3 place, Vec3 open, Real hull, Vec3 normal) {
-  if (!caster.depths) return 1.0f;
-  const Real kept = past_body(caster, open, hull, normal);
+  if (!caster.depths || caster.cast == CastShadow::none) return 1.0f;
+  const Real kept =
+      caster.cast == CastShadow::penumbra ? past_body(caster, open, hull, normal) : past_edge(caster, place);
   return caster.curves ? kept * past_curves(caster, place) : kept;
 }
 

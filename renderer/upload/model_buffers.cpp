@@ -218,13 +218,6 @@ ModelBuffers::DrawLists ModelBuffers::lists_of_skin() const {
   return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}};
 }
 
-ModelBuffers::DrawLists ModelBuffers::skin_lists(const Gl& gl) {
-  const std::vector<glm::uvec3>& elements = skin_elements();
-  gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
-                     GL_STREAM_DRAW);
-  return lists_of_skin();
-}
-
 namespace {
 
 ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vector<glm::uvec3>& elements) {

@@ -90,8 +90,6 @@ class ModelBuffers {
     DrawList shown;                // those whose fur is drawn
     std::vector<DepthPart> parts;  // of the fur, far to near
   };
-  /// Sends the triangles as they are, for passes over the skin alone: the lists of fur are empty.
-  DrawLists skin_lists(const Gl& gl);
   /// Sends the triangles to draw for a view, and the level of each vertex.
   DrawLists sort_for(const Gl& gl, const ShellView& view);
   /// How much is drawn where for a view that fills so many pixels.

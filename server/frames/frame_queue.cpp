@@ -10,7 +10,7 @@ int drawing_threads(int asked) {
 }
 
 RendererOptions renderer_options(const Context& context, int threads) {
-  return {.march_threads = context.is_software() ? threads : 0};
+  return {.threads = threads, .march = context.is_software()};
 }
 
 std::string drawn_by(const Context& context) {

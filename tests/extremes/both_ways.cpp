@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "renderer/marched/field_overlay.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage::testing {
@@ -37,7 +38,8 @@ FrameRequest sorted_with_all(FrameRequest request) {
 
 FrameRequest marchable(FrameRequest request) {
   request.knobs.guard_hairs = 0;
-  request.overlay = Overlay::none, request.overlay_from.reset();
+  if (!is_field(request.overlay) || request.overlay == Overlay::difference)
+    request.overlay = Overlay::none, request.overlay_from.reset();
   return request;
 }
 
@@ -94,12 +96,8 @@ Result<std::vector<FloatImage>> BothWays::march(Scene& scene, const FrameRequest
     marched_.add(make_model(view, arrays), make_fields(view, skin, {}));
   });
   if (!MarchedRenderer::draws(*frame)) frame->knobs.shadow_maps = false;  // those that the marcher does not make
-  DrawTimes times;
-  Result<FloatImage> light = marched_.draw_beauty(*frame, &times, {});
-  if (!light) return light.status();
-  std::vector<FloatImage> layers;
-  layers.push_back(std::move(light).value());
-  return layers;
+  if (Result<Image> shown = marched_.draw(*frame, nullptr, {}); !shown) return shown.status();
+  return marched_.draw_aovs(*frame, all_aovs, nullptr, {});
 }
 
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {

@@ -62,9 +62,9 @@ class FinishedLight : public OnBackend {
 
   void expect_alike(const FurFrame& frame, const FloatImage& light) {
     const Image small = resolved<Image>(frame, light, GL_RGBA8, GL_UNSIGNED_BYTE, 255);
-    EXPECT_LE(furthest_apart(finish_picture(frame, light), small), 1);
+    EXPECT_LE(furthest_apart(finish_picture(frame, {light}), small), 1);
     const Image16 deep = resolved<Image16>(frame, light, GL_RGBA16, GL_UNSIGNED_SHORT, 65535);
-    EXPECT_LE(furthest_apart(finish_picture_deep(frame, light), deep), 2);
+    EXPECT_LE(furthest_apart(finish_picture_deep(frame, {light}), deep), 2);
   }
 };
 
@@ -91,8 +91,9 @@ INSTANTIATE_TEST_SUITE_P(Backends, FinishedLight, ::testing::Values(Backend::egl
 TEST(FinishedPicture, GivesTheSameBitsOnAnyNumberOfThreads) {
   const FurFrame frame = frame_with(Background::studio, ToneMap::filmic);
   const FloatImage light = some_light(50, 33);
-  const Image one = finish_picture(frame, light, 1);
-  for (const int threads : {2, 7}) EXPECT_EQ(finish_picture(frame, light, threads).rgba, one.rgba) << threads;
+  const Image one = finish_picture(frame, {light, nullptr, 1});
+  for (const int threads : {2, 7})
+    EXPECT_EQ(finish_picture(frame, {light, nullptr, threads}).rgba, one.rgba) << threads;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class MarchedEyes : public WithRenderer {
   double apart(const FurredModel& model, const FrameRequest& request) {
     const Image drawn = draw(*renderer, model, request);
     const FurFrame frame = make_frame(model.view(), request);
-    return flip_between(drawn, finish_picture(frame, march(model, frame)));
+    return flip_between(drawn, finish_picture(frame, {march(model, frame)}));
   }
   double apart(const Eye& eye, int steps = 8) {
     FrameRequest request = request_of();

@@ -98,7 +98,7 @@ TEST_F(CachedViews, AnotherPictureBetweenIsNotMistakenForIt) {
   expect_part();
   ASSERT_TRUE(marched.draw_deep(frame_of(model, stroke(model)), nullptr, {}).ok());
   expect_part();
-  ASSERT_TRUE(marched.draw_beauty(frame_of(model, stroke(model)), nullptr, {}).ok());
+  ASSERT_TRUE(marched.draw_aovs(frame_of(model, stroke(model)), std::array{Aov::beauty}, nullptr, {}).ok());
   expect_part();
   model.settings.look.ambient = 1;
   EXPECT_EQ(drawn(model, stroke(model)).redrawn, 1);

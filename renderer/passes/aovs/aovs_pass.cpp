@@ -189,22 +189,6 @@ void AovsPass::draw_solid(const Gl& gl, const BodyPasses& body, const FurFrame& 
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void AovsPass::draw_open_distance(const Gl& gl, EyePass& eyes, const FurFrame& frame, const ModelBuffers& model,
-                                  const ModelBuffers::DrawList& triangles, const RenderTarget& distance) {
-  if (!open_distance_) {
-    open_distance_.emplace(gl, shaders::skin_vert, shaders::distance_frag);
-    failure_ += open_distance_->log();
-  }
-  set_draw_state(gl, distance);
-  gl.DepthMask(GL_TRUE);
-  gl.Disable(GL_BLEND);
-  clear_target(gl, distance, {});
-  gl.BindVertexArray(model.vertex_array());
-  open_distance_->use();
-  draw_list(gl, triangles);
-  if (!frame.eyes.empty()) eyes.draw(gl, frame, "#define COVERING\n");
-}
-
 void AovsPass::gather(const Gl& gl, Aov aov, GLuint drawn, float scale, const RenderTarget& picture) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
   gl.Viewport(0, 0, picture.width(), picture.height());

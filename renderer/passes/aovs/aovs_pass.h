@@ -70,10 +70,6 @@ class AovsPass {
   void draw_distance(const Gl& gl, const BodyPasses& body, const FurFrame& frame, const FurDrawing& drawing,
                      const RenderTarget& distance, const RenderTarget& covered);
 
-  /// The same of skin and eyes without fur.
-  void draw_open_distance(const Gl& gl, EyePass& eyes, const FurFrame& frame, const ModelBuffers& model,
-                          const ModelBuffers::DrawList& triangles, const RenderTarget& distance);
-
   /// Brings an AOV to the picture's size (RGBA32F): colours, alpha and count as means; position, normal, tangent and
   /// shadow as Aov says, with the coverage in the fourth channel; depth as it is in the middle of the pixel.
   void gather(const Gl& gl, Aov aov, GLuint drawn, float scale, const RenderTarget& picture);
@@ -93,7 +89,7 @@ class AovsPass {
                                     const FurDrawing& drawing);
 
   // Made when first used.
-  std::optional<Program> gather_, open_distance_;
+  std::optional<Program> gather_;
   std::map<std::string, DistancePrograms> distance_;  // by variant
   std::string failure_;
   VertexArray nothing_;

@@ -92,20 +92,6 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
   }
 }
 
-void FurPass::draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
-                             const std::string& variant) {
-  gl.BindVertexArray(model.vertex_array());
-  gl.BindTextureUnit(skin_images_unit, model.base_images());
-  gl.DepthMask(GL_TRUE);
-  gl.Disable(GL_BLEND);
-  const std::string defines = variant + "#define NO_FUR\n";
-  skin_of(gl, defines).use();
-  draw_list(gl, lists.furred);
-  if (lists.bare.count == 0) return;
-  skin_of(gl, defines + "#define BARE_SKIN\n").use();
-  draw_list(gl, lists.bare);
-}
-
 void FurPass::draw_depth(const Gl& gl, const FurDrawing& drawing) {
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   draw_skin(gl, drawing);

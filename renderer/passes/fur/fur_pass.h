@@ -37,9 +37,6 @@ class FurPass {
   std::string failure() const { return failure_; }
 
   void draw_skin(const Gl& gl, const FurDrawing& drawing);
-  /// The skin in open light, as if nothing grew on it: no fur and no map darkens it. The frame's block is bound.
-  void draw_open_skin(const Gl& gl, const ModelBuffers& model, const ModelBuffers::DrawLists& lists,
-                      const std::string& variant);
   /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
   /// sorted.
   void draw_dense(const Gl& gl, const FurDrawing& drawing);

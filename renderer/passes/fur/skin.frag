@@ -32,7 +32,6 @@ in vec4 varied;
 
 layout(location = 0) out vec4 result;
 
-#ifndef NO_FUR
 /// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body, where no shell is seen.
 float rising_from_face() {
   vec3 across = cross(dFdx(place), dFdy(place));
@@ -40,7 +39,6 @@ float rising_from_face() {
   float size = length(across) * length(fur_offset);
   return size > 0.0 ? smoothstep(-0.1, 0.15, dot(across, fur_offset) / size) : 1.0;
 }
-#endif
 
 // Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
 // Under fur lies an undercoat: the colour of the roots in the light that gets there. The inner side
@@ -55,12 +53,8 @@ void main() {
   above *= painted_depth();
 #endif
   float furred = gl_FrontFacing ? grown : 0.0;
-#ifdef NO_FUR
-  const float covered = 0.0;  // the share of the skin that fur keeps light from
-#else
   furred *= rising_from_face();
   float covered = furred;
-#endif
   vec3 bare = takes_model_colours() ? model_colour(base_colour, base_uv) : frame.skin.rgb;
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
 #ifdef PATTERN

@@ -1,0 +1,207 @@
+#include "renderer/marched/field_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "protocol/base/parallel.h"
+#include "renderer/marched/visible_triangles.h"
+#include "renderer/upload/blocks.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float strength = 0.6f;  // of colours over the frame
+
+float fraction(float x) { return x - std::floor(x); }
+
+/// Where a direction points: red to the right, then yellow, green up, blue to the left and violet down; paler the
+/// shorter. sRGB.
+glm::vec3 hue_of(glm::vec2 direction) {
+  const float length = std::min(glm::length(direction), 1.0f);
+  const float turn = length > 1e-6f ? std::atan2(direction.y, direction.x) / 6.28318531f : 0.0f;
+  const auto channel = [&](float offset) {
+    return std::clamp(std::abs(fraction(turn + offset) * 6 - 3) - 1, 0.0f, 1.0f);
+  };
+  return glm::mix(glm::vec3(1), glm::vec3(channel(1), channel(0.66666667f), channel(0.33333333f)), length);
+}
+
+/// Dark violet for 0, then blue, green and yellow for 1: lightness rises evenly (viridis in five steps). sRGB.
+glm::vec3 ramp_of(float share) {
+  constexpr std::array<glm::vec3, 5> steps{glm::vec3(0.267f, 0.005f, 0.329f), glm::vec3(0.230f, 0.322f, 0.546f),
+                                           glm::vec3(0.128f, 0.567f, 0.551f), glm::vec3(0.369f, 0.789f, 0.383f),
+                                           glm::vec3(0.993f, 0.906f, 0.144f)};
+  const float at = std::clamp(share, 0.0f, 1.0f) * 4;
+  const auto low = static_cast<std::size_t>(std::min(at, 3.0f));
+  return glm::mix(steps[low], steps[low + 1], at - static_cast<float>(low));
+}
+
+/// How the fur at a vertex leans on the picture: right and up, at most 1 where it lies across the view.
+glm::vec2 lean_on_picture(const FurFrame& frame, const glm::mat4& to_clip, const MarchMesh& mesh, std::size_t vertex) {
+  const glm::vec2 groom = mesh.groom[vertex];
+  const glm::vec3 normal = mesh.normals[vertex], tangent = mesh.tangents[vertex];
+  const glm::vec3 towards = tangent * groom.x + glm::cross(normal, tangent) * groom.y;
+  const glm::vec4 at = to_clip * glm::vec4(mesh.positions[vertex], 1), change = to_clip * glm::vec4(towards, 0);
+  const float aspect = static_cast<float>(frame.width) / static_cast<float>(frame.height);
+  const glm::vec2 moved =
+      (glm::vec2(change) - glm::vec2(at) / std::max(at.w, near_distance) * change.w) * glm::vec2(aspect, 1);
+  const float up = glm::length(glm::vec3(to_clip[0].y, to_clip[1].y, to_clip[2].y));
+  const float across = glm::length(towards), shown = glm::length(moved) / up;
+  if (!(across > 1e-6f) || !(shown > 1e-9f)) return glm::vec2(0);
+  return moved / glm::length(moved) * std::min(shown, across);
+}
+
+/// Of each vertex what its overlay is coloured by: a lean, or one number.
+std::vector<glm::vec2> values_of(const FurFrame& frame, const MarchMesh& mesh, const glm::mat4& to_clip) {
+  float longest = 1e-9f;
+  for (const glm::vec3& groom : mesh.groom) longest = std::max(longest, groom.z);
+  const auto value = [&](std::size_t i) -> glm::vec2 {
+    switch (frame.overlay) {
+      case Overlay::length: return {mesh.groom[i].z / longest, 0};
+      case Overlay::density: return {mesh.paint.empty() ? 1 : mesh.paint[i][0], 0};
+      case Overlay::wetness: return {mesh.paint.empty() ? 0 : mesh.paint[i][2], 0};
+      case Overlay::mask: return {mesh.mask.empty() ? 1 : mesh.mask[i], 0};
+      case Overlay::difference: return {frame.difference[mesh.welded[i]], 0};
+      default: return lean_on_picture(frame, to_clip, mesh, i);
+    }
+  };
+  std::vector<glm::vec2> values(mesh.positions.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(i);
+  return values;
+}
+
+glm::vec3 colour_of(Overlay overlay, glm::vec2 value) {
+  if (overlay == Overlay::direction) return hue_of(value);
+  if (overlay == Overlay::difference && !(value.x > 0)) return glm::vec3(0.5f);
+  return ramp_of(value.x);
+}
+
+/// What strokes are drawn from: the lean on the picture and whether fur grows there.
+struct StrokeField {
+  int width = 0, height = 0;
+  std::vector<glm::vec3> pixels;  // right, up, 1 where there is fur
+
+  glm::vec3 at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+};
+
+constexpr float cell = 10;  // pixels, with one stroke each
+
+/// Cells are moved a little, so that rows do not catch the eye.
+glm::vec2 moved(glm::ivec2 at) {
+  const auto part = [](int number) {
+    return fraction(std::sin(static_cast<float>(number) * 0.37f) * 43.758f) - 0.5f;
+  };
+  return 0.3f * glm::vec2(part(at.x * 127 + at.y * 311), part(at.x * 269 + at.y * 183));
+}
+
+/// Distance of a pixel's middle to a stroke's edge, pixels.
+float distance_to(const StrokeField& field, glm::ivec2 at, glm::vec2 pixel) {
+  constexpr float longest = 1.6f * cell, root_width = 0.8f, tip_width = 0.2f, nowhere = 1e3f;  // half widths
+  const glm::vec2 root = (glm::vec2(at) + 0.5f + moved(at)) * cell;
+  if (root.x < 0 || root.y < 0 || root.x >= static_cast<float>(field.width) ||
+      root.y >= static_cast<float>(field.height))
+    return nowhere;
+  const glm::vec3 fur = field.at(static_cast<int>(root.x), static_cast<int>(root.y));
+  if (fur.z < 0.5f) return nowhere;
+  const glm::vec2 lean(fur.x, -fur.y), along = lean / std::sqrt(std::max(glm::length(lean), 1e-4f)) * longest;
+  const glm::vec2 apart = pixel - root;
+  const float share = std::clamp(glm::dot(apart, along) / std::max(glm::dot(along, along), 1e-6f), 0.0f, 1.0f);
+  return glm::length(apart - share * along) - glm::mix(root_width, tip_width, share);
+}
+
+/// Short lines along the fur: one in each cell of the picture, thick at the root, thin at the tip; the longer the more
+/// the fur leans, and a dot where it stands upright or points at the eye.
+glm::vec4 stroke_at(const StrokeField& field, int x, int y) {
+  constexpr float silhouette = 0.9f;  // pixels
+  const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+  const glm::ivec2 middle(glm::floor(pixel / cell));
+  float nearest = 1e3f;
+  for (int k = 0; k < 25; ++k)
+    nearest = std::min(nearest, distance_to(field, middle + glm::ivec2(k % 5 - 2, k / 5 - 2), pixel));
+  const float core = std::clamp(0.5f - nearest, 0.0f, 1.0f),
+              whole = std::clamp(0.5f + silhouette - nearest, 0.0f, 1.0f);
+  return {glm::vec3(core), std::max(core, 0.6f * whole)};
+}
+
+FloatImage empty_overlay(int width, int height) {
+  FloatImage image;
+  image.width = width, image.height = height, image.display_referred = true;
+  image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return image;
+}
+
+/// Calls pixel(x, y), which gives sRGB with straight alpha.
+template <class Pixel>
+FloatImage drawn_overlay(int width, int height, int threads, const Pixel& pixel) {
+  FloatImage image = empty_overlay(width, height);
+  const auto draw_row = [&](std::uint32_t y) {
+    float* row = &image.rgba[4 * std::size_t{y} * static_cast<std::size_t>(width)];
+    for (int x = 0; x < width; ++x) {
+      const glm::vec4 colour = pixel(x, static_cast<int>(y));
+      std::memcpy(row + std::ptrdiff_t{4} * x, &colour.x, sizeof colour);
+    }
+  };
+  for_each_in_parallel(static_cast<std::uint32_t>(height), draw_row, threads);
+  return image;
+}
+
+}  // namespace
+
+bool is_field(Overlay overlay) {
+  switch (overlay) {
+    case Overlay::direction:
+    case Overlay::strokes:
+    case Overlay::length:
+    case Overlay::density:
+    case Overlay::wetness:
+    case Overlay::mask:
+    case Overlay::difference: return true;
+    default: return false;
+  }
+}
+
+FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threads) {
+  assert(is_field(frame.overlay));
+  const glm::mat4 to_clip = world_to_clip(frame);
+  const glm::vec3 forward = frame.camera.forward;
+  const PlainView view{to_clip, {forward, -glm::dot(forward, frame.camera.position)}, frame.width, frame.height};
+  const std::vector<VisibleTriangle> seen = visible_triangles(mesh.positions, mesh.triangles, view, threads);
+  const std::vector<glm::vec2> values = values_of(frame, mesh, to_clip);
+  const auto visible = [&](int x, int y) -> const VisibleTriangle& {
+    return seen[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)];
+  };
+  const auto value_at = [&](const VisibleTriangle& at) {
+    const glm::uvec3& t = mesh.triangles[at.triangle];
+    return at_visible(at, values[t.x], values[t.y], values[t.z]);
+  };
+  if (frame.overlay != Overlay::strokes) {
+    return drawn_overlay(frame.width, frame.height, threads, [&](int x, int y) {
+      const VisibleTriangle& at = visible(x, y);
+      return at.there() ? glm::vec4(colour_of(frame.overlay, value_at(at)), strength) : glm::vec4(0);
+    });
+  }
+  StrokeField field{frame.width, frame.height, std::vector<glm::vec3>(seen.size())};
+  std::transform(seen.begin(), seen.end(), field.pixels.begin(), [&](const VisibleTriangle& at) {
+    if (!at.there()) return glm::vec3(0);
+    const glm::uvec3& t = mesh.triangles[at.triangle];
+    const float length = at_visible(at, mesh.groom[t.x].z, mesh.groom[t.y].z, mesh.groom[t.z].z);
+    return glm::vec3(value_at(at), length > 0 ? 1.0f : 0.0f);
+  });
+  return drawn_overlay(frame.width, frame.height, threads, [&](int x, int y) { return stroke_at(field, x, y); });
+}
+
+FloatImage count_overlay(const FloatImage& counts, float most) {
+  return drawn_overlay(counts.width, counts.height, 1, [&](int x, int y) {
+    const float count = counts.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.width) +
+                                         static_cast<std::size_t>(x))];
+    return glm::vec4(ramp_of(count / most), count > 0 ? strength : 0.0f);
+  });
+}
+
+}  // namespace pelage
