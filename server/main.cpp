@@ -47,12 +47,13 @@ struct Options {
 
 void declare(CLI::App& app, Options& options) {
   static const std::map<std::string, GlChoice> gl_names{
-      {"auto", GlChoice::automatic}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
+      {"auto", GlChoice::automatic}, {"none", GlChoice::none}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
   app.add_option("--listen", options.listen, "ADDRESS:PORT; port 0 picks a free one")->capture_default_str();
   app.add_option("--port-file", options.port_file, "File that the port is written to, by rename");
   app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();
   app.add_option_function<std::string>(
-         "--gl", [&options](const std::string& name) { options.gl = gl_names.at(name); }, "auto, egl or osmesa [auto]")
+         "--gl", [&options](const std::string& name) { options.gl = gl_names.at(name); },
+         "what draws: auto (a GPU, else the CPU), none (the CPU), egl or osmesa [auto]")
       ->check(CLI::IsMember(gl_names));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
       ->check(CLI::Range(0, 1024));

@@ -70,7 +70,8 @@ FloatImage inverse_distances(const MarchedAovs& drawn, int width, int height) {
     for (int x = 0; x < width; ++x) {
       const AovPixel& pixel = drawn.pixels[row + static_cast<std::size_t>(at(x, drawn.light.width))];
       float* to =
-          &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+          &image
+               .rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
       to[0] = pixel[AovRows::inverse], to[3] = 1;
     }
   }

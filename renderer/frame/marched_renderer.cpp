@@ -52,12 +52,6 @@ MarchQuality march_quality(const Knobs& knobs) {
 
 std::string MarchedRenderer::description() { return std::string(instruction_set()) + " on the CPU"; }
 
-bool MarchedRenderer::draws(const FurFrame& frame) {
-  const Knobs& knobs = frame.knobs;
-  const bool shown = frame.overlay == Overlay::none || frame.overlay == Overlay::shell_count || is_field(frame.overlay);
-  return knobs.guard_hairs == 0 && shown;
-}
-
 void MarchedRenderer::forget_all() {
   marcher_.forget_all();
   views_.give_back();
@@ -124,7 +118,11 @@ Result<MarchedAovs> MarchedRenderer::draw_kept(const FurFrame& frame, DrawTimes&
 
 Result<FloatImage> MarchedRenderer::draw_overlay(const FurFrame& frame, const Pause& pause) {
   if (frame.overlay == Overlay::none) return FloatImage();
-  if (is_field(frame.overlay)) return marcher_.draw_overlay(frame);
+  if (frame.overlay != Overlay::shell_count) {
+    std::optional<FloatImage> overlay = marcher_.draw_overlay(frame);
+    if (overlay) return std::move(*overlay);
+    return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
+  }
   constexpr float full_shells = 2;  // times the shells: what the end of the ramp stands for
   DrawTimes times;
   const Result<MarchedAovs> drawn = draw_kept(frame, times, pause);
@@ -223,7 +221,7 @@ Result<Picture> MarchedRenderer::finish_traced(const FurFrame& frame, const Floa
   Picture picture;
   {
     const DrawClock clock(taken);
-    const FloatImage overlay = frame.overlay == Overlay::none ? FloatImage() : marcher_.draw_overlay(frame);
+    const FloatImage overlay = frame.overlay == Overlay::none ? FloatImage() : *marcher_.draw_overlay(frame);
     picture = finish(frame, FinishInput{light, overlay.rgba.empty() ? nullptr : &overlay, threads_});
   }
   if (times) *times = taken;

@@ -28,8 +28,6 @@ class MarchedRenderer {
 
   /// What it draws with: "AVX2 on the CPU".
   static std::string description();
-  /// Whether it draws all that a frame shows: not maps of shadows but for penumbras, nor guard hairs.
-  static bool draws(const FurFrame& frame);
 
   bool has(std::uint64_t model) const { return marcher_.has(model); }
   // As Renderer has them.

@@ -11,7 +11,6 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererO
   if (!passes) return passes.status();
   auto renderer = std::make_unique<Renderer>(options);
   renderer->gl_ = std::move(passes).value();
-  renderer->march_ = options.march;
   return renderer;
 }
 
@@ -25,29 +24,17 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   return gl_ ? gl_->update(model, fields) : UploadCount{};
 }
 
-template <class Draw>
-auto Renderer::march(DrawTimes* times, const Draw& draw) {
-  DrawTimes taken;
-  auto picture = draw(taken);
-  if (gl_) add_counts(taken.counters, gl_->take_counts());
-  if (times) *times = taken;
-  return picture;
-}
-
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  if (!marches(frame)) return gl_->draw(frame, times, pause);
-  return march(times, [&](DrawTimes& taken) { return marched_.draw(frame, &taken, pause); });
+  return gl_ ? gl_->draw(frame, times, pause) : marched_.draw(frame, times, pause);
 }
 
 Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  if (!marches(frame)) return gl_->draw_deep(frame, times, pause);
-  return march(times, [&](DrawTimes& taken) { return marched_.draw_deep(frame, &taken, pause); });
+  return gl_ ? gl_->draw_deep(frame, times, pause) : marched_.draw_deep(frame, times, pause);
 }
 
 Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
                                                     const Pause& pause) {
-  if (!marches(frame)) return gl_->draw_aovs(frame, aovs, times, pause);
-  return march(times, [&](DrawTimes& taken) { return marched_.draw_aovs(frame, aovs, &taken, pause); });
+  return gl_ ? gl_->draw_aovs(frame, aovs, times, pause) : marched_.draw_aovs(frame, aovs, times, pause);
 }
 
 Result<Backplate> Renderer::draw_backplate(const FurFrame& frame, DrawTimes* times) {

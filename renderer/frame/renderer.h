@@ -17,17 +17,16 @@ namespace pelage {
 struct RendererOptions {
   std::size_t sorted_bytes = SortedPass::default_bytes;  // fragments that a sorted frame keeps at a time (SortedPass)
   int threads = default_threads();                       // of what is drawn on the CPU
-  bool march = false;  // whether frames are marched although there is a GL, but for those that only a GL draws
 };
 
-/// Belongs to the thread and the context that it was made on. What traced strands stand on, and their finished picture,
-/// are made on the CPU in any case.
+/// Draws frames by a GL where it has one, else on the CPU. What traced strands stand on, and their finished picture,
+/// are made on the CPU in any case. Belongs to the thread and the context that it was made on.
 class Renderer {
  public:
-  /// With a GL, which outlives it. Fails (unavailable) when a program cannot be built.
+  /// By a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
-  /// On the CPU alone.
-  explicit Renderer(const RendererOptions& options) : marched_(options.threads), march_(true) {}
+  /// On the CPU.
+  explicit Renderer(const RendererOptions& options) : marched_(options.threads) {}
 
   bool has(std::uint64_t model) const { return marched_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
@@ -71,14 +70,8 @@ class Renderer {
   void forget_all();
 
  private:
-  /// Draws a frame by the marcher, and adds what the GL was sent for it.
-  template <class Draw>
-  auto march(DrawTimes* times, const Draw& draw);
-  bool marches(const FurFrame& frame) const { return march_ && (!gl_ || MarchedRenderer::draws(frame)); }
-
   std::unique_ptr<GlRenderer> gl_;  // null: there is none
   MarchedRenderer marched_;
-  bool march_;
 };
 
 }  // namespace pelage

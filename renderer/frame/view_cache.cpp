@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/curves/curve_strips.h"
-#include "renderer/frame/shadow_maps.h"
+#include "renderer/marched/shadow_cache.h"
 
 namespace pelage {
 
@@ -27,9 +27,7 @@ FurFrame light_of(const FurFrame& frame) {
 }
 
 /// Whether a change of the fur changes pixels near it alone.
-bool changes_stay_near(const FurFrame& frame) {
-  return frame.knobs.order == FragmentOrder::shells && !ShadowMaps::wanted(frame);
-}
+bool changes_stay_near(const FurFrame& frame) { return !ShadowCache::wanted(frame) && frame.knobs.guard_hairs == 0; }
 
 /// Whether both have the same light but for curves and the fields.
 bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }

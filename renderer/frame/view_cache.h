@@ -38,7 +38,7 @@ class ViewCache {
   /// The view that shows the frame's light: this frame but for curves and changes of the model's fields. Its picture is
   /// lost where it is of another format, or finished otherwise. If there is none, one that may be drawn over.
   CachedView take(const FurFrame& frame, int format);
-  /// Of frames with maps of shadows or sorted fragments the memory alone is kept: changes do not stay near. What is too
+  /// Of frames with maps of shadows or guard hairs the memory alone is kept: changes do not stay near. What is too
   /// many or too large is given back: first what shows nothing, then what was asked for once, as an orbit asks for each
   /// of its frames, then what is oldest.
   void keep(CachedView view);

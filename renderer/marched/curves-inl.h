@@ -48,6 +48,45 @@ HWY_INLINE Fibre ribbon_fibre(const MarchScene& scene, const Ribbon& ribbon, Rea
   return fibre;
 }
 
+/// What a vertex of the skin has in a row, mixed at the root of a hair.
+HWY_INLINE Real at_hair_root(const MarchScene& scene, const HairRoot& hair, int at) {
+  float sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const float* row = scene.row(scene.row_of(0, hair.corners[k]));
+    const float inverse = row[Varyings::inverse];
+    sum += hair.weights[k] * (inverse > 0 ? row[at] / inverse : row[at]);
+  }
+  return sum;
+}
+
+/// A guard hair is lit as the strand of its coat that it is, by the fur above its height.
+HWY_INLINE Fibre hair_fibre(const MarchScene& scene, const Ribbon& ribbon, Real share) {
+  const FrameOptics& optics = scene.optics;
+  const HairRoot& hair = scene.hairs[static_cast<std::size_t>(ribbon.hair)];
+  const auto row = [&](int at) HWY_ATTR { return at_hair_root(scene, hair, at); };
+  const auto rows = [&](int at) HWY_ATTR { return Vec3(row(at), row(at + 1), row(at + 2)); };
+  Fibre fibre = ribbon_fibre(scene, ribbon, share);
+  fibre.height = mix(Real(ribbon.root.height), Real(ribbon.tip.height), share);
+  const Int slice = to_int(clamp(fibre.height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
+  fibre.above =
+      gather(&optics.frame.depth_above[0].x, slice) * row(Varyings::length) * static_cast<float>(1 / nominal_length);
+  fibre.colour = strand_colour(optics, scene.varyings, fibre.colour, row, rows, 0.0f);
+  Cover above{Vec3(0.0f), 0.0f};
+  if (optics.paint.colour) {
+    const PaintedColours paint = painted_colours(scene.varyings, row, rows);
+    fibre.colour = covered_by(cover_at(paint, fibre.height), fibre.colour, 1.0f);
+    above = cover_at(paint, 0.5f * (fibre.height + 1.0f));
+  }
+  if (optics.paint.form) {
+    const PaintedFields fields = painted_fields(scene.varyings, row);
+    fibre.above *= fields.depth();
+    fibre.colour = colour_wetted(optics.paint, fields.wetness, fibre.colour);
+    fibre.shine = shine_of(optics.paint, fields.wetness);
+  }
+  fibre.crossed = covered_by(above, fibre.colour * colour_above(optics.frame, fibre.height), 1.0f);
+  return fibre;
+}
+
 /// What AOVs keep of each lane that is there.
 HWY_INLINE void keep_ribbon_aovs(const Fibre& fibre, const Direct& direct, Real inverse, Mask there,
                                  std::vector<AovPixel>& aovs) {
@@ -67,7 +106,7 @@ HWY_INLINE void raster_ribbon(const MarchScene& scene, const Ribbon& ribbon, int
   const Real inverse = mix(Real(ribbon.root.inverse), Real(ribbon.tip.inverse), on.share);
   on.there = on.there & (inverse >= load(scratch.nearest() + group * lane_count));
   if (!any(on.there)) return;
-  const Fibre fibre = ribbon_fibre(scene, ribbon, on.share);
+  const Fibre fibre = ribbon.hair < 0 ? ribbon_fibre(scene, ribbon, on.share) : hair_fibre(scene, ribbon, on.share);
   Direct direct = Direct::none();
   const Vec3 light = fibre_light(scene.optics, fibre, keeps_aovs ? &direct : nullptr) * on.opacity;
   auto kept = static_cast<std::uint32_t>(scratch.curves.aovs.size());

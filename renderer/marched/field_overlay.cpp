@@ -94,9 +94,7 @@ constexpr float cell = 10;  // pixels, with one stroke each
 
 /// Cells are moved a little, so that rows do not catch the eye.
 glm::vec2 moved(glm::ivec2 at) {
-  const auto part = [](int number) {
-    return fraction(std::sin(static_cast<float>(number) * 0.37f) * 43.758f) - 0.5f;
-  };
+  const auto part = [](int number) { return fraction(std::sin(static_cast<float>(number) * 0.37f) * 43.758f) - 0.5f; };
   return 0.3f * glm::vec2(part(at.x * 127 + at.y * 311), part(at.x * 269 + at.y * 183));
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/curves/guard_hairs.h"
 #include "renderer/marched/ground_contact.h"
 #include "renderer/marched/ribbons.h"
 #include "renderer/marched/slice_atlas.h"
@@ -139,7 +140,8 @@ struct MarchScene {
 
   std::vector<EyeCamera> eyes;  // of optics.eyes
   GroundOptics ground;
-  Ribbons ribbons;  // of guided curves
+  Ribbons ribbons;  // of guided curves and guard hairs
+  std::vector<HairRoot> hairs;
 
   std::vector<std::uint32_t> pieces;  // triangles of the mesh whose fur may touch the box, in their order
 

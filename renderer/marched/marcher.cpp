@@ -13,7 +13,10 @@
 #include "renderer/marched/bins.h"
 #include "renderer/marched/box_cull.h"
 #include "renderer/marched/field_overlay.h"
+#include "renderer/marched/fur_hull.h"
+#include "renderer/marched/hair_ribbons.h"
 #include "renderer/marched/kernels.h"
+#include "renderer/marched/light_map_overlay.h"
 #include "renderer/marched/shadow_cache.h"
 #include "renderer/marched/shell_shadow.h"
 #include "renderer/pattern/tufts.h"
@@ -83,11 +86,14 @@ FloatImage picture_of(glm::ivec2 size) {
 
 constexpr std::size_t block_vertices = 8;
 
-/// Blocks of vertices, one after the other, of which the pieces have any.
+/// Blocks of vertices, one after the other, of which the pieces or roots of hairs have any.
 std::vector<std::size_t> blocks_of(const MarchScene& scene) {
   std::vector<char> used((scene.mesh.positions.size() + block_vertices - 1) / block_vertices);
   for (const std::uint32_t piece : scene.pieces) {
     for (int k = 0; k < 3; ++k) used[scene.mesh.triangles[piece][k] / block_vertices] = 1;
+  }
+  for (const HairRoot& hair : scene.hairs) {
+    for (int k = 0; k < 3; ++k) used[hair.corners[k] / block_vertices] = 1;
   }
   std::vector<std::size_t> blocks;
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -161,7 +167,10 @@ struct Marcher::Kept {
   float ground_height = 0;
   GroundContact contact;
   std::vector<FurCurves> curves;
-  CurveStrips strips;  // of those curves
+  CurveStrips strips;        // of those curves
+  std::uint64_t haired = 0;  // the model of the hairs
+  int hair_count = 0;
+  std::vector<HairRoot> hairs;
   ShadowCache shadows;
   ShellShadows shell_shadows;
 };
@@ -279,6 +288,25 @@ void Marcher::add_paint(const FurFrame& frame, MarchScene& scene) {
   paint.clumps = kept.clumps, paint.clump_side = ClumpMap::side, paint.clump_reach = kept.clump_reach;
 }
 
+void Marcher::add_ribbons(const FurFrame& frame, MarchScene& scene) {
+  if (frame.curves.empty() && frame.knobs.guard_hairs == 0) return;
+  const RibbonCamera camera{
+      scene.optics.frame.world_to_clip, scene.viewpoint, scene.optics.frame.viewpoint.w, {scene.width, scene.height}};
+  std::vector<Ribbon> ribbons = ribbons_of(kept_->strips, camera);
+  if (frame.knobs.guard_hairs > 0) {
+    Kept& kept = *kept_;
+    const HairMesh mesh{scene.mesh.positions, scene.mesh.normals, scene.mesh.triangles, scene.mesh.welded};
+    if (kept.haired != frame.model || kept.hair_count != frame.knobs.guard_hairs) {
+      kept.haired = frame.model, kept.hair_count = frame.knobs.guard_hairs;
+      kept.hairs = scatter_hairs(mesh, kept.hair_count);
+    }
+    scene.hairs = shown_hairs(mesh, kept.hairs, scene.viewpoint).roots;
+    const std::vector<Ribbon> hairs = hair_ribbons(frame.coat, scene.hairs, scene, camera);
+    ribbons.insert(ribbons.end(), hairs.begin(), hairs.end());
+  }
+  scene.ribbons = Ribbons(std::move(ribbons), scene);
+}
+
 void Marcher::add_ground(const FurFrame& frame, MarchScene& scene) {
   if (!frame.ground || frame.camera.position.y <= frame.ground->height) return;
   Kept& kept = *kept_;
@@ -313,11 +341,10 @@ void Marcher::add_shell_shadows(const FurFrame& frame, MarchScene& scene) {
     kept.key = key;
     kept.maps.assign(frame.lights.size(), {});
     kept.shadows.assign(frame.lights.size(), {});
-    float longest = 0;
-    for (const glm::vec3& groom : scene.mesh.groom) longest = std::max(longest, groom.z);
+    const float radius = radius_of_fur(scene.mesh);
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
       if (frame.lights[i].self_shadow_maps && casters[i].depths)
-        kept.shadows[i] = shell_shadow_of(frame, frame.lights[i], 0.5f + longest, kept.maps[i]);
+        kept.shadows[i] = shell_shadow_of(frame, frame.lights[i], radius, kept.maps[i]);
     }
   }
   kept.casters.assign(casters.begin(), casters.end());
@@ -398,7 +425,7 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
   const std::size_t vertices = meshes_.at(frame.model).view().positions.size();
   MarchScene scene = scene_of(frame, shells_of(quality, vertices), quality.samples);
   scene.box = part;
-  if (!frame.curves.empty()) scene.ribbons = Ribbons(kept_->strips, scene);
+  add_ribbons(frame, scene);
   draw_tiles(scene, times, [&](const Tile& tile, TileScratch& scratch) {
     draw_tile(scene, tile, scratch, picture.rgba.data(), aovs ? aovs->data() : nullptr);
   });
@@ -416,8 +443,10 @@ FloatImage Marcher::draw_bare(const FurFrame& frame, std::vector<AovPixel>& aovs
   return picture;
 }
 
-FloatImage Marcher::draw_overlay(const FurFrame& frame) const {
-  return field_overlay(frame, meshes_.at(frame.model).view(), threads_);
+std::optional<FloatImage> Marcher::draw_overlay(const FurFrame& frame) const {
+  const MarchMesh mesh = meshes_.at(frame.model).view();
+  if (is_light_map(frame.overlay)) return light_map_overlay(frame, mesh, threads_);
+  return field_overlay(frame, mesh, threads_);
 }
 
 }  // namespace pelage

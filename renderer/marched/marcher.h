@@ -68,8 +68,9 @@ class Marcher {
   /// The skin and the eyes alone, lit as if no fur stood on them; the skin under fur has the colour of the roots.
   FloatImage draw_bare(const FurFrame& frame, std::vector<AovPixel>& aovs);
 
-  /// Fields of a model that it has as colours over a frame (field_overlay).
-  FloatImage draw_overlay(const FurFrame& frame) const;
+  /// Fields of a model that it has as colours over a frame (field_overlay), or a map of a light in its place; none
+  /// where no light of the frame has such a map.
+  std::optional<FloatImage> draw_overlay(const FurFrame& frame) const;
 
  private:
   struct Coated;
@@ -83,6 +84,7 @@ class Marcher {
   void add_tufts(const FurFrame& frame, MarchScene& scene);
   void add_paint(const FurFrame& frame, MarchScene& scene);
   void add_ground(const FurFrame& frame, MarchScene& scene);
+  void add_ribbons(const FurFrame& frame, MarchScene& scene);
   void add_shell_shadows(const FurFrame& frame, MarchScene& scene);
   ShellShadow shell_shadow_of(const FurFrame& frame, const FurLight& light, float radius, std::vector<float>& maps);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/marched/march_scene.h"
 
@@ -21,18 +22,25 @@ glm::vec2 on_picture(const RibbonCamera& camera, const glm::vec4& clip) {
 RibbonEnd end_of(const CurveStrips& strips, std::size_t curve, std::size_t at, const RibbonCamera& camera) {
   const std::size_t root = curve * points_each;
   const CurveStyle& style = strips.styles[curve];
-  RibbonEnd end;
-  end.place = strips.points[root + at].place;
   const std::size_t before = at == 0 ? at : at - 1, after = std::min(at + 1, points_each - 1);
-  end.tangent = unit_of(strips.points[root + after].place - strips.points[root + before].place);
+  const glm::vec3 tangent = unit_of(strips.points[root + after].place - strips.points[root + before].place);
   const glm::vec4 looks = glm::mix(style.root, style.tip, static_cast<float>(at) / curve_segments);
+  RibbonEnd end = ribbon_end(strips.points[root + at].place, tangent, looks.w, camera);
   end.colour = looks;
+  return end;
+}
+
+}  // namespace
+
+RibbonEnd ribbon_end(glm::vec3 place, glm::vec3 tangent, float width, const RibbonCamera& camera) {
+  RibbonEnd end;
+  end.place = place, end.tangent = tangent;
   const glm::mat4& to_clip = camera.to_clip;
   const glm::vec4 clip = to_clip * glm::vec4(end.place, 1);
   if (!(clip.w > near_distance)) return end;
   end.inverse = 1 / clip.w, end.at = on_picture(camera, clip);
   const glm::vec3 to_camera = camera.viewpoint - end.place;
-  const float pixel = camera.pixel * glm::length(to_camera), pixels = looks.w / std::max(pixel, 1e-20f);
+  const float pixel = camera.pixel * glm::length(to_camera), pixels = width / std::max(pixel, 1e-20f);
   end.reach = 0.5f * std::max(pixels, 1.0f), end.strength = std::min(pixels, 1.0f);
   const glm::vec3 spread = unit_of(glm::cross(end.tangent, unit_of(to_camera)));
   const glm::vec4 aside = to_clip * glm::vec4(end.place + spread * pixel, 1);
@@ -43,8 +51,6 @@ RibbonEnd end_of(const CurveStrips& strips, std::size_t curve, std::size_t at, c
   if (ahead.w > near_distance && glm::dot(end.along, on_picture(camera, ahead) - end.at) < 0) end.along = -end.along;
   return end;
 }
-
-}  // namespace
 
 std::vector<Ribbon> ribbons_of(const CurveStrips& strips, const RibbonCamera& camera) {
   std::vector<Ribbon> ribbons;
@@ -71,11 +77,7 @@ OnRibbon on_ribbon(const Ribbon& ribbon, glm::vec2 pixel) {
                      std::clamp(glm::mix(a.reach, b.reach, share) + 0.5f - across, 0.0f, 1.0f)};
 }
 
-Ribbons::Ribbons(const CurveStrips& strips, const MarchScene& scene)
-    : ribbons_(ribbons_of(strips, {scene.optics.frame.world_to_clip,
-                                   scene.viewpoint,
-                                   scene.optics.frame.viewpoint.w,
-                                   {scene.width, scene.height}})) {
+Ribbons::Ribbons(std::vector<Ribbon> ribbons, const MarchScene& scene) : ribbons_(std::move(ribbons)) {
   sort_into_tiles(scene);
 }
 

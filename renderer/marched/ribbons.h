@@ -19,6 +19,7 @@ struct RibbonEnd {
   float inverse = 0;   // 1 / distance along the view; 0 for what is nearer than near_distance
   float reach = 0;     // half of the drawn width, pixels
   float strength = 0;  // opacity in the middle
+  float height = 1;    // in the fur
   glm::vec3 place{0}, tangent{0}, colour{0};
 };
 
@@ -26,6 +27,7 @@ struct Ribbon {
   RibbonEnd root, tip;
   glm::vec3 normal{0};  // of the skin at the curve's root
   float number = 0;     // random, [0, 1)
+  int hair = -1;        // of MarchScene::hairs; -1 for a guided curve
 };
 
 /// Who looks at ribbons.
@@ -35,6 +37,9 @@ struct RibbonCamera {
   float pixel = 0;    // size of a pixel at distance 1
   glm::vec2 size{0};  // pixels of the picture
 };
+
+/// A place of a ribbon of that width, sizes, as the camera sees it.
+RibbonEnd ribbon_end(glm::vec3 place, glm::vec3 tangent, float width, const RibbonCamera& camera);
 
 /// Those of all curves, one after the other, but for what reaches behind the camera.
 std::vector<Ribbon> ribbons_of(const CurveStrips& strips, const RibbonCamera& camera);
@@ -53,7 +58,7 @@ class Ribbons {
  public:
   Ribbons() = default;
   /// For a scene whose camera and box are there.
-  Ribbons(const CurveStrips& strips, const MarchScene& scene);
+  Ribbons(std::vector<Ribbon> ribbons, const MarchScene& scene);
 
   bool empty() const { return ribbons_.empty(); }
   const Ribbon& operator[](std::uint32_t number) const { return ribbons_[number]; }

@@ -3,31 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/lean_curve.h"
+#include "renderer/marched/fur_hull.h"
 #include "renderer/marched/shadow_width.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr float half_diagonal = 0.5f;  // of every model's box, sizes
-constexpr float nowhere = 1e30f;       // depth of the nearest curve where there is none, sizes
+constexpr float nowhere = 1e30f;  // depth of the nearest curve where there is none, sizes
 
 bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
-
-/// Places of the fur's hull over the mesh's vertices.
-std::vector<glm::vec3> hull_of(const MarchMesh& mesh, LeanCurve curve, double root_share) {
-  std::vector<glm::vec3> places(mesh.positions.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Lean<float> lean = lean_of(glm::vec2(mesh.groom[i]), mesh.normals[i], mesh.tangents[i]);
-    const LeanPoint point = lean_point(curve, double{lean.inclination}, root_share, double{hull_height});
-    const glm::vec3 way =
-        static_cast<float>(point.across) * lean.along + static_cast<float>(point.up) * mesh.normals[i];
-    places[i] = mesh.positions[i] + mesh.groom[i].z * way;
-  }
-  return places;
-}
 
 /// What curves let through, and the depth of the nearest, for each texel.
 std::vector<glm::vec2> curve_map(const CurveStrips& strips, const LightView& light, int side) {
@@ -60,8 +46,7 @@ bool ShadowCache::wanted(const FurFrame& frame) {
 void ShadowCache::add(const FurFrame& frame, std::uint64_t changes, const CurveStrips& curves, int threads,
                       MarchScene& scene) {
   if (!wanted(frame)) return;
-  const LeanCurve curve = scene.optics.frame.tile.z > 0.5f ? LeanCurve::root : LeanCurve::arc;
-  Key key{frame.model,  changes,      frame.coat.root_share,        curve,
+  Key key{frame.model,  changes,      frame.coat.root_share,        frame.coat.lean_curve,
           frame.lights, frame.curves, frame.knobs.shadow_resolution};
   if (key != key_) {
     key_ = std::move(key);
@@ -70,29 +55,24 @@ void ShadowCache::add(const FurFrame& frame, std::uint64_t changes, const CurveS
   scene.optics.casters = casters_;
 }
 
-DepthMap ShadowCache::depths_of(const FurLight& light, const LightView& view, const MarchMesh& mesh, const Key& key,
-                                int threads) {
-  if (light.cast_shadow != CastShadow::penumbra)
-    return draw_depth_map(mesh.positions, mesh.triangles, view, key.resolution, threads);
-  return draw_depth_map(hull_of(mesh, key.curve, key.root_share), mesh.triangles, view, key.resolution, threads);
-}
-
 void ShadowCache::make_maps(const FurFrame& frame, const CurveStrips& curves, int threads, const MarchScene& scene) {
   const MarchMesh& mesh = scene.mesh;
   const int side = key_.resolution;
-  float longest = 0;
-  for (const glm::vec3& groom : mesh.groom) longest = std::max(longest, groom.z);
+  const float radius = radius_of_fur(mesh);
   casters_.assign(frame.lights.size(), {});
   maps_.assign(frame.lights.size(), {});
   for (std::size_t i = 0; i < frame.lights.size(); ++i) {
     const FurLight& light = frame.lights[i];
-    const auto view = has_maps(light) ? view_of_light(light, half_diagonal + longest, side) : std::nullopt;
+    const auto view = has_maps(light) ? view_of_light(light, radius, side) : std::nullopt;
     if (!view) continue;
     Maps& maps = maps_[i];
     ShadowCaster& caster = casters_[i];
     caster.to_light = view->world_to_clip, caster.axis = view->axis, caster.cast = light.cast_shadow;
     caster.spread = spread_of(light), caster.scale = light.shadow_scale, caster.side = side;
-    maps.depths = depths_of(light, *view, mesh, key_, threads), caster.depths = maps.depths.depths.data();
+    maps.depths = light.cast_shadow == CastShadow::penumbra
+                      ? draw_depth_map(fur_hull(mesh, frame.coat), mesh.triangles, *view, side, threads)
+                      : draw_depth_map(mesh.positions, mesh.triangles, *view, side, threads);
+    caster.depths = maps.depths.depths.data();
     if (light.cast_shadow == CastShadow::soft) {
       maps.widths =
           shadow_widths(occlusion_map(mesh.positions, mesh.normals, mesh.triangles, *view, maps.depths, threads), side);

@@ -29,8 +29,6 @@ class ShadowCache {
     int resolution = 0;
     bool operator==(const Key&) const = default;
   };
-  static DepthMap depths_of(const FurLight& light, const LightView& view, const MarchMesh& mesh, const Key& key,
-                            int threads);
   void make_maps(const FurFrame& frame, const CurveStrips& curves, int threads, const MarchScene& scene);
 
   Key key_;

@@ -20,7 +20,8 @@ std::vector<glm::vec2> occlusion_map(std::span<const glm::vec3> places, std::spa
 /// must not shrink with finer maps, so a texel is about .03 sizes wide.
 int shadow_width_side(int resolution);
 
-/// The occlusion map reduced: its mean over twice a texel's width, whose grey near an edge stands for the distance to it.
+/// The occlusion map reduced: its mean over twice a texel's width, whose grey near an edge stands for the distance to
+/// it.
 std::vector<glm::vec2> shadow_widths(std::span<const glm::vec2> occlusion, int side);
 
 }  // namespace pelage

@@ -8,8 +8,9 @@
 
 namespace pelage {
 
-/// The frame that a light sees, whose picture has the sides of its maps: from far away for one that is, so that a camera
-/// can stand there. `radius`: of the ball about the origin that holds the fur, sizes; the light stands outside it.
+/// The frame that a light sees, whose picture has the sides of its maps: from far away for one that is, so that a
+/// camera can stand there. `radius`: of the ball about the origin that holds the fur, sizes; the light stands outside
+/// it.
 FurFrame frame_of_light(const FurFrame& frame, const FurLight& light, float radius);
 
 /// Even shells, as many as maps have.

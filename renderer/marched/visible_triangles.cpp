@@ -59,9 +59,8 @@ VisibleTriangle PlainRaster::at(const Drawn& drawn, int x, int y) {
           static_cast<float>(glm::dot(shares, drawn.depths))};
 }
 
-std::vector<VisibleTriangle> visible_triangles(std::span<const glm::vec3> places,
-                                               std::span<const glm::uvec3> triangles, const PlainView& view,
-                                               int threads) {
+std::vector<VisibleTriangle> visible_triangles(std::span<const glm::vec3> places, std::span<const glm::uvec3> triangles,
+                                               const PlainView& view, int threads) {
   std::vector<VisibleTriangle> seen(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   PlainRaster(places, triangles, view).visit(threads, [&](std::size_t pixel, const VisibleTriangle& found) {
     if (!seen[pixel].there() || found.depth < seen[pixel].depth) seen[pixel] = found;

@@ -39,8 +39,8 @@ class PlainRaster {
  public:
   PlainRaster(std::span<const glm::vec3> places, std::span<const glm::uvec3> triangles, const PlainView& view);
 
-  /// Calls visit(pixel, VisibleTriangle) for each triangle over each pixel, rows from the top; at one pixel in the order
-  /// of the triangles and on one thread.
+  /// Calls visit(pixel, VisibleTriangle) for each triangle over each pixel, rows from the top; at one pixel in the
+  /// order of the triangles and on one thread.
   template <class Visit>
   void visit(int threads, const Visit& visit) const {
     const auto bands = static_cast<std::uint32_t>((view_.height + band_rows - 1) / band_rows);
@@ -86,8 +86,7 @@ class PlainRaster {
 };
 
 /// The nearest of each pixel; of triangles at the same depth the first. The same for any number of threads.
-std::vector<VisibleTriangle> visible_triangles(std::span<const glm::vec3> places,
-                                               std::span<const glm::uvec3> triangles, const PlainView& view,
-                                               int threads);
+std::vector<VisibleTriangle> visible_triangles(std::span<const glm::vec3> places, std::span<const glm::uvec3> triangles,
+                                               const PlainView& view, int threads);
 
 }  // namespace pelage

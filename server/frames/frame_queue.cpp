@@ -9,12 +9,14 @@ int drawing_threads(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-RendererOptions renderer_options(const Context& context, int threads) {
-  return {.threads = threads, .march = context.is_software()};
+Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads) {
+  const RendererOptions options{.threads = threads};
+  if (!context) return std::make_unique<Renderer>(options);
+  return Renderer::create(context->gl(), options);
 }
 
-std::string drawn_by(const Context& context) {
-  return context.description() + (context.is_software() ? "; fur by " + MarchedRenderer::description() : "");
+std::string drawn_by(const Context* context) {
+  return context ? context->description() : MarchedRenderer::description();
 }
 
 double expected_cost(const FrameRequest& request) {

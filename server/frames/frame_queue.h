@@ -19,13 +19,13 @@
 
 namespace pelage {
 
-/// Threads that fur is drawn on where the GL is software; `asked` as of select_context: 0 for all cores.
+/// Threads that the CPU draws on; `asked` as of select_context: 0 for all cores.
 int drawing_threads(int asked);
 
-/// Fur is marched wherever a software GL would draw it.
-RendererOptions renderer_options(const Context& context, int threads);
-/// What draws: "EGL device, llvmpipe (LLVM 15...), OpenGL 4.5; fur by AVX2 on the CPU".
-std::string drawn_by(const Context& context);
+/// By the context, or on the CPU where that is null. Fails as Renderer::create does.
+Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads);
+/// What draws: "EGL device, NVIDIA ..., OpenGL 4.5" or "AVX2 on the CPU".
+std::string drawn_by(const Context* context);
 
 /// Milliseconds that a frame of shells may take, above 0: a guess before its view is known, to order requests by.
 double expected_cost(const FrameRequest& request);

@@ -111,9 +111,9 @@ void FrameService::Impl::run(GlChoice choice, int asked_threads, std::promise<St
   if (!context) return started.set_value(context.status());
   threads = drawing_threads(asked_threads);
   planner.use(default_calibration(threads));
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), renderer_options(**context, threads));
+  Result<std::unique_ptr<Renderer>> renderer = make_renderer(context->get(), threads);
   if (!renderer) return started.set_value(renderer.status());
-  description = drawn_by(**context);
+  description = drawn_by(context->get());
   started.set_value({});
   serve(**renderer);
   renderer->reset();  // GL objects before their context

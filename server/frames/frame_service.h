@@ -41,15 +41,15 @@ struct TraceStart {
 /// Thread-safe. Encoding runs on the caller's thread.
 class FrameService {
  public:
-  /// Starts the render thread and its context. Fails (unavailable) with what was tried when there is no GL, or when an
-  /// explicit choice does not work. `threads` bounds the threads of a software GL, 0 for all cores.
-  /// What yields at the gate waits while frames are drawn and encoded.
+  /// Starts the render thread, and its context where the choice has one. Fails (unavailable) with what was tried when a
+  /// GL that was asked for does not work. `threads` bounds those that the CPU or a software GL draws on, 0 for all
+  /// cores. What yields at the gate waits while frames are drawn and encoded.
   static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate);
   ~FrameService();
 
   /// What frames are planned by from now on; the safe defaults until then.
   void plan_by(Calibration calibration);
-  /// That fur is drawn on where the GL is software.
+  /// That the CPU draws on.
   int threads() const;
 
   /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Short frames go before

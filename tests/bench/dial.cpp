@@ -221,7 +221,7 @@ int main(int count, char** arguments) {
     return argument(count - 2, arguments + 2, name, fallback);
   };
   const Measuring how{number("--repetitions", 4), number("--threads", 0)};
-  const BenchRenderer opened = open_renderer({.threads = std::max(how.threads, 1), .march = true});
+  const BenchRenderer opened = open_renderer(GlChoice::none, {.threads = std::max(how.threads, 1)});
   if (!opened.renderer) return 4;
   if (mode == "fit") {
     fit_defaults(*opened.renderer, arguments[2], static_cast<std::size_t>(number("--scenes", 100)), how);

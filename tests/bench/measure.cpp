@@ -5,12 +5,13 @@
 
 namespace pelage::bench {
 
-BenchRenderer open_renderer(const RendererOptions& options) {
-  Result<std::unique_ptr<Context>> context = select_context(GlChoice::automatic, 0);
+BenchRenderer open_renderer(GlChoice gl, const RendererOptions& options) {
+  Result<std::unique_ptr<Context>> context = select_context(gl, 0);
   if (!context) return std::fprintf(stderr, "%s\n", context.status().message.c_str()), BenchRenderer{};
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create((*context)->gl(), options);
+  Result<std::unique_ptr<Renderer>> renderer =
+      *context ? Renderer::create((*context)->gl(), options) : std::make_unique<Renderer>(options);
   if (!renderer) return std::fprintf(stderr, "%s\n", renderer.status().message.c_str()), BenchRenderer{};
-  std::printf("%s\n", (*context)->description().c_str());
+  std::printf("%s\n", *context ? (*context)->description().c_str() : MarchedRenderer::description().c_str());
   return {std::move(context).value(), std::move(renderer).value()};
 }
 

@@ -15,7 +15,7 @@ struct BenchRenderer {
   std::unique_ptr<Renderer> renderer;  // dies before its context
 };
 /// Prints what there is; on failure prints why, and both are null.
-BenchRenderer open_renderer(const RendererOptions& options = {});
+BenchRenderer open_renderer(GlChoice gl = GlChoice::egl, const RendererOptions& options = {});
 
 /// The animals and the torus that speeds are told of, and their names.
 inline constexpr int speed_models = 3;

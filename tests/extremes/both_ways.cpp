@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer/marched/field_overlay.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage::testing {
@@ -36,10 +35,9 @@ FrameRequest sorted_with_all(FrameRequest request) {
   return request;
 }
 
+/// A difference is of two revisions, which nothing here has.
 FrameRequest marchable(FrameRequest request) {
-  request.knobs.guard_hairs = 0;
-  if (!is_field(request.overlay) || request.overlay == Overlay::difference)
-    request.overlay = Overlay::none, request.overlay_from.reset();
+  if (request.overlay == Overlay::difference) request.overlay = Overlay::none, request.overlay_from.reset();
   return request;
 }
 
@@ -95,7 +93,6 @@ Result<std::vector<FloatImage>> BothWays::march(Scene& scene, const FrameRequest
     marched_.forget_all();
     marched_.add(make_model(view, arrays), make_fields(view, skin, {}));
   });
-  if (!MarchedRenderer::draws(*frame)) frame->knobs.shadow_maps = false;  // those that the marcher does not make
   if (Result<Image> shown = marched_.draw(*frame, nullptr, {}); !shown) return shown.status();
   return marched_.draw_aovs(*frame, all_aovs, nullptr, {});
 }

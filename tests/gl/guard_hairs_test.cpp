@@ -188,7 +188,7 @@ struct Square {
   std::vector<glm::vec3> normals = std::vector<glm::vec3>(8, {0, 0, 1});
   std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
   std::vector<std::uint32_t> welded{0, 1, 2, 3, 0, 1, 2, 3};
-  StripMesh mesh() const { return {positions, normals, triangles, welded}; }
+  HairMesh mesh() const { return {positions, normals, triangles, welded}; }
 };
 
 TEST(GuardHairRoots, SpreadOverTheArea) {

@@ -62,10 +62,10 @@ TEST_P(MarchedAovs, AreThoseOfTheGl) {
     FurredModel model = furred({Builtin::creature, 3000}, {.length = length, .inclination = 0.4});
     model.settings.eyes = {{.position = {0, 0.2, 0.6}, .radius = 0.1}};
     const Pair pair = both(model, of_shells(32));
-    for (const Bound& bound : {Bound{Aov::beauty, 0.04, 0.002}, Bound{Aov::depth, 8e-4, 1e-6},
-                               Bound{Aov::position, 0.002, 1e-6}, Bound{Aov::normal, 0.032, 1e-5},
-                               Bound{Aov::tangent, 0.042, 1e-5}, Bound{Aov::albedo, 0.02, 0.001},
-                               Bound{Aov::direct, 0.026, 0.002}, Bound{Aov::shadow, 0.054, 1e-6}}) {
+    for (const Bound& bound :
+         {Bound{Aov::beauty, 0.04, 0.002}, Bound{Aov::depth, 8e-4, 1e-6}, Bound{Aov::position, 0.002, 1e-6},
+          Bound{Aov::normal, 0.032, 1e-5}, Bound{Aov::tangent, 0.042, 1e-5}, Bound{Aov::albedo, 0.02, 0.001},
+          Bound{Aov::direct, 0.026, 0.002}, Bound{Aov::shadow, 0.054, 1e-6}}) {
       EXPECT_LT(apart(pair.marched, pair.by_gl, bound.aov), length > 0 ? bound.furred : bound.bare) << int(bound.aov);
     }
   }
@@ -85,8 +85,7 @@ TEST_F(MarchedFrames, HaveAovsOfAllThatStandsOnTheBody) {
     ground += alpha(aovs, i) > 0.05 && cover == 0;
     const double light = glm::length(pixel(aovs, Aov::direct, i) - pixel(aovs, Aov::beauty, i));
     ASSERT_TRUE(std::isfinite(light));
-    for (int k = 0; k < 3; ++k)
-      ASSERT_LE(pixel(aovs, Aov::direct, i)[k], pixel(aovs, Aov::beauty, i)[k] + 1e-4) << i;
+    for (int k = 0; k < 3; ++k) ASSERT_LE(pixel(aovs, Aov::direct, i)[k], pixel(aovs, Aov::beauty, i)[k] + 1e-4) << i;
     ASSERT_TRUE(cover < 0.9 || std::abs(glm::length(pixel(aovs, Aov::normal, i)) - 1) < 1e-4) << i;
   }
   EXPECT_GT(ground, 100);

@@ -69,9 +69,9 @@ TEST_F(CachedViews, OfAnySizeAndFromAnywhere) {
 
 TEST_F(CachedViews, WhatReachesFurtherIsDrawnWhole) {
   FurredModel model = animal();
-  request.knobs.order = FragmentOrder::sorted;
+  request.knobs.guard_hairs = 100;
   EXPECT_EQ(expect_same_bits(model, 1), 1);
-  request.knobs.order = FragmentOrder::shells, request.knobs.shadow_maps = true;
+  request.knobs.guard_hairs = 0, request.knobs.shadow_maps = true;
   model.settings.lights = {Light{.cast_shadow = CastShadow::penumbra}};
   EXPECT_EQ(expect_same_bits(model, 1), 1);
 }

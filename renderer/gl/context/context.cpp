@@ -47,15 +47,15 @@ namespace {
 using Opener = std::function<Result<std::unique_ptr<Context>>()>;
 
 std::vector<Opener> openers_of(GlChoice choice) {
-  std::vector<Opener> openers;
-  if (choice != GlChoice::osmesa) {
-    for (const EglPlatform platform :
-         {EglPlatform::hardware_device, EglPlatform::software_device, EglPlatform::surfaceless}) {
-      openers.emplace_back([platform] { return open_egl(platform); });
-    }
+  const auto egl = [](EglPlatform platform) { return Opener([platform] { return open_egl(platform); }); };
+  switch (choice) {
+    case GlChoice::automatic: return {egl(EglPlatform::hardware_device)};
+    case GlChoice::none: return {};
+    case GlChoice::egl:
+      return {egl(EglPlatform::hardware_device), egl(EglPlatform::software_device), egl(EglPlatform::surfaceless)};
+    case GlChoice::osmesa: return {open_osmesa};
   }
-  if (choice != GlChoice::egl) openers.emplace_back(open_osmesa);
-  return openers;
+  return {};
 }
 
 }  // namespace
@@ -69,9 +69,9 @@ Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads) {
     if (context) return context;
     tried += (tried.empty() ? "" : "; ") + context.status().message;
   }
+  if (choice == GlChoice::automatic || choice == GlChoice::none) return std::unique_ptr<Context>();
   return with_next(failure(Code::unavailable, "no OpenGL 4.5: " + tried + "."),
-                   choice == GlChoice::automatic ? "install Mesa, as deploy/packages.sh build does"
-                                                 : "try --gl auto; or install Mesa, as deploy/packages.sh build does");
+                   "use --gl auto, which needs no GL; or install Mesa, as deploy/packages.sh build does");
 }
 
 }  // namespace pelage

@@ -9,7 +9,9 @@
 
 namespace pelage {
 
-enum class GlChoice { automatic, egl, osmesa };
+/// automatic: a GPU's EGL device where there is one, else no GL. none: no GL. egl: hardware EGL devices, the software
+/// device, surfaceless, the first that proves itself.
+enum class GlChoice { automatic, none, egl, osmesa };
 
 class Context {
  public:
@@ -39,9 +41,9 @@ enum class EglPlatform { hardware_device, software_device, surfaceless };
 Result<std::unique_ptr<Context>> open_egl(EglPlatform platform);
 Result<std::unique_ptr<Context>> open_osmesa();
 
-/// automatic: hardware EGL devices, the software device, surfaceless, OSMesa, the first that proves itself.
-/// An explicit choice never falls back to another. `threads` bounds a software GL's threads (0: as many as cores) and
-/// must be set before any context is made.
+/// Null where the choice is no GL. Fails (unavailable) with what was tried when egl or osmesa does not work: they never
+/// fall back to another. `threads` bounds a software GL's threads (0: as many as cores) and must be set before any
+/// context is made.
 Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads);
 
 }  // namespace pelage
