@@ -144,6 +144,7 @@ Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format
   const std::optional<Area> drawn = draw_changed(frame, shown, pause, taken, view);
   if (!drawn) return given_up();
   taken.counters.redrawn = drawn->pixels() / static_cast<double>(view.pixels());
+  taken.counters.bytes = std::exchange(taken_bytes_, 0);
   view.shown = {frame, shown ? shown->format : 0, marcher_.changes(frame.model)};
   const Result<FloatImage> overlay = draw_overlay(frame, pause);
   if (!overlay) return overlay.status();
@@ -192,6 +193,7 @@ Result<std::vector<FloatImage>> MarchedRenderer::draw_aovs(const FurFrame& frame
     for (const Aov aov : aovs) images.push_back(aov_picture(*drawn, aov, frame.width, frame.height, threads_));
   }
   taken.counters.redrawn = 1;
+  taken.counters.bytes = std::exchange(taken_bytes_, 0);
   if (times) *times = taken;
   return images;
 }

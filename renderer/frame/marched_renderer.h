@@ -14,6 +14,7 @@
 #include "renderer/frame/view_cache.h"
 #include "renderer/image/image.h"
 #include "renderer/marched/marcher.h"
+#include "renderer/upload/model_buffers.h"
 
 namespace pelage {
 
@@ -31,8 +32,10 @@ class MarchedRenderer {
 
   bool has(std::uint64_t model) const { return marcher_.has(model); }
   // As Renderer has them.
-  void add(const FurModel& model, const FurFields& fields) { marcher_.add(model, fields); }
-  void update(std::uint64_t model, const FurFields& fields) { marcher_.update(model, fields); }
+  UploadCount add(const FurModel& model, const FurFields& fields) { return taken({marcher_.add(model, fields), 1}); }
+  UploadCount update(std::uint64_t model, const FurFields& fields) {
+    return taken({marcher_.update(model, fields), 0});
+  }
   Result<Image> draw(const FurFrame& frame, DrawTimes* times, const Pause& pause);
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause);
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
@@ -71,7 +74,14 @@ class MarchedRenderer {
   Result<Picture> finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
                                 const Finish& finish) const;
 
+  /// Counts bytes for the next frame's counters.
+  UploadCount taken(UploadCount count) {
+    taken_bytes_ += count.bytes;
+    return count;
+  }
+
   Marcher marcher_;
+  std::size_t taken_bytes_ = 0;  // since the last frame
   int threads_;
   ViewCache views_;
 };

@@ -15,13 +15,13 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererO
 }
 
 UploadCount Renderer::add(const FurModel& model, const FurFields& fields) {
-  marched_.add(model, fields);
-  return gl_ ? gl_->add(model, fields) : UploadCount{};
+  const UploadCount taken = marched_.add(model, fields);
+  return gl_ ? gl_->add(model, fields) : taken;
 }
 
 UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
-  marched_.update(model, fields);
-  return gl_ ? gl_->update(model, fields) : UploadCount{};
+  const UploadCount taken = marched_.update(model, fields);
+  return gl_ ? gl_->update(model, fields) : taken;
 }
 
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {

@@ -82,7 +82,7 @@ bool FurMesh::set_paint(const FurPaint& paint) {
   return true;
 }
 
-void FurMesh::update(const FurFields& fields) {
+std::size_t FurMesh::update(const FurFields& fields) {
   const DirtyRange all{0, static_cast<std::uint32_t>(first_.size() - 1)};
   const bool other_skin = !std::equal(fields.skin.begin(), fields.skin.end(), skin_.begin(), skin_.end());
   if (other_skin) {
@@ -93,7 +93,13 @@ void FurMesh::update(const FurFields& fields) {
   }
   const bool other_paint = set_paint(fields.paint);
   const std::span<const DirtyRange> dirty = other_skin || other_paint ? std::span(&all, 1) : fields.dirty;
-  for (const DirtyRange& range : dirty) change(fields, first_[range.begin], first_[range.end]);
+  std::size_t vertices = 0;
+  for (const DirtyRange& range : dirty) {
+    change(fields, first_[range.begin], first_[range.end]);
+    vertices += first_[range.end] - first_[range.begin];
+  }
+  const auto each = [](const auto& field) { return field.empty() ? 0 : sizeof(field[0]); };
+  return vertices * (each(groom_) + each(paint_) + each(painted_) + each(mask_));
 }
 
 void FurMesh::change(const FurFields& fields, std::uint32_t begin, std::uint32_t end) {

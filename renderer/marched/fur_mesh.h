@@ -16,8 +16,8 @@ class FurMesh {
  public:
   FurMesh(const FurModel& model, const FurFields& fields);
 
-  /// Takes over the dirty ranges, or all where other skin is bare or other fields are painted.
-  void update(const FurFields& fields);
+  /// Takes over the dirty ranges, or all where other skin is bare or other fields are painted. Bytes that were written.
+  std::size_t update(const FurFields& fields);
 
   /// Valid until the next update.
   MarchMesh view() const;

@@ -58,8 +58,8 @@ HWY_INLINE Real past_body_on_ground(const ShadowCaster& caster, Vec3 place) {
   if (!any(found.count > 0.0f)) return 1.0f;
   const Real before = on.depth - found.before / max(found.count, 1.0f);
   Real radius = 0.0f;
-  if (caster.cast == CastShadow::soft) radius = clamp(0.09f * before, 0.004f, 0.05f);
-  if (caster.cast == CastShadow::penumbra) {
+  if (caster.edge == ShadowEdge::soft) radius = clamp(0.09f * before, 0.004f, 0.05f);
+  if (caster.edge == ShadowEdge::penumbra) {
     const LightDisc disc = light_disc(caster, place, Vec3(0.0f, 1.0f, 0.0f));
     radius = disc.spread * disc.per_size * before;
   }
@@ -77,7 +77,7 @@ HWY_INLINE Real light_missing(const MarchScene& scene, Vec3 place, Real hidden) 
     const Real arrives = optics.frame.weights.y * max(light.to_light.y, 0.0f) * luminance(light.radiance);
     whole += arrives;
     const ShadowCaster& caster = optics.casters[static_cast<std::size_t>(i)];
-    if (!caster.depths || caster.cast == CastShadow::none) {
+    if (!caster.depths || caster.edge == ShadowEdge::none) {
       here += arrives * (1.0f - hidden);  // a light without a map counts as wide
       continue;
     }

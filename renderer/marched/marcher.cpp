@@ -178,12 +178,12 @@ struct Marcher::Kept {
 Marcher::Marcher(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
 Marcher::~Marcher() = default;
 
-void Marcher::add(const FurModel& model, const FurFields& fields) {
+std::size_t Marcher::add(const FurModel& model, const FurFields& fields) {
   assert(!has(model.id));
-  meshes_.try_emplace(model.id, model, fields);
+  return meshes_.try_emplace(model.id, model, fields).first->second.bytes();
 }
 
-void Marcher::update(std::uint64_t model, const FurFields& fields) { meshes_.at(model).update(fields); }
+std::size_t Marcher::update(std::uint64_t model, const FurFields& fields) { return meshes_.at(model).update(fields); }
 
 const Marcher::Coated& Marcher::coat_of(const Coat& coat) {
   const auto found =

@@ -36,8 +36,9 @@ class Marcher {
   ~Marcher();
 
   bool has(std::uint64_t model) const { return meshes_.contains(model); }
-  void add(const FurModel& model, const FurFields& fields);
-  void update(std::uint64_t model, const FurFields& fields);
+  /// Both give the bytes that were taken over.
+  std::size_t add(const FurModel& model, const FurFields& fields);
+  std::size_t update(std::uint64_t model, const FurFields& fields);
   /// Bytes of all copies of a model (FurModel::original).
   std::size_t bytes_of(std::uint64_t original) const;
   void forget(std::uint64_t original);

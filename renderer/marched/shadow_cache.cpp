@@ -13,6 +13,15 @@ namespace {
 constexpr float nowhere = 1e30f;  // depth of the nearest curve where there is none, sizes
 
 bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
+ShadowEdge edge_of(CastShadow cast) {
+  switch (cast) {
+    case CastShadow::none: return ShadowEdge::none;
+    case CastShadow::hard: return ShadowEdge::hard;
+    case CastShadow::soft: return ShadowEdge::soft;
+    case CastShadow::penumbra: return ShadowEdge::penumbra;
+  }
+  return ShadowEdge::none;
+}
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
 /// What curves let through, and the depth of the nearest, for each texel.
@@ -67,7 +76,7 @@ void ShadowCache::make_maps(const FurFrame& frame, const CurveStrips& curves, in
     if (!view) continue;
     Maps& maps = maps_[i];
     ShadowCaster& caster = casters_[i];
-    caster.to_light = view->world_to_clip, caster.axis = view->axis, caster.cast = light.cast_shadow;
+    caster.to_light = view->world_to_clip, caster.axis = view->axis, caster.edge = edge_of(light.cast_shadow);
     caster.spread = spread_of(light), caster.scale = light.shadow_scale, caster.side = side;
     maps.depths = light.cast_shadow == CastShadow::penumbra
                       ? draw_depth_map(fur_hull(mesh, frame.coat), mesh.triangles, *view, side, threads)

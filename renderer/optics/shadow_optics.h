@@ -4,8 +4,6 @@
 
 #include <glm/glm.hpp>
 
-#include "protocol/commands/look.h"
-
 namespace pelage {
 
 /// Light that the shells above let through (GPU fur 3.1), as a light sees it.
@@ -15,11 +13,14 @@ struct ShellShadow {
   const float* kept = nullptr;  // at shadow_boundaries heights, the skin first, each side * side; null for none
 };
 
+/// Of the shadow that one part of a body casts on another (CastShadow).
+enum class ShadowEdge { none, hard, soft, penumbra };
+
 /// A light that has maps. They are seen from it, rows from the top.
 struct ShadowCaster {
   glm::mat4 to_light{1};
   glm::vec4 axis{0};  // linear depth: dot(xyz, place) + w, sizes
-  CastShadow cast = CastShadow::none;
+  ShadowEdge edge = ShadowEdge::none;
   float spread = 0;               // half of the light's width over its distance; of a light at a place, at distance 1
   float scale = 1;                // of a soft edge's width
   int side = 0, width_side = 0;   // texels of the maps, and of the widths

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/coat/slices.h"
 #include "renderer/optics/lanes-inl.h"
 #include "renderer/optics/shadow_optics.h"
 #include "renderer/shaders/constants.h"
@@ -121,7 +120,7 @@ HWY_INLINE Real past_curves(const ShadowCaster& caster, Vec3 place) {
   const Real below = on.depth - nearest;
   const glm::mat4& m = caster.to_light;
   const Real texels = 0.5f * side * glm::length(glm::vec3(m[0].x, m[1].x, m[2].x)) / on.w;
-  const Real thinned = caster.cast == CastShadow::hard ? Real(1.0f) : 1.0f + penumbra * max(below, 0.0f) * texels;
+  const Real thinned = caster.edge == ShadowEdge::hard ? Real(1.0f) : 1.0f + penumbra * max(below, 0.0f) * texels;
   const Real stopped = (1.0f - kept) / thinned;
   return select(inside, 1.0f - stopped * smoothstep(curve_bias, 3.0f * curve_bias, below), 1.0f);
 }
@@ -149,7 +148,7 @@ HWY_INLINE Real past_edge(const ShadowCaster& caster, Vec3 place) {
   const Real below = on.depth - depth_at(caster, on.at);
   const Mask hidden = below > bias;
   if (!any(hidden)) return 1.0f;
-  if (caster.cast == CastShadow::hard) return select(hidden, 0.0f, 1.0f);
+  if (caster.edge == ShadowEdge::hard) return select(hidden, 0.0f, 1.0f);
   const float* widths = &caster.widths[0].x;
   const Real share = between_texels(widths, whole(0), 2, caster.width_side, on.at);
   const Real depth = between_texels(widths + 1, whole(0), 2, caster.width_side, on.at);
@@ -180,7 +179,7 @@ HWY_INLINE Real shell_depth(const ShadowCaster& caster, Vec3 place, Vec3 open, R
     return between_texels(shells.kept, map, 1, shells.side, at);
   };
   const Real kept = mix(kept_at(low), kept_at(low + 1.0f), in_shells - low);
-  const OnLightMap on = on_light_map(caster, caster.cast == CastShadow::penumbra ? open : place);
+  const OnLightMap on = on_light_map(caster, caster.edge == ShadowEdge::penumbra ? open : place);
   const Real below = on.depth - depth_at(caster, on.at);
   const Real estimated = max(smoothstep(bias, 2 * bias, below), 1.0f - smoothstep(0.05f, 0.35f, facing));
   return mix(-0.69314718f * log2(max(kept, 1e-3f)), estimate, estimated);
@@ -189,9 +188,9 @@ HWY_INLINE Real shell_depth(const ShadowCaster& caster, Vec3 place, Vec3 open, R
 /// Share of a light that other parts of the body and guided curves let through to fur whose hull is at `open`, and as
 /// high as `hull`, or to skin.
 HWY_INLINE Real cast_light(const ShadowCaster& caster, Vec3 place, Vec3 open, Real hull, Vec3 normal) {
-  if (!caster.depths || caster.cast == CastShadow::none) return 1.0f;
+  if (!caster.depths || caster.edge == ShadowEdge::none) return 1.0f;
   const Real kept =
-      caster.cast == CastShadow::penumbra ? past_body(caster, open, hull, normal) : past_edge(caster, place);
+      caster.edge == ShadowEdge::penumbra ? past_body(caster, open, hull, normal) : past_edge(caster, place);
   return caster.curves ? kept * past_curves(caster, place) : kept;
 }
 

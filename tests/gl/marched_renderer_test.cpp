@@ -101,7 +101,7 @@ TEST_P(MarchedBesideGl, GuardHairsStandOutOfTheFur) {
   EXPECT_GT(apart(model, request, without), 0.013);
 }
 
-// .0007 at most was seen: texels at the skin's outline.
+// .0007 at most was seen: texels at the skin's silhouette.
 TEST_P(MarchedBesideGl, MapsOfALightHideTheFrame) {
   FurredModel model = furred({Builtin::knot, 2000}, {.length = 0.03});
   FrameRequest request = sorted(160);
