@@ -24,7 +24,8 @@ std::string to_hex(FieldsHash hash);
 /// The hash of 32 hex digits in lower case; nothing of any other text.
 std::optional<FieldsHash> hash_of_hex(std::string_view text);
 
-/// What a frame asked of the GL. `bytes` are those sent for it, changes of fields included.
+/// What a frame asked of the GL; without one all but `bytes` and `redrawn` are 0. `bytes` are those sent for it to what
+/// draws, changes of fields included.
 struct FrameCounters {
   std::size_t passes = 0;       // programs put to use, one after another
   std::size_t draws = 0;        // draw calls

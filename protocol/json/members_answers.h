@@ -15,7 +15,7 @@ void members(V& v, Visited<V, FrameCounters>& c) {
   v.counter("passes", c.passes, "Programs put to use, one after another.");
   v.counter("draws", c.draws, "Draw calls.");
   v.counter("textures", c.textures, "Textures bound.");
-  v.counter("bytes", c.bytes, "Sent to the GL for the frame, changes of fields included.");
+  v.counter("bytes", c.bytes, "Sent to what draws for the frame, changes of fields included.");
   v.counter(
       "fragments", c.fragments,
       "Runs of fragment shaders, but for the pass that writes the picture's pixels; samples that were drawn where "

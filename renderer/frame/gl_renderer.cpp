@@ -69,7 +69,6 @@ GlRenderer::GlRenderer(const Gl& gl, std::size_t sorted_bytes)
       ground_(gl),
       eyes_(gl),
       aovs_(gl),
-      overlay_(gl),
       resolve_(gl),
       sorted_(gl, sorted_bytes),
       pattern_(gl),
@@ -82,8 +81,8 @@ GlRenderer::GlRenderer(const Gl& gl, std::size_t sorted_bytes)
 
 Status GlRenderer::programs() const {
   const std::string log = fur_.failure() + guard_hairs_.failure() + curves_.failure() + shadows_.failure() +
-                          ground_.failure() + eyes_.failure() + aovs_.failure() + overlay_.failure() +
-                          resolve_.failure() + sorted_.failure();
+                          ground_.failure() + eyes_.failure() + aovs_.failure() + resolve_.failure() +
+                          sorted_.failure();
   return log.empty() ? Status{} : failure(Code::unavailable, "a shader program cannot be built: " + log);
 }
 
@@ -254,65 +253,34 @@ Status GlRenderer::draw_sorted(const FurFrame& frame, const Prepared& scene) {
   });
 }
 
-Result<RenderTarget> GlRenderer::draw_light_map(const FurFrame& frame, const Prepared& scene) {
-  const std::optional<ShadowMaps::Maps> maps = shadows_.maps_of(gl_, frame, scene.block, scene.drawing(frame));
-  if (!maps) return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
-  if (!maps->complete()) return no_memory();
-  const float middle = maps->view.axis.w;  // depth of the model's centre
-  switch (frame.overlay) {
-    case Overlay::light_depth:
-      return overlay_.draw_map(gl_, frame, maps->depth.texture(), {middle + maps->radius, middle - maps->radius});
-    case Overlay::light_occlusion: return overlay_.draw_map(gl_, frame, maps->occlusion.texture(), {0, 1});
-    default: return overlay_.draw_map(gl_, frame, maps->width.texture(), {0, 1});
-  }
+RenderTarget GlRenderer::overlay_target(const FloatImage* overlay) const {
+  if (!overlay) return {};
+  RenderTarget target(gl_, GL_RGBA32F, overlay->width, overlay->height, false);
+  if (target.complete())
+    gl_.TextureSubImage2D(target.texture(), 0, 0, 0, overlay->width, overlay->height, GL_RGBA, GL_FLOAT,
+                          overlay->rgba.data());
+  return target;
 }
 
-Result<RenderTarget> GlRenderer::draw_overlay(const FurFrame& frame, const Prepared& scene) {
-  RenderTarget overlay;
-  if (frame.overlay == Overlay::none) return overlay;
-  if (frame.overlay == Overlay::shell_count) {
-    const AovTarget counts(gl_, std::array{Aov::shell_count}, targets_.drawn.width(), targets_.drawn.height());
-    if (!counts.complete()) return no_memory();
-    draw_beside_light(frame, scene, counts);
-    const float scale = static_cast<float>(targets_.drawn.height()) / static_cast<float>(frame.height);
-    overlay = overlay_.draw_count(gl_, frame, counts.texture(Aov::shell_count), scale);
-  } else if (OverlayPass::is_map(frame.overlay)) {
-    Result<RenderTarget> map = draw_light_map(frame, scene);
-    if (!map) return map.status();
-    overlay = std::move(map).value();
-  } else {
-    return draw_skin_overlay(frame, scene.model, scene.lists.all);
-  }
-  if (!overlay.complete()) return no_memory();
-  return overlay;
+Result<Image> GlRenderer::draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes* times, const Pause& pause) {
+  return draw_picture<Image>(frame, overlay, {GL_RGBA8, GL_UNSIGNED_BYTE, 255}, times, pause);
 }
 
-Result<RenderTarget> GlRenderer::draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
-                                                   const ModelBuffers::DrawList& triangles) {
-  RenderTarget overlay = frame.overlay == Overlay::difference ? overlay_.draw_difference(gl_, frame, model, triangles)
-                                                              : overlay_.draw_field(gl_, frame, model, triangles);
-  if (!overlay.complete()) return no_memory();
-  return overlay;
-}
-
-Result<Image> GlRenderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_picture<Image>(frame, GL_RGBA8, GL_UNSIGNED_BYTE, 255, times, pause);
-}
-
-Result<Image16> GlRenderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_picture<Image16>(frame, GL_RGBA16, GL_UNSIGNED_SHORT, 65535, times, pause);
+Result<Image16> GlRenderer::draw_deep(const FurFrame& frame, const FloatImage* overlay, DrawTimes* times,
+                                      const Pause& pause) {
+  return draw_picture<Image16>(frame, overlay, {GL_RGBA16, GL_UNSIGNED_SHORT, 65535}, times, pause);
 }
 
 template <class Picture>
-Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest,
+Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, const FloatImage* overlay, const PictureFormat& format,
                                          DrawTimes* times, const Pause& pause) {
-  if (const Status status = prepare_targets(frame, format); !status.ok()) return status;
+  if (const Status status = prepare_targets(frame, format.target); !status.ok()) return status;
   DrawTimes taken;
   const Result<Prepared> scene = draw_in_pieces(frame, pause, taken);
   if (!scene) return scene.status();
-  if (const Status done = finish_light(frame, *scene, largest, taken); !done.ok()) return done;
+  if (const Status done = finish_light(frame, overlay, format.largest, taken); !done.ok()) return done;
   const Stopwatch reading;
-  Result<Picture> image = read_back<Picture>(targets_.picture, type);
+  Result<Picture> image = read_back<Picture>(targets_.picture, format.type);
   taken.read = reading.milliseconds();
   add_counts(taken.counters, take_counts());
   if (times) *times = taken;
@@ -320,11 +288,11 @@ Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, GLenum format, G
   return image;
 }
 
-Status GlRenderer::finish_light(const FurFrame& frame, const Prepared& scene, int largest, DrawTimes& times) {
+Status GlRenderer::finish_light(const FurFrame& frame, const FloatImage* overlay, int largest, DrawTimes& times) {
   const DrawClock clock(times);
-  const Result<RenderTarget> overlay = draw_overlay(frame, scene);
-  if (!overlay) return overlay.status();
-  resolve_.draw(gl_, frame, targets_.drawn, targets_.picture, largest, overlay->texture());
+  const RenderTarget over = overlay_target(overlay);
+  if (overlay && !over.complete()) return no_memory();
+  resolve_.draw(gl_, frame, targets_.drawn, targets_.picture, largest, over.texture());
   if (const Status built = programs(); !built.ok()) return built;
   return wait_for(gl_);
 }

@@ -24,7 +24,6 @@
 #include "renderer/passes/fur/fur_pass.h"
 #include "renderer/passes/ground/ground_pass.h"
 #include "renderer/passes/guard_hairs/guard_hairs_pass.h"
-#include "renderer/passes/overlay/overlay_pass.h"
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/upload/model_buffers.h"
@@ -48,10 +47,11 @@ class GlRenderer {
   /// Draws a model that it has. With `pause` a long drawing is done in pieces, with the same bits, and the pause is
   /// called in between; its time does not count. Fails with conflict when the pause gives the drawing up, with
   /// unavailable when the GL does not answer within a minute, with too_large when there is no memory for the size, and
-  /// with invalid when the GL cannot sort as asked.
-  Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
+  /// with invalid when the GL cannot sort as asked. `overlay`: what lies over it where the frame has one, of the
+  /// frame's size, sRGB with straight alpha; null for none.
+  Result<Image> draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes* times, const Pause& pause);
   /// The same picture with 16 bits.
-  Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
+  Result<Image16> draw_deep(const FurFrame& frame, const FloatImage* overlay, DrawTimes* times, const Pause& pause);
   /// As Renderer has them.
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                             DrawTimes* times = nullptr, const Pause& pause = {});
@@ -106,15 +106,17 @@ class GlRenderer {
   bool let_in(const Pause& pause);  // whether to go on
   Status draw_sorted(const FurFrame& frame, const Prepared& scene);
   void draw_beside_light(const FurFrame& frame, const Prepared& scene, const AovTarget& target);
-  Result<RenderTarget> draw_overlay(const FurFrame& frame, const Prepared& scene);
-  Result<RenderTarget> draw_skin_overlay(const FurFrame& frame, const ModelBuffers& model,
-                                         const ModelBuffers::DrawList& triangles);
-  Result<RenderTarget> draw_light_map(const FurFrame& frame, const Prepared& scene);
+  /// Without a texture for null.
+  RenderTarget overlay_target(const FloatImage* overlay) const;
+  struct PictureFormat {
+    GLenum target, type;
+    int largest;  // of a channel
+  };
   template <class Picture>
-  Result<Picture> draw_picture(const FurFrame& frame, GLenum format, GLenum type, int largest, DrawTimes* times,
-                               const Pause& pause);
-  /// Overlay and picture of the light that was drawn.
-  Status finish_light(const FurFrame& frame, const Prepared& scene, int largest, DrawTimes& times);
+  Result<Picture> draw_picture(const FurFrame& frame, const FloatImage* overlay, const PictureFormat& format,
+                               DrawTimes* times, const Pause& pause);
+  /// The picture of the light that was drawn.
+  Status finish_light(const FurFrame& frame, const FloatImage* overlay, int largest, DrawTimes& times);
   Result<std::vector<FloatImage>> gather_aovs(const FurFrame& frame, const Prepared& scene, std::span<const Aov> aovs,
                                               DrawTimes& times);
   Result<FloatImage> draw_aov(const FurFrame& frame, const Prepared& scene, Aov aov, const AovTarget* target);
@@ -129,7 +131,6 @@ class GlRenderer {
   GroundPass ground_;
   EyePass eyes_;
   AovsPass aovs_;
-  OverlayPass overlay_;
   ResolvePass resolve_;
   SortedPass sorted_;
   std::map<std::uint64_t, ModelBuffers> models_;

@@ -116,19 +116,21 @@ Result<MarchedAovs> MarchedRenderer::draw_kept(const FurFrame& frame, DrawTimes&
   return drawn;
 }
 
-Result<FloatImage> MarchedRenderer::draw_overlay(const FurFrame& frame, const Pause& pause) {
+Result<FloatImage> MarchedRenderer::draw_overlay(const FurFrame& frame, const Pause& pause, DrawTimes& times) {
   if (frame.overlay == Overlay::none) return FloatImage();
   if (frame.overlay != Overlay::shell_count) {
-    std::optional<FloatImage> overlay = marcher_.draw_overlay(frame);
-    if (overlay) return std::move(*overlay);
-    return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
+    const DrawClock clock(times);
+    return overlay(frame);
   }
-  constexpr float full_shells = 2;  // times the shells: what the end of the ramp stands for
-  DrawTimes times;
   const Result<MarchedAovs> drawn = draw_kept(frame, times, pause);
   if (!drawn) return drawn.status();
-  return count_overlay(aov_picture(*drawn, Aov::shell_count, frame.width, frame.height, threads_),
-                       full_shells * static_cast<float>(frame.knobs.shells));
+  return count_overlay(aov_picture(*drawn, Aov::shell_count, frame.width, frame.height, threads_), frame.knobs.shells);
+}
+
+Result<FloatImage> MarchedRenderer::overlay(const FurFrame& frame) const {
+  std::optional<FloatImage> overlay = marcher_.draw_overlay(frame);
+  if (overlay) return std::move(*overlay);
+  return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
 }
 
 template <class Picture, class Finish>
@@ -146,7 +148,7 @@ Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format
   taken.counters.redrawn = drawn->pixels() / static_cast<double>(view.pixels());
   taken.counters.bytes = std::exchange(taken_bytes_, 0);
   view.shown = {frame, shown ? shown->format : 0, marcher_.changes(frame.model)};
-  const Result<FloatImage> overlay = draw_overlay(frame, pause);
+  const Result<FloatImage> overlay = draw_overlay(frame, pause, taken);
   if (!overlay) return overlay.status();
   Picture picture;
   {

@@ -43,6 +43,9 @@ class MarchedRenderer {
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times);
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const;
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const;
+  /// FurFrame::overlay, which is a field or a map of a light: sRGB with straight alpha. Refused (invalid) where no
+  /// light of the frame has such a map.
+  Result<FloatImage> overlay(const FurFrame& frame) const;
   void clear_view_cache() { views_.clear_shown(); }
   std::size_t bytes_of(std::uint64_t original) const { return marcher_.bytes_of(original); }
   void forget(std::uint64_t original) { marcher_.forget(original); }
@@ -61,7 +64,7 @@ class MarchedRenderer {
   /// Light and what AOVs keep of the whole frame.
   Result<MarchedAovs> draw_kept(const FurFrame& frame, DrawTimes& times, const Pause& pause);
   /// What lies over the frame's picture; empty for nothing.
-  Result<FloatImage> draw_overlay(const FurFrame& frame, const Pause& pause);
+  Result<FloatImage> draw_overlay(const FurFrame& frame, const Pause& pause, DrawTimes& times);
   Area changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const;
   bool bake(const Coat& coat, const Pause& pause);
   /// Draws the light and makes a picture of it: `finish` takes the view, the overlay (null for none) and the area that

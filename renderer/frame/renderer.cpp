@@ -1,8 +1,11 @@
 #include "renderer/frame/renderer.h"
 
+#include <array>
 #include <utility>
 
+#include "renderer/frame/draw_clock.h"
 #include "renderer/frame/draw_times.h"
+#include "renderer/marched/field_overlay.h"
 
 namespace pelage {
 
@@ -24,12 +27,42 @@ UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   return gl_ ? gl_->update(model, fields) : taken;
 }
 
+Result<FloatImage> Renderer::overlay_over_gl(const FurFrame& frame, const Pause& pause) {
+  if (frame.overlay == Overlay::none) return FloatImage();
+  if (frame.overlay != Overlay::shell_count) return marched_.overlay(frame);
+  const Result<std::vector<FloatImage>> counts = gl_->draw_aovs(frame, std::array{Aov::shell_count}, nullptr, pause);
+  if (!counts) return counts.status();
+  return count_overlay(counts->front(), frame.knobs.shells);
+}
+
+template <class Picture, class Draw>
+Result<Picture> Renderer::draw_by_gl(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw) {
+  DrawTimes taken;
+  Result<FloatImage> overlay = FloatImage();
+  {
+    const DrawClock clock(taken);
+    overlay = overlay_over_gl(frame, pause);
+  }
+  if (!overlay) return overlay.status();
+  DrawTimes drawn;
+  Result<Picture> picture = draw(overlay->rgba.empty() ? nullptr : &*overlay, &drawn);
+  add_times(drawn, taken);
+  if (times) *times = drawn;
+  return picture;
+}
+
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return gl_ ? gl_->draw(frame, times, pause) : marched_.draw(frame, times, pause);
+  if (!gl_) return marched_.draw(frame, times, pause);
+  return draw_by_gl<Image>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
+    return gl_->draw(frame, overlay, drawn, pause);
+  });
 }
 
 Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return gl_ ? gl_->draw_deep(frame, times, pause) : marched_.draw_deep(frame, times, pause);
+  if (!gl_) return marched_.draw_deep(frame, times, pause);
+  return draw_by_gl<Image16>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
+    return gl_->draw_deep(frame, overlay, drawn, pause);
+  });
 }
 
 Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,

@@ -70,6 +70,12 @@ class Renderer {
   void forget_all();
 
  private:
+  /// Of a frame that the GL draws; empty for none.
+  Result<FloatImage> overlay_over_gl(const FurFrame& frame, const Pause& pause);
+  /// draw(overlay, times) with what lies over the frame; null for nothing.
+  template <class Picture, class Draw>
+  Result<Picture> draw_by_gl(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
+
   std::unique_ptr<GlRenderer> gl_;  // null: there is none
   MarchedRenderer marched_;
 };

@@ -146,27 +146,6 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
   }
 }
 
-std::optional<ShadowMaps::Maps> ShadowMaps::maps_of(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
-                                                    const FurDrawing& drawing) {
-  const auto light = std::find_if(frame.lights.begin(), frame.lights.end(), casts);
-  if (!frame.knobs.shadow_maps || light == frame.lights.end()) return {};
-  const int resolution = frame.knobs.shadow_resolution, reduced = width_texels(resolution);
-  const float radius = radius_around(drawing.model);
-  const std::optional<LightView> view = view_of_light(*light, radius, resolution);
-  if (!view) return {};
-  Maps maps{RenderTarget(gl, GL_R32F, resolution, resolution, true),
-            RenderTarget(gl, GL_RG32F, resolution, resolution, false),
-            RenderTarget(gl, GL_RG32F, reduced, reduced, false), *view, radius};
-  if (!maps.complete()) return maps;
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TextureParameteri(maps.width.texture(), name, GL_LINEAR);  // enlarged again, as shadows read it
-  see_from(gl, block, *view, resolution);
-  FurPass::bind(gl, drawing);
-  scene_.draw(gl, drawing.lists.all, *view, {maps.depth, maps.occlusion, maps.width});
-  if (casts_penumbra(*light)) scene_.draw_hull(gl, drawing.lists.all, *view, maps.depth);
-  return maps;
-}
-
 void ShadowMaps::bind(const Gl& gl) const {
   gl.BindBufferBase(GL_UNIFORM_BUFFER, shadow_binding, shadow_block_.id());
   gl.BindTextureUnit(shell_maps_unit, shell_maps_.id());

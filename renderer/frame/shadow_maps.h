@@ -39,19 +39,6 @@ class ShadowMaps {
   bool prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing,
                CurvesPass& curves);
 
-  /// The three maps of one light, to look at.
-  struct Maps {
-    RenderTarget depth;      // R32F: linear depth of the skin, sizes
-    RenderTarget occlusion;  // RG32F: 1 where skin that faces the light is hidden from it
-    RenderTarget width;      // RG32F: the same, reduced
-    LightView view;
-    float radius = 0;  // of the ball that the view holds, sizes
-    bool complete() const { return depth.complete() && occlusion.complete() && width.complete(); }
-  };
-  /// Draws them for the first light that casts a shadow; none where the frame has no such light or no maps. Leaves
-  /// another block at binding 0.
-  std::optional<Maps> maps_of(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing);
-
  private:
   struct Key {
     std::uint64_t model = 0, version = 0;

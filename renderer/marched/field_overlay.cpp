@@ -80,17 +80,23 @@ glm::vec3 colour_of(Overlay overlay, glm::vec2 value) {
   return ramp_of(value.x);
 }
 
-/// What strokes are drawn from: the lean on the picture and whether fur grows there.
-struct StrokeField {
-  int width = 0, height = 0;
-  std::vector<glm::vec3> pixels;  // right, up, 1 where there is fur
+constexpr float cell = 10;  // pixels, with one stroke each
 
-  glm::vec3 at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
+struct Stroke {
+  bool there = false;
+  glm::vec2 root{0}, along{0};  // pixels
 };
 
-constexpr float cell = 10;  // pixels, with one stroke each
+/// One in each cell of the picture where there is fur.
+struct StrokeField {
+  int across = 0, down = 0;  // cells
+  std::vector<Stroke> strokes;
+
+  Stroke at(glm::ivec2 of_cell) const {
+    const bool inside = of_cell.x >= 0 && of_cell.y >= 0 && of_cell.x < across && of_cell.y < down;
+    return inside ? strokes[static_cast<std::size_t>(of_cell.y * across + of_cell.x)] : Stroke{};
+  }
+};
 
 /// Cells are moved a little, so that rows do not catch the eye.
 glm::vec2 moved(glm::ivec2 at) {
@@ -98,19 +104,34 @@ glm::vec2 moved(glm::ivec2 at) {
   return 0.3f * glm::vec2(part(at.x * 127 + at.y * 311), part(at.x * 269 + at.y * 183));
 }
 
+/// `lean_at(x, y)`: right, up, and 1 where there is fur, of a pixel.
+template <class LeanAt>
+StrokeField stroke_field(int width, int height, const LeanAt& lean_at) {
+  constexpr float longest = 1.6f * cell;
+  const auto cells = [](int pixels) { return static_cast<int>(std::ceil(static_cast<float>(pixels) / cell)) + 1; };
+  StrokeField field{cells(width), cells(height), {}};
+  for (int y = 0; y < field.down; ++y) {
+    for (int x = 0; x < field.across; ++x) {
+      Stroke& stroke = field.strokes.emplace_back();
+      stroke.root = (glm::vec2(x, y) + 0.5f + moved({x, y})) * cell;
+      if (stroke.root.x >= static_cast<float>(width) || stroke.root.y >= static_cast<float>(height)) continue;
+      const glm::vec3 fur = lean_at(static_cast<int>(stroke.root.x), static_cast<int>(stroke.root.y));
+      const glm::vec2 lean(fur.x, -fur.y);
+      stroke.there = fur.z > 0.5f;
+      stroke.along = lean / std::sqrt(std::max(glm::length(lean), 1e-4f)) * longest;
+    }
+  }
+  return field;
+}
+
 /// Distance of a pixel's middle to a stroke's edge, pixels.
-float distance_to(const StrokeField& field, glm::ivec2 at, glm::vec2 pixel) {
-  constexpr float longest = 1.6f * cell, root_width = 0.8f, tip_width = 0.2f, nowhere = 1e3f;  // half widths
-  const glm::vec2 root = (glm::vec2(at) + 0.5f + moved(at)) * cell;
-  if (root.x < 0 || root.y < 0 || root.x >= static_cast<float>(field.width) ||
-      root.y >= static_cast<float>(field.height))
-    return nowhere;
-  const glm::vec3 fur = field.at(static_cast<int>(root.x), static_cast<int>(root.y));
-  if (fur.z < 0.5f) return nowhere;
-  const glm::vec2 lean(fur.x, -fur.y), along = lean / std::sqrt(std::max(glm::length(lean), 1e-4f)) * longest;
-  const glm::vec2 apart = pixel - root;
-  const float share = std::clamp(glm::dot(apart, along) / std::max(glm::dot(along, along), 1e-6f), 0.0f, 1.0f);
-  return glm::length(apart - share * along) - glm::mix(root_width, tip_width, share);
+float distance_to(const Stroke& stroke, glm::vec2 pixel) {
+  constexpr float root_width = 0.8f, tip_width = 0.2f, nowhere = 1e3f;  // half widths
+  if (!stroke.there) return nowhere;
+  const glm::vec2 apart = pixel - stroke.root;
+  const float square = std::max(glm::dot(stroke.along, stroke.along), 1e-6f);
+  const float share = std::clamp(glm::dot(apart, stroke.along) / square, 0.0f, 1.0f);
+  return glm::length(apart - share * stroke.along) - glm::mix(root_width, tip_width, share);
 }
 
 /// Short lines along the fur: one in each cell of the picture, thick at the root, thin at the tip; the longer the more
@@ -121,7 +142,7 @@ glm::vec4 stroke_at(const StrokeField& field, int x, int y) {
   const glm::ivec2 middle(glm::floor(pixel / cell));
   float nearest = 1e3f;
   for (int k = 0; k < 25; ++k)
-    nearest = std::min(nearest, distance_to(field, middle + glm::ivec2(k % 5 - 2, k / 5 - 2), pixel));
+    nearest = std::min(nearest, distance_to(field.at(middle + glm::ivec2(k % 5 - 2, k / 5 - 2)), pixel));
   const float core = std::clamp(0.5f - nearest, 0.0f, 1.0f),
               whole = std::clamp(0.5f + silhouette - nearest, 0.0f, 1.0f);
   return {glm::vec3(core), std::max(core, 0.6f * whole)};
@@ -184,8 +205,8 @@ FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threa
       return at.there() ? glm::vec4(colour_of(frame.overlay, value_at(at)), strength) : glm::vec4(0);
     });
   }
-  StrokeField field{frame.width, frame.height, std::vector<glm::vec3>(seen.size())};
-  std::transform(seen.begin(), seen.end(), field.pixels.begin(), [&](const VisibleTriangle& at) {
+  const StrokeField field = stroke_field(frame.width, frame.height, [&](int x, int y) {
+    const VisibleTriangle& at = visible(x, y);
     if (!at.there()) return glm::vec3(0);
     const glm::uvec3& t = mesh.triangles[at.triangle];
     const float length = at_visible(at, mesh.groom[t.x].z, mesh.groom[t.y].z, mesh.groom[t.z].z);
@@ -194,7 +215,8 @@ FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threa
   return drawn_overlay(frame.width, frame.height, threads, [&](int x, int y) { return stroke_at(field, x, y); });
 }
 
-FloatImage count_overlay(const FloatImage& counts, float most) {
+FloatImage count_overlay(const FloatImage& counts, int shells) {
+  const float most = 2 * static_cast<float>(shells);
   return drawn_overlay(counts.width, counts.height, 1, [&](int x, int y) {
     const float count = counts.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.width) +
                                          static_cast<std::size_t>(x))];

@@ -14,7 +14,8 @@ bool is_field(Overlay overlay);
 /// tips reach, the frame shows as it is.
 FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threads);
 
-/// How often fur was shaded at each pixel, from nothing to `most`, as field_overlay colours a length.
-FloatImage count_overlay(const FloatImage& counts, float most);
+/// How often fur was shaded at each pixel (Aov::shell_count), from nothing to twice the shells, as field_overlay
+/// colours a length.
+FloatImage count_overlay(const FloatImage& counts, int shells);
 
 }  // namespace pelage
