@@ -23,7 +23,7 @@ struct Backplate {
 };
 
 // The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that the
-// shells' passes drew (Backplate), so that they look the same in both.
+// marcher drew (Backplate), so that they look the same in both.
 
 /// Asked by each tracing thread between small pieces of work. May hold the thread up; false ends the work.
 using GoOn = std::function<bool()>;
