@@ -223,6 +223,11 @@ HWY_INLINE Vec3 scatter_again(const ScatteringBlock& block, const Scattering& s,
   return 0.55f * block.weights.x * sqrt(max(0.0f, 1.0f - along * along)) * s.colour;
 }
 
+/// `once` and what follows it.
+HWY_INLINE Vec3 scatter_bundle(const ScatteringBlock& block, const Scattering& s, Vec3 to_light, Vec3 once) {
+  return 0.6f * once + scatter_again(block, s, to_light);
+}
+
 HWY_INLINE bool scatters_fibres(int model) { return model == model_energy_conserving || model == model_marschner; }
 
 /// Light scattered to the camera for light of radiance 1, without shadow, B and ambient. `eye` is read by fibre models.
@@ -231,8 +236,7 @@ HWY_INLINE Vec3 scatter(const ScatteringBlock& block, const AzimuthalFit& fit, i
   switch (model) {
     case model_energy_conserving:
     case model_marschner:
-      return 0.6f * scatter_fibre(block, fit, s, eye, to_light, model == model_marschner) +
-             scatter_again(block, s, to_light);
+      return scatter_bundle(block, s, to_light, scatter_fibre(block, fit, s, eye, to_light, model == model_marschner));
     case model_scheuermann: return scatter_scheuermann(block, s, to_light);
     case model_kajiya_kay: return scatter_kajiya_kay(block, s, to_light);
     default: return scatter_kajiya(block, s, to_light);

@@ -84,8 +84,6 @@ LobeValues AzimuthalAverage::at(double cos_theta, double azimuth, double sigma_a
 
 namespace {
 
-double inclination_angle(const Inclination& inclination) { return std::atan2(inclination.sine, inclination.cosine); }
-
 double gaussian(double x, double width) { return std::exp(-x * x / (2 * width * width)) / (width * std::sqrt(2 * pi)); }
 
 }  // namespace
@@ -97,21 +95,6 @@ MarschnerLobes marschner_lobes(const FibreOptics& fibre) {
           {width(beta), width(beta / 2), width(2 * beta), 1},
           fibre.caustic_width * pi / 180,
           fibre.refractive_index};
-}
-
-double cos_difference(const Inclination& light, const Inclination& view) {
-  return std::cos((inclination_angle(light) - inclination_angle(view)) / 2);
-}
-
-LobeValues marschner_longitudinal(const MarschnerLobes& lobes, const Inclination& light, const Inclination& view) {
-  const double middle = (inclination_angle(light) + inclination_angle(view)) / 2;
-  const double difference = cos_difference(light, view);
-  LobeValues values{};
-  for (std::size_t p = 0; p + 1 < lobe_count; ++p) {
-    values[p] =
-        gaussian(middle - lobes.centre[p], lobes.width[p]) / 2 / std::max(difference * difference, min_cos2_difference);
-  }
-  return values;
 }
 
 double marschner_reflection(double cos_theta_d, double azimuth, double eta) {

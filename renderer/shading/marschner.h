@@ -46,16 +46,6 @@ struct MarschnerLobes {
 };
 MarschnerLobes marschner_lobes(const FibreOptics& fibre);
 
-/// The smallest cos^2 theta_d that is divided by: beyond 88.2 degrees the model grows without bound.
-constexpr double min_cos2_difference = 1e-3;
-
-/// g(beta, theta_h - alpha) / (2 cos^2 theta_d) for each lobe; g has area 1 over theta_h, so half of it has area 1 over
-/// theta_i.
-LobeValues marschner_longitudinal(const MarschnerLobes& lobes, const Inclination& light, const Inclination& view);
-
-/// cos of theta_d, half the difference of both inclinations, in [0, 1].
-double cos_difference(const Inclination& light, const Inclination& view);
-
 /// NR of a smooth fibre in closed form: 1/4 cos(phi/2) times Fresnel; azimuth in [-pi, pi].
 double marschner_reflection(double cos_theta_d, double azimuth, double eta);
 

@@ -26,8 +26,7 @@ class Bsdf {
     if (hit.kind == HitKind::strand) {
       frame_.emplace(hit.tangent, to_camera);
       const StrandShading& shading = scene.shading();
-      absorption_ = shading.absorption(hit.colour);
-      fibre_.emplace(shading.lobes(), frame_->local(to_camera), hit.offset, absorption_);
+      fibre_.emplace(shading.lobes(), frame_->local(to_camera), hit.offset, shading.absorption(hit.colour));
     } else {
       hit_.colour = glm::clamp(hit.colour, 0.0f, 1.0f);
       position_ += hit.normal * leave_skin;
@@ -46,10 +45,9 @@ class Bsdf {
     return hit_.colour * std::max(glm::dot(hit_.normal, to_light), 0.0f) / glm::pi<float>();
   }
   /// The same for a light. Paths hit a strand at any offset alike, so that its mean over the offsets, which the table
-  /// has, is as true as the value at this one, and far less noisy.
+  /// knows, is as true as the value at this one, and far less noisy.
   glm::vec3 mean_f(glm::vec3 to_light) const {
-    return fibre_ ? scene_.shading().scatter_averaged(hit_, absorption_, to_light, to_camera_) / glm::pi<float>()
-                  : f(to_light);
+    return fibre_ ? scene_.shading().scatter_once(hit_, to_light, to_camera_) / glm::pi<float>() : f(to_light);
   }
   float pdf(glm::vec3 to_light) const {
     if (fibre_) return fibre_->pdf(frame_->local(to_light));
@@ -70,7 +68,7 @@ class Bsdf {
  private:
   const TraceScene& scene_;
   Hit hit_;
-  glm::vec3 position_, to_camera_, absorption_{0};
+  glm::vec3 position_, to_camera_;
   std::optional<FibreFrame> frame_;
   std::optional<FibrePaths> fibre_;
 };

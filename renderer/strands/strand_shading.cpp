@@ -1,27 +1,29 @@
 #include "renderer/strands/strand_shading.h"
 
-#include <algorithm>
-
 #include "renderer/coat/strand_tile.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr int wetness_steps = 8;
-
-/// Beside the highlights of models without fibres, which painted water changes too.
 Look traced_look(const FurFrame& frame) {
-  Look look = frame.look;
-  look.fibre = wet_look(frame.coat, look).fibre;
+  Look look = wet_look(frame.coat, frame.look);
   const Tracing& trace = frame.knobs.trace;
   if (trace.transport == Transport::paths || trace.scattering == StrandScattering::energy_conserving)
     look.shading = ShadingModel::energy_conserving;
   return look;
 }
 
-bool has_shine(ShadingModel model) {
-  return model != ShadingModel::energy_conserving && model != ShadingModel::marschner;
+StrandOptics optics_of(const Look& look, double wetness) {
+  return {.scattering = scattering_block(look),
+          .azimuthal = fit_azimuthal(make_scattering_table(look)),
+          .model = static_cast<int>(look.shading),
+          .reach = static_cast<float>(look.back_attenuation),
+          .wetness = static_cast<float>(wetness)};
+}
+
+LitStrand lit(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) {
+  return {hit.tangent, hit.normal, to_camera, to_light, glm::min(hit.colour, 1.0f), hit.number, hit.wetness};
 }
 
 }  // namespace
@@ -30,36 +32,29 @@ StrandShading::StrandShading(const FurFrame& frame)
     : look_(traced_look(frame)),
       wetness_(frame.coat.wetness),
       lobes_(energy_conserving_lobes(look_.fibre)),
-      table_(make_scattering_table(look_)) {
-  const int steps = has_shine(look_.shading) ? wetness_steps : 0;
-  for (int i = 0; i <= steps; ++i) {
-    Coat coat;  // as paint_light.glsl has it
-    coat.wetness = std::min(wetness_ + static_cast<double>(i) / wetness_steps, 1.0);
-    Look wet = wet_look(coat, look_);
-    wet.fibre = look_.fibre;
-    shadings_.emplace_back(wet);
-  }
-}
+      optics_(optics_of(look_, wetness_)) {}
 
 bool StrandShading::fits(const FurFrame& frame) const {
   return look_ == traced_look(frame) && wetness_ == frame.coat.wetness;
 }
 
 glm::vec3 StrandShading::absorption(glm::vec3 colour) const {
-  return glm::vec3(shadings_.front().absorption(glm::dvec3(glm::min(colour, 1.0f))));
+  const FibreOptics& fibre = look_.fibre;
+  if (fibre.absorption == Absorption::melanin)
+    return glm::vec3(absorption_from_melanin(fibre.eumelanin, fibre.pheomelanin));
+  return glm::vec3(absorption_from_colour(glm::dvec3(glm::min(colour, 1.0f)), fibre.azimuthal_roughness));
 }
 
 glm::vec3 StrandShading::scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const {
-  const auto last = static_cast<float>(shadings_.size() - 1);
-  const auto step = static_cast<std::size_t>(std::clamp(hit.wetness, 0.0f, 1.0f) * last + 0.5f);
-  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_camera};
-  return glm::vec3(shadings_[step].scatter(geometry, glm::dvec3(glm::min(hit.colour, 1.0f)), hit.number, table_));
+  return scatter_strand(optics_, lit(hit, to_light, to_camera));
 }
 
-glm::vec3 StrandShading::scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light,
-                                          glm::vec3 to_camera) const {
-  const ScatterGeometry geometry{hit.tangent, hit.normal, to_light, to_camera};
-  return glm::vec3(shadings_.front().scatter_absorbed(geometry, glm::dvec3(sigma_a), table_));
+glm::vec3 StrandShading::scatter_once(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const {
+  return pelage::scatter_once(optics_, lit(hit, to_light, to_camera));
+}
+
+glm::vec3 StrandShading::scatter_bundle(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera, glm::vec3 once) const {
+  return pelage::scatter_bundle(optics_, lit(hit, to_light, to_camera), once);
 }
 
 }  // namespace pelage

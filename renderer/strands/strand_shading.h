@@ -2,14 +2,15 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "renderer/input/fur_scene.h"
-#include "renderer/shading/fibre_shading.h"
+#include "renderer/optics/one_strand.h"
+#include "renderer/shading/fibre.h"
 #include "renderer/strands/world.h"
 
 namespace pelage {
 
+/// Scattered to the camera for light of radiance 1, as renderer/optics/one_strand.h has it.
 class StrandShading {
  public:
   explicit StrandShading(const FurFrame& frame);
@@ -21,17 +22,18 @@ class StrandShading {
   const FibreLobes& lobes() const { return lobes_; }
   /// sigma_a of a strand of that linear colour, what is over 1 counts as 1.
   glm::vec3 absorption(glm::vec3 colour) const;
-  /// Scattered to the eye for light of radiance 1, as FibreShading::scatter: fibre models averaged over the width.
+
   glm::vec3 scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const;
-  /// The same by energy_conserving, for a strand whose sigma_a is known.
-  glm::vec3 scatter_averaged(const Hit& hit, glm::vec3 sigma_a, glm::vec3 to_light, glm::vec3 to_camera) const;
+  /// By one fibre, averaged over its width. The model is one of fibres.
+  glm::vec3 scatter_once(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const;
+  /// By a bundle of which one fibre scatters `once`.
+  glm::vec3 scatter_bundle(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera, glm::vec3 once) const;
 
  private:
   Look look_;
   double wetness_;
   FibreLobes lobes_;
-  ScatteringTable table_;
-  std::vector<FibreShading> shadings_;  // by the wetness that is painted beyond the coat's own
+  StrandOptics optics_;
 };
 
 }  // namespace pelage

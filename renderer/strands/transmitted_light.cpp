@@ -5,7 +5,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include "protocol/base/colour_space.h"
-#include "renderer/shading/empirical.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/skin/bare.h"
 #include "renderer/strands/sampling.h"
@@ -17,27 +16,19 @@ namespace {
 constexpr float leave_skin = 1e-5f;  // sizes from which rays to lights start
 constexpr float near_pixels = 1.5f;  // width from which a strand shows how it scatters across
 
-/// What a bundle sends back after many fibres, beside the single one (lighting.glsl, scatter_again).
-glm::vec3 with_more(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 once) {
-  const float along = glm::dot(hit.tangent, to_light);
-  const float again =
-      0.55f * static_cast<float>(scene.frame().look.diffuse) * std::sqrt(std::max(0.0f, 1 - along * along));
-  return 0.6f * once + again * glm::min(hit.colour, 1.0f);
+/// One that is wide on the picture shows how it scatters across.
+bool is_near(const TraceScene& scene, const Hit& hit) {
+  return scene.shading().model() == ShadingModel::energy_conserving &&
+         2 * hit.radius >= near_pixels * scene.pixel_at(hit.distance);
 }
 
 glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) {
-  const ShadingModel model = scene.shading().model();
-  if (model == ShadingModel::energy_conserving) {
-    if (2 * hit.radius < near_pixels * scene.pixel_at(hit.distance)) {
-      return with_more(scene, hit, to_light, scene.shading().scatter(hit, to_light, to_camera));
-    }
-    const FibreFrame frame(hit.tangent, to_camera);
-    const StrandShading& shading = scene.shading();
-    const FibrePaths fibre(shading.lobes(), frame.local(to_camera), hit.offset, shading.absorption(hit.colour));
-    return with_more(scene, hit, to_light, glm::pi<float>() * fibre.value(frame.local(to_light)));
-  }
-  const glm::vec3 once = scene.shading().scatter(hit, to_light, to_camera);
-  return model == ShadingModel::marschner ? with_more(scene, hit, to_light, once) : once;
+  const StrandShading& shading = scene.shading();
+  if (!is_near(scene, hit)) return shading.scatter(hit, to_light, to_camera);
+  const FibreFrame frame(hit.tangent, to_camera);
+  const FibrePaths fibre(shading.lobes(), frame.local(to_camera), hit.offset, shading.absorption(hit.colour));
+  const glm::vec3 once = glm::pi<float>() * fibre.value(frame.local(to_light));
+  return shading.scatter_bundle(hit, to_light, to_camera, once);
 }
 
 /// As ambient_share in lighting.glsl, with the transmittance in place of the estimate.
@@ -66,12 +57,8 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
     return;
   }
   const LightSample light = lights.sample(chosen.index, place, u);
-  const ShadingModel model = scene.shading().model();
-  const float behind = static_cast<float>(
-      light_behind(model, glm::dot(hit.normal, light.to_light), scene.frame().look.back_attenuation));
-  if (behind <= 0) return;
-  const glm::vec3 whole =
-      light.radiance * behind / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
+  const glm::vec3 whole = light.radiance / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
+  if (luminance(whole) <= 0) return;
   const glm::vec3 transmittance = world.transmittance(
       {.origin = place, .direction = light.to_light, .t_max = light.distance, .without = hit.strand},
       scene.self_shadow());

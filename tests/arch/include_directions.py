@@ -44,7 +44,7 @@ ALLOWED = {
     "renderer/curves": ["protocol/base", "protocol/commands", "renderer/input"],
     "renderer/skin": ["protocol/base", "protocol/commands", "renderer/input"],
     "renderer/strands": ["protocol/base", "protocol/commands", "renderer/shaders", "renderer/input", "renderer/coat", "renderer/curves",
-                         "renderer/image", "renderer/light", "renderer/pattern", "renderer/shading", "renderer/skin"],
+                         "renderer/image", "renderer/light", "renderer/optics", "renderer/pattern", "renderer/shading", "renderer/skin"],
     "renderer/visibility": ["protocol/base", "protocol/commands"],
     "renderer/image": ["protocol/base"],
     "renderer/light": ["protocol/base", "protocol/commands"],

@@ -7,8 +7,8 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/light/environment.h"
-#include "renderer/shading/fibre_shading.h"
 #include "renderer/upload/blocks.h"
+#include "tests/double_shading/fibre_shading.h"
 
 namespace pelage::testing {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "renderer/shading/fibre.h"
-#include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_table.h"
+#include "tests/double_shading/fibre_shading.h"
 #include "tests/gl/backends.h"
 #include "tests/gl/grid.h"
 

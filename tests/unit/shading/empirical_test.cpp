@@ -1,5 +1,5 @@
 // What the models without a fibre are made of.
-#include "renderer/shading/empirical.h"
+#include "tests/double_shading/empirical.h"
 
 #include <gtest/gtest.h>
 

@@ -34,8 +34,8 @@
 #include <numbers>
 
 #include "renderer/shading/fibre.h"
-#include "renderer/shading/fibre_shading.h"
 #include "renderer/shading/scattering_table.h"
+#include "tests/double_shading/fibre_shading.h"
 
 namespace pelage {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/shading/fibre_shading.h"
+#include "tests/double_shading/fibre_shading.h"
 
 #include <algorithm>
 #include <cassert>

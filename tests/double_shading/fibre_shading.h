@@ -1,13 +1,14 @@
-// Every shading model behind one interface. What the shells' shader does in float with a table, this does in double.
+// Every shading model in double behind one interface, for shaders and lanes to be compared with.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <memory>
 
-#include "renderer/shading/empirical.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/shading/marschner.h"
 #include "renderer/shading/scattering_table.h"
+#include "tests/double_shading/empirical.h"
+#include "tests/double_shading/marschner_lobes.h"
 
 namespace pelage {
 

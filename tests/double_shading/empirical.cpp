@@ -1,4 +1,4 @@
-#include "renderer/shading/empirical.h"
+#include "tests/double_shading/empirical.h"
 
 #include <algorithm>
 #include <cmath>
