@@ -73,81 +73,125 @@ HWY_INLINE Real rising_from_face(const MarchScene& scene, const Ray& ray, const 
   return select(size > 0.0f, smoothstep(-0.1f, 0.15f, dot(across, offset) / max(size, 1e-30f)), 1.0f);
 }
 
-/// Light that the skin sends to the camera. What AOVs keep of it goes into `shown` where that is given.
-HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPoint& point, AovSums::Shown* shown) {
+/// Where a ray meets the skin, and where light that the body lets through comes to the fur there: on its hull.
+struct SkinPlace {
+  Vec3 at, normal, open;
+  Real hull;   // how high that is, sizes
+  Real pixel;  // size of a pixel there, sizes
+};
+
+HWY_INLINE SkinPlace skin_place(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
+  const Vec3 normal = unit(point.rows(Varyings::normal));
+  SkinPlace place;
+  place.at = Vec3(scene.viewpoint) + ray.way * point.distance();
+  place.normal = select(point.facing(), normal, -normal);
+  const int open = scene.varyings.open;
+  place.open = open < 0 ? place.at : point.rows(open);
+  place.hull = open < 0 ? Real(0.0f) : point.row(open + 3);
+  place.pixel = scene.optics.frame.viewpoint.w * point.distance() * ray.size;
+  return place;
+}
+
+/// How fur covers a place of the skin; shares in [0, 1].
+struct SkinCover {
+  PaintedFields fields;
+  Real length;
+  Real grown;    // of the undercoat's colour
+  Real furred;   // of the coat's
+  Real covered;  // that the fur keeps light from
+  Real above;    // strands over it
+};
+
+HWY_INLINE SkinCover skin_cover(const MarchScene& scene, const Ray& ray, const SkinPoint& point) {
+  const auto row = [&](int at) HWY_ATTR { return point.row(at); };
+  SkinCover cover;
+  cover.fields = painted_fields(scene.varyings, row);
+  cover.length = row(Varyings::length);
+  cover.grown = smoothstep(0.0f, 0.008f, cover.length);
+  cover.above = scene.optics.frame.depth_above[0].x * static_cast<float>(1 / nominal_length) * cover.length;
+  if (scene.optics.paint.form) {
+    const Real thin = 1.0f - clamp(cover.fields.density, 0.0f, 1.0f);
+    cover.grown *= 1.0f - thin * thin * thin;  // thinned fur does not hide the skin
+    cover.above *= cover.fields.depth();
+  }
+  cover.furred = select(point.facing(), cover.grown, 0.0f);
+  if (!scene.bare) cover.furred *= rising_from_face(scene, ray, point);
+  cover.covered = scene.bare ? Real(0.0f) : cover.furred;
+  return cover;
+}
+
+struct SkinColours {
+  Vec3 bare, seen;
+  Vec3 crossed;  // what light goes through
+};
+
+HWY_INLINE SkinColours skin_colours(const MarchScene& scene, const SkinPoint& point, const SkinCover& cover,
+                                    Real texels) {
   const FrameOptics& optics = scene.optics;
-  const FrameBlock& frame = optics.frame;
   const auto row = [&](int at) HWY_ATTR { return point.row(at); };
   const auto rows = [&](int at) HWY_ATTR { return point.rows(at); };
-  const Mask facing = point.facing();
-  Vec3 normal = unit(rows(Varyings::normal));
-  normal = select(facing, normal, -normal);
-  const Real length = row(Varyings::length);
-  Real grown = smoothstep(0.0f, 0.008f, length);
-  Real above = frame.depth_above[0].x * static_cast<float>(1 / nominal_length) * length;
-  const PaintedFields fields = painted_fields(scene.varyings, row);
-  if (optics.paint.form) {
-    const Real thin = 1.0f - clamp(fields.density, 0.0f, 1.0f);
-    grown *= 1.0f - thin * thin * thin;  // thinned fur does not hide the skin
-    above *= fields.depth();
-  }
-  const Real furred =
-      scene.bare ? select(facing, grown, 0.0f) : select(facing, grown, 0.0f) * rising_from_face(scene, ray, point);
-  const Real covered = scene.bare ? Real(0.0f) : furred;  // the share that fur keeps light from
-  const Real pixel = frame.viewpoint.w * point.distance() * ray.size, texels = pixel * point.image_scale();
-  Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(frame.ramp_root), row, rows, texels);
+  Vec3 undercoat = strand_colour(optics, scene.varyings, Vec3(optics.frame.ramp_root), row, rows, texels);
   Cover painted{Vec3(0.0f), 0.0f};
   if (optics.paint.colour) {
     const PaintedColours colours = painted_colours(scene.varyings, row, rows);
     undercoat = covered_by(cover_at(colours, 0.0f), undercoat, 1.0f), painted = cover_at(colours, 0.5f);
   }
-  if (optics.paint.form) undercoat = colour_wetted(optics.paint, fields.wetness, undercoat);
-  const Vec3 bare = optics.model_colours ? model_colour(optics, scene.varyings.image, rows, texels) : Vec3(frame.skin);
-  const Vec3 coat = covered_by(painted, undercoat * Vec3(frame.colour_above[0]), 1.0f);
-  const Vec3 crossed = mix(bare, coat, furred);
-  Vec3 colour = mix(bare, mix(coat, undercoat, furred), grown);
-  const float self_shadow = frame.exponents.w;
-  const Vec3 ambient = ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, self_shadow));
-  Vec3 sum = frame.weights.x * mix(Vec3(1.0f), ambient, covered) * colour * environment_light(optics, normal);
-  const Vec3 stopped = stopped_by_strand(crossed, 1.0f, self_shadow);
-  const Vec3 place = Vec3(scene.viewpoint) + ray.way * point.distance();
-  Direct direct = Direct::none();
-  const int at_open = scene.varyings.open;
-  const Vec3 open = at_open < 0 ? place : rows(at_open);
-  const Real hull = at_open < 0 ? Real(0.0f) : row(at_open + 3);
+  if (optics.paint.form) undercoat = colour_wetted(optics.paint, cover.fields.wetness, undercoat);
+  const Vec3 bare =
+      optics.model_colours ? model_colour(optics, scene.varyings.image, rows, texels) : Vec3(optics.frame.skin);
+  const Vec3 coat = covered_by(painted, undercoat * Vec3(optics.frame.colour_above[0]), 1.0f);
+  return {bare, mix(bare, mix(coat, undercoat, cover.furred), cover.grown), mix(bare, coat, cover.furred)};
+}
+
+/// Of all lights. `direct` is added to where it is given.
+HWY_INLINE Vec3 lights_on_skin(const FrameOptics& optics, const SkinPlace& place, const SkinCover& cover,
+                               const SkinColours& colours, Direct* direct) {
+  const Vec3 stopped = stopped_by_strand(colours.crossed, 1.0f, optics.frame.exponents.w);
+  Vec3 sum(0.0f);
   for (int i = 0; i < optics.lights; ++i) {
-    const Arriving light = light_at(optics, i, place);
-    const Real cosine = dot(normal, light.to_light);
-    Real strands = covered * strands_crossed(above, way_out(0.0f, cosine), normal, light.to_light);
-    if (!optics.casters.empty())
-      strands = shell_depth(optics.casters[static_cast<std::size_t>(i)], place, open, 0.0f, cosine, strands);
+    const Arriving light = light_at(optics, i, place.at);
+    const Real cosine = dot(place.normal, light.to_light);
+    Real strands = cover.covered * strands_crossed(cover.above, way_out(0.0f, cosine), place.normal, light.to_light);
+    const ShadowCaster* caster = optics.casters.empty() ? nullptr : &optics.casters[static_cast<std::size_t>(i)];
+    if (caster) strands = shell_depth(*caster, place.at, place.open, 0.0f, cosine, strands);
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
-    const Real lit = frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, covered);
-    Vec3 arriving = light.radiance * colour * through * lit;
-    if (!optics.casters.empty())
-      arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
-    if (shown) direct.add(arriving, light.radiance * colour * lit);
+    const Real lit = optics.frame.weights.y * max(cosine, 0.0f) * mix(1.0f, 0.6f, cover.covered);
+    Vec3 arriving = light.radiance * colours.seen * through * lit;
+    if (caster) arriving *= cast_light(*caster, place.at, place.open, place.hull, place.normal);
+    if (direct) direct->add(arriving, light.radiance * colours.seen * lit);
     sum += arriving;
   }
+  return sum;
+}
+
+/// Light that the skin sends to the camera. What AOVs keep of it goes into `shown` where that is given.
+HWY_INLINE Vec3 skin_light(const MarchScene& scene, const Ray& ray, const SkinPoint& point, AovSums::Shown* shown) {
+  const FrameOptics& optics = scene.optics;
+  const SkinPlace place = skin_place(scene, ray, point);
+  const SkinCover cover = skin_cover(scene, ray, point);
+  const SkinColours colours = skin_colours(scene, point, cover, place.pixel * point.image_scale());
+  const Vec3 ambient = ambient_share(optics.frame, 0.0f, cover.above,
+                                     stopped_by_strand(colours.crossed, 0.6f, optics.frame.exponents.w));
+  Direct direct = Direct::none();
+  Vec3 seen = colours.seen;
+  Vec3 sum = optics.frame.weights.x * mix(Vec3(1.0f), ambient, cover.covered) * seen *
+                 environment_light(optics, place.normal) +
+             lights_on_skin(optics, place, cover, colours, shown ? &direct : nullptr);
   if (optics.skin.count.x > 0 || optics.paint.form) {
-    Bare region = optics.paint.form ? painted_bare(bare, fields.bare, fields.wetness) : not_bare();
-    region = bare_over(optics.skin, region, place, normal, pixel);
+    Bare region = optics.paint.form ? painted_bare(colours.bare, cover.fields.bare, cover.fields.wetness) : not_bare();
+    region = bare_over(optics.skin, region, place.at, place.normal, place.pixel);
     if (any(region.share > 0.0f)) {
       direct.keep(1.0f - region.share);
       sum = mix(sum,
-                bare_light(optics, region, place, open, hull, normal, -ray.unit_way, pixel, shown ? &direct : nullptr),
+                bare_light(optics, region, place.at, place.open, place.hull, place.normal, -ray.unit_way, place.pixel,
+                           shown ? &direct : nullptr),
                 region.share);
-      colour = mix(colour, region.colour, region.share);
+      seen = mix(seen, region.colour, region.share);
     }
   }
-  if (shown)
-    *shown = {place,
-              normal,
-              select(length > 0.0f, unit(rows(Varyings::tangent)), Vec3(0.0f)),
-              colour,
-              direct,
-              0.0f,
-              1.0f / point.distance()};
+  if (!shown) return sum;
+  const Vec3 tangent = select(cover.length > 0.0f, unit(point.rows(Varyings::tangent)), Vec3(0.0f));
+  *shown = {place.at, place.normal, tangent, seen, direct, 0.0f, 1.0f / point.distance()};
   return sum;
 }
 
