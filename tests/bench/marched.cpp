@@ -20,7 +20,7 @@ namespace pelage::bench {
 namespace {
 
 constexpr std::array cameras{AutoView::three_quarter, AutoView::back, AutoView::left};
-constexpr std::array naive_shells{8, 16};
+constexpr std::array naive_shells{4, 8, 16, 32, 64};
 constexpr MarchQuality limit{64, 0, 1, 256};
 constexpr std::array qualities{MarchQuality{4, 0, 1.5f, 16},  MarchQuality{8, 1, 1.5f, 16},
                                MarchQuality{8, 0, 1.5f, 24},  MarchQuality{16, 2, 1.5f, 24},
@@ -73,9 +73,9 @@ std::string errors_of(const Image& truth, const Image& image) {
 
 void keep(const Setup& setup, const std::string& scene, const std::string& name, const Image& image) {
   if (setup.pictures.empty()) return;
-  std::string file = setup.pictures + "/" + scene + "-" + name + ".png";
-  std::replace(file.begin(), file.end(), ' ', '_');
-  std::ofstream(file, std::ios::binary) << encode_png(image, false);
+  std::string file = scene + "-" + name + ".png";
+  for (const char apart : {' ', '/'}) std::replace(file.begin(), file.end(), apart, '-');
+  std::ofstream(setup.pictures + "/" + file, std::ios::binary) << encode_png(image, false);
 }
 
 void add_gl(const Bench& bench, std::deque<NaiveRenderer>& naive, std::vector<Way>& ways) {

@@ -136,7 +136,7 @@ void add_numbers(Collector& collect, const Base& base, bool quick) {
 void add_choices(Collector& collect, const Base& base) {
   collect.choice(base, "shell policy", "uniform", [](Knobs& k) { k.shell_policy = ShellPolicy::uniform; });
   collect.choice(base, "shell policy", "adaptive", [](Knobs& k) { k.shell_policy = ShellPolicy::adaptive; });
-  collect.choice(base, "order", "aovs", [](Knobs& k) { k.order = FragmentOrder::shells; });
+  collect.choice(base, "order", "shells", [](Knobs& k) { k.order = FragmentOrder::shells; });
   collect.choice(base, "order", "sorted", [](Knobs& k) { k.order = FragmentOrder::sorted; });
   collect.numbers(base, "guard hairs", &Knobs::guard_hairs, std::vector<int>{0, 5000, 20000});
 }
