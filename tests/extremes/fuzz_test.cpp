@@ -8,6 +8,7 @@
 #include <cstring>
 #include <optional>
 
+#include "server/frames/frame_queue.h"
 #include "tests/extremes/any_scene.h"
 #include "tests/extremes/both_ways.h"
 #include "tests/extremes/row_scene.h"
@@ -94,11 +95,22 @@ class Worker {
   int cases_ = 0;
 };
 
-TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
-  FreshStore store("pelage_fuzz" + std::to_string(static_cast<int>(GetParam())));
-  setenv("RC_PARAMS", "max_success=2 seed=1", 0);  // the same few scenes where nobody asks for others
-  Worker worker(*renderer, *store);
+void fuzz(Renderer& renderer, const std::string& folder, const char* unless_asked) {
+  FreshStore store(folder);
+  setenv("RC_PARAMS", unless_asked, 0);  // the same few scenes where nobody asks for others
+  Worker worker(renderer, *store);
   EXPECT_TRUE(rc::check("any scene", [&] { worker.any_case(); }));
+}
+
+TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
+  fuzz(*renderer, "pelage_fuzz" + std::to_string(static_cast<int>(GetParam())), "max_success=2 seed=1");
+}
+
+/// What a server without a GPU draws, without a GL that would take most of the time.
+TEST(FuzzWithoutGl, AnySceneIsFiniteAndTheSameTwice) {
+  const Result<std::unique_ptr<Renderer>> renderer = make_renderer(nullptr, 2);
+  ASSERT_TRUE(renderer.ok()) << renderer.status().message;
+  fuzz(**renderer, "pelage_fuzz_without_gl", "max_success=10 seed=1");
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Fuzz, both_backends(), name_of);
