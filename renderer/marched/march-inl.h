@@ -69,10 +69,8 @@ struct Path {
 
 /// At this sine of the ray's angle to the stack, even between 0, 30, 60 and 75 degrees (depth_scale_of of slab.glsl).
 HWY_INLINE Real depth_scale_of(const FrameBlock& frame, Int level, Real sine) {
-  const float* scales = &frame.depth_scale[0].x;
-  const Int at = hn::ShiftLeft<2>(level);
-  const Real along = gather(scales, at), at60 = gather(scales + 1, at), at30 = gather(scales + 2, at),
-             at75 = gather(scales + 3, at);
+  const Quad scales = gather_quad(&frame.depth_scale[0].x, hn::ShiftLeft<2>(level));
+  const Real along = scales.real(0), at60 = scales.real(1), at30 = scales.real(2), at75 = scales.real(3);
   const Real low = mix(along, at30, min(2.0f * sine, 1.0f));
   const Real middle = mix(low, at60, clamp((sine - 0.5f) * 2.7320508f, 0.0f, 1.0f));
   return mix(middle, at75, clamp((sine - 0.8660254f) * 10.0102f, 0.0f, 1.0f));
@@ -138,8 +136,8 @@ HWY_INLINE Real level_of(const FrameBlock& frame, const Ray& ray, Real distance,
 /// The tile's u axis, unit.
 HWY_INLINE Vec3 tile_axis_of(const MarchScene& scene, const Segments& segments) {
   const Int axes = hn::Mul(hn::LoadU(int_tag, segments.piece), whole(sizeof(PieceAxes) / sizeof(float)));
-  const float* first = &scene.mesh.axes[0].tile_u.x;
-  return {gather(first, axes), gather(first + 1, axes), gather(first + 2, axes)};
+  const Quad tile_u = gather_quad(&scene.mesh.axes[0].tile_u.x, axes);
+  return {tile_u.real(0), tile_u.real(1), tile_u.real(2)};
 }
 
 /// How the skin and its fur lie between two ends, and how a ray meets them.

@@ -51,6 +51,7 @@ AzimuthalFit fit_azimuthal(const ScatteringTable& table) {
                                     pair_of(c[2][2], c[3][0]), pair_of(c[3][1], c[3][2])})
       fit.nodes.push_back(word);
   }
+  fit.nodes.insert(fit.nodes.end(), AzimuthalFit::beyond, 0);
   return fit;
 }
 

@@ -85,6 +85,44 @@ HWY_INLINE Real to_real(Int a) { return hn::ConvertTo(float_tag, a); }
 HWY_INLINE Int whole(std::int32_t a) { return hn::Set(int_tag, a); }
 HWY_INLINE Real gather(const float* from, Int index) { return hn::GatherIndex(float_tag, from, index); }
 HWY_INLINE Int gather(const std::int32_t* from, Int index) { return hn::GatherIndex(int_tag, from, index); }
+/// Four words that lie side by side, of each lane: by loads and shuffles, which take a third of what four gathers do.
+struct Quad {
+  Int word[4];
+  HWY_INLINE Real real(int k) const { return hn::BitCast(float_tag, word[k]); }
+};
+
+/// Four words of every fourth lane from the first one of `index` on, side by side.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> load_every_fourth(Tag tag, const std::int32_t* from, const std::int32_t* index) {
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    return hn::LoadU(tag, from + *index);
+  } else {
+    const hn::Half<Tag> half;
+    return hn::Combine(tag, load_every_fourth(half, from, index + hn::MaxLanes(Tag()) / 2),
+                       load_every_fourth(half, from, index));
+  }
+}
+
+/// Those from `index` on.
+HWY_INLINE Quad gather_quad(const std::int32_t* from, Int index) {
+  HWY_ALIGN std::int32_t at[lane_count];
+  hn::Store(index, int_tag, at);
+  Int row[4];  // of each block of four lanes the words of one lane
+  for (int k = 0; k < 4; ++k) row[k] = load_every_fourth(int_tag, from, at + k);
+  const hn::Repartition<std::int64_t, IntTag> pair_tag;
+  const auto low = [&](Int a, Int b) HWY_ATTR { return hn::BitCast(pair_tag, hn::InterleaveLower(int_tag, a, b)); };
+  const auto high = [&](Int a, Int b) HWY_ATTR { return hn::BitCast(pair_tag, hn::InterleaveUpper(int_tag, a, b)); };
+  const auto first = low(row[0], row[1]), second = low(row[2], row[3]);
+  const auto third = high(row[0], row[1]), fourth = high(row[2], row[3]);
+  return {{hn::BitCast(int_tag, hn::InterleaveLower(pair_tag, first, second)),
+           hn::BitCast(int_tag, hn::InterleaveUpper(pair_tag, first, second)),
+           hn::BitCast(int_tag, hn::InterleaveLower(pair_tag, third, fourth)),
+           hn::BitCast(int_tag, hn::InterleaveUpper(pair_tag, third, fourth))}};
+}
+HWY_INLINE Quad gather_quad(const float* from, Int index) {
+  return gather_quad(reinterpret_cast<const std::int32_t*>(from), index);
+}
+
 /// A byte of each lane, over 255.
 template <int at>
 HWY_INLINE Real byte_of(Int word) {

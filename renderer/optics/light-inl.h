@@ -56,9 +56,8 @@ HWY_INLINE Real strands_crossed(Real above, Real way, Vec3 tangent, Vec3 directi
 /// Colour of the fur above a height over the colour there.
 HWY_INLINE Vec3 colour_above(const FrameBlock& frame, Real height) {
   const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
-  const float* first = &frame.colour_above[0].x;
-  const Int at = hn::ShiftLeft<2>(slice);
-  return {gather(first, at), gather(first + 1, at), gather(first + 2, at)};
+  const Quad colour = gather_quad(&frame.colour_above[0].x, hn::ShiftLeft<2>(slice));
+  return {colour.real(0), colour.real(1), colour.real(2)};
 }
 
 /// Share of the light from all around that gets to a height. `stopped` is for a part of .6.

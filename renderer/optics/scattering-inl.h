@@ -164,22 +164,31 @@ struct AbsorptionCurve {
   HWY_INLINE Real at(Real t) const { return mul_add(t, mul_add(t, mul_add(t, c3, c2), c1), c0); }
 };
 
+/// Adds the words of a node by their weight.
+HWY_INLINE void add_node(const Int* word, Real weight, const Lobes& along, AbsorptionCurve& curve) {
+  const Real tt = weight * along.value[1], trt = weight * along.value[2], rest = weight * along.value[3];
+  curve.c0 = mul_add(weight * along.value[0], lower_bfloat(word[0]), curve.c0);
+  curve.c1 += tt * upper_bfloat(word[0]) + trt * lower_bfloat(word[2]) + rest * upper_bfloat(word[3]);
+  curve.c2 += tt * lower_bfloat(word[1]) + trt * upper_bfloat(word[2]) + rest * lower_bfloat(word[4]);
+  curve.c3 += tt * upper_bfloat(word[1]) + trt * lower_bfloat(word[3]) + rest * upper_bfloat(word[4]);
+}
+
 HWY_INLINE AbsorptionCurve azimuthal_curve(const AzimuthalFit& fit, const Lobes& along, Node azimuth,
                                            Node inclination) {
+  static_assert(2 * AzimuthalFit::words <= 3 * 4);
   const Real none = 0.0f;
   AbsorptionCurve curve{none, none, none, none};
-  for (int corner = 0; corner < 4; ++corner) {
-    const Int i = hn::Add(azimuth.first, whole(corner & 1)), j = hn::Add(inclination.first, whole(corner >> 1));
-    const Int node = hn::Mul(hn::Add(hn::Mul(j, whole(fit.azimuths)), i), whole(AzimuthalFit::words));
-    Int word[AzimuthalFit::words];
-    for (int k = 0; k < AzimuthalFit::words; ++k) word[k] = gather(fit.nodes.data() + k, node);
-    const Real weight = (corner & 1 ? azimuth.share : 1.0f - azimuth.share) *
-                        (corner & 2 ? inclination.share : 1.0f - inclination.share);
-    const Real tt = weight * along.value[1], trt = weight * along.value[2], rest = weight * along.value[3];
-    curve.c0 = mul_add(weight * along.value[0], lower_bfloat(word[0]), curve.c0);
-    curve.c1 += tt * upper_bfloat(word[0]) + trt * lower_bfloat(word[2]) + rest * upper_bfloat(word[3]);
-    curve.c2 += tt * lower_bfloat(word[1]) + trt * upper_bfloat(word[2]) + rest * lower_bfloat(word[4]);
-    curve.c3 += tt * upper_bfloat(word[1]) + trt * lower_bfloat(word[3]) + rest * upper_bfloat(word[4]);
+  for (int row = 0; row < 2; ++row) {
+    const Int j = hn::Add(inclination.first, whole(row));
+    const Int node = hn::Mul(hn::Add(hn::Mul(j, whole(fit.azimuths)), azimuth.first), whole(AzimuthalFit::words));
+    Int word[12];  // of two nodes side by side, and two more
+    for (int quad = 0; quad < 3; ++quad) {
+      const Quad found = gather_quad(fit.nodes.data() + 4 * quad, node);
+      for (int k = 0; k < 4; ++k) word[4 * quad + k] = found.word[k];
+    }
+    const Real weight = row ? inclination.share : 1.0f - inclination.share;
+    add_node(word, (1.0f - azimuth.share) * weight, along, curve);
+    add_node(word + AzimuthalFit::words, azimuth.share * weight, along, curve);
   }
   return curve;
 }
