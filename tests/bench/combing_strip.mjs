@@ -24,7 +24,7 @@ async function second_of(studio) {
   const devtools = await studio.context.newCDPSession(studio.page), frames = [];
   devtools.on("Page.screencastFrame", ({data, metadata, sessionId}) => {
     frames.push({data, at: metadata.timestamp * 1000});
-    devtools.send("Page.screencastFrameAck", {sessionId});
+    devtools.send("Page.screencastFrameAck", {sessionId}).catch(() => {});  // the window may be gone
   });
   await devtools.send("Page.startScreencast", {format: "jpeg", quality: 92, everyNthFrame: 1});
   await studio.page.mouse.move(...await studio.at(0.42, 0.5));
