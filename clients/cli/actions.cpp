@@ -113,8 +113,12 @@ ExitCode load_model(Session& session) {
   const Query query = import_query(options);
   if (const auto checked = decode_import_query(query); !checked) return report(checked.status());
   const auto answer = put_file(session, "model", query, limits::model_bytes);
-  if (!answer) return report(answer.status(), options.file);
-  return print_summary(session, answer);
+  if (answer) return print_summary(session, answer);
+  const bool about_the_file = answer.status().code == Code::invalid && answer.status().pointer.empty();
+  return report(about_the_file
+                    ? with_next(answer.status(), "mend or convert the file and load it again; the scene is as it was")
+                    : answer.status(),
+                options.file);
 }
 
 ExitCode load_environment(Session& session) {

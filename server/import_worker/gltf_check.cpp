@@ -55,13 +55,29 @@ Status check_version(const json& root) {
   return broken("its glTF version is \"" + printable(version) + "\"; only 2.0 is read.");
 }
 
+/// What a required extension does to the mesh.
+std::string reason_of_extension(const std::string& name) {
+  const auto compressed = [&](const char* by) {
+    return std::string("its mesh is compressed with ") + by + " (" + name + "); export it without compression.";
+  };
+  if (name == "KHR_draco_mesh_compression") return compressed("Draco");
+  if (name == "EXT_meshopt_compression" || name == "KHR_meshopt_compression") return compressed("meshopt");
+  if (name == "KHR_mesh_quantization") return "its mesh is quantized (" + name + "); export it with 32-bit numbers.";
+  return "it requires the extension " + printable(name) + ", which is not read; export it without.";
+}
+
 Status check_extensions(const json& root) {
   for (const json& entry : list(root, "extensionsRequired")) {
     const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
     const bool look_only = name.starts_with("KHR_materials_") || name == "KHR_lights_punctual";
-    if (!look_only) return broken("it requires the extension " + printable(name) + ", which is not read.");
+    if (!look_only) return broken(reason_of_extension(name));
   }
   return {};
+}
+
+Status check_scenes(const json& root) {
+  return list(root, "scenes").empty() ? broken("it has no scene, so that nothing of it is shown; export a scene.")
+                                      : Status();
 }
 
 bool is_outside(const std::string& uri) { return !uri.empty() && !uri.starts_with("data:"); }
@@ -72,8 +88,7 @@ Status check_uris(const json& root) {
       const std::string uri = text(entry, "uri");
       if (is_outside(uri)) {
         return broken("it needs the other file \"" + printable(uri) +
-                      "\", and none but the upload is opened; pack "
-                      "all into one GLB.");
+                      "\", and none but the upload is opened; pack it as a GLB.");
       }
     }
   }
@@ -181,8 +196,9 @@ Status check_gltf(std::string_view document, std::size_t binary_bytes) {
   const Result<json> root = parse_json(document);
   if (!root.ok()) return broken("its JSON is broken: " + printable(root.status().message));
   if (!root->is_object()) return broken("its JSON is no object.");
-  for (const Status& status : {check_version(*root), check_extensions(*root), check_uris(*root),
-                               check_buffers(*root, binary_bytes), check_nodes(*root), check_attribute_types(*root)}) {
+  for (const Status& status :
+       {check_version(*root), check_extensions(*root), check_uris(*root), check_buffers(*root, binary_bytes),
+        check_nodes(*root), check_scenes(*root), check_attribute_types(*root)}) {
     if (!status.ok()) return status;
   }
   return {};

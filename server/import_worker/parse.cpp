@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "server/import_worker/signature.h"
+
 namespace pelage {
 
 std::optional<double> to_number(std::string_view word) {
@@ -39,6 +41,8 @@ std::string_view take_line(std::string_view& text) {
 
 Result<RawModel> parse_model(ModelFormat format, std::string bytes) {
   if (bytes.empty()) return broken("the file is empty.");
+  if (Status status = check_signature(format, bytes); !status.ok()) return status;
+  bytes.erase(0, bytes.size() - without_byte_order_mark(bytes).size());
   switch (format) {
     case ModelFormat::obj: return parse_obj(std::move(bytes));
     case ModelFormat::ply: return parse_ply(bytes);

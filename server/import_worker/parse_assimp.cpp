@@ -16,6 +16,7 @@
 #include "server/import_worker/confine.h"
 #include "server/import_worker/gltf_check.h"
 #include "server/import_worker/parse.h"
+#include "server/import_worker/pose.h"
 #include "server/import_worker/read_picture.h"
 
 namespace pelage {
@@ -89,11 +90,6 @@ Result<int> MaterialReader::read_image(const char* path) {
 
 namespace {
 
-glm::dmat4 to_matrix(const aiMatrix4x4& m) {
-  return glm::transpose(glm::dmat4(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4,  //
-                                   m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4));
-}
-
 /// Assimp turns 3DS scenes from Z up to Y up; this undoes it, for the upload itself says where up is.
 glm::dmat4 root_matrix(ModelFormat format) {
   if (format != ModelFormat::tds) return glm::dmat4(1);
@@ -113,7 +109,7 @@ void keep_only(Assimp::Importer& importer, std::string_view name) {
 class Collector {
  public:
   Collector(const aiScene& scene, ModelFormat format, RawModel& model)
-      : scene_(scene), model_(model), materials_(scene, format, model) {
+      : scene_(scene), model_(model), materials_(scene, format, model), places_(scene, root_matrix(format)) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       has_uv_ = has_uv_ || scene.mMeshes[i]->HasTextureCoords(0);
       has_colour_ = has_colour_ || scene.mMeshes[i]->HasVertexColors(0);
@@ -144,14 +140,9 @@ class Collector {
       return broken("it has more vertices or faces than " + std::to_string(limits::model_triangles) +
                     " triangles can have.");
     }
-    // A skinned mesh lies where its joints are, whatever its own node says; this is its rest pose.
-    const glm::dmat4 matrix = mesh.HasBones() ? glm::dmat4(1) : node;
     const auto first = static_cast<std::uint32_t>(model_.positions.size());
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const aiVector3D& p = mesh.mVertices[v];
-      model_.positions.emplace_back(matrix * glm::dvec4(p.x, p.y, p.z, 1));
-    }
-    const bool mirrored = glm::determinant(glm::dmat3(matrix)) < 0;
+    const auto [positions, mirrored] = pose(mesh, node, places_);
+    model_.positions.insert(model_.positions.end(), positions.begin(), positions.end());
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices == 0) continue;
@@ -181,6 +172,7 @@ class Collector {
   const aiScene& scene_;
   RawModel& model_;
   MaterialReader materials_;
+  NodePlaces places_;
   bool has_uv_ = false, has_colour_ = false;
 };
 

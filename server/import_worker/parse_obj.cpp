@@ -93,11 +93,6 @@ void add_face(void* data, tinyobj::index_t* indices, int count) {
 }  // namespace
 
 Result<RawModel> parse_obj(std::string text) {
-  using namespace std::string_view_literals;
-  if (text.starts_with("\xfe\xff"sv) || text.starts_with("\xff\xfe"sv)) {
-    return broken("the text is UTF-16; send it as UTF-8 or ASCII.");
-  }
-  if (text.starts_with("\xef\xbb\xbf"sv)) text.replace(0, 3, 3, ' ');
   join_continued_lines(text);
 
   RawModel model;

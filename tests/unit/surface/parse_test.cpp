@@ -159,6 +159,49 @@ TEST(ParseGltf, NodeTransformsAndFactors) {
   EXPECT_EQ(model.materials[model.face_material[0]].base_colour, glm::vec3(0.5f, 0.25f, 0.125f));
 }
 
+/// One triangle whose joint stands 5 up and is a hundredth of what its inverse bind matrix undoes.
+TEST(ParseGltf, SkinsStandAsTheirJointsSay) {
+  const std::string bytes =
+      "data:application/octet-stream;base64,"
+      "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAA"
+      "AAAAAAAAAIA/AAAAAAAAAAAAAAAAAADIQgAAAAAAAAAAAAAAAAAAAAAAAMhCAAAAAAAAAAAAAAAAAAAAAAAAyEIAAAAAAAAAAAAA"
+      "AAAAAAAAAACAPw==";
+  const RawModel model = parsed(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"mesh": 0, "skin": 0, "translation": [7, 0, 0]},
+              {"name": "hip", "translation": [0, 5, 0], "scale": [0.01, 0.01, 0.01]}],
+    "skins": [{"joints": [1], "inverseBindMatrices": 3}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5121, "count": 3, "type": "VEC4"},
+                  {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC4"},
+                  {"bufferView": 3, "componentType": 5126, "count": 1, "type": "MAT4"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12},
+                    {"buffer": 0, "byteOffset": 48, "byteLength": 48}, {"buffer": 0, "byteOffset": 96, "byteLength": 64}],
+    "buffers": [{"byteLength": 160, "uri": ")" + bytes +
+                                                       R"("}]})");
+  ASSERT_EQ(model.positions.size(), 3u);
+  EXPECT_NEAR(glm::length(model.positions[0] - glm::dvec3(0, 5, 0)), 0, 1e-6);
+  EXPECT_NEAR(glm::length(model.positions[1] - glm::dvec3(1, 5, 0)), 0, 1e-6);
+  EXPECT_NEAR(glm::length(model.positions[2] - glm::dvec3(0, 6, 0)), 0, 1e-6);
+}
+
+/// A target that moves all by 4, at a quarter of its weight.
+TEST(ParseGltf, MorphTargetsCountByTheirWeights) {
+  const std::string bytes =
+      "data:application/octet-stream;base64,"
+      "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBA";
+  const RawModel model = parsed(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 1}]}], "weights": [0.25]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 4], "max": [0, 0, 4]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36}],
+    "buffers": [{"byteLength": 72, "uri": ")" + bytes + R"("}]})");
+  ASSERT_EQ(model.positions.size(), 3u);
+  EXPECT_NEAR(glm::length(model.positions[1] - glm::dvec3(1, 0, 1)), 0, 1e-6);
+}
+
 TEST(ParseGltf, OutsidePicturesAndOtherVersionsAreRefused) {
   EXPECT_NE(
       refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "images": [{"uri": "fur.png"}]})").find("fur.png"),
@@ -168,6 +211,45 @@ TEST(ParseGltf, OutsidePicturesAndOtherVersionsAreRefused) {
                                           {"children": [1]}]})")
                 .find("two parents"),
             std::string::npos);
+}
+
+/// Bytes say what they are, and the message what to do with them.
+TEST(Signature, OfWhatIsNoModelOfThatFormat) {
+  using namespace std::string_literals;
+  const struct {
+    std::string bytes;
+    const char* named;
+  } rows[] = {{"\x1f\x8b\x08\0\0\0"s, "gzip"},
+              {"PK\x03\x04..."s, "zip"},
+              {"\xff\xd8\xff\xe0.."s, "skin-texture"},
+              {"\x89PNG\r\n"s, "skin-texture"},
+              {"Kaydara FBX Binary  \0"s, "GLB"},
+              {"<!DOCTYPE html>"s, "web page"},
+              {"version https://git-lfs.github.com/spec/v1"s, "git lfs pull"},
+              {"\xff\xfev\0 \0"s, "UTF-8"},
+              {"ply\nformat ascii 1.0\n"s, "--format ply"},
+              {"OFF\n3 1 0\n"s, "--format off"},
+              {"glTF\2\0\0\0"s, "--format glb"},
+              {"{\"asset\": {\"version\": \"2.0\"}}"s, "--format gltf"},
+              {"solid a\nfacet normal 0 0 1\n"s, "--format stl"}};
+  for (const auto& row : rows)
+    EXPECT_NE(refusal(ModelFormat::obj, row.bytes).find(row.named), std::string::npos) << row.named;
+}
+
+TEST(Signature, AByteOrderMarkOfUtf8IsNoPartOfTheText) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(parsed(ModelFormat::obj, mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").positions.size(), 3u);
+  EXPECT_EQ(parsed(ModelFormat::off, mark + "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").positions.size(), 3u);
+}
+
+TEST(ParseGltf, CompressedMeshesAreNamed) {
+  const auto reason = [](const std::string& extension) {
+    return refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "extensionsRequired": [")" + extension + "\"]}");
+  };
+  EXPECT_NE(reason("KHR_draco_mesh_compression").find("Draco"), std::string::npos);
+  EXPECT_NE(reason("EXT_meshopt_compression").find("meshopt"), std::string::npos);
+  EXPECT_NE(reason("KHR_mesh_quantization").find("quantized"), std::string::npos);
+  EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}})").find("no scene"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+// Where the vertices of a mesh stand: morph targets at their weights, then where its joints or its node put them.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <glm/glm.hpp>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace pelage {
+
+glm::dmat4 to_matrix(const aiMatrix4x4& m);
+
+/// Matrices of all nodes of a scene, from the node to the scene.
+class NodePlaces {
+ public:
+  /// `root` comes before the transform of the root node.
+  NodePlaces(const aiScene& scene, const glm::dmat4& root);
+  /// Null for a name that no node has.
+  const glm::dmat4* of(const std::string& name) const;
+
+ private:
+  std::unordered_map<std::string, glm::dmat4> places_;
+};
+
+struct PosedMesh {
+  std::vector<glm::dvec3> positions;  // of the scene
+  bool mirrored = false;              // whether its faces are wound the other way
+};
+
+/// A skinned mesh lies where its joints are, whatever its own node says (glTF 2.0, 3.7.3): each vertex is the sum over
+/// its joints of weight x place of the joint x inverse bind matrix. Weights count over their sum; without any, and
+/// where joints are not there, a vertex stays where it was bound. Any other mesh lies where `node` puts it.
+PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodePlaces& places);
+
+}  // namespace pelage

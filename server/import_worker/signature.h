@@ -1,0 +1,18 @@
+// What bytes are, by how they begin, whatever their file is called.
+#pragma once
+
+#include <string_view>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/scene.h"
+
+namespace pelage {
+
+/// Refuses bytes that are plainly something else than a model of that format: another format, a picture, an archive, a
+/// web page. The reason says what they are and what to do with them. What begins like nothing known passes.
+Status check_signature(ModelFormat format, std::string_view bytes);
+
+/// Without the byte order mark that some editors put before UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
+}  // namespace pelage
