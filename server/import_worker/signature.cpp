@@ -68,8 +68,8 @@ std::string_view without_byte_order_mark(std::string_view text) {
 }
 
 Status check_signature(ModelFormat format, std::string_view bytes) {
-  const auto other = std::find_if(others.begin(), others.end(),
-                                  [&](const Signature& each) { return bytes.starts_with(each.begin); });
+  const auto other =
+      std::find_if(others.begin(), others.end(), [&](const Signature& each) { return bytes.starts_with(each.begin); });
   if (other != others.end()) return broken(std::string("its bytes are ") + other->what + "; " + other->next + ".");
   const std::optional<ModelFormat> found = known_format(bytes);
   if (!found || *found == format) return {};
