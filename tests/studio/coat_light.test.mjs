@@ -76,6 +76,7 @@ test("an eye stands where the model is pressed", async () => {
   await stepsAre(1);
   const {eyes} = await settings();
   assert.equal(eyes.length, length + 1);
+  await page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);  // the page knows of it too
   await page.keyboard.press("Control+z");
   await page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled);
   assert.equal((await settings()).eyes.length, length);
