@@ -52,15 +52,22 @@ class Dial(ServedTest):
 
     def test_the_ends(self):
         """No machine draws a large frame in the least budget."""
+        scene = self.server.new_scene("torus", 800)  # whose correction is its own
         too_large = {"budget_ms": 1, "width": 2048, "height": 2048}
-        ends = [header(self.scene.frame(**request), "pelage-error")["end"]
+        ends = [header(scene.frame(**request), "pelage-error")["end"]
                 for request in (too_large, {"budget_ms": 600000}, {"max_error": 1}, {"max_error": 0.000001}, {})]
         self.assertEqual(ends, ["cheapest", "best", "error", "best", "asked"])
 
     def test_a_larger_budget_is_no_worse(self):
-        estimates = [header(self.scene.frame(budget_ms=b), "pelage-error") for b in (1, 10, 30, 100, 1000)]
-        errors = [estimate["error"] * estimate["error_safety"] for estimate in estimates]
-        self.assertEqual(errors, sorted(errors, reverse=True))
+        """The correction may move from frame to frame, so budgets are held against each other where it was the same."""
+        errors = {}  # by correction, then by budget
+        for budget in (1, 10, 30, 100, 1000) * 3:
+            estimate = header(self.scene.frame(budget_ms=budget), "pelage-error")
+            errors.setdefault(estimate["correction"], {})[budget] = estimate["error"] * estimate["error_safety"]
+        for by_budget in errors.values():
+            falling = [error for _, error in sorted(by_budget.items())]
+            self.assertEqual(falling, sorted(falling, reverse=True))
+        self.assertTrue(any(len(by_budget) > 1 for by_budget in errors.values()), errors)
 
     def test_knobs_stay_while_the_correction_does(self):
         seen = {}
