@@ -11,16 +11,16 @@ import log_plot  # noqa: E402
 
 
 def rows():
-    """Shells, and animal, errors and the orders of FLIP and RMS of each line."""
+    """Shells, and animal, errors and the fitted order of each line."""
     table = (FOLDER / "tiers.md").read_text(encoding="utf-8").split("FLIP to R1 by shells")[1]
     lines = [[cell.strip() for cell in line.strip("| ").split("|")] for line in table.splitlines() if line.startswith("| ")]
-    shells = [int(cell) for cell in lines[0][1:-2]]
-    return shells, [(line[0], [float(cell) for cell in line[1:-2]], line[-2:]) for line in lines[1:]]
+    shells = [int(cell) for cell in lines[0][1:-1]]
+    return shells, [(line[0], [float(cell) for cell in line[1:-1]], line[-1]) for line in lines[1:]]
 
 
 def main():
     shells, lines = rows()
-    series = [(f"{animal}: {orders[0]}", list(zip(shells, errors)), True) for animal, errors, orders in lines]
+    series = [(f"{animal}: {order}", list(zip(shells, errors)), True) for animal, errors, order in lines]
     log_plot.write(FOLDER / "convergence.svg", series, "shells, 4 steps; beside the names the fitted order",
                    "masked FLIP to R1", shells)
 

@@ -85,7 +85,7 @@ HWY_INLINE Real to_real(Int a) { return hn::ConvertTo(float_tag, a); }
 HWY_INLINE Int whole(std::int32_t a) { return hn::Set(int_tag, a); }
 HWY_INLINE Real gather(const float* from, Int index) { return hn::GatherIndex(float_tag, from, index); }
 HWY_INLINE Int gather(const std::int32_t* from, Int index) { return hn::GatherIndex(int_tag, from, index); }
-/// Four words that lie side by side, of each lane: by loads and shuffles, which take a third of what four gathers do.
+/// Four words that lie side by side, of each lane: by loads and shuffles, which take less than four gathers.
 struct Quad {
   Int word[4];
   HWY_INLINE Real real(int k) const { return hn::BitCast(float_tag, word[k]); }

@@ -60,10 +60,11 @@ class Dial(ServedTest):
 
     def test_a_larger_budget_is_no_worse(self):
         """The correction may move from frame to frame, so budgets are held against each other where it was the same."""
-        errors = {}  # by correction, then by budget
+        errors = {}  # by correction and safety, then by budget
         for budget in (1, 10, 30, 100, 1000) * 3:
             estimate = header(self.scene.frame(budget_ms=budget), "pelage-error")
-            errors.setdefault(estimate["correction"], {})[budget] = estimate["error"] * estimate["error_safety"]
+            learnt = estimate["correction"], estimate["cost_safety"]
+            errors.setdefault(learnt, {})[budget] = estimate["error"] * estimate["error_safety"]
         for by_budget in errors.values():
             falling = [error for _, error in sorted(by_budget.items())]
             self.assertEqual(falling, sorted(falling, reverse=True))
