@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 #include <utility>
 
+#include "clients/cli/pack/pack.h"
 #include "clients/cli/print.h"
 #include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
@@ -60,27 +62,67 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-Query import_query(const Options& options) {
-  Query query{{"format", options.format.empty() ? ending_of(options.file) : options.format},
-              {"up", options.up},
-              {"front", options.front},
+/// `format` as it is sent.
+Query import_query(const Options& options, const std::string& format) {
+  Query query{{"format", format},
               {"length", fmt::format("{}", options.length)},
               {"inclination", fmt::format("{}", options.inclination)},
               {"fur_patches", options.fur_patches}};
-  if (!options.form.empty()) query.emplace_back("form", options.form);
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) query.emplace_back(name, value);
+  };
+  add("up", options.up), add("front", options.front), add("pose", options.pose), add("form", options.form);
+  add("crease_degrees", options.crease_degrees), add("flip", fmt::format("{}", fmt::join(options.flip, ",")));
   return query;
 }
 
-/// Sends a file to `name` of the scene. The decoder of the query took every value, so that none needs escaping.
-Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t max_bytes) {
-  const auto bytes = read_file(session.options().file, max_bytes);
-  if (!bytes) return bytes.status();
+/// A parameter's value as it stands in an address.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-._~,").find(c) != std::string_view::npos;
+    result += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return result;
+}
+
+/// Sends bytes to `name` of the scene.
+Result<HttpAnswer> put_bytes(Session& session, const char* name, const Query& query, const std::string& bytes) {
   const auto path = session.scene_path();
   if (!path) return path.status();
   std::string address = *path + "/" + name;
   char separator = '?';
-  for (const auto& [parameter, value] : query) address += std::exchange(separator, '&') + parameter + "=" + value;
-  return Session::accepted(session.connection().put_bytes(address, *bytes));
+  for (const auto& [parameter, value] : query)
+    address += std::exchange(separator, '&') + parameter + "=" + escaped(value);
+  return Session::accepted(session.connection().put_bytes(address, bytes));
+}
+
+Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t max_bytes) {
+  const auto bytes = read_file(session.options().file, max_bytes);
+  if (!bytes) return bytes.status();
+  return put_bytes(session, name, query, *bytes);
+}
+
+/// The model with what it names; standard input is sent as it is.
+Result<PackedModel> packed(const Options& options, const std::string& format) {
+  if (options.file != "-") {
+    auto model = pack_model(options.file, format, limits::model_bytes);
+    if (model || model.status().code != Code::not_found) return model;
+  }
+  const auto bytes = read_file(options.file, limits::model_bytes);
+  if (!bytes) return bytes.status();
+  return PackedModel{*bytes, false, {}};
+}
+
+/// What to do about a model that was refused.
+std::string next_after(const Status& status, const PackedModel& model) {
+  if (!model.missing.empty())
+    return fmt::format("put {} beside the model and load it again; the scene is as it was",
+                       fmt::join(model.missing, ", "));
+  if (status.message.find("animation") != std::string::npos)
+    return "name one of them with --pose; the scene is as it was";
+  return "mend or convert the file and load it again; the scene is as it was";
 }
 
 ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {
@@ -110,15 +152,16 @@ ExitCode create_scene(Session& session) {
 
 ExitCode load_model(Session& session) {
   const Options& options = session.options();
-  const Query query = import_query(options);
-  if (const auto checked = decode_import_query(query); !checked) return report(checked.status());
-  const auto answer = put_file(session, "model", query, limits::model_bytes);
+  const std::string format = options.format.empty() ? ending_of(options.file) : options.format;
+  if (const auto checked = decode_import_query(import_query(options, format)); !checked)
+    return report(checked.status());
+  const auto model = packed(options, format);
+  if (!model) return report(model.status());
+  const auto answer = put_bytes(session, "model", import_query(options, model->is_zip ? "zip" : format), model->bytes);
   if (answer) return print_summary(session, answer);
-  const bool about_the_file = answer.status().code == Code::invalid && answer.status().pointer.empty();
-  return report(about_the_file
-                    ? with_next(answer.status(), "mend or convert the file and load it again; the scene is as it was")
-                    : answer.status(),
-                options.file);
+  const Status& status = answer.status();
+  const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
+  return report(about_the_file ? with_next(status, next_after(status, *model)) : status, options.file);
 }
 
 ExitCode load_environment(Session& session) {

@@ -147,13 +147,18 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   create->add_option("--triangles", options.triangles, "Wished-for triangles")->capture_default_str();
   add_fur(create, options);
 
-  CLI::App* load =
-      add_action(app, options, Action::load, "load", "Give a scene a model from a file; its log starts empty");
+  CLI::App* load = add_action(app, options, Action::load, "load",
+                              "Give a scene a model from a file, with the files that it names; its log starts empty");
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
-  load->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb or 3ds [the file's ending]");
-  load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z")->capture_default_str();
-  load->add_option("--front", options.front, "Axis of the file that the model faces")->capture_default_str();
+  load->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
+  load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl and 3ds, else y]");
+  load->add_option("--front", options.front,
+                   "Axis of the file that the model faces [as its joints say; else -y where z is up, z where y is]");
+  load->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");
+  load->add_option("--crease-degrees", options.crease_degrees,
+                   "Edges that are sharper are seen as edges, 0 to 180; 180 for none [60]");
+  load->add_option("--flip", options.flip, "Number of a part that turns inside out, as the load reports doubtful ones");
   add_fur(load, options);
 
   CLI::App* environment =
@@ -271,6 +276,9 @@ void declare_picture_actions(CLI::App& app, Options& options) {
                       "In place of a quality: the best that is drawn in so many milliseconds, 1 to 600000");
   add_frame_parameter(frame, options, "--max-error", "max_error",
                       "In place of a quality: the cheapest with at most this mean FLIP over the fur, up to 1");
+  add_frame_parameter(frame, options, "--max-seconds", "max_seconds",
+                      "Refuse to draw shells that are expected to take longer, 1 to 86400 [60]");
+  frame->add_flag("--dry-run", options.dry_run, "Say how long drawing is expected to take; draw nothing");
   add_frame_parameter(frame, options, "--background", "background", "transparent, studio or #rrggbb");
   add_frame_parameter(frame, options, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   add_frame_parameter(frame, options, "--tone-map", "tone_map", "none or filmic [filmic]");

@@ -56,14 +56,17 @@ struct Options {
   std::string fur_patches = "overlapping";
   // load, environment, skin_texture, run and amend; "-" is standard input
   std::string file;
-  std::string format;  // "" for the file's ending
-  std::string up = "y", front = "z";
+  std::string format;     // "" for the file's ending
+  std::string up, front;  // "" where the file says it
+  std::string pose;
+  std::string crease_degrees;  // "" for the server's choice
+  std::vector<int> flip;       // numbers of parts
   // environment
   double intensity = 1, turn_degrees = 0;
   // map
   std::string field;
   Parameters map_parameters;  // as in the address of the map
-  // run and amend
+  // run, amend and frame
   bool dry_run = false;
   Parameters variables;  // of a recipe, as text
   std::optional<std::uint64_t> if_match;

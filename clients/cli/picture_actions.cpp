@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "clients/cli/actions.h"
+#include "clients/cli/frame_watch.h"
 #include "clients/cli/print.h"
 #include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
@@ -123,6 +124,26 @@ void print_frame(const Options& options, const HttpAnswer& answer) {
   }
 }
 
+ExitCode print_cost(Session& session, const std::string& path, const std::string& request) {
+  const auto answer = Session::accepted(session.connection().post_json(path + "/frames?dry_run=1", request));
+  if (!answer) return report(answer.status());
+  const auto cost = decode_answer<FrameCost>(answer->body);
+  if (!cost) return report(cost.status());
+  if (session.options().json)
+    fmt::print("{}\n", answer->body);
+  else
+    fmt::print("about {:.2g} s, hardly more than {:.2g}\n", cost->seconds, cost->at_most_seconds);
+  return done;
+}
+
+/// A frame that is too long says how to get it all the same.
+Result<HttpAnswer> drawn(Session& session, const std::string& path, const std::string& request) {
+  const FrameWatch watch(session.options(), path);
+  auto answer = Session::accepted(session.connection().post_json(path + "/frames", request));
+  if (answer || answer.status().pointer != "/max_seconds") return answer;
+  return with_next(answer.status(), "take a lower --quality or a smaller picture, or allow more with --max-seconds");
+}
+
 }  // namespace
 
 ExitCode draw_frame(Session& session) {
@@ -132,7 +153,8 @@ ExitCode draw_frame(Session& session) {
   const auto path = session.scene_path();
   if (!path) return report(path.status());
   if (request->progressive) return follow_progressive(session, *path, encode(*request));
-  const auto answer = Session::accepted(session.connection().post_json(*path + "/frames", encode(*request)));
+  if (options.dry_run) return print_cost(session, *path, encode(*request));
+  const auto answer = drawn(session, *path, encode(*request));
   if (!answer) return report(answer.status());
   if (const Status status = write_file(options.output, answer->body); !status.ok()) return report(status);
   if (options.output != "-") print_frame(options, *answer);

@@ -9,6 +9,8 @@
 #include <iostream>
 #include <string>
 
+#include "protocol/json/names.h"
+
 namespace pelage {
 
 namespace {
@@ -28,7 +30,18 @@ void print(const SceneSummary& summary) {
              report.parts);
   fmt::print("size        {:.6g}\nfrom        {}\nto          {}\n", report.size, text_of(report.bounds.min),
              text_of(report.bounds.max));
-  for (const Repair& repair : report.repairs) fmt::print("repaired    {}: {}\n", repair.code, repair.count);
+  using json_names::axes, json_names::word_of;
+  fmt::print("axes        up {}, front {} of the file\n", word_of(axes, report.up), word_of(axes, report.front));
+  if (!report.pose.empty()) fmt::print("pose        {}\n", report.pose);
+  if (!report.animations.empty()) fmt::print("animations  {}\n", fmt::join(report.animations, ", "));
+  for (const Repair& repair : report.repairs) {
+    fmt::print("repaired    {}: {}{}\n", repair.code, repair.count,
+               repair.names.empty() ? "" : fmt::format(" ({})", fmt::join(repair.names, ", ")));
+  }
+  for (const DoubtfulPart& part : report.doubtful_parts) {
+    fmt::print("doubtful    part {} ({} triangles at {}) may be inside out; load with --flip {} to turn it\n",
+               part.part, part.triangles, text_of(part.centre), part.part);
+  }
   for (const EditLayer& layer : summary.edit_layers)
     fmt::print("layer       {} (weight {:g}{})\n", layer.name, layer.weight, layer.muted ? ", muted" : "");
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,

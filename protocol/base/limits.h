@@ -9,6 +9,8 @@ namespace pelage::limits {
 inline constexpr std::size_t command_body_bytes = std::size_t{1} << 20;
 inline constexpr std::size_t model_bytes = std::size_t{256} << 20;
 inline constexpr std::size_t model_triangles = 2'000'000;
+inline constexpr double frame_seconds = 86'400;
+inline constexpr std::size_t flipped_parts = 1'000;
 inline constexpr std::size_t picture_bytes = std::size_t{128} << 20;  // of an uploaded picture
 inline constexpr int picture_pixels = 4096;                           // its width and height, each
 inline constexpr int map_pixels = 8192;                               // of a side of a map that is made

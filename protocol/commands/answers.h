@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocol/commands/field.h"
+#include "protocol/commands/scene.h"
 
 namespace pelage {
 
@@ -66,9 +67,11 @@ struct CommandAnswer {
   bool operator==(const CommandAnswer&) const = default;
 };
 
+/// What preparation mended, or left out of a model.
 struct Repair {
   std::string code;  // "welded_vertices", "degenerate_faces", ...
   std::size_t count = 0;
+  std::vector<std::string> names = {};  // of what was left out, the first few; empty where it has none
   bool operator==(const Repair&) const = default;
 };
 
@@ -76,6 +79,15 @@ struct Repair {
 struct Bounds {
   glm::dvec3 min{0}, max{0};
   bool operator==(const Bounds&) const = default;
+};
+
+/// A connected part that may be wound the wrong way: it is open, so that nothing says which of its sides is outside,
+/// and what little it encloses says the other one.
+struct DoubtfulPart {
+  int part = 1;  // its number, from 1
+  std::size_t triangles = 0;
+  glm::dvec3 centre{0};  // of its box, model's coordinates
+  bool operator==(const DoubtfulPart&) const = default;
 };
 
 /// What preparation made of a model.
@@ -87,7 +99,11 @@ struct ModelReport {
   std::size_t parts = 0;  // connected
   double size = 0;        // diagonal of the box, in the model's unit
   Bounds bounds;
+  Axis up = Axis::plus_y, front = Axis::plus_z;  // of the file, as they were taken
+  std::string pose = {};                         // "NAME@SECONDS" that it stands in; "" as the file has it
+  std::vector<std::string> animations = {};      // that the file has
   std::vector<Repair> repairs;
+  std::vector<DoubtfulPart> doubtful_parts = {};
   bool operator==(const ModelReport&) const = default;
 };
 

@@ -11,7 +11,8 @@
 
 namespace pelage {
 
-/// Cameras that the server places itself. `front` looks from +Z; each frames the bare model, never the fur.
+/// Cameras that the server places itself. `front` looks from +Z, `left` at
+/// the animal's left side, from +X; each frames the bare model, never the fur.
 enum class AutoView { none, front, back, left, right, top, three_quarter };
 
 /// A pinhole camera in the model's own coordinates (right-handed, Y up). Ignored but for `automatic` unless that is
@@ -154,6 +155,7 @@ struct FrameRequest {
   std::optional<Tracing> progressive =
       {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
   std::optional<std::uint64_t> revision = {};  // of this model: the scene as it was then; without progressive
+  double max_seconds = 60;                     // refused where drawing shells is expected to take longer, [1, 86400]
   std::string view;  // name of the viewer; of several frames asked for one view only the newest is drawn
 
   bool plans() const { return budget_ms || max_error; }

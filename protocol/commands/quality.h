@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "protocol/commands/frame.h"
 
@@ -28,6 +29,28 @@ struct FrameEstimate {
   PlanEnd end = PlanEnd::asked;
   std::string calibration;  // its name
   bool operator==(const FrameEstimate&) const = default;
+};
+
+/// What a frame is expected to take before it is drawn: the answer of a dry run.
+struct FrameCost {
+  double seconds = 0;          // half of such frames take at most that
+  double at_most_seconds = 0;  // and 95% of them at most that
+  bool operator==(const FrameCost&) const = default;
+};
+
+/// A frame that is drawn or waits to be.
+struct FrameProgress {
+  std::string view;
+  int width = 0, height = 0;
+  double share = 0;             // of the expected drawing time that has passed, [0, .99]; 0 while it waits
+  double seconds = 0;           // since it was asked for
+  double expected_seconds = 0;  // that drawing it takes
+  bool operator==(const FrameProgress&) const = default;
+};
+
+struct FrameProgressList {
+  std::vector<FrameProgress> frames;
+  bool operator==(const FrameProgressList&) const = default;
 };
 
 /// What a machine was measured to draw at.

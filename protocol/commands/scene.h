@@ -1,12 +1,24 @@
 // How a scene begins: with a built-in model or with the bytes of a file.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace pelage {
 
 enum class Builtin { torus, knot, sphere, plane, cloth, creature };
-enum class ModelFormat { obj, ply, stl, off, gltf, glb, tds };          // tds is "3ds" on the wire
+enum class ModelFormat {
+  obj,
+  ply,
+  stl,
+  off,
+  gltf,
+  glb,
+  tds,
+  zip
+};                                                                      // tds is "3ds" on the wire; zip: one of the
+                                                                        // others with the files that it names
 enum class Axis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  // "x", "-x", ...
 
 /// The first groom: fur that lies from nose to tail and a little down.
@@ -36,12 +48,18 @@ struct NewScene {
   FurPatches fur_patches = FurPatches::overlapping;
 };
 
+/// An edge whose triangles' normals differ by more degrees is seen as an edge.
+inline constexpr double default_crease_degrees = 60;
+
 /// Parameters of PUT model: how to read the bytes that come with it. `up` and `front` say which of the file's axes
-/// point up and forward; they differ in more than sign.
+/// point up and forward; they differ in more than sign. Where they are not given they follow from the format (Z up and
+/// -Y forward in STL and 3DS, else Y and Z), and forward from a skeleton whose joints say what is left and right.
 struct ImportOptions {
   ModelFormat format = ModelFormat::obj;
-  Axis up = Axis::plus_y;
-  Axis front = Axis::plus_z;
+  std::optional<Axis> up, front;
+  std::string pose;                                // "NAME@SECONDS" of an animation of the file; "" as it stands
+  double crease_degrees = default_crease_degrees;  // [0, 180]; 180: no edge is
+  std::vector<int> flip;                           // numbers of parts that turn inside out, from 1
   FirstGroom fur{.form = GroomForm::animal};
   FurPatches fur_patches = FurPatches::overlapping;
 };

@@ -37,6 +37,7 @@ class QueryMembers {
   bool shows(bool) { return true; }
   bool has(const char*, bool condition) { return condition; }
   void number(MemberName name, const auto&, Range, const char* = "") { add(name, Kind::number); }
+  void integers(MemberName name, const auto&, Range, Count, const char* = "") { add(name, Kind::list); }
   void integer(MemberName name, const auto&, Range, const char* = "") { add(name, Kind::number); }
   void counter(MemberName name, const auto&, const char* = "") { add(name, Kind::number); }
   void seed(MemberName name, const auto&, const char* = "") { add(name, Kind::number); }

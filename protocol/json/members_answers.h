@@ -49,6 +49,30 @@ void members(V& v, Visited<V, FrameEstimate>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, FrameCost>& c) {
+  v.answer("FrameCost", "What drawing a frame is expected to take; waiting for others and encoding come on top.");
+  v.number("seconds", c.seconds, not_negative, "Half of such frames take at most that.");
+  v.number("at_most_seconds", c.at_most_seconds, not_negative, "And 95% of them at most that.");
+}
+
+template <class V>
+void members(V& v, Visited<V, FrameProgress>& c) {
+  v.answer("FrameProgress");
+  v.text("view", c.view, "Of its request.");
+  v.integer("width", c.width, pixels, "Pixels.");
+  v.integer("height", c.height, pixels, "Pixels.");
+  v.number("share", c.share, share, "Of the expected drawing time that has passed, at most 0.99; 0 while it waits.");
+  v.number("seconds", c.seconds, not_negative, "Since it was asked for.");
+  v.number("expected_seconds", c.expected_seconds, not_negative, "That drawing it takes.");
+}
+
+template <class V>
+void members(V& v, Visited<V, FrameProgressList>& c) {
+  v.answer("FrameProgressList");
+  v.objects("frames", c.frames, any_count, "In the order that they were asked for.");
+}
+
+template <class V>
 void members(V& v, Visited<V, TraceReport>& c) {
   v.answer("TraceReport");
   v.integer("passes", c.passes, {0, limits::trace_passes}, "In this picture; 0 for shells.");
@@ -103,6 +127,16 @@ void members(V& v, Visited<V, Repair>& c) {
   v.answer("Repair");
   v.text("code", c.code);
   v.counter("count", c.count);
+  v.texts(sparse("names"), c.names, "Of what was left out, the first few.");
+}
+
+template <class V>
+void members(V& v, Visited<V, DoubtfulPart>& c) {
+  v.answer("DoubtfulPart");
+  v.integer("part", c.part, {1, static_cast<double>(limits::model_triangles)},
+            "Its number, from 1, as `flip` takes it.");
+  v.counter("triangles", c.triangles);
+  v.position("centre", c.centre, "Of its box.");
 }
 
 template <class V>
@@ -114,7 +148,13 @@ void report_members(V& v, Visited<V, ModelReport>& c) {
   v.counter("parts", c.parts, "Connected parts.");
   v.number("size", c.size, positive, "Diagonal of the box, the model's unit.");
   v.object("bounds", c.bounds);
-  v.objects("repairs", c.repairs, any_count);
+  v.name("up", c.up, json_names::axes, "The file's axis that was taken for up.");
+  v.name("front", c.front, json_names::axes, "The file's axis that was taken for forward.");
+  v.text("pose", c.pose, "NAME@SECONDS of the animation that it stands in; empty as the file has it.", any_length);
+  v.texts("animations", c.animations, "Names of those that the file has.");
+  v.objects("repairs", c.repairs, any_count, "What was mended, and what was left out.");
+  v.objects("doubtful_parts", c.doubtful_parts, any_count,
+            "Open parts that may be inside out: what little they enclose says so. `flip` turns one.");
 }
 
 template <class V>

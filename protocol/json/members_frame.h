@@ -95,6 +95,8 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "max_error", c.max_error, max_error,
       "In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where there is "
       "fur, against the same fur in many sorted shells.");
+  v.number("max_seconds", c.max_seconds, {1, limits::frame_seconds},
+           "Refused where drawing shells is expected to take longer; a dry run says how long.");
   v.special("background", Backdrop<V::reads>{c.background, c.background_colour},
             "`studio` is a soft gradient with darker corners.");
   v.number("exposure", c.exposure, {-20, 20}, "Stops.");

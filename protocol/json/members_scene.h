@@ -119,8 +119,20 @@ template <class V>
 void members(V& v, Visited<V, ImportOptions>& c) {
   v.type("ImportOptions");
   v.name(required("format"), c.format, json_names::model_formats);
-  v.name("up", c.up, json_names::axes, "The file's axis that points up.");
-  v.name("front", c.front, json_names::axes, "The file's axis that the model faces; on another line than `up`.");
+  v.name("up", c.up, json_names::axes, "The file's axis that points up. Unless given: z of stl and 3ds, else y.");
+  v.name(
+      "front", c.front, json_names::axes,
+      "The file's axis that the model faces, on another line than `up`. Unless given it follows from joints that are "
+      "called left and right; without such -y where z is up, else z.");
+  v.text(
+      "pose", c.pose,
+      "NAME@SECONDS of an animation of a glTF, at most 200 bytes: the model stands as it shows it then. Unless given "
+      "it stands as the file has it.");
+  v.number("crease_degrees", c.crease_degrees, {0, 180},
+           "An edge whose triangles' normals differ by more is seen as an edge, and skin and fur beside it are lit by "
+           "their own side alone; 180: none is.");
+  v.integers("flip", c.flip, {1, static_cast<double>(limits::model_triangles)}, {0, limits::flipped_parts},
+             "Parts that are turned inside out, by the numbers that `doubtful_parts` of the answer gives.");
   fur_members(v, c.fur);
   fur_patches_member(v, c.fur_patches);
 }

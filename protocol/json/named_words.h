@@ -22,8 +22,9 @@ inline constexpr NamedWords named_words<Tier>{"Tier",
                                               "draft, interactive and detailed are shells; reference traces strands."};
 
 template <>
-inline constexpr NamedWords named_words<AutoView>{"AutoView",
-                                                  "`front` looks from +Z. Each frames the bare model, never the fur."};
+inline constexpr NamedWords named_words<AutoView>{
+    "AutoView",
+    "`front` looks from +Z, `left` from +X: it shows the animal's left. Each frames the bare model, never the fur."};
 
 template <>
 inline constexpr NamedWords named_words<FurPatches>{

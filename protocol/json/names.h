@@ -171,13 +171,14 @@ inline constexpr std::array<Name<Builtin>, 6> builtins{{{"torus", Builtin::torus
                                                         {"plane", Builtin::plane},
                                                         {"cloth", Builtin::cloth},
                                                         {"creature", Builtin::creature}}};
-inline constexpr std::array<Name<ModelFormat>, 7> model_formats{{{"obj", ModelFormat::obj},
+inline constexpr std::array<Name<ModelFormat>, 8> model_formats{{{"obj", ModelFormat::obj},
                                                                  {"ply", ModelFormat::ply},
                                                                  {"stl", ModelFormat::stl},
                                                                  {"off", ModelFormat::off},
                                                                  {"gltf", ModelFormat::gltf},
                                                                  {"glb", ModelFormat::glb},
-                                                                 {"3ds", ModelFormat::tds}}};
+                                                                 {"3ds", ModelFormat::tds},
+                                                                 {"zip", ModelFormat::zip}}};
 inline constexpr std::array<Name<FurPatches>, 3> fur_patches{
     {{"overlapping", FurPatches::overlapping}, {"hard", FurPatches::hard}, {"own_uvs", FurPatches::own_uvs}}};
 inline constexpr std::array<Name<GroomForm>, 2> groom_forms{{{"even", GroomForm::even}, {"animal", GroomForm::animal}}};

@@ -77,6 +77,11 @@ class MemberReader {
       for (const Value& v : list.list(count.min, count.max)) out.push_back(v.number(range));
     });
   }
+  void integers(MemberName name, std::vector<int>& out, Range range, Count count, const char* = "") {
+    member(name, [&](const Value& list) {
+      for (const Value& v : list.list(count.min, count.max)) out.push_back(static_cast<int>(v.integer(range)));
+    });
+  }
   void integer(MemberName name, int& out, Range range, const char* = "") {
     member(name, [&](const Value& v) { out = static_cast<int>(v.integer(range)); });
   }
@@ -157,6 +162,10 @@ class MemberReader {
   }
   template <class E, std::size_t N>
   void name(MemberName name, E& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
+    member(name, [&](const Value& v) { out = v.name_of(names); });
+  }
+  template <class E, std::size_t N>
+  void name(MemberName name, std::optional<E>& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
     member(name, [&](const Value& v) { out = v.name_of(names); });
   }
   template <class E, std::size_t N>
@@ -338,6 +347,8 @@ template PickAnswer read(const Value&);
 template MapAnswer read(const Value&);
 template PictureAnswer read(const Value&);
 template FrameEstimate read(const Value&);
+template FrameCost read(const Value&);
+template FrameProgressList read(const Value&);
 template FrameCounters read(const Value&);
 template TraceReport read(const Value&);
 template Problem read(const Value&);

@@ -164,9 +164,9 @@ void check(const Value& value, const Eye& eye) {
 }
 
 void check(const Value& value, const ImportOptions& options) {
-  const int up_line = static_cast<int>(options.up) / 2;  // x, y or z, whatever the sign
-  const int front_line = static_cast<int>(options.front) / 2;
-  if (up_line == front_line) value.refuse_below("front", "Up and front lie on one line.", "another axis than up");
+  const auto line = [](Axis axis) { return static_cast<int>(axis) / 2; };  // x, y or z, whatever the sign
+  if (options.up && options.front && line(*options.up) == line(*options.front))
+    value.refuse_below("front", "Up and front lie on one line.", "another axis than up");
 }
 
 void check(const Value& value, const MapUpload& map) { refuse_encoding(value, map.field, map.encoding); }

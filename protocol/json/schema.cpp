@@ -148,6 +148,9 @@ class MemberSchemas {
   void numbers(MemberName name, const std::vector<double>&, Range range, Count count, const char* words = "") {
     add(name, list_schema(number_schema("number", range), count), {}, words);
   }
+  void integers(MemberName name, const std::vector<int>&, Range range, Count count, const char* words = "") {
+    add(name, list_schema(number_schema("integer", range), count), {}, words);
+  }
   void integer(MemberName name, int value, Range range, const char* words = "") {
     add(name, number_schema("integer", range), value, words);
   }
@@ -209,6 +212,11 @@ class MemberSchemas {
   template <class E, std::size_t N>
   void name(MemberName name, E value, const std::array<json_names::Name<E>, N>& names, const char* words = "") {
     add(name, words_schema(all_, names), text_of(names, value), words);
+  }
+  template <class E, std::size_t N>
+  void name(MemberName name, const std::optional<E>&, const std::array<json_names::Name<E>, N>& names,
+            const char* words = "") {
+    add(name, words_schema(all_, names), {}, words);
   }
   template <class E, std::size_t N>
   void word(MemberName name, const std::string&, const std::array<json_names::Name<E>, N>& names,
@@ -370,6 +378,7 @@ nlohmann::ordered_json schemas() {
   describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);
   describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
   describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // in headers
+  describe<FrameCost>(all), describe<FrameProgressList>(all);
   describe<MapAnswer>(all);
   return all;
 }

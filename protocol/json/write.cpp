@@ -56,6 +56,9 @@ class MemberWriter {
     if (says(name, values.empty())) json_[name.text] = values;
   }
   void integer(MemberName name, int value, Range, const char* = "") { json_[name.text] = value; }
+  void integers(MemberName name, const std::vector<int>& values, Range, Count, const char* = "") {
+    json_[name.text] = values;
+  }
   void seed(MemberName name, std::uint32_t value, const char* = "") { json_[name.text] = value; }
   void counter(MemberName name, std::uint64_t value, const char* = "") { json_[name.text] = value; }
   void counter(MemberName name, const std::optional<std::uint64_t>& value, const char* = "") {
@@ -71,7 +74,9 @@ class MemberWriter {
   void text(MemberName name, const std::optional<std::string>& text, const char* = "", std::size_t = 0) {
     if (text) json_[name.text] = *text;
   }
-  void texts(MemberName name, const std::vector<std::string>& texts, const char* = "") { json_[name.text] = texts; }
+  void texts(MemberName name, const std::vector<std::string>& texts, const char* = "") {
+    if (says(name, texts.empty())) json_[name.text] = texts;
+  }
   void label(MemberName name, const std::string& text, const char* = "") { json_[name.text] = text; }
   void picture(MemberName name, const std::string& text, const char* = "", const char* word_for_none = "") {
     json_[name.text] = text.empty() ? word_for_none : text;
@@ -101,6 +106,11 @@ class MemberWriter {
   template <class E, std::size_t N>
   void name(MemberName name, E value, const std::array<json_names::Name<E>, N>& names, const char* = "") {
     json_[name.text] = text_of(names, value);
+  }
+  template <class E, std::size_t N>
+  void name(MemberName name, const std::optional<E>& value, const std::array<json_names::Name<E>, N>& names,
+            const char* = "") {
+    if (value) json_[name.text] = text_of(names, *value);
   }
   template <class E, std::size_t N>
   void word(MemberName name, const std::string& word, const std::array<json_names::Name<E>, N>&, const char* = "") {
@@ -206,6 +216,8 @@ template Json written(const PickAnswer&);
 template Json written(const MapAnswer&);
 template Json written(const PictureAnswer&);
 template Json written(const FrameEstimate&);
+template Json written(const FrameCost&);
+template Json written(const FrameProgressList&);
 template Json written(const FrameCounters&);
 template Json written(const TraceReport&);
 template Json written(const Problem&);

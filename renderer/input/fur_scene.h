@@ -28,6 +28,7 @@ struct FurCorner {
   glm::vec2 image_uv{0};   // v up
   glm::vec3 colour{1};     // linear
   int image = -1;          // index of the base-colour image, -1 for none
+  glm::vec3 normal{0};     // that the surface is seen by, unit; 0 for the vertex's
   float weight = 1;        // [0, 1], share of the fur's optical depth; over all pieces of a triangle they sum to 1
 };
 

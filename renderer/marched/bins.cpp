@@ -18,7 +18,7 @@ struct Facing {
 Facing facing_of(const MarchScene& scene, const glm::uvec3& t) {
   Facing facing;
   for (int k = 0; k < 3; ++k) {
-    const glm::vec3 to_camera = scene.viewpoint - scene.mesh.positions[t[k]], normal = scene.mesh.normals[t[k]];
+    const glm::vec3 to_camera = scene.viewpoint - scene.mesh.positions[t[k]], normal = scene.mesh.shading_normals[t[k]];
     const float size = std::sqrt(std::max(glm::dot(to_camera, to_camera) * glm::dot(normal, normal), 1e-30f));
     const float cosine = glm::dot(to_camera, normal) / size;
     facing.least = std::min(facing.least, cosine), facing.most = std::max(facing.most, cosine);

@@ -39,7 +39,7 @@ FurMesh::FurMesh(const FurModel& model, const FurFields& fields)
   for (const RenderVertex& vertex : split.vertices) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal), tangents_.push_back(vertex.tangent);
     tiles_.push_back(vertex.tile_uv), image_uvs_.push_back(vertex.image_uv), colours_.push_back(vertex.colour);
-    weights_.push_back(vertex.weight);
+    weights_.push_back(vertex.weight), shading_normals_.push_back(vertex.shading_normal);
   }
   triangles_ = std::move(split.triangles), first_ = std::move(split.first), welded_ = std::move(split.welded);
   for (const glm::uvec3& t : triangles_) {
@@ -124,6 +124,7 @@ MarchMesh FurMesh::view() const {
   return {.positions = positions_,
           .normals = normals_,
           .tangents = tangents_,
+          .shading_normals = shading_normals_,
           .tiles = tiles_,
           .weights = weights_,
           .image_uvs = image_uvs_,
@@ -142,8 +143,8 @@ MarchMesh FurMesh::view() const {
 std::size_t FurMesh::bytes() const {
   std::size_t bytes = sizeof(FurMesh);
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
-  add(positions_, normals_, tangents_, image_uvs_, colours_, groom_, tiles_, weights_, fur_share_, mask_, paint_,
-      painted_, triangles_, patches_, welded_, first_, axes_, skin_);
+  add(positions_, normals_, shading_normals_, tangents_, image_uvs_, colours_, groom_, tiles_, weights_, fur_share_,
+      mask_, paint_, painted_, triangles_, patches_, welded_, first_, axes_, skin_);
   return bytes + changed_.bytes();
 }
 

@@ -56,8 +56,9 @@ struct PieceAxes {
 /// What is read of the model: render vertices (renderer/upload/split_corners.h).
 struct MarchMesh {
   std::span<const glm::vec3> positions, normals, tangents;
-  std::span<const glm::vec2> tiles;  // place on the sample tile, sizes
-  std::span<const float> weights;    // of the patch
+  std::span<const glm::vec3> shading_normals;  // split at creases; fur grows along `normals`
+  std::span<const glm::vec2> tiles;            // place on the sample tile, sizes
+  std::span<const float> weights;              // of the patch
   std::span<const glm::vec3> image_uvs, colours;
   std::span<const glm::vec3> groom;               // direction, length
   std::span<const glm::vec4> variation;           // empty without a pattern

@@ -148,7 +148,8 @@ HWY_INLINE float density_of(const MarchScene& scene, const ShellTriangle& triang
     return glm::vec3(p[0], p[1], p[2]);
   };
   const glm::uvec3& t = scene.mesh.triangles[triangle.piece];
-  const glm::vec3 normal = scene.mesh.normals[t.x] + scene.mesh.normals[t.y] + scene.mesh.normals[t.z];
+  const glm::vec3 normal =
+      scene.mesh.shading_normals[t.x] + scene.mesh.shading_normals[t.y] + scene.mesh.shading_normals[t.z];
   const float size = std::sqrt(std::max(glm::dot(normal, normal), 1e-20f));
   const float area = 0.5f * std::abs(glm::dot(glm::cross(place(1) - place(0), place(2) - place(0)), normal)) / size;
   return std::clamp(scene.mesh.axes[triangle.piece].tile_area / std::max(area, 1e-30f), 0.16f, 1.7f);

@@ -83,6 +83,7 @@ struct VertexWriter {
 /// What of a block's strands is the same at all heights.
 struct VertexStrand {
   Vec3 root, normal, lean;
+  Vec3 shading_normal;
   Real length, inclination, share;
   Real hull_length, hull_inclination;  // without a pattern, which does not change the hull
 };
@@ -91,6 +92,7 @@ HWY_INLINE VertexStrand strand_of(const MarchScene& scene, const VertexBlock& bl
   const MarchMesh& mesh = scene.mesh;
   VertexStrand strand;
   strand.root = block.vec3(mesh.positions), strand.normal = block.vec3(mesh.normals);
+  strand.shading_normal = block.vec3(mesh.shading_normals);
   const Vec3 tangent = block.vec3(mesh.tangents), groom = block.vec3(mesh.groom);
   const Real size = sqrt(groom.x * groom.x + groom.y * groom.y), inclination = min(size, 1.0f);
   const Real over = 1.0f / max(inclination, 1e-6f);
@@ -114,7 +116,7 @@ HWY_INLINE void write_fields(const VertexWriter& to, const VertexStrand& strand,
   const Real tile = to.scene.optics.frame.tile.x * factor;
   to.row(Varyings::tile, tile * block.read([&](std::size_t i) { return mesh.tiles[i].x; }));
   to.row(Varyings::tile + 1, tile * block.read([&](std::size_t i) { return mesh.tiles[i].y; }));
-  to.rows(Varyings::normal, strand.normal * factor);
+  to.rows(Varyings::normal, strand.shading_normal * factor);
   to.row(Varyings::length, strand.length * factor);
   to.row(Varyings::share, strand.share * factor);
   if (at.root >= 0) to.rows(at.root, strand.root * factor);

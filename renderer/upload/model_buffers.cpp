@@ -81,10 +81,10 @@ void ModelBuffers::keep(const FurModel& model, SplitModel split) {
   lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), lods_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
   centroids_.reserve(model.triangles.size()), face_normals_.reserve(model.triangles.size());
-  for (const glm::uvec3& t : model.triangles) {
-    const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
-    centroids_.push_back((a + b + c) / 3.0f);
-    face_normals_.push_back(model.normals[t.x] + model.normals[t.y] + model.normals[t.z]);
+  for (const glm::uvec3& t : triangles_) {
+    const RenderVertex &a = vertices[t.x], &b = vertices[t.y], &c = vertices[t.z];
+    centroids_.push_back((a.position + b.position + c.position) / 3.0f);
+    face_normals_.push_back(a.shading_normal + b.shading_normal + c.shading_normal);
   }
 }
 
@@ -108,6 +108,7 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   add(Attribute::image_uv, 3, offsetof(RenderVertex, image_uv), 0);
   add(Attribute::colour, 3, offsetof(RenderVertex, colour), 0);
   add(Attribute::weight, 1, offsetof(RenderVertex, weight), 0);
+  add(Attribute::shading_normal, 3, offsetof(RenderVertex, shading_normal), 0);
   add(Attribute::groom, 3, 0, 1);
   add(Attribute::shell_lod, 1, 0, 2);
   add(Attribute::variation, 4, 0, 3);

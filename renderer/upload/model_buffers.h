@@ -29,7 +29,8 @@ enum class Attribute : GLuint {
   shell_lod,
   variation,
   painted_numbers,  // and the one after it
-  painted_colours = painted_numbers + 2
+  painted_colours = painted_numbers + 2,
+  shading_normal = painted_colours + 2
 };
 
 /// What was sent, for tests and metrics.

@@ -9,13 +9,19 @@ namespace {
 
 bool same_look(const FurCorner& a, const FurCorner& b) {
   return a.tile_uv == b.tile_uv && a.tile_axis == b.tile_axis && a.image_uv == b.image_uv && a.colour == b.colour &&
-         a.image == b.image && a.weight == b.weight;
+         a.image == b.image && a.weight == b.weight && a.normal == b.normal;
 }
 
 RenderVertex make_vertex(const FurModel& model, std::uint32_t vertex, const FurCorner& corner) {
-  return {model.positions[vertex], model.normals[vertex], model.tangents[vertex],
-          corner.tile_uv,          corner.tile_axis,      {corner.image_uv, static_cast<float>(corner.image)},
-          corner.colour,           corner.weight};
+  return {model.positions[vertex],
+          model.normals[vertex],
+          model.tangents[vertex],
+          corner.tile_uv,
+          corner.tile_axis,
+          {corner.image_uv, static_cast<float>(corner.image)},
+          corner.colour,
+          corner.weight,
+          corner.normal == glm::vec3(0) ? model.normals[vertex] : corner.normal};
 }
 
 }  // namespace

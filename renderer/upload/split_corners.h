@@ -15,6 +15,7 @@ struct RenderVertex {
   glm::vec2 tile_uv;
   glm::vec3 tile_axis, image_uv, colour;
   float weight;
+  glm::vec3 shading_normal;  // that the surface is seen by; fur grows along `normal`
 };
 
 struct SplitModel {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/builtin/builtin.h"
+#include "server/first_groom/first_groom.h"
 #include "server/frames/fur_view.h"
 #include "server/patches/patches.h"
 #include "server/surface/prepare.h"
@@ -30,7 +31,7 @@ Coat striped(Coat coat) {
 }  // namespace
 
 MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t id) {
-  Result<Mesh> mesh = prepare(make_builtin(scene.builtin), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(make_builtin(scene.builtin));
   assert(mesh);  // a built-in can be prepared
   PatchMap patches = lay_patches(*mesh);
   FieldSet fields = first_groom(*mesh, scene.fur);

@@ -100,7 +100,4 @@ FieldDelta difference(const FieldSet& from, const FieldSet& to);
 /// several channels is the length of the difference. `fields` are those before the change or after it.
 std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields);
 
-/// The first groom: from nose to tail (-Z) and a little down, with the mesh's length scale; -0 is stored as 0.
-FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur);
-
 }  // namespace pelage

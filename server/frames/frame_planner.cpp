@@ -49,12 +49,6 @@ void FramePlanner::use(Calibration calibration) {
   next_ = std::move(calibration);
 }
 
-bool FramePlanner::looks_at(const FrameRequest& request) {
-  const auto& rows = default_model().rows;
-  return request.plans() ||
-         std::any_of(rows.begin(), rows.end(), [&](const DialRow& row) { return row.knobs == request.knobs; });
-}
-
 std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view,
                                                 FurFrame& frame) {
   {
@@ -66,6 +60,13 @@ std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, con
   const PlannedFrame planned = pelage::plan(basis, {request.budget_ms, request.max_error});
   frame.knobs = planned.knobs;
   return planned.estimate;
+}
+
+FrameCost FramePlanner::cost_of(const ViewFeatures& view, const FurFrame& frame) const {
+  const CostCorrection correction = costs_.correction(frame.model);
+  const DialModel& model = default_model();
+  const double ms = predicted_cost(model, view, frame.knobs) * calibration_.price * correction.factor;
+  return {ms / 1e3, ms / 1e3 * (correction.learnt ? model.learnt_safety : model.cost_safety)};
 }
 
 void FramePlanner::learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,

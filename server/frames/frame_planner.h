@@ -30,11 +30,11 @@ class FramePlanner {
   /// From any thread; counts from the next frame on.
   void use(Calibration calibration);
 
-  /// Whether the request's frame is planned or may be estimated, and its view has to be looked at.
-  static bool looks_at(const FrameRequest& request);
   /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame; none where
   /// the request names knobs that are no row.
   std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame);
+  /// What drawing a frame with its knobs is expected to take, once it was planned.
+  FrameCost cost_of(const ViewFeatures& view, const FurFrame& frame) const;
   /// What the frame has cost. Frames that draw more than shells in light are not counted.
   void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 

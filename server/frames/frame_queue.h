@@ -73,6 +73,12 @@ class ShortestFirst {
     });
   }
 
+  /// All that wait, in the order that they came in: use(job, cost).
+  template <class Use>
+  void for_each(const Use& use) const {
+    for (const Waiting& one : waiting_) use(one.job, one.cost);
+  }
+
   /// The first job, in the order that they came in, that is `wanted`; null where none is.
   Job* find(const std::function<bool(const Job&)>& wanted) {
     const auto found =

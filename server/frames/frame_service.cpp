@@ -14,6 +14,7 @@
 #include "protocol/base/stopwatch.h"
 #include "renderer/frame/renderer.h"
 #include "server/frames/frame_file.h"
+#include "server/frames/frame_job.h"
 #include "server/frames/frame_planner.h"
 #include "server/frames/frame_queue.h"
 #include "server/frames/renderer_memory.h"
@@ -23,45 +24,10 @@ namespace pelage {
 
 namespace {
 
-struct DrawnFrame {
-  DrawnPicture picture;
-  ModelPlacement placement;
-  Revision revision = 0;
-  FrameTimings timings;
-  FrameCounters counters;
-  Knobs knobs;
-  std::optional<FrameEstimate> estimate;
-};
-
 /// What tracing needs of the render thread; null when that is stopping.
 using Task = std::function<void(Renderer*)>;
 
 constexpr int max_restarts = 2;  // of a frame whose scene changed meanwhile
-
-/// A frame that waits for the render thread or is drawn there.
-struct Job {
-  std::shared_ptr<Scene> scene;
-  FrameRequest request;
-  std::function<bool()> abandoned;
-  FramePast past = {};
-  Stopwatch asked = {};
-  std::promise<Result<DrawnFrame>> answer;
-  // While it is drawn:
-  double cost = 0;  // as expected, milliseconds
-  Stopwatch begun = {};
-  Revision revision = 0;
-  bool outdated = false;  // a frame that was let in shows another revision of the scene
-  bool given_up = false;
-  int restarts = 0;
-  double paused = 0;  // milliseconds
-
-  bool left() const { return abandoned && abandoned(); }
-  bool same_view(const Job& other) const {
-    return !request.view.empty() && scene == other.scene && request.view == other.request.view;
-  }
-  /// Whether both draw what the renderer has of one scene, which changes with the scene.
-  bool same_subject(const Job& other) const { return scene == other.scene && past.copy == other.past.copy; }
-};
 
 }  // namespace
 
@@ -71,7 +37,7 @@ struct FrameService::Impl {
   YieldGate& gate;
   std::mutex mutex;
   std::condition_variable wake;
-  ShortestFirst<std::unique_ptr<Job>> jobs;
+  ShortestFirst<std::unique_ptr<FrameJob>> jobs;
   std::deque<Task> tasks;  // after all jobs
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
@@ -85,7 +51,7 @@ struct FrameService::Impl {
   int threads = 1;  // that fur is drawn on
   PngEncoder png;   // of whoever asked, not of the render thread
   const Stopwatch running_time;
-  std::vector<Job*> running;  // on the render thread; each was let in by the one before it
+  std::vector<FrameJob*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
   void run(GlChoice choice, int asked_threads, std::promise<Status>& started);
@@ -93,14 +59,14 @@ struct FrameService::Impl {
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
   /// Draws a job that was taken and answers it.
-  void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken);
-  Result<DrawnFrame> draw(Renderer& renderer, Job& job);
+  void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken);
+  Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
   /// Between the pieces of a job: draws those that wait now and are short beside it. Whether the job goes on.
-  bool let_in(Renderer& renderer, Job& job);
+  bool let_in(Renderer& renderer, FrameJob& job);
   /// Running frames of the job's scene that show another revision have to begin anew.
-  void mark_outdated(const Job& job);
+  void mark_outdated(const FrameJob& job);
   void count(double milliseconds, const Status& outcome);
-  void add(std::unique_ptr<Job> job);
+  void add(std::unique_ptr<FrameJob> job);
   /// Runs `work` on the render thread and waits for it.
   template <class T>
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
@@ -121,7 +87,7 @@ void FrameService::Impl::run(GlChoice choice, int asked_threads, std::promise<St
 
 void FrameService::Impl::serve(Renderer& renderer) {
   for (;;) {
-    std::optional<ShortestFirst<std::unique_ptr<Job>>::Taken> job;
+    std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken> job;
     Task task;
     bool forgot = false;
     {
@@ -155,22 +121,28 @@ bool FrameService::Impl::forget_gone(Renderer& renderer) {
   return true;
 }
 
-void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<Job>>::Taken taken) {
-  Job& job = *taken.job;
+void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken) {
+  FrameJob& job = *taken.job;
   job.cost = taken.cost, job.begun = {};
-  running.push_back(&job);
+  {
+    const std::lock_guard lock(mutex);
+    running.push_back(&job);
+  }
   Result<DrawnFrame> frame = draw(renderer, job);
   for (; !frame && job.outdated; ++job.restarts) {
     job.outdated = job.given_up = false;
     frame = draw(renderer, job);
   }
-  running.pop_back();
+  {
+    const std::lock_guard lock(mutex);
+    running.pop_back();
+  }
   job.answer.set_value(std::move(frame));
 }
 
-bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
+bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
   const Stopwatch passed;
-  const auto may = [&](const std::unique_ptr<Job>& other) {
+  const auto may = [&](const std::unique_ptr<FrameJob>& other) {
     return job.restarts < max_restarts || !other->same_subject(job);
   };
   // Once it has taken longer than was expected, others are short beside it.
@@ -183,12 +155,13 @@ bool FrameService::Impl::let_in(Renderer& renderer, Job& job) {
   };
   while (auto other = next()) finish(renderer, std::move(*other));
   job.given_up = job.given_up || job.outdated || job.left();
+  const std::lock_guard lock(mutex);
   job.paused += passed.milliseconds();
   return !job.given_up;
 }
 
-void FrameService::Impl::mark_outdated(const Job& job) {
-  for (Job* other : running)
+void FrameService::Impl::mark_outdated(const FrameJob& job) {
+  for (FrameJob* other : running)
     other->outdated = other->outdated || (other->same_subject(job) && other->revision != job.revision);
 }
 
@@ -197,19 +170,25 @@ void FrameService::Impl::count(double milliseconds, const Status& outcome) {
   if (outcome.code == Code::unavailable) healthy = false;
 }
 
-Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, Job& job) {
+Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   const Status left = failure(Code::unavailable, "nobody waits for this frame any more");
   if (job.left()) return left;
   DrawnFrame frame;
   frame.timings.queue = job.asked.milliseconds();
   const Stopwatch passed;
   const double paused = job.paused;
-  Result<Shown> shown =
-      show(renderer, *job.scene, job.request, job.past, past_scenes, false, planner.looks_at(job.request));
+  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, false, true);
   if (!shown) return shown.status();
   job.revision = shown->revision;
   mark_outdated(job);
-  if (shown->features) frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
+  frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
+  frame.cost = planner.cost_of(*shown->features, shown->fur);
+  if (job.dry_run) return frame;
+  if (Status long_drawing = check_seconds(job.request, frame.cost); !long_drawing.ok()) return long_drawing;
+  {
+    const std::lock_guard lock(mutex);
+    job.expected = 1e3 * frame.cost.seconds;
+  }
   frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = passed.milliseconds() - (job.paused - paused);
@@ -244,14 +223,14 @@ Result<T> FrameService::Impl::run_task(const std::function<Result<T>(Renderer&)>
   return answer.get();
 }
 
-void FrameService::Impl::add(std::unique_ptr<Job> job) {
+void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
   const std::lock_guard lock(mutex);
-  std::unique_ptr<Job>* older = jobs.find([&](const auto& other) { return other->same_view(*job); });
+  std::unique_ptr<FrameJob>* older = jobs.find([&](const auto& other) { return other->same_view(*job); });
   if (older) {  // whose turn it takes
     (*older)->answer.set_value(failure(Code::conflict, "superseded by a newer frame of the same view"));
     *older = std::move(job);
   } else {
-    const double cost = expected_cost(job->request);
+    const double cost = job->dry_run ? 0 : expected_cost(job->request);
     jobs.add(std::move(job), cost, running_time.milliseconds());
   }
   wake.notify_one();
@@ -284,7 +263,8 @@ FrameService::~FrameService() {
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                         const std::function<bool()>& abandoned) {
   const YieldGate::Turn turn = impl_->gate.go_first();
-  auto job = std::make_unique<Job>(Job{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
+  auto job =
+      std::make_unique<FrameJob>(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
   Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
   if (!past) return past.status();
   job->past = std::move(*past);
@@ -302,6 +282,31 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
                      .estimate = std::move(drawn->estimate)};
   result.timings.encode = encoding.milliseconds();
   return result;
+}
+
+Result<FrameCost> FrameService::cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
+  auto job = std::make_unique<FrameJob>(
+      FrameJob{.scene = scene, .request = request, .abandoned = {}, .dry_run = true, .answer = {}});
+  job->request.view.clear();  // it takes nobody's turn
+  Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
+  if (!past) return past.status();
+  job->past = std::move(*past);
+  std::future<Result<DrawnFrame>> answer = job->answer.get_future();
+  impl_->add(std::move(job));
+  const Result<DrawnFrame> frame = answer.get();
+  if (!frame) return frame.status();
+  return frame->cost;
+}
+
+FrameProgressList FrameService::progress(const Scene& scene) const {
+  FrameProgressList list;
+  const std::lock_guard lock(impl_->mutex);
+  for (const FrameJob* job : impl_->running)
+    if (job->scene.get() == &scene && !job->dry_run) list.frames.push_back(progress_of(*job, job->cost, true));
+  impl_->jobs.for_each([&](const std::unique_ptr<FrameJob>& job, double cost) {
+    if (job->scene.get() == &scene && !job->dry_run) list.frames.push_back(progress_of(*job, cost, false));
+  });
+  return list;
 }
 
 Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {

@@ -56,9 +56,15 @@ class FrameService {
   /// long ones, and between the pieces of one that is drawn; a frame whose scene changed meanwhile begins anew.
   /// Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked on the render
   /// thread before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused
-  /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision.
+  /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision, and (invalid,
+  /// "/max_seconds") when drawing is expected to take longer than asked.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {});
+
+  /// What drawing the frame is expected to take; nothing is drawn. Refused as `frame` is.
+  Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
+  /// The scene's frames that are drawn or wait.
+  FrameProgressList progress(const Scene& scene) const;
 
   /// Of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits until no frame
   /// does. Refused as frame is.

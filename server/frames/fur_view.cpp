@@ -147,6 +147,7 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_pictur
       const LookCorner look = has_picture            ? LookCorner{mesh.texture_uv[piece.triangle][k], glm::vec3(1), 0}
                               : mesh.corners.empty() ? LookCorner{}
                                                      : mesh.corners[piece.triangle][k];
+      if (!mesh.shading_normals.empty()) corners[k].normal = mesh.shading_normals[piece.triangle][k];
       corners[k].image_uv = look.uv, corners[k].colour = look.colour, corners[k].image = look.image;
     }
   }

@@ -18,8 +18,8 @@ glm::dvec3 automatic_direction(AutoView view) {
     case AutoView::none: break;
     case AutoView::front: return {0, 0, 1};
     case AutoView::back: return {0, 0, -1};
-    case AutoView::left: return {-1, 0, 0};
-    case AutoView::right: return {1, 0, 0};
+    case AutoView::left: return {1, 0, 0};
+    case AutoView::right: return {-1, 0, 0};
     case AutoView::top: return {0, 1, 0};
     case AutoView::three_quarter: return glm::normalize(glm::dvec3(0.75, 0.45, 1));
   }

@@ -1,6 +1,10 @@
 #include "server/history/codec.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <limits>
 
@@ -162,6 +166,33 @@ Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::by
     }
   }
   return subdivisions;
+}
+
+namespace {
+
+template <class T>
+bool take_number(std::string_view& text, T& number) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+}  // namespace
+
+std::string encode_creases_and_flips(const PrepareOptions& options) {
+  std::string text = fmt::format("{}", options.crease_degrees);
+  for (const std::uint32_t part : options.flipped_parts) text += fmt::format(" {}", part);
+  return text;
+}
+
+bool decode_creases_and_flips(std::string_view text, PrepareOptions& options) {
+  if (text.empty()) return true;
+  if (!take_number(text, options.crease_degrees)) return false;
+  while (!text.empty())
+    if (!take_number(text, options.flipped_parts.emplace_back())) return false;
+  return true;
 }
 
 }  // namespace pelage

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/base/status.h"
 #include "server/fields/field_delta.h"
 #include "server/patches/subdivide.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
@@ -26,5 +28,10 @@ std::string encode_subdivisions(const std::vector<ChosenTriangles>& subdivisions
 
 /// Refused (internal) unless the bytes are whole subdivisions of rising runs.
 Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::byte> bytes);
+
+/// The degrees of creases and the numbers of flipped parts, with blanks between. "" stands for the defaults; false for
+/// any other text that was not made so.
+std::string encode_creases_and_flips(const PrepareOptions& options);
+bool decode_creases_and_flips(std::string_view text, PrepareOptions& options);
 
 }  // namespace pelage

@@ -26,7 +26,7 @@ constexpr const char* schema = R"(
     number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
     model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
     first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL,
-    subdivisions BLOB NOT NULL, settings TEXT);
+    subdivisions BLOB NOT NULL, settings TEXT, creases_and_flips TEXT NOT NULL DEFAULT '');
   CREATE TABLE entries(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
     kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
@@ -37,7 +37,7 @@ constexpr const char* schema = R"(
   CREATE TABLE picture_uses(
     scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
     PRIMARY KEY(scene, picture));
-  PRAGMA user_version = 7;
+  PRAGMA user_version = 8;
 )";
 
 // What no log names any more; at the start also what was uploaded and never used.
@@ -93,14 +93,15 @@ Statement& bind_settings(Statement& statement, const std::shared_ptr<const Scene
 Status run_with_model(Statement statement, const StoredScene& scene, const std::string& first_groom) {
   const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
   statement.text(scene.model.name)
-      .number(static_cast<std::uint64_t>(scene.model.up))
-      .number(static_cast<std::uint64_t>(scene.model.front))
-      .number(scene.model.source_is_32_bit)
+      .number(static_cast<std::uint64_t>(scene.model.prepare.up))
+      .number(static_cast<std::uint64_t>(scene.model.prepare.front))
+      .number(scene.model.prepare.source_is_32_bit)
       .number(scene.first_revision)
       .blob(first_groom)
       .blob(scene.model.raw)
       .number(static_cast<std::uint64_t>(scene.model.fur_patches))
-      .blob(subdivisions);
+      .blob(subdivisions)
+      .text(encode_creases_and_flips(scene.model.prepare));
   return bind_settings(statement, scene.first_settings).text(scene.id).run();
 }
 
@@ -184,7 +185,8 @@ Status Journal::add_scene(const StoredScene& scene) {
   const std::lock_guard lock(mutex_);
   Statement insert = database_->prepare(
       "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
-      " first_groom, raw, fur_patches, subdivisions, settings, id) VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
+      " first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, id)"
+      " VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.text(scene.name);
   return run_with_model(std::move(insert), scene, first_groom);
 }
@@ -198,7 +200,7 @@ Status Journal::replace_model(const StoredScene& scene) {
     if (Status unused = leave_pictures(*database_, scene.id); !unused.ok()) return unused;
     return run_with_model(database_->prepare("UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?,"
                                              " first_revision = ?, first_groom = ?, raw = ?, fur_patches = ?,"
-                                             " subdivisions = ?, settings = ? WHERE id = ?"),
+                                             " subdivisions = ?, creases_and_flips = ?, settings = ? WHERE id = ?"),
                           scene, first_groom);
   });
 }
@@ -243,9 +245,9 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   return database_->transaction([&] {
     Statement row = database_->prepare(
         "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
-        " first_revision, first_groom, raw, fur_patches, subdivisions, settings)"
+        " first_revision, first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings)"
         " SELECT ?, ?, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches, subdivisions,"
-        " settings"
+        " creases_and_flips, settings"
         " FROM scenes WHERE id = ?");
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
     Statement entries = database_->prepare(
@@ -294,7 +296,7 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
   const std::lock_guard lock(mutex_);
   Statement row = database_->prepare(
       "SELECT name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches,"
-      " subdivisions, settings FROM scenes WHERE id = ?");
+      " subdivisions, settings, creases_and_flips FROM scenes WHERE id = ?");
   const Result<bool> found = row.text(id).step();
   if (!found) return found.status();
   if (!*found) return failure(Code::not_found, "the journal has no such scene");
@@ -312,13 +314,12 @@ Result<StoredScene> Journal::scene(const std::string& id) const {
     settings = *stored;
   }
   const std::span<const std::byte> raw = row.blob_at(7);
-  StoredModel model{row.text_at(1),
-                    static_cast<Axis>(row.number_at(2)),
-                    static_cast<Axis>(row.number_at(3)),
-                    row.number_at(4) != 0,
+  PrepareOptions prepare{static_cast<Axis>(row.number_at(2)), static_cast<Axis>(row.number_at(3)),
+                         row.number_at(4) != 0};
+  if (!decode_creases_and_flips(row.text_at(11), prepare)) return damaged("creases and flips of a model");
+  StoredModel model{row.text_at(1), std::move(prepare),
                     std::string(reinterpret_cast<const char*>(raw.data()), raw.size()),
-                    static_cast<FurPatches>(row.number_at(8)),
-                    std::move(*subdivisions)};
+                    static_cast<FurPatches>(row.number_at(8)), std::move(*subdivisions)};
   return StoredScene{
       id, row.text_at(0), std::move(model), row.number_at(5), std::move(*first_groom), std::move(settings)};
 }

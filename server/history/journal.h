@@ -15,14 +15,14 @@
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
 #include "server/patches/subdivide.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
 /// All that it takes to prepare a scene's model and its first groom again, without the code that made them.
 struct StoredModel {
   std::string name;  // "creature", "obj", ...
-  Axis up = Axis::plus_y, front = Axis::plus_z;
-  bool source_is_32_bit = false;
+  PrepareOptions prepare = {};
   std::string raw;  // encode_raw_model
   FurPatches fur_patches = FurPatches::overlapping;
   std::vector<ChosenTriangles> subdivisions = {};  // carried out one after the other on the prepared model

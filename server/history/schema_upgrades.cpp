@@ -47,8 +47,15 @@ Status to_version_7(Database& database) {
       "PRAGMA user_version = 7");
 }
 
+/// Before it all creases were the default's, and no part was turned.
+Status to_version_8(Database& database) {
+  return database.execute(
+      "ALTER TABLE scenes ADD COLUMN creases_and_flips TEXT NOT NULL DEFAULT '';"
+      "PRAGMA user_version = 8");
+}
+
 // The step from each version to the next, from oldest_upgraded_version on.
-constexpr Status (*steps[])(Database&) = {to_version_6, to_version_7};
+constexpr Status (*steps[])(Database&) = {to_version_6, to_version_7, to_version_8};
 static_assert(oldest_upgraded_version + std::size(steps) == schema_version);
 
 }  // namespace

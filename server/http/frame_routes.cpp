@@ -171,6 +171,40 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
   reply_frame(service, scene, *wanted, *news, client, response);
 }
 
+/// Whether only the cost is asked for.
+Result<bool> is_dry_run(const Request& request) {
+  if (!request.has_param("dry_run")) return false;
+  const std::string value = request.get_param_value("dry_run");
+  if (value != "0" && value != "1") return failure(Code::invalid, "dry_run is 0 or 1.", "/dry_run", "0 | 1");
+  return value == "1";
+}
+
+void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
+                 const Request& request, Response& response) {
+  if (!wanted) return reply_problem(response, wanted.status());
+  if (request.has_param("after") || request.has_param("wait"))
+    return reply_problem(response, failure(Code::invalid, "A dry run waits for nothing.", "/after", "without dry_run"));
+  if (wanted->knobs.method == Method::strands) {
+    return reply_problem(response,
+                         failure(Code::invalid, "What tracing strands takes is not known before; end it by seconds.",
+                                 "/quality", "shells"));
+  }
+  const Status there = wanted->revision ? scene->has_revision(*wanted->revision) : Status{};
+  if (!there.ok()) return reply_problem(response, there);
+  const auto cost = service.frames.cost(scene, *wanted);
+  if (!cost) return reply_problem(response, cost.status());
+  reply_json(response, 200, encode(*cost));
+}
+
+void answer_post(Service& service, const std::shared_ptr<Scene>& scene, const Request& request, Response& response) {
+  const Status status = check_query(request, {"after", "after_pass", "wait", "dry_run"});
+  const auto wanted = status.ok() ? decode_frame_request(request.body) : Result<FrameRequest>(status);
+  const auto dry_run = is_dry_run(request);
+  if (!dry_run) return reply_problem(response, dry_run.status());
+  if (*dry_run) return answer_cost(service, scene, wanted, request, response);
+  answer_frame(service, scene, wanted, request, response);
+}
+
 Query frame_query_of(const Request& request) {
   Query query = query_of(request);
   std::erase_if(query, [](const auto& parameter) { return parameter.first == "after" || parameter.first == "wait"; });
@@ -196,10 +230,12 @@ void pick(const Scene& scene, const Request& request, Response& response) {
 
 void add_frame_routes(httplib::Server& server, Service& service) {
   add_post(server, "/v1/scenes/([^/]+)/frames", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { answer_post(service, scene, request, response); });
+  });
+  server.Get("/v1/scenes/([^/]+)/frames", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) {
-      const Status status = check_query(request, {"after", "after_pass", "wait"});
-      const auto wanted = status.ok() ? decode_frame_request(request.body) : Result<FrameRequest>(status);
-      answer_frame(service, scene, wanted, request, response);
+      if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+      reply_json(response, 200, encode(service.frames.progress(*scene)));
     });
   });
   server.Get("/v1/scenes/([^/]+)/frame.png", [&](const Request& request, Response& response) {

@@ -55,9 +55,10 @@ Status outcome(const std::string& subject, const ChildResult& result, const Impo
 
 /// The worker's answer.
 Result<std::string> run_worker(const std::string& worker, const char* job, const std::string& subject,
-                               std::span<const std::byte> bytes, const ImportLimits& limits) {
+                               std::span<const std::byte> bytes, const ImportLimits& limits,
+                               const std::string& pose = {}) {
   const std::vector<std::string> arguments = {worker, job, std::to_string(limits.seconds),
-                                              std::to_string(limits.memory_bytes)};
+                                              std::to_string(limits.memory_bytes), pose};
   Result<ChildResult> result = run_child(arguments, bytes, {limits.seconds, limits.answer_bytes});
   if (!result.ok()) return result.status();
   if (Status status = outcome(subject, *result, limits); !status.ok()) return status;
@@ -78,12 +79,12 @@ std::string program_folder() {
 }
 
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
-                              const ImportLimits& limits) {
+                              const std::string& pose, const ImportLimits& limits) {
   if (bytes.size() > limits::model_bytes) {
     return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " bytes");
   }
   const char* job = worker_format_names[static_cast<std::size_t>(format)];
-  const Result<std::string> answer = run_worker(worker, job, "model", bytes, limits);
+  const Result<std::string> answer = run_worker(worker, job, "model", bytes, limits, pose);
   if (!answer.ok()) return answer.status();
   return decode_raw_model(std::as_bytes(std::span(*answer)));
 }

@@ -1,5 +1,5 @@
-// What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES`, bytes in. The job is a model's format
-// (encode_raw_model out), "environment" (encode_harmonics out), "picture" (encode_raw_image out) or "map"
+// What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES [POSE]`, bytes in. The job is a model's
+// format (encode_raw_model out), "environment" (encode_harmonics out), "picture" (encode_raw_image out) or "map"
 // (encode_map_picture out).
 #pragma once
 
@@ -15,7 +15,8 @@
 namespace pelage {
 
 /// By ModelFormat.
-inline constexpr std::array<const char*, 7> worker_format_names = {"obj", "ply", "stl", "off", "gltf", "glb", "3ds"};
+inline constexpr std::array<const char*, 8> worker_format_names = {"obj",  "ply", "stl", "off",
+                                                                   "gltf", "glb", "3ds", "zip"};
 
 inline constexpr const char* worker_environment = "environment";
 inline constexpr const char* worker_picture = "picture";
@@ -42,9 +43,10 @@ struct ImportLimits {
 std::string program_folder();
 
 /// Runs `worker` (path of pelage-import), sends it `bytes`, reads and validates its answer. A worker that crashes,
-/// runs over a limit or answers nonsense gives a Status (invalid) that says so; the caller lives on.
+/// runs over a limit or answers nonsense gives a Status (invalid) that says so; the caller lives on. `pose` as in
+/// ImportOptions.
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
-                              const ImportLimits& limits = {});
+                              const std::string& pose = {}, const ImportLimits& limits = {});
 
 /// The same for a picture of all directions (EXR or HDR; renderer/light/environment.h): the light that it stands
 /// for.

@@ -71,6 +71,61 @@ class Reader {
   bool ok_ = true;
 };
 
+void write_texts(Writer& out, const std::vector<std::string>& texts) {
+  out.value(static_cast<std::uint64_t>(texts.size()));
+  for (const std::string& text : texts) out.array(std::vector<char>(text.begin(), text.end()));
+}
+
+std::vector<std::string> read_texts(Reader& in) {
+  std::vector<std::string> texts;
+  const std::uint64_t count = in.value<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
+    const std::vector<char> text = in.array<char>();
+    texts.emplace_back(text.begin(), text.end());
+  }
+  return texts;
+}
+
+/// What files say beside their polygons. Journals from before it was kept end without.
+void write_notes(Writer& out, const RawModel& model) {
+  const auto axis = [&](const std::optional<Axis>& value) {
+    out.value(static_cast<std::int8_t>(value ? static_cast<int>(*value) : -1));
+  };
+  axis(model.up), axis(model.front);
+  write_texts(out, {model.pose});
+  write_texts(out, model.animations);
+  out.value(static_cast<std::uint64_t>(model.losses.size()));
+  for (const Repair& loss : model.losses) {
+    write_texts(out, {loss.code});
+    out.value(static_cast<std::uint64_t>(loss.count));
+    write_texts(out, loss.names);
+  }
+}
+
+std::optional<Axis> read_axis(Reader& in) {
+  const auto number = in.value<std::int8_t>();
+  if (number < 0 || number > static_cast<int>(Axis::minus_z)) return {};
+  return static_cast<Axis>(number);
+}
+
+std::string read_text(Reader& in) {
+  std::vector<std::string> texts = read_texts(in);
+  return texts.empty() ? std::string() : std::move(texts.front());
+}
+
+void read_notes(Reader& in, RawModel& model) {
+  model.up = read_axis(in), model.front = read_axis(in);
+  model.pose = read_text(in);
+  model.animations = read_texts(in);
+  const std::uint64_t losses = in.value<std::uint64_t>();
+  for (std::uint64_t i = 0; i < losses && in.ok(); ++i) {
+    Repair loss{read_text(in), 0};
+    loss.count = in.value<std::uint64_t>();
+    loss.names = read_texts(in);
+    model.losses.push_back(std::move(loss));
+  }
+}
+
 RawModel read_model(Reader& in) {
   RawModel model;
   model.is_32_bit = in.value<std::uint8_t>() != 0;
@@ -90,6 +145,7 @@ RawModel read_model(Reader& in) {
     image.rgba = in.array<std::uint8_t>();
     model.images.push_back(std::move(image));
   }
+  if (!in.at_end()) read_notes(in, model);
   return model;
 }
 
@@ -150,6 +206,7 @@ std::string encode_raw_model(const RawModel& model) {
     out.value(static_cast<std::int32_t>(image.height));
     out.array(image.rgba);
   }
+  write_notes(out, model);
   return out.take();
 }
 

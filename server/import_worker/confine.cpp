@@ -52,7 +52,8 @@ class BytesStream : public Assimp::IOStream {
 }  // namespace
 
 Assimp::IOStream* ClosedIo::Open(const char* file, const char* mode) {
-  if (name_ == file && std::string_view(mode).starts_with('r')) return new BytesStream(bytes_);
+  const std::string* bytes = std::string_view(mode).starts_with('r') ? bytes_of(file) : nullptr;
+  if (bytes) return new BytesStream(*bytes);
   if (refused_.empty()) refused_ = file;
   return nullptr;
 }

@@ -1,4 +1,4 @@
-// The only files that assimp sees: the bytes of the upload.
+// The only files that assimp sees: those of the upload.
 #pragma once
 
 #include <assimp/IOSystem.hpp>
@@ -6,15 +6,17 @@
 #include <string>
 
 #include "protocol/base/status.h"
+#include "server/import_worker/bundle.h"
 
 namespace pelage {
 
-/// Knows one file by its name; every other open, and every write, fails and is remembered.
+/// Knows the model by a name, and what is bundled with it; every other open, and every write, fails and is remembered.
 class ClosedIo : public Assimp::IOSystem {
  public:
-  ClosedIo(std::string name, const std::string& bytes) : name_(std::move(name)), bytes_(bytes) {}
+  ClosedIo(std::string name, const std::string& model, const Bundle& others)
+      : name_(std::move(name)), model_(model), others_(others) {}
 
-  bool Exists(const char* file) const override { return name_ == file; }
+  bool Exists(const char* file) const override { return bytes_of(file) != nullptr; }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* file, const char* mode) override;
   void Close(Assimp::IOStream* stream) override;
@@ -23,8 +25,11 @@ class ClosedIo : public Assimp::IOSystem {
   const std::string& refused() const { return refused_; }
 
  private:
+  const std::string* bytes_of(const char* file) const { return name_ == file ? &model_ : others_.find(file); }
+
   std::string name_;
-  const std::string& bytes_;
+  const std::string& model_;
+  const Bundle& others_;
   std::string refused_;
 };
 

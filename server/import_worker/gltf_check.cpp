@@ -1,6 +1,7 @@
 #include "server/import_worker/gltf_check.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -82,15 +83,27 @@ Status check_scenes(const json& root) {
 
 bool is_outside(const std::string& uri) { return !uri.empty() && !uri.starts_with("data:"); }
 
-Status check_uris(const json& root) {
-  for (const char* kind : {"buffers", "images"}) {
-    for (const json& entry : list(root, kind)) {
-      const std::string uri = text(entry, "uri");
-      if (is_outside(uri)) {
-        return broken("it needs the other file \"" + printable(uri) +
-                      "\", and none but the upload is opened; pack it as a GLB.");
-      }
+/// Whether all of what a data URI has after its comma is base64.
+bool is_base64(std::string_view uri) {
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64")) return false;
+  std::string_view data = uri.substr(comma + 1);
+  while (data.ends_with('=')) data.remove_suffix(1);
+  const auto is_digit = [](unsigned char c) { return std::isalnum(c) != 0 || c == '+' || c == '/'; };
+  return data.size() % 4 != 1 && std::all_of(data.begin(), data.end(), is_digit);
+}
+
+/// Buffers have to be there; pictures that are not are counted by gltf_losses.
+Status check_uris(const json& root, const Bundle& bundle) {
+  const json& buffers = list(root, "buffers");
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    const std::string uri = text(buffers[i], "uri");
+    if (is_outside(uri) && !bundle.find(uri)) {
+      return broken("it needs the other file \"" + printable(uri) +
+                    "\"; pack it as a GLB, or load a zip archive of both.");
     }
+    if (uri.starts_with("data:") && !is_base64(uri))
+      return broken("the base64 of its buffer " + std::to_string(i) + " is broken; export it again.");
   }
   return {};
 }
@@ -152,6 +165,33 @@ Status check_attribute_types(const json& root) {
   return {};
 }
 
+void count_pictures(const json& root, const Bundle& bundle, RawModel& model) {
+  const json& images = list(root, "images");
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::string uri = text(images[i], "uri"), name = text(images[i], "name");
+    if (is_outside(uri) && !bundle.find(uri)) model.lose("missing_pictures", printable(uri));
+    if (uri.starts_with("data:") && !is_base64(uri))
+      model.lose("broken_pictures", name.empty() ? "image " + std::to_string(i) : printable(name));
+  }
+}
+
+void count_primitives(const json& mesh, RawModel& model) {
+  constexpr std::int64_t first_of_triangles = 4;
+  for (const json& primitive : list(mesh, "primitives")) {
+    const std::int64_t mode = index(primitive, "mode");
+    const bool has_positions =
+        primitive.is_object() && primitive.contains("attributes") && index(primitive["attributes"], "POSITION") >= 0;
+    if (!has_positions) model.lose("primitives_without_vertices", printable(text(mesh, "name")));
+    if (has_positions && mode >= 0 && mode < first_of_triangles)
+      model.lose("points_and_lines", printable(text(mesh, "name")));
+  }
+}
+
+void count_losses(const json& root, const Bundle& bundle, RawModel& model) {
+  count_pictures(root, bundle, model);
+  for (const json& mesh : list(root, "meshes")) count_primitives(mesh, model);
+}
+
 struct Chunk {
   std::uint32_t type = 0;
   std::string_view data;
@@ -172,7 +212,7 @@ bool take_chunk(std::string_view& bytes, Chunk& chunk) {
 
 }  // namespace
 
-Status check_glb(std::string_view bytes) {
+Status check_glb(std::string_view bytes, const Bundle& bundle, RawModel& model) {
   constexpr std::size_t header = 12;
   constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
   if (bytes.size() < header || !bytes.starts_with("glTF")) return broken("it does not begin with the GLB magic.");
@@ -189,18 +229,19 @@ Status check_glb(std::string_view bytes) {
     if (!take_chunk(bytes, chunk)) return broken("a chunk is cut off.");
     if (chunk.type == binary_type && binary.data.empty()) binary = chunk;
   }
-  return check_gltf(document.data, binary.data.size());
+  return check_gltf(document.data, bundle, model, binary.data.size());
 }
 
-Status check_gltf(std::string_view document, std::size_t binary_bytes) {
+Status check_gltf(std::string_view document, const Bundle& bundle, RawModel& model, std::size_t binary_bytes) {
   const Result<json> root = parse_json(document);
   if (!root.ok()) return broken("its JSON is broken: " + printable(root.status().message));
   if (!root->is_object()) return broken("its JSON is no object.");
   for (const Status& status :
-       {check_version(*root), check_extensions(*root), check_uris(*root), check_buffers(*root, binary_bytes),
+       {check_version(*root), check_extensions(*root), check_uris(*root, bundle), check_buffers(*root, binary_bytes),
         check_nodes(*root), check_scenes(*root), check_attribute_types(*root)}) {
     if (!status.ok()) return status;
   }
+  count_losses(*root, bundle, model);
   return {};
 }
 

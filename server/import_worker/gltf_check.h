@@ -1,18 +1,23 @@
-// What assimp takes on trust in glTF: container lengths, outside files, extensions, cycles.
+// What assimp takes on trust in glTF: container lengths, outside files, extensions, cycles; and what it leaves out
+// without a word.
 #pragma once
 
 #include <string_view>
 
 #include "protocol/base/status.h"
+#include "server/import_worker/bundle.h"
+#include "server/surface/mesh.h"
 
 namespace pelage {
 
 /// A GLB container: magic, version 2, its length, chunks within it, JSON first; then as check_gltf.
-Status check_glb(std::string_view bytes);
+Status check_glb(std::string_view bytes, const Bundle& bundle, RawModel& model);
 
-/// Refuses (invalid): text that is not JSON, another version than 2, buffers and pictures in other files (naming the
-/// URI), required extensions that change the geometry or are not known (naming them), node graphs that are no trees,
-/// and positions or texture coordinates that are not 32-bit floats. `binary_bytes` is the size of the GLB's chunk.
-Status check_gltf(std::string_view json, std::size_t binary_bytes = 0);
+/// Refuses (invalid): text that is not JSON, another version than 2, buffers in files that are not bundled or in broken
+/// base64 (naming them), required extensions that change the geometry or are not known (naming them), node graphs that
+/// are no trees, and positions or texture coordinates that are not 32-bit floats. Counts among the model's losses:
+/// pictures that are not there, points and lines, and primitives without positions. `binary_bytes` is the size of the
+/// GLB's chunk.
+Status check_gltf(std::string_view json, const Bundle& bundle, RawModel& model, std::size_t binary_bytes = 0);
 
 }  // namespace pelage

@@ -12,25 +12,25 @@ namespace pelage {
 namespace {
 
 template <ModelFormat format>
-Result<std::string> read_model(std::string&& bytes) {
-  const Result<RawModel> model = parse_model(format, std::move(bytes));
+Result<std::string> read_model(std::string&& bytes, const std::string& pose) {
+  const Result<RawModel> model = parse_model(format, std::move(bytes), pose);
   if (!model.ok()) return model.status();
   return encode_raw_model(*model);
 }
 
-Result<std::string> read_light(std::string&& bytes) {
+Result<std::string> read_light(std::string&& bytes, const std::string&) {
   const Result<SphericalHarmonics> harmonics = read_environment(bytes);
   if (!harmonics.ok()) return harmonics.status();
   return encode_harmonics(*harmonics);
 }
 
-Result<std::string> read_data(std::string&& bytes) {
+Result<std::string> read_data(std::string&& bytes, const std::string&) {
   const Result<MapPicture> picture = read_map_picture(bytes);
   if (!picture.ok()) return picture.status();
   return encode_map_picture(*picture);
 }
 
-Result<std::string> read_backplate(std::string&& bytes) {
+Result<std::string> read_backplate(std::string&& bytes, const std::string&) {
   const Result<RawImage> image = read_skin_texture(bytes);
   if (!image.ok()) return image.status();
   return encode_raw_image(*image);
@@ -42,7 +42,7 @@ Job job_of(std::string_view name) {
   static constexpr std::array<Job, worker_format_names.size()> models = {
       read_model<ModelFormat::obj>, read_model<ModelFormat::ply>,  read_model<ModelFormat::stl>,
       read_model<ModelFormat::off>, read_model<ModelFormat::gltf>, read_model<ModelFormat::glb>,
-      read_model<ModelFormat::tds>};
+      read_model<ModelFormat::tds>, read_model<ModelFormat::zip>};
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (name == worker_format_names[i]) return models[i];
   }

@@ -1,5 +1,5 @@
-// pelage-import JOB SECONDS BYTES: reads a model or a picture on standard input, writes what the job makes of it on
-// standard output. Started by the server for each upload; server/import/import.h has the contract.
+// pelage-import JOB SECONDS BYTES [POSE]: reads a model or a picture on standard input, writes what the job makes of it
+// on standard output. Started by the server for each upload; server/import/import.h has the contract.
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string>
 #include <string_view>
 
 #include "server/import/import.h"
@@ -44,22 +45,22 @@ int complain(std::string message, int code) {
   return code;
 }
 
-int convert(Job job) {
+int convert(Job job, const std::string& pose) {
   std::string bytes;
   if (!read_all(bytes)) return complain("The input cannot be read.", worker_exit::bad_input);
-  const Result<std::string> answer = job(std::move(bytes));
+  const Result<std::string> answer = job(std::move(bytes), pose);
   if (!answer.ok()) return complain(answer.status().message, worker_exit::bad_input);
   return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
 }
 
 /// Memory that is not there and whatever else the libraries throw become exit codes.
 int run(int argc, char** argv) {
-  const Job job = argc == 4 ? job_of(argv[1]) : nullptr;
-  if (!job) return complain("usage: pelage-import JOB SECONDS BYTES", worker_exit::usage);
+  const Job job = argc == 4 || argc == 5 ? job_of(argv[1]) : nullptr;
+  if (!job) return complain("usage: pelage-import JOB SECONDS BYTES [POSE]", worker_exit::usage);
   try {
     const Status confined = confine(std::atof(argv[2]), std::strtoull(argv[3], nullptr, 10));
     if (!confined.ok()) return complain(confined.message, worker_exit::not_confined);
-    return convert(job);
+    return convert(job, argc == 5 ? argv[4] : "");
   } catch (const std::bad_alloc&) {
     return complain("out of memory", worker_exit::out_of_memory);
   } catch (const std::exception& error) {

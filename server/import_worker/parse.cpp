@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "server/import_worker/bundle.h"
 #include "server/import_worker/signature.h"
 
 namespace pelage {
@@ -39,20 +40,46 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-Result<RawModel> parse_model(ModelFormat format, std::string bytes) {
+namespace {
+
+bool has_animations(ModelFormat format) { return format == ModelFormat::gltf || format == ModelFormat::glb; }
+
+Result<RawModel> parse_bundle(ModelFormat format, Bundle& bundle, const std::string& pose) {
+  std::string& bytes = bundle.model();
   if (bytes.empty()) return broken("the file is empty.");
   if (Status status = check_signature(format, bytes); !status.ok()) return status;
+  if (!pose.empty() && !has_animations(format)) return broken("only glTF has poses; load it without one.");
   bytes.erase(0, bytes.size() - without_byte_order_mark(bytes).size());
   switch (format) {
-    case ModelFormat::obj: return parse_obj(std::move(bytes));
+    case ModelFormat::obj: return parse_obj(bundle);
     case ModelFormat::ply: return parse_ply(bytes);
     case ModelFormat::stl: return parse_stl(bytes);
     case ModelFormat::off: return parse_off(bytes);
     case ModelFormat::gltf:
     case ModelFormat::glb:
-    case ModelFormat::tds: return parse_with_assimp(format, bytes);
+    case ModelFormat::tds: return parse_with_assimp(format, bundle, pose);
+    case ModelFormat::zip: break;
   }
   return broken("the format is unknown.");
+}
+
+/// What programs that write these formats take for up and forward.
+void note_axes(ModelFormat format, RawModel& model) {
+  const bool z_is_up = format == ModelFormat::stl || format == ModelFormat::tds;
+  if (!model.up) model.up = z_is_up ? Axis::plus_z : Axis::plus_y;
+  if (!model.front) model.front = z_is_up ? Axis::minus_y : Axis::plus_z;
+}
+
+}  // namespace
+
+Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose) {
+  Result<Bundle> bundle = format == ModelFormat::zip ? Bundle::unpack(bytes, format) : Bundle(std::move(bytes));
+  if (!bundle) return bundle.status();
+  Result<RawModel> model = parse_bundle(format, *bundle, pose);
+  if (!model) return model;
+  model->pose = pose;
+  note_axes(format, *model);
+  return model;
 }
 
 }  // namespace pelage

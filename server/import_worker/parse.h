@@ -12,6 +12,8 @@
 
 namespace pelage {
 
+class Bundle;
+
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool is_sanitized = true;
 #elif defined(__has_feature)
@@ -38,19 +40,20 @@ std::string_view take_line(std::string_view& text);
 // From the bytes of a file to polygons. Runs in the confined worker only.
 
 /// Reads `bytes` as `format` and as nothing else. Refused (invalid) with the reason when they are broken, cut off,
-/// or ask for files or extensions that are not there. Opens no file.
-Result<RawModel> parse_model(ModelFormat format, std::string bytes);
+/// or ask for files or extensions that are not there. Opens no file. `pose` as in ImportOptions; refused where the
+/// format has no animations.
+Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose = {});
 
 /// What a file does not say of a vertex.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // One for each reader.
-Result<RawModel> parse_obj(std::string text);
+Result<RawModel> parse_obj(Bundle& bundle);
 Result<RawModel> parse_ply(const std::string& bytes);
 Result<RawModel> parse_stl(const std::string& bytes);
 Result<RawModel> parse_off(const std::string& text);
 /// glTF, GLB and 3DS.
-Result<RawModel> parse_with_assimp(ModelFormat format, const std::string& bytes);
+Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std::string& pose);
 
 /// The refusal of a broken file.
 inline Status broken(std::string reason) { return failure(Code::invalid, std::move(reason)); }

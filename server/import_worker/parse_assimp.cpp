@@ -11,19 +11,18 @@
 #include <string_view>
 
 #include "protocol/base/limits.h"
-#include "renderer/image/image.h"
 #include "server/import/import.h"
+#include "server/import_worker/animation.h"
 #include "server/import_worker/confine.h"
 #include "server/import_worker/gltf_check.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/pose.h"
 #include "server/import_worker/read_picture.h"
+#include "server/import_worker/skeleton.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr std::size_t max_texture_pixels = std::size_t{8192} * 8192;
 
 struct Texture {
   aiString path;
@@ -63,9 +62,7 @@ Result<MaterialReader::Entry> MaterialReader::read(unsigned index) {
     Texture texture;
     material.base_colour = base_colour(source, format_);
     if (find_texture(source, texture)) {
-      const Result<int> image = read_image(texture.path.C_Str());
-      if (!image.ok()) return image.status();
-      material.image = *image;
+      material.image = read_image(texture.path.C_Str());
       entry.uv_channel = texture.uv_channel;
     }
   }
@@ -73,17 +70,25 @@ Result<MaterialReader::Entry> MaterialReader::read(unsigned index) {
   return materials_.emplace(index, entry).first->second;
 }
 
-/// -1 for a picture in another file: 3DS names it, nobody has it.
-Result<int> MaterialReader::read_image(const char* path) {
+std::optional<std::string_view> MaterialReader::bytes_of(const char* path) const {
   const aiTexture* texture = scene_.GetEmbeddedTexture(path);
-  if (!texture) return -1;
-  if (const auto known = images_.find(texture); known != images_.end()) return known->second;
-  if (texture->mHeight != 0) return broken("a picture inside it is stored in an unknown way.");
-  const std::span bytes(reinterpret_cast<const std::byte*>(texture->pcData), texture->mWidth);
-  Result<Image> image = decode_image(bytes, max_texture_pixels);
-  if (!image.ok()) return image.status();
-  model_.images.push_back({image->width, image->height, std::move(image->rgba)});
-  return images_.emplace(texture, static_cast<int>(model_.images.size()) - 1).first->second;
+  if (!texture) {
+    const std::string* bundled = bundle_.find(path);
+    return bundled ? std::optional<std::string_view>(*bundled) : std::nullopt;
+  }
+  if (texture->mHeight != 0) return std::string_view();  // stored in an unknown way
+  return std::string_view(reinterpret_cast<const char*>(texture->pcData), texture->mWidth);
+}
+
+int MaterialReader::read_image(const std::string& path) {
+  if (const auto known = images_.find(path); known != images_.end()) return known->second;
+  int index = -1;
+  if (const auto bytes = bytes_of(path.c_str())) {
+    index = add_picture(model_, *bytes, path);
+  } else if (format_ == ModelFormat::tds) {  // gltf_check has counted those of glTF
+    model_.lose("missing_pictures", path);
+  }
+  return images_.emplace(path, index).first->second;
 }
 
 // glTF, GLB and 3DS by assimp, which sees the upload and no other file.
@@ -108,13 +113,15 @@ void keep_only(Assimp::Importer& importer, std::string_view name) {
 /// Walks the node tree and collects the polygons of its meshes.
 class Collector {
  public:
-  Collector(const aiScene& scene, ModelFormat format, RawModel& model)
-      : scene_(scene), model_(model), materials_(scene, format, model), places_(scene, root_matrix(format)) {
+  Collector(const aiScene& scene, ModelFormat format, const Bundle& bundle, RawModel& model)
+      : scene_(scene), model_(model), materials_(scene, format, bundle, model), places_(scene, root_matrix(format)) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       has_uv_ = has_uv_ || scene.mMeshes[i]->HasTextureCoords(0);
       has_colour_ = has_colour_ || scene.mMeshes[i]->HasVertexColors(0);
     }
   }
+
+  const NodePlaces& places() const { return places_; }
 
   Status walk(const aiNode& node, const glm::dmat4& parent, int depth = 0) {
     constexpr int deepest = 1000;
@@ -145,7 +152,7 @@ class Collector {
     model_.positions.insert(model_.positions.end(), positions.begin(), positions.end());
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices == 0) continue;
+      if (face.mNumIndices < 3) continue;  // points and lines
       model_.face_sizes.push_back(face.mNumIndices);
       model_.face_material.push_back(material->index);
       for (unsigned k = 0; k < face.mNumIndices; ++k) {
@@ -185,11 +192,11 @@ Status check_3ds(std::string_view bytes) {
   return {};
 }
 
-Status check(ModelFormat format, std::string_view bytes) {
+Status check(ModelFormat format, Bundle& bundle, RawModel& model) {
   switch (format) {
-    case ModelFormat::glb: return check_glb(bytes);
-    case ModelFormat::gltf: return check_gltf(bytes);
-    default: return check_3ds(bytes);
+    case ModelFormat::glb: return check_glb(bundle.model(), bundle, model);
+    case ModelFormat::gltf: return check_gltf(bundle.model(), bundle, model);
+    default: return check_3ds(bundle.model());
   }
 }
 
@@ -201,21 +208,27 @@ Status refusal(const Assimp::Importer& importer, const ClosedIo& io) {
 
 }  // namespace
 
-Result<RawModel> parse_with_assimp(ModelFormat format, const std::string& bytes) {
-  if (Status status = check(format, bytes); !status.ok()) return status;
+Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std::string& pose) {
+  RawModel model;
+  model.is_32_bit = true;
+  if (Status status = check(format, bundle, model); !status.ok()) return status;
   const std::string name = std::string("model.") + worker_format_names[static_cast<std::size_t>(format)];
-  auto* io = new ClosedIo(name, bytes);  // the importer deletes it
+  auto* io = new ClosedIo(name, bundle.model(), bundle);  // the importer deletes it
   Assimp::Importer importer;
   importer.SetIOHandler(io);
   keep_only(importer, format == ModelFormat::tds ? "Discreet 3DS Importer" : "glTF2 Importer");
-  const aiScene* scene = importer.ReadFile(name, 0);
-  if (!scene || !scene->mRootNode) return refusal(importer, *io);
+  const aiScene* read = importer.ReadFile(name, 0);
+  if (!read || !read->mRootNode) return refusal(importer, *io);
+  const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
+  model.animations = animation_names(*scene);
+  if (Status posed = pose.empty() ? Status{} : apply_pose(*scene, pose); !posed.ok()) return posed;
 
-  RawModel model;
-  model.is_32_bit = true;
-  Status status = Collector(*scene, format, model).walk(*scene->mRootNode, root_matrix(format));
+  Collector collector(*scene, format, bundle, model);
+  Status status = collector.walk(*scene->mRootNode, root_matrix(format));
   if (!status.ok()) return status;
-  if (model.corners.empty()) return broken("it has no faces.");
+  if (model.corners.empty())
+    return broken(model.losses.empty() ? "it has no faces." : "it has no faces, but points or lines.");
+  model.front = front_by_joints(*scene, collector.places(), Axis::plus_y);
   return model;
 }
 

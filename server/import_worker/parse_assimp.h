@@ -4,10 +4,13 @@
 #include <assimp/scene.h>
 
 #include <map>
-#include <vector>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
+#include "server/import_worker/bundle.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
@@ -15,25 +18,30 @@ namespace pelage {
 /// Reads materials as meshes ask for them, each once.
 class MaterialReader {
  public:
-  MaterialReader(const aiScene& scene, ModelFormat format, RawModel& model)
-      : scene_(scene), format_(format), model_(model) {}
+  MaterialReader(const aiScene& scene, ModelFormat format, const Bundle& bundle, RawModel& model)
+      : scene_(scene), format_(format), bundle_(bundle), model_(model) {}
 
   struct Entry {
     std::uint16_t index = 0;  // in RawModel::materials
     unsigned uv_channel = 0;
   };
 
-  /// Refused (invalid) when a picture inside the file is broken, too large, or neither PNG nor JPEG.
+  /// Refused (invalid) where there are too many. Pictures that are not there, broken, too large, or neither PNG nor
+  /// JPEG are counted among the losses.
   Result<Entry> read(unsigned material);
 
  private:
-  Result<int> read_image(const char* path);
+  /// Inside the file or bundled with it.
+  std::optional<std::string_view> bytes_of(const char* path) const;
+  /// Index of the picture; -1 where it cannot be had.
+  int read_image(const std::string& path);
 
   const aiScene& scene_;
   ModelFormat format_;
+  const Bundle& bundle_;
   RawModel& model_;
   std::map<unsigned, Entry> materials_;
-  std::map<const aiTexture*, int> images_;
+  std::map<std::string, int> images_;  // by path
 };
 
 }  // namespace pelage

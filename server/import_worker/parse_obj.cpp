@@ -1,4 +1,4 @@
-// Faces and texture coordinates by tinyobjloader's callbacks, without a material reader, so that mtllib opens nothing.
+// Faces, texture coordinates and materials by tinyobjloader's callbacks; mtllib opens nothing but what is bundled.
 // Vertices are read here: tinyobjloader takes `nan` and other words for 0 and gives no vertex colours.
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
@@ -6,8 +6,11 @@
 #include <array>
 #include <istream>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <streambuf>
 
+#include "server/import_worker/bundle.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
 
@@ -57,10 +60,81 @@ Vertices read_vertices(std::string_view text) {
   return vertices;
 }
 
+/// Hands tinyobjloader the material files of the bundle.
+class BundledMaterials : public tinyobj::MaterialReader {
+ public:
+  BundledMaterials(const Bundle& bundle, RawModel& model) : bundle_(bundle), model_(model) {}
+
+  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+                  std::map<std::string, int>* numbers, std::string* warning, std::string* error) override {
+    const std::string* bytes = bundle_.find(name);
+    if (!bytes) return model_.lose("missing_material_files", name), false;
+    std::istringstream stream(*bytes);
+    tinyobj::LoadMtl(numbers, materials, &stream, warning, error);
+    return true;
+  }
+
+ private:
+  const Bundle& bundle_;
+  RawModel& model_;
+};
+
+/// Materials as faces use them, each once.
+class Materials {
+ public:
+  Materials(const Bundle& bundle, RawModel& model) : bundle_(bundle), model_(model) {}
+
+  void add(const tinyobj::material_t* materials, int count) {
+    for (int i = 0; i < count; ++i) known_[materials[i].name] = materials[i];
+  }
+  void use(const std::string& name) {
+    const auto [place, added] = numbers_.try_emplace(name, model_.materials.size());
+    if (added) model_.materials.push_back(made(name));
+    current_ = static_cast<std::uint16_t>(std::min<std::size_t>(place->second, 0xffff));
+  }
+  /// White until one is named.
+  std::uint16_t current() {
+    if (model_.materials.empty()) use("");
+    return current_;
+  }
+
+ private:
+  /// A picture under black counts as under white: many programs write black when there is a picture.
+  RawMaterial made(const std::string& name) {
+    RawMaterial material;
+    const auto found = known_.find(name);
+    if (found == known_.end()) {
+      if (!name.empty()) model_.lose("missing_materials", name);
+      return material;
+    }
+    const tinyobj::material_t& source = found->second;
+    material.base_colour = srgb_to_linear(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]));
+    if (source.diffuse_texname.empty()) return material;
+    material.image = picture(source.diffuse_texname);
+    if (material.image >= 0 && material.base_colour == glm::vec3(0)) material.base_colour = glm::vec3(1);
+    return material;
+  }
+
+  int picture(const std::string& name) {
+    if (const auto known = pictures_.find(name); known != pictures_.end()) return known->second;
+    const std::string* bytes = bundle_.find(name);
+    if (!bytes) model_.lose("missing_pictures", name);
+    return pictures_[name] = bytes ? add_picture(model_, *bytes, name) : -1;
+  }
+
+  const Bundle& bundle_;
+  RawModel& model_;
+  std::map<std::string, tinyobj::material_t> known_;
+  std::map<std::string, std::size_t> numbers_;
+  std::map<std::string, int> pictures_;
+  std::uint16_t current_ = 0;
+};
+
 /// What the callbacks fill.
 struct Faces {
   const Vertices& vertices;
   RawModel& model;
+  Materials& materials;
   std::size_t vertices_so_far = 0;
   std::vector<glm::dvec2> texture;
 };
@@ -80,6 +154,7 @@ void add_face(void* data, tinyobj::index_t* indices, int count) {
   Faces& faces = *static_cast<Faces*>(data);
   const std::size_t vertices = faces.vertices.positions.size();
   faces.model.face_sizes.push_back(static_cast<std::uint32_t>(count));
+  faces.model.face_material.push_back(faces.materials.current());
   for (int i = 0; i < count; ++i) {
     const std::uint32_t vertex = resolve(indices[i].vertex_index, faces.vertices_so_far, vertices);
     const std::uint32_t uv = resolve(indices[i].texcoord_index, faces.texture.size(), faces.texture.size());
@@ -90,21 +165,32 @@ void add_face(void* data, tinyobj::index_t* indices, int count) {
   }
 }
 
+void add_materials(void* data, const tinyobj::material_t* materials, int count) {
+  static_cast<Faces*>(data)->materials.add(materials, count);
+}
+
+void use_material(void* data, const char* name, int) { static_cast<Faces*>(data)->materials.use(name ? name : ""); }
+
 }  // namespace
 
-Result<RawModel> parse_obj(std::string text) {
+Result<RawModel> parse_obj(Bundle& bundle) {
+  std::string& text = bundle.model();
   join_continued_lines(text);
 
   RawModel model;
   Vertices vertices = read_vertices(text);
-  Faces faces{vertices, model, 0, {}};
+  Materials materials(bundle, model);
+  Faces faces{vertices, model, materials, 0, {}};
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = count_vertex;
   callbacks.texcoord_cb = add_texture;
   callbacks.index_cb = add_face;
+  callbacks.mtllib_cb = add_materials;
+  callbacks.usemtl_cb = use_material;
   BytesBuffer buffer(text);
   std::istream stream(&buffer);
-  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &faces)) return broken("the OBJ text cannot be read.");
+  BundledMaterials reader(bundle, model);
+  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &faces, &reader)) return broken("the OBJ text cannot be read.");
   if (model.corners.empty()) return broken("it has no faces.");
   model.positions = std::move(vertices.positions);
   if (faces.texture.empty()) model.corner_uv.clear();

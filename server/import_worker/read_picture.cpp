@@ -49,6 +49,14 @@ Result<SphericalHarmonics> read_environment(const std::string& bytes) {
   return project_equirectangular(image->width, image->height, image->rgba);
 }
 
+int add_picture(RawModel& model, std::string_view bytes, const std::string& name) {
+  constexpr std::size_t max_texture_pixels = std::size_t{8192} * 8192;
+  Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), max_texture_pixels);
+  if (!image.ok()) return model.lose("broken_pictures", name), -1;
+  model.images.push_back({image->width, image->height, std::move(image->rgba)});
+  return static_cast<int>(model.images.size()) - 1;
+}
+
 Result<RawImage> read_skin_texture(const std::string& bytes) {
   Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), max_pixels);
   if (!image.ok()) return reason_of(image.status());

@@ -30,6 +30,10 @@ inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
 /// The light of an EXR or HDR of all directions; renderer/light/environment.h says which pixel is where.
 Result<SphericalHarmonics> read_environment(const std::string& bytes);
 
+/// Adds a PNG or JPEG to a model's pictures. Its index; -1 where it is broken, another format or larger than 8192 x
+/// 8192, which is counted among the losses under its name.
+int add_picture(RawModel& model, std::string_view bytes, const std::string& name);
+
 /// The colours of a PNG or JPEG that is laid on a model.
 Result<RawImage> read_skin_texture(const std::string& bytes);
 

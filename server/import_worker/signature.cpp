@@ -23,7 +23,6 @@ struct Signature {
 /// What is no model that is read here.
 constexpr std::array others{
     Signature{"\x1f\x8b"sv, "gzip", "unpack it, and load what was in it"},
-    Signature{"PK\x03\x04"sv, "a zip archive", "unpack it, and load what was in it"},
     Signature{"7z\xbc\xaf\x27\x1c"sv, "a 7z archive", "unpack it, and load what was in it"},
     Signature{"\x89PNG"sv, "a PNG picture", "`pelage skin-texture` lays one on a model"},
     Signature{"\xff\xd8\xff"sv, "a JPEG picture", "`pelage skin-texture` lays one on a model"},
@@ -54,6 +53,7 @@ bool is_gltf(std::string_view bytes) {
 std::optional<ModelFormat> known_format(std::string_view bytes) {
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return ModelFormat::ply;
   if (bytes.starts_with("glTF")) return ModelFormat::glb;
+  if (bytes.starts_with("PK\x03\x04")) return ModelFormat::zip;
   if (bytes.starts_with("OFF\n") || bytes.starts_with("OFF\r") || bytes.starts_with("COFF")) return ModelFormat::off;
   if (is_text_stl(bytes)) return ModelFormat::stl;
   if (is_gltf(bytes)) return ModelFormat::gltf;

@@ -206,6 +206,13 @@ LookCorner mean(const LookCorner& a, const LookCorner& b) {
 }
 glm::vec2 mean(glm::vec2 a, glm::vec2 b) { return (a + b) * 0.5f; }
 
+/// Of unit normals, unit.
+glm::vec3 mean(glm::vec3 a, glm::vec3 b) {
+  constexpr double vanishing = 1e-4;
+  const glm::dvec3 sum = glm::dvec3(a) + glm::dvec3(b);
+  return glm::length(sum) > vanishing ? glm::vec3(glm::normalize(sum)) : a;
+}
+
 /// What each corner of the children holds: what was there, or the mean of a side's ends.
 template <class Corner>
 std::vector<std::array<Corner, 3>> corners_of(const std::vector<std::array<Corner, 3>>& before,
@@ -232,6 +239,7 @@ Mesh subdivide_mesh(const Mesh& mesh, const Middles& middles, const std::vector<
     };
     subdivided.triangles.emplace_back(at(child.corners[0]), at(child.corners[1]), at(child.corners[2]));
   }
+  subdivided.shading_normals = corners_of(mesh.shading_normals, children);
   subdivided.corners = corners_of(mesh.corners, children);
   subdivided.texture_uv = corners_of(mesh.texture_uv, children);
   subdivided.report.vertices = subdivided.positions.size();

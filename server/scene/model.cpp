@@ -40,7 +40,7 @@ std::string id_of(const Mesh& mesh) {
 }  // namespace
 
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
-  Result<Mesh> mesh = prepare(raw, how.up, how.front, how.source_is_32_bit);
+  Result<Mesh> mesh = prepare(raw, how.prepare);
   if (!mesh) return mesh.status();
   Result<PatchMap> patches = lay(*mesh, how.fur_patches);
   if (!patches) return patches.status();

@@ -9,6 +9,7 @@
 #include "protocol/json/names.h"
 #include "renderer/coat/folds.h"
 #include "server/fields/edit_layers.h"
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"

@@ -47,6 +47,21 @@ Status too_many_imports() {
   return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
 }
 
+/// What is not asked for follows from the file. An axis that is given keeps the other off its line.
+PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
+  const auto line = [](Axis axis) { return static_cast<int>(axis) / 2; };
+  PrepareOptions options{.source_is_32_bit = raw.is_32_bit, .crease_degrees = asked.crease_degrees};
+  options.up = asked.up.value_or(raw.up.value_or(Axis::plus_y));
+  if (!asked.up && asked.front && line(options.up) == line(*asked.front))
+    options.up = line(*asked.front) == line(Axis::plus_y) ? Axis::plus_z : Axis::plus_y;
+  options.front = asked.front.value_or(raw.front.value_or(Axis::plus_z));
+  if (line(options.front) == line(options.up))
+    options.front = options.up == Axis::plus_z ? Axis::minus_y : Axis::plus_z;
+  if (line(options.front) == line(options.up)) options.front = Axis::plus_y;  // -Z is up
+  options.flipped_parts.assign(asked.flip.begin(), asked.flip.end());
+  return options;
+}
+
 Status no_such_source() {
   return failure(Code::invalid, "the server has no such scene to take fields from", "/scene",
                  "the id of a scene of this server, not its name");
@@ -160,14 +175,12 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
                                             std::span<const std::byte> bytes, const ExecuteOptions& execute) {
   const Slot slot(impl_->imports, imports_at_a_time);
   if (!slot.has()) return too_many_imports();
-  const Result<RawModel> raw = import_model(impl_->worker, options.format, bytes);
+  const Result<RawModel> raw = import_model(impl_->worker, options.format, bytes, options.pose);
   if (!raw) return raw.status();
-  StoredModel how{json_names::word_of(json_names::model_formats, options.format),
-                  options.up,
-                  options.front,
-                  raw->is_32_bit,
-                  {},
-                  options.fur_patches};
+  StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
+                  .prepare = preparation_of(options, *raw),
+                  .raw = {},
+                  .fur_patches = options.fur_patches};
   auto model = build_model(*raw, how, ++impl_->last_model);
   if (!model) return model.status();
   how.raw = encode_raw_model(*raw);

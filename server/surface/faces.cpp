@@ -152,6 +152,7 @@ constexpr std::uint32_t no_triangle = 0xffffffff;
 struct Neighbour {
   std::uint32_t triangle = no_triangle;
   bool agrees = true;  // whether both are wound the same way
+  bool open = false;   // no other triangle is there
 };
 
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
@@ -159,12 +160,12 @@ using Neighbours = std::vector<std::array<Neighbour, 3>>;
 Neighbours find_neighbours(const std::vector<glm::uvec3>& triangles, Orientation& report) {
   Neighbours neighbours(triangles.size());
   for_each_edge(sorted_sides(triangles), [&](std::span<const Side> edge) {
-    if (edge.size() == 1) ++report.open_edges;
+    if (edge.size() == 1) ++report.open_edges, neighbours[edge[0].triangle][edge[0].side].open = true;
     if (edge.size() > 2) ++report.non_manifold_edges;
     if (edge.size() != 2) return;
     const bool agrees = edge[0].rising != edge[1].rising;
-    neighbours[edge[0].triangle][edge[0].side] = {edge[1].triangle, agrees};
-    neighbours[edge[1].triangle][edge[1].side] = {edge[0].triangle, agrees};
+    neighbours[edge[0].triangle][edge[0].side] = {edge[1].triangle, agrees, false};
+    neighbours[edge[1].triangle][edge[1].side] = {edge[0].triangle, agrees, false};
   });
   return neighbours;
 }
@@ -179,12 +180,17 @@ class Orienter {
         flip_(soup.triangles.size(), false),
         part_(soup.triangles.size(), no_triangle) {}
 
-  std::vector<bool> decide() {
+  /// `flipped`: numbers of parts, from 1.
+  std::vector<bool> decide(const std::vector<std::uint32_t>& flipped) {
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       if (part_[t] != no_triangle) continue;
       const std::vector<std::uint32_t> members = gather(t);
-      if (!should_turn(members)) continue;
-      for (std::uint32_t member : members) flip_[member] = !flip_[member];
+      WoundPart part{t, members.size(), box_of(members), false};
+      bool turn = should_turn(members, part);
+      const auto number = static_cast<std::uint32_t>(report_.parts.size() + 1);
+      if (std::find(flipped.begin(), flipped.end(), number) != flipped.end()) turn = !turn;
+      for (std::uint32_t member : members) flip_[member] = flip_[member] != turn;
+      report_.parts.push_back(part);
     }
     return std::move(flip_);
   }
@@ -216,22 +222,45 @@ class Orienter {
     return {soup_.positions[v.x], soup_.positions[v.y], soup_.positions[v.z]};
   }
 
-  bool should_turn(const std::vector<std::uint32_t>& members) const {
-    constexpr double next_to_nothing = 1e-3;  // of the cube of the box's diagonal; a ball has 0.1
+  Placement box_of(const std::vector<std::uint32_t>& members) const {
     std::vector<glm::dvec3> positions;
     for (std::uint32_t t : members) {
       for (const glm::dvec3& p : corners(t)) positions.push_back(p);
     }
-    const Placement box = place(positions);
-    double volume = 0, kept = 0, flipped = 0;
+    return place(positions);
+  }
+
+  /// What the members know of their winding, as they are turned now.
+  struct Winding {
+    double volume = 0;             // signed, seen from the middle of the box
+    double kept = 0, flipped = 0;  // twice the area of those wound as in the file, and of the others
+    bool open = false;
+  };
+
+  Winding winding_of(const std::vector<std::uint32_t>& members, const Placement& box) const {
+    Winding winding;
     for (std::uint32_t t : members) {
       const auto [a, b, c] = corners(t);
       const double sixfold = glm::dot(a - box.centre, glm::cross(b - box.centre, c - box.centre));
-      volume += (flip_[t] ? -sixfold : sixfold) / 6;
-      (flip_[t] ? flipped : kept) += glm::length(glm::cross(b - a, c - a));
+      winding.volume += (flip_[t] ? -sixfold : sixfold) / 6;
+      (flip_[t] ? winding.flipped : winding.kept) += glm::length(glm::cross(b - a, c - a));
+      for (const Neighbour& next : neighbours_[t]) winding.open = winding.open || next.open;
     }
-    if (std::abs(volume) > next_to_nothing * box.size * box.size * box.size) return volume < 0;
-    return flipped > kept;
+    return winding;
+  }
+
+  bool should_turn(const std::vector<std::uint32_t>& members, WoundPart& part) const {
+    constexpr double next_to_nothing = 1e-3;  // of the cube of the box's diagonal; a ball has 0.1
+    const Winding winding = winding_of(members, part.box);
+    const double size = part.box.size;
+    const bool encloses = std::abs(winding.volume) > next_to_nothing * size * size * size;
+    const bool by_volume = winding.volume<0, by_most = winding.flipped> winding.kept;
+    const bool agreed = winding.flipped == 0 || winding.kept == 0;
+    if (winding.open && agreed) {
+      part.doubtful = encloses && by_volume != by_most;
+      return by_most;
+    }
+    return encloses ? by_volume : by_most;
   }
 
   const Soup& soup_;
@@ -243,9 +272,9 @@ class Orienter {
 
 }  // namespace
 
-Orientation orient(Soup& soup) {
+Orientation orient(Soup& soup, const std::vector<std::uint32_t>& flipped) {
   Orientation report;
-  const std::vector<bool> flip = Orienter(soup, report).decide();
+  const std::vector<bool> flip = Orienter(soup, report).decide(flipped);
   for (std::size_t t = 0; t < flip.size(); ++t) {
     if (!flip[t]) continue;
     std::swap(soup.triangles[t].y, soup.triangles[t].z);

@@ -23,16 +23,27 @@ bool has_no_area(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 
 // Winding that agrees within each part and faces outwards.
 
+/// Triangles that hang together by edges of two.
+struct WoundPart {
+  std::uint32_t first = 0;  // its first triangle
+  std::size_t triangles = 0;
+  Placement box;
+  bool doubtful = false;  // DoubtfulPart
+};
+
 struct Orientation {
   std::size_t flipped_triangles = 0;
   std::size_t open_edges = 0;          // of one triangle
   std::size_t non_manifold_edges = 0;  // of three triangles or more
   std::size_t one_sided_edges = 0;     // across which the winding cannot agree, as on a Moebius strip
+  std::vector<WoundPart> parts;        // in the order of their first triangles
 };
 
-/// Turns triangles so that neighbours across each edge of two triangles agree, and each such part encloses a positive
-/// signed volume around the middle of its box. A part that encloses next to nothing (a plane) keeps the winding that
-/// most of its area had. Deterministic.
-Orientation orient(Soup& soup);
+/// Turns triangles so that neighbours across each edge of two triangles agree. A part without open edges then encloses
+/// a positive signed volume. An open one keeps its winding where that agreed: the sign of what it encloses, as seen
+/// from the middle of its box, means little and is only reported (`doubtful`). Where it did not agree, that sign
+/// decides, or where it encloses next to nothing (a plane) the winding that most of its area had. Parts in `flipped`,
+/// by their numbers from 1, are turned around in the end. Positions are about the size of 1.
+Orientation orient(Soup& soup, const std::vector<std::uint32_t>& flipped = {});
 
 }  // namespace pelage

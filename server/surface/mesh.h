@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "protocol/commands/answers.h"
@@ -27,6 +29,9 @@ struct RawMaterial {
 /// In RawModel::corners: a vertex that the file does not have.
 inline constexpr std::uint32_t no_position = 0xffffffff;
 
+/// Notes that name at most so many of what was left out.
+inline constexpr std::size_t named_losses = 8;
+
 /// Polygons of a model after node transforms. Corners are listed face by face.
 struct RawModel {
   bool is_32_bit = false;                    // whether the file's coordinates are 32-bit numbers
@@ -39,6 +44,13 @@ struct RawModel {
   std::vector<RawMaterial> materials;
   std::vector<RawImage> images;
   std::vector<float> length_scale;  // empty, or one for each position: first groom's length (built-ins)
+  std::optional<Axis> up, front;    // as the file itself says, by its format or its skeleton
+  std::string pose;                 // that it was read in, "NAME@SECONDS"; "" as the file has it
+  std::vector<std::string> animations;
+  std::vector<Repair> losses;  // what the file names and nobody has, and what is no polygon
+
+  /// Counts something that was left out; "" has no name.
+  void lose(const std::string& code, const std::string& name, std::size_t count = 1);
 };
 
 // A model ready for grooming: welded, oriented, centred and scaled so that the diagonal of its box is 1.
@@ -57,8 +69,9 @@ struct Mesh {
   std::vector<glm::vec3> normals;    // unit
   std::vector<glm::vec3> tangents;   // unit, orthogonal to normals; the bitangent is cross(normal, tangent)
   std::vector<glm::uvec3> triangles;
-  std::vector<std::array<LookCorner, 3>> corners;    // empty when the model has no colours of its own
-  std::vector<std::array<glm::vec2, 3>> texture_uv;  // the file's own, v up, (0, 0) where bad; empty: none
+  std::vector<std::array<glm::vec3, 3>> shading_normals;  // unit, split at creases; empty: those of the vertices
+  std::vector<std::array<LookCorner, 3>> corners;         // empty when the model has no colours of its own
+  std::vector<std::array<glm::vec2, 3>> texture_uv;       // the file's own, v up, (0, 0) where bad; empty: none
   std::vector<RawImage> images;
   std::vector<float> length_scale;  // for each vertex: the first groom's length over the asked one, (0, 4]
   glm::dvec3 centre{0};             // of the box, model coordinates

@@ -7,6 +7,8 @@
 
 #include "protocol/base/limits.h"
 #include "server/surface/faces.h"
+#include "server/surface/outliers.h"
+#include "server/surface/shading_normals.h"
 #include "server/surface/weld.h"
 
 namespace pelage {
@@ -168,7 +170,34 @@ Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, Model
 
 }  // namespace
 
-Result<Mesh> prepare(const RawModel& raw, Axis up, Axis front, bool source_is_32_bit) {
+namespace {
+
+/// The parts that may be inside out, where they lie in the file.
+std::vector<DoubtfulPart> doubtful_parts(const Orientation& orientation, const Placement& placement,
+                                         const glm::dmat3& turn) {
+  std::vector<DoubtfulPart> doubtful;
+  for (std::size_t i = 0; i < orientation.parts.size(); ++i) {
+    const WoundPart& part = orientation.parts[i];
+    if (!part.doubtful) continue;
+    const glm::dvec3 centre = part.box.centre * placement.size + placement.centre;
+    doubtful.push_back({static_cast<int>(i + 1), part.triangles, glm::transpose(turn) * centre});
+  }
+  return doubtful;
+}
+
+Status check_flipped(const Orientation& orientation, const std::vector<std::uint32_t>& flipped) {
+  for (const std::uint32_t part : flipped) {
+    if (part >= 1 && part <= orientation.parts.size()) continue;
+    return failure(Code::invalid, "The model has no part " + std::to_string(part) + ".", "/flip",
+                   "[1, " + std::to_string(orientation.parts.size()) + "]");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
+  const auto [up, front] = std::pair(options.up, options.front);
   if (glm::dot(direction_of(up), direction_of(front)) != 0) {
     return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
   }
@@ -179,25 +208,40 @@ Result<Mesh> prepare(const RawModel& raw, Axis up, Axis front, bool source_is_32
   if (polygons->faces.empty()) return refusal("The model has no face with three finite vertices.");
   const Placement placement = place(polygons->positions);
   if (!(placement.size > 0)) return refusal("All vertices of the model lie on one point.");
-  if (source_is_32_bit) {
+  if (options.source_is_32_bit) {
     if (Status status = check_precision(placement); !status.ok()) return status;
   }
 
   ModelReport report;
-  add_repairs(report, {{"invalid_faces", polygons->invalid_faces},
+  report.up = up, report.front = front, report.pose = raw.pose, report.animations = raw.animations;
+  report.repairs = raw.losses;
+  add_repairs(report, {{"invalid_faces", polygons->bad(BadFace::corners)},
+                       {"bad_indices", polygons->bad(BadFace::vertices)},
+                       {"non_finite_faces", polygons->bad(BadFace::numbers)},
                        {"unused_vertices", raw.positions.size() - polygons->used},
                        {"welded_vertices", polygons->used - polygons->positions.size()}});
   Soup soup = split_polygons(raw, *polygons, placement, report);
   const std::size_t repeated = drop_repeated(soup);
   if (soup.triangles.empty()) return refusal("No triangle of the model has an area.");
   drop_unused(soup);
-  const Orientation orientation = orient(soup);
+  const Orientation orientation = orient(soup, options.flipped_parts);
+  if (Status status = check_flipped(orientation, options.flipped_parts); !status.ok()) return status;
+  report.doubtful_parts = doubtful_parts(orientation, placement, turn);
+  const Outliers outliers = find_outliers(soup, orientation);
   add_repairs(report, {{"repeated_faces", repeated},
                        {"flipped_triangles", orientation.flipped_triangles},
                        {"one_sided_edges", orientation.one_sided_edges},
                        {"non_manifold_edges", orientation.non_manifold_edges},
-                       {"open_edges", orientation.open_edges}});
-  return finish(raw, soup, turn, std::move(report));
+                       {"open_edges", orientation.open_edges},
+                       {"far_vertices", outliers.far_vertices},
+                       {"far_parts", outliers.far_parts},
+                       {"tiny_parts", outliers.tiny_parts}});
+  Mesh mesh = finish(raw, soup, turn, std::move(report));
+  mesh.shading_normals = shading_normals(soup.positions, mesh.triangles, mesh.normals, options.crease_degrees);
+  grow_over_creases(mesh.triangles, mesh.shading_normals, mesh.normals);
+  for (std::size_t v = 0; v < mesh.normals.size(); ++v)
+    mesh.tangents[v] = glm::vec3(tailward(glm::dvec3(mesh.normals[v])));
+  return mesh;
 }
 
 }  // namespace pelage

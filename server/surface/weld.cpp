@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <unordered_map>
 
 #include "protocol/base/limits.h"
@@ -99,12 +100,12 @@ struct PositionHash {
 
 double largest_coordinate(glm::dvec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
-bool is_face(const RawModel& raw, const Polygons::Face& face) {
-  if (face.size < 3) return false;
-  for (std::uint32_t i = face.begin; i < face.begin + face.size; ++i) {
-    if (raw.corners[i] >= raw.positions.size() || !is_finite(raw.positions[raw.corners[i]])) return false;
-  }
-  return true;
+BadFace badness_of(const RawModel& raw, const Polygons::Face& face) {
+  if (face.size < 3) return BadFace::corners;
+  const auto corners = std::span(raw.corners).subspan(face.begin, face.size);
+  const auto all = [&](auto good) { return std::all_of(corners.begin(), corners.end(), good); };
+  if (!all([&](std::uint32_t v) { return v < raw.positions.size(); })) return BadFace::vertices;
+  return all([&](std::uint32_t v) { return is_finite(raw.positions[v]); }) ? BadFace::none : BadFace::numbers;
 }
 
 /// The welded vertices, made as the faces name them.
@@ -145,10 +146,9 @@ Result<Polygons> weld(const RawModel& raw, const glm::dmat3& turn) {
   for (std::uint32_t f = 0; f < raw.face_sizes.size(); ++f) {
     const Polygons::Face face{f, begin, raw.face_sizes[f]};
     begin += face.size;
-    if (!is_face(raw, face)) {
-      ++polygons.invalid_faces;
-      continue;
-    }
+    const BadFace bad = badness_of(raw, face);
+    ++polygons.bad_faces[static_cast<std::size_t>(bad)];
+    if (bad != BadFace::none) continue;
     for (std::uint32_t i = face.begin; i < begin; ++i) {
       if (!welder.add(raw.corners[i])) {
         return failure(Code::invalid, "The model has coordinates over 1e20.", "", "at most 1e20");

@@ -1,6 +1,7 @@
 // Triangles while they are prepared.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -48,6 +49,9 @@ Placement place(const std::vector<glm::dvec3>& positions);
 
 // The good faces of a file with welded vertices.
 
+/// Why a face is none.
+enum class BadFace { none, corners, vertices, numbers };  // fewer than three; not all in the file; not all finite
+
 /// Faces that can be faces: three corners or more, all of them finite vertices of the file.
 struct Polygons {
   struct Face {
@@ -56,10 +60,11 @@ struct Polygons {
     std::uint32_t size;
   };
   std::vector<Face> faces;
-  std::vector<glm::dvec3> positions;   // welded, used ones only, turned; in order of first use
-  std::vector<std::uint32_t> sources;  // of each position: the first of the file
-  std::vector<std::uint32_t> vertex;   // of each position of the file: its welded one, no_position when unused
-  std::size_t invalid_faces = 0;
+  std::vector<glm::dvec3> positions;       // welded, used ones only, turned; in order of first use
+  std::vector<std::uint32_t> sources;      // of each position: the first of the file
+  std::vector<std::uint32_t> vertex;       // of each position of the file: its welded one, no_position when unused
+  std::array<std::size_t, 4> bad_faces{};  // by BadFace
+  std::size_t bad(BadFace why) const { return bad_faces[static_cast<std::size_t>(why)]; }
   std::size_t used = 0;  // positions of the file that are used
 };
 

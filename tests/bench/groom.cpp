@@ -12,6 +12,7 @@
 
 #include "protocol/base/random.h"
 #include "server/builtin/builtin.h"
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "server/history/codec.h"
 #include "server/history/journal.h"
@@ -26,7 +27,7 @@ constexpr double dab_vertices = 1000;
 
 /// A torus: half as many vertices as triangles.
 Surface torus(int vertices) {
-  Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, 2 * vertices}), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, 2 * vertices}));
   if (!mesh) std::fprintf(stderr, "%s\n", mesh.status().message.c_str()), std::exit(1);
   return Surface(std::move(mesh).value());
 }

@@ -9,6 +9,7 @@
 
 #include "server/builtin/builtin.h"
 #include "server/fields/field_set.h"
+#include "server/first_groom/first_groom.h"
 #include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"
@@ -61,7 +62,7 @@ void run(const char* name, Builtin shape, int triangles) {
   double sum = seconds("worker and its answer", [&] {
     raw = value_of(import_model(PELAGE_IMPORT, ModelFormat::ply, std::as_bytes(std::span(ply))));
   });
-  sum += seconds("prepare", [&] { mesh = value_of(prepare(*raw, Axis::plus_y, Axis::plus_z, raw->is_32_bit)); });
+  sum += seconds("prepare", [&] { mesh = value_of(prepare(*raw, {.source_is_32_bit = raw->is_32_bit})); });
   raw.reset();
   sum += seconds("patches", [&] { patches = lay_patches(*mesh); });
   sum += seconds("surface", [&] { surface.emplace(std::move(*mesh)); });

@@ -205,7 +205,7 @@ void print_builtins() {
       {"cloth", {Builtin::cloth, 1401}},        {"creature", {Builtin::creature, 5000}},
       {"creature", {Builtin::creature, 40'000}}};
   for (const auto& [name, model] : models) {
-    const Result<Mesh> mesh = prepare(make_builtin(model), Axis::plus_y, Axis::plus_z, false);
+    const Result<Mesh> mesh = prepare(make_builtin(model));
     if (mesh.ok()) print_row(name, *mesh);
   }
 }

@@ -19,7 +19,8 @@ Result<std::shared_ptr<Scene>> scene_of(const Row& row, SceneStore& store) {
   Result<std::shared_ptr<Scene>> scene = store.create(*asked);
   if (!scene) return scene;
   if (!row.model.bytes.empty()) {
-    ImportOptions options{.format = row.model.format, .fur = asked->fur};
+    ImportOptions options;
+    options.format = row.model.format, options.fur = asked->fur;
     const auto loaded = store.load_model(**scene, options, std::as_bytes(std::span(row.model.bytes)));
     if (!loaded) return loaded.status();
   }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "server/builtin/builtin.h"
+#include "server/first_groom/first_groom.h"
 #include "server/frames/fur_view.h"
 #include "server/import/import.h"
 #include "server/surface/prepare.h"
@@ -17,7 +18,7 @@ namespace pelage::testing {
 
 FurredModel furred(const RawModel& raw, FirstGroom fur) {
   static std::uint64_t last_id = 0;  // ids are unique in a process
-  Result<Mesh> mesh = prepare(raw, Axis::plus_y, Axis::plus_z, raw.is_32_bit);
+  Result<Mesh> mesh = prepare(raw, {.source_is_32_bit = raw.is_32_bit});
   if (!mesh) throw std::runtime_error(mesh.status().message);
   PatchMap patches = lay_patches(*mesh);
   FieldSet fields = first_groom(*mesh, fur);

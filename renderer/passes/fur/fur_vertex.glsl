@@ -11,6 +11,7 @@ layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
 layout(location = 8) in float weight;   // of the patch that the piece belongs to
+layout(location = 15) in vec3 shading_normal;  // split at creases; fur grows along `normal`
 layout(location = 9) in float shell_lod;  // how often the number of shells may be halved
 #ifdef PATTERN
 layout(location = 10) in vec4 variation;  // factor on length, addition to inclination, factor on lightness, turn of hue
@@ -88,22 +89,22 @@ float place_vertex() {
 #ifdef SHADOW_MAPS
   open_place = vec4(position + hull_offset(groom, normal, tangent, root_curve, frame.counts.w, s), hull_height * groom.z);
 #endif
-  fibre_normal = normal;
+  fibre_normal = shading_normal;
   fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);
 
   // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans. On
   // flat skin: enough for the slant, and slab.glsl knows better where the ray goes.
   vec3 to_camera = normalize(frame.viewpoint.xyz - place);
-  float facing = dot(to_camera, normal);
+  float facing = dot(to_camera, shading_normal);
   float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // one sign for all of a triangle
   float up_speed = fur_length * cos(curve.z), across_speed = fur_length * sin(curve.z);
-  vec3 crossing = (to_camera - facing * normal) * (up_speed / rising) - across_speed * lean;
-  vec3 tile_v = cross(normal, tile_axis);
+  vec3 crossing = (to_camera - facing * shading_normal) * (up_speed / rising) - across_speed * lean;
+  vec3 tile_v = cross(shading_normal, tile_axis);
   vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
   tile = tile_uv * frame.tile.x;
   float lateral = length(sideways) / nominal_length;
   // What lies on its side is met by its length: a ray across the lean crosses more than it moves past.
-  float aside = dot(cross(lean, to_camera), normal) * across_speed / (rising * nominal_length);
+  float aside = dot(cross(lean, to_camera), shading_normal) * across_speed / (rising * nominal_length);
   slant = sqrt(1.0 + lateral * lateral + aside * aside);
   float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);

@@ -15,7 +15,7 @@ void main() {
   float s = place_vertex();
   int above = int(s * float(slice_count));
   float strands = frame.depth_above[above / 4][above % 4] * length_share;
-  vertex_light = fibre_light(Fibre(place, vec4(place, 0.0), normal, normalize(fibre_tangent), normalize(frame.viewpoint.xyz - place),
+  vertex_light = fibre_light(Fibre(place, vec4(place, 0.0), shading_normal, normalize(fibre_tangent), normalize(frame.viewpoint.xyz - place),
                                    vec3(grey), colour_above(s), s, strands, 0.5)) / grey;
 #ifdef AOVS
   vertex_direct = direct_light / grey;

@@ -4,6 +4,7 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 15) in vec3 shading_normal;
 layout(location = 5) in vec3 image_uv;
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;
@@ -43,7 +44,7 @@ void main() {
 #ifdef SHADOW_MAPS
   open_place = vec4(position + fur_offset, hull_height * groom.z);
 #endif
-  skin_normal = normal;
+  skin_normal = shading_normal;
   base_uv = image_uv;
   base_colour = colour;
   fur_length = groom.z;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "server/first_groom/first_groom.h"
+
 namespace pelage::testing_commands {
 
 namespace {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "server/builtin/builtin.h"
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/vertex_frame.h"
 #include "tests/property/groom/models.h"

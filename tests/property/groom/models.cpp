@@ -67,7 +67,7 @@ RawModel any_model(Random& random) {
 }
 
 Surface surface_of(const RawModel& raw) {
-  Result<Mesh> mesh = prepare(raw, Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(raw);
   if (!mesh.ok()) std::abort();
   return Surface(std::move(*mesh));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "tests/property/groom/command_maker.h"
 #include "tests/property/groom/models.h"

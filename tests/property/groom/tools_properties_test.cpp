@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "protocol/base/random.h"
+#include "server/first_groom/first_groom.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
 #include "tests/property/groom/command_maker.h"

@@ -89,6 +89,10 @@ class MemberMaker {
   void integer(MemberName, int& out, Range range, const char* = "") {
     out = *rc::gen::inRange(static_cast<int>(range.low), static_cast<int>(range.high) + 1);
   }
+  void integers(MemberName name, std::vector<int>& out, Range range, Count count, const char* = "") {
+    out.resize(static_cast<std::size_t>(length(count)));
+    for (int& value : out) integer(name, value, range);
+  }
   void seed(MemberName, std::uint32_t& out, const char* = "") { out = *rc::gen::arbitrary<std::uint32_t>(); }
   void counter(MemberName, std::uint64_t& out, const char* = "") { out = *rc::gen::arbitrary<std::uint64_t>(); }
   void counter(MemberName, std::optional<std::uint64_t>& out, const char* = "") {
@@ -255,6 +259,8 @@ template PickAnswer answer();
 template MapAnswer answer();
 template PictureAnswer answer();
 template FrameEstimate answer();
+template FrameCost answer();
+template FrameProgressList answer();
 template FrameCounters answer();
 template TraceReport answer();
 template Problem answer();

@@ -108,7 +108,8 @@ std::size_t count_of(const Mesh& mesh, const std::string& code) {
 
 RC_GTEST_PROP(Prepare, AnySoupIsGroomableOrRefused, ()) {
   const RawModel raw = soup(true);
-  const Result<Mesh> mesh = prepare(raw, Axis::plus_z, Axis::minus_x, *rc::gen::arbitrary<bool>());
+  const Result<Mesh> mesh =
+      prepare(raw, {.up = Axis::plus_z, .front = Axis::minus_x, .source_is_32_bit = *rc::gen::arbitrary<bool>()});
   if (!mesh.ok()) {
     RC_ASSERT(mesh.status().code == Code::invalid);
     RC_ASSERT(mesh.status().message.size() > 10u);
@@ -124,15 +125,15 @@ RC_GTEST_PROP(Prepare, AnySoupIsGroomableOrRefused, ()) {
 }
 
 RC_GTEST_PROP(Prepare, WindingAgreesWhereItCan, ()) {
-  const Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(soup(false));
   if (!mesh.ok()) return;
   RC_ASSERT((disagreeing_edges(*mesh) > 0) == (count_of(*mesh, "one_sided_edges") > 0));
 }
 
 RC_GTEST_PROP(Prepare, SameInputSameBits, ()) {
   const RawModel raw = soup(true);
-  const Result<Mesh> a = prepare(raw, Axis::plus_y, Axis::plus_z, false);
-  const Result<Mesh> b = prepare(raw, Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> a = prepare(raw);
+  const Result<Mesh> b = prepare(raw);
   RC_ASSERT(a.ok() == b.ok());
   if (!a.ok()) return;
   RC_ASSERT(a->positions == b->positions && a->normals == b->normals && a->tangents == b->tangents);
@@ -169,7 +170,7 @@ RawModel sheet(int side, double height) {
 }
 
 RC_GTEST_PROP(Patches, SameMeshSameBits, ()) {
-  const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)), Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)));
   RC_PRE(mesh.ok());
   const PatchMap map = lay_patches(*mesh);
   check_patches(*mesh, map);
@@ -177,7 +178,7 @@ RC_GTEST_PROP(Patches, SameMeshSameBits, ()) {
 }
 
 RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
-  const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)), Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)));
   RC_PRE(mesh.ok());
   const PatchMap hard = hard_pieces(lay_patches(*mesh));
   RC_ASSERT(hard.pieces.size() == mesh->triangles.size());
@@ -187,7 +188,7 @@ RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
 
 /// Bumps of about the size of their triangles, which no map keeps without stretch, are rarely turned over.
 RC_GTEST_PROP(Patches, FewPiecesAreFlipped, ()) {
-  const Result<Mesh> mesh = prepare(sheet(whole(8, 24), between(0, 0.05)), Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(sheet(whole(8, 24), between(0, 0.05)));
   RC_PRE(mesh.ok());
   const PatchMap map = lay_patches(*mesh);
   const auto flipped = std::count_if(map.pieces.begin(), map.pieces.end(),
@@ -199,8 +200,8 @@ RC_GTEST_PROP(Prepare, ScaleChangesNothingInside, ()) {
   const RawModel raw = soup(false);
   RawModel larger = raw;
   for (glm::dvec3& p : larger.positions) p *= 4.0;  // exact
-  const Result<Mesh> a = prepare(raw, Axis::plus_y, Axis::plus_z, false);
-  const Result<Mesh> b = prepare(larger, Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> a = prepare(raw);
+  const Result<Mesh> b = prepare(larger);
   RC_PRE(a.ok() && b.ok());
   RC_ASSERT(a->positions == b->positions && a->normals == b->normals && a->triangles == b->triangles);
   RC_ASSERT(b->size == 4 * a->size);
@@ -211,7 +212,7 @@ std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, const glm::uvec3& t) {
 }
 
 RC_GTEST_PROP(Surface, NearestAgreesWithEveryTriangleTried, ()) {
-  Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(soup(false));
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
   const glm::dvec3 from = std::pow(10.0, whole(-3, 5)) * place(false);
@@ -254,7 +255,7 @@ Crossing cross_triangle(const std::array<glm::dvec3, 3>& c, glm::dvec3 origin, g
 }
 
 RC_GTEST_PROP(Surface, RaysAgreeWithEveryTriangleTried, ()) {
-  Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(soup(false));
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
   const glm::dvec3 origin = place(false) * 2.0, direction = glm::normalize(place(false) * 0.3 - origin);
@@ -274,7 +275,7 @@ RC_GTEST_PROP(Surface, RaysAgreeWithEveryTriangleTried, ()) {
 }
 
 RC_GTEST_PROP(Surface, VerticesWithinAgreeWithEveryVertexTried, ()) {
-  Result<Mesh> mesh = prepare(soup(false), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(soup(false));
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
   const auto& positions = surface.mesh().positions;

@@ -13,9 +13,7 @@
 namespace pelage {
 namespace {
 
-Mesh built_in(Builtin shape, int triangles) {
-  return *prepare(make_builtin({shape, triangles}), Axis::plus_y, Axis::plus_z, false);
-}
+Mesh built_in(Builtin shape, int triangles) { return *prepare(make_builtin({shape, triangles})); }
 
 /// Random values in every field.
 FieldSet random_fields(std::size_t vertices) {

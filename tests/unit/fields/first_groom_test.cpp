@@ -1,3 +1,5 @@
+#include "server/first_groom/first_groom.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace pelage {
 namespace {
 
 TEST(FirstGroom, LeansFromNoseToTailWithTheAskedInclinationAndLength) {
-  Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, 3000}), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, 3000}));
   ASSERT_TRUE(mesh.ok());
   mesh->length_scale.resize(mesh->positions.size());
   for (std::size_t v = 0; v < mesh->length_scale.size(); ++v) mesh->length_scale[v] = v % 2 == 0 ? 0.5f : 2.0f;
@@ -32,7 +34,7 @@ TEST(FirstGroom, LeansFromNoseToTailWithTheAskedInclinationAndLength) {
 
 // Nose and rump point along the way that fur lies: there it stands up, so that no whorl shows.
 TEST(FirstGroom, StandsUpWhereNoWayLeadsToTheTail) {
-  const Result<Mesh> mesh = prepare(make_builtin({Builtin::sphere, 8000}), Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(make_builtin({Builtin::sphere, 8000}));
   ASSERT_TRUE(mesh.ok());
   const FieldSet fields = first_groom(*mesh, {.inclination = 0.6});
   const glm::vec3 way = glm::normalize(glm::vec3(0, -0.35f, -1));
@@ -46,7 +48,7 @@ TEST(FirstGroom, StandsUpWhereNoWayLeadsToTheTail) {
 }
 
 TEST(FirstGroom, AnimalsHaveShortFacesAndPawsAndLongChestsAndTails) {
-  const Result<Mesh> mesh = prepare(make_builtin({Builtin::creature, 8000}), Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(make_builtin({Builtin::creature, 8000}));
   ASSERT_TRUE(mesh.ok());
   Mesh bare = *mesh;
   bare.length_scale.clear();

@@ -5,6 +5,7 @@
 
 #include "protocol/base/random.h"
 #include "server/fields/field_writer.h"
+#include "server/first_groom/first_groom.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
 #include "server/surface/geodesics.h"

@@ -9,6 +9,7 @@
 
 #include "protocol/base/random.h"
 #include "server/fields/field_mix.h"
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "server/patches/subdivide.h"
 #include "tests/unit/groom/shapes.h"
@@ -43,7 +44,7 @@ FieldSet retargeted(const Retarget& command, const Surface& surface, const Field
 Surface moved(Builtin shape, int triangles, glm::dvec3 scale, glm::dvec3 shift) {
   RawModel raw = make_builtin({shape, triangles});
   for (glm::dvec3& position : raw.positions) position = scale * position + shift;
-  return Surface(*prepare(raw, Axis::plus_y, Axis::plus_z, false));
+  return Surface(*prepare(raw));
 }
 
 TEST(Retarget, TheSameModelGivesTheBitsBack) {

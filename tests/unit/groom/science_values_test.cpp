@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/keys.h"
 #include "server/surface/geodesics.h"

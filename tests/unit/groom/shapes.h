@@ -17,7 +17,7 @@
 namespace pelage::testing_shapes {
 
 inline Surface make_surface(Builtin shape, int triangles) {
-  Result<Mesh> mesh = prepare(make_builtin({shape, triangles}), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(make_builtin({shape, triangles}));
   EXPECT_TRUE(mesh.ok()) << mesh.status().message;
   if (!mesh.ok()) std::abort();
   return Surface(std::move(*mesh));

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
 #include "tests/unit/groom/shapes.h"
 

@@ -41,7 +41,7 @@ class JournalTest : public ::testing::Test {
   static StoredScene scene(std::string id) {
     return {std::move(id),
             "fox \"1\"",
-            {"obj", Axis::plus_z, Axis::minus_x, true, std::string("a\0b", 3), FurPatches::hard},
+            {"obj", {Axis::plus_z, Axis::minus_x, true, 30, {2, 7}}, std::string("a\0b", 3), FurPatches::hard},
             3,
             {{{Field::length, {2}, {7}}}}};
   }
@@ -73,9 +73,9 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   ASSERT_TRUE(found.ok());
   EXPECT_EQ(found->name, "fox \"1\"");
   EXPECT_EQ(found->model.name, "obj");
-  EXPECT_EQ(found->model.up, Axis::plus_z);
-  EXPECT_EQ(found->model.front, Axis::minus_x);
-  EXPECT_TRUE(found->model.source_is_32_bit);
+  EXPECT_EQ(found->model.prepare.up, Axis::plus_z);
+  EXPECT_EQ(found->model.prepare.front, Axis::minus_x);
+  EXPECT_TRUE(found->model.prepare.source_is_32_bit);
   EXPECT_EQ(found->model.raw, std::string("a\0b", 3));
   EXPECT_EQ(found->model.fur_patches, FurPatches::hard);
   EXPECT_EQ(found->first_revision, 3u);
@@ -173,7 +173,7 @@ TEST_F(JournalTest, ABranchHasTheEntriesUpToARevisionAndTheModel) {
   ASSERT_TRUE(found.ok());
   EXPECT_EQ(found->name, "other \"name\"");
   EXPECT_EQ(found->model.raw, scene("a").model.raw);
-  EXPECT_EQ(found->model.up, Axis::plus_z);
+  EXPECT_EQ(found->model.prepare.up, Axis::plus_z);
   EXPECT_EQ(found->model.fur_patches, FurPatches::hard);
   EXPECT_EQ(found->first_revision, 3u);
   EXPECT_EQ(found->first_groom, scene("a").first_groom);

@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 std::shared_ptr<const SceneModel> ball(std::uint64_t id, int triangles = 1000) {
-  Mesh mesh = *prepare(make_sphere(triangles), Axis::plus_y, Axis::plus_z, false);
+  Mesh mesh = *prepare(make_sphere(triangles));
   return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(mesh)), PatchMap{}, id, "sphere"});
 }
 

@@ -14,7 +14,7 @@
 namespace pelage {
 namespace {
 
-Surface surface_of(const RawModel& raw) { return Surface(prepare(raw, Axis::plus_y, Axis::plus_z, false).value()); }
+Surface surface_of(const RawModel& raw) { return Surface(prepare(raw).value()); }
 
 MapRequest asked(Field field, int size, MapFormat format = MapFormat::png16,
                  MapEncoding encoding = MapEncoding::automatic) {

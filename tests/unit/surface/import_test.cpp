@@ -40,7 +40,7 @@ class Import : public testing::Test {
   }
 
   Status run(const std::string& worker, const std::string& bytes, ImportLimits limits = {}) const {
-    const Result<RawModel> model = import_model(worker, ModelFormat::obj, bytes_of(bytes), limits);
+    const Result<RawModel> model = import_model(worker, ModelFormat::obj, bytes_of(bytes), "", limits);
     return model.ok() ? Status() : model.status();
   }
 
@@ -135,7 +135,7 @@ TEST_F(Import, FilesNamedInsideAModelAreNotOpened) {
   limits.seconds = 20;
   EXPECT_TRUE(run(PELAGE_IMPORT, "mtllib " + fifo + "\nusemtl a\n" + one_triangle, limits).ok());
   const std::string gltf = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": ")" + fifo + R"(", "byteLength": 4}]})";
-  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::gltf, bytes_of(gltf), limits);
+  const Result<RawModel> model = import_model(PELAGE_IMPORT, ModelFormat::gltf, bytes_of(gltf), "", limits);
   ASSERT_FALSE(model.ok());
   EXPECT_TRUE(contains(model.status().message, fifo)) << model.status().message;
 }

@@ -65,9 +65,7 @@ void expect_good(const Mesh& mesh, const PatchMap& map, double largest_factor) {
   EXPECT_LE(quality.stretched, 0.02);
 }
 
-Mesh builtin(Builtin shape, int triangles) {
-  return prepare(make_builtin({shape, triangles}), Axis::plus_y, Axis::plus_z, false).value();
-}
+Mesh builtin(Builtin shape, int triangles) { return prepare(make_builtin({shape, triangles})).value(); }
 
 TEST(Patches, APlaneIsOneAndKeepsItsLengths) {
   const Mesh mesh = builtin(Builtin::plane, 200);

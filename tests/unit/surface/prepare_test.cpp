@@ -77,7 +77,7 @@ TEST(Prepare, RefusalsNameTheLimit) {
   EXPECT_TRUE(prepared(cube(1, glm::dvec3(1e3)), true).ok());
   EXPECT_TRUE(prepared(cube(1, glm::dvec3(1e4)), false).ok());
   EXPECT_FALSE(prepared({}).ok());
-  EXPECT_FALSE(prepare(cube(), Axis::plus_y, Axis::minus_y, false).ok());
+  EXPECT_FALSE(prepare(cube(), {.front = Axis::minus_y}).ok());
   RawModel many;
   many.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   many.face_sizes = {2'000'003};
@@ -88,13 +88,13 @@ TEST(Prepare, RefusalsNameTheLimit) {
 TEST(Prepare, TurnsUpAndFront) {
   // A long arrow along +X with its fin towards +Z: up is Z, front is X.
   const RawModel raw = model_of({{0, 0, 0}, {4, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});
-  const Result<Mesh> mesh = prepare(raw, Axis::plus_z, Axis::plus_x, false);
+  const Result<Mesh> mesh = prepare(raw, {.up = Axis::plus_z, .front = Axis::plus_x});
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(mesh->report.bounds.max, glm::dvec3(0, 1, 4));
   EXPECT_EQ(mesh->report.bounds.min, glm::dvec3(0, 0, 0));
   // A turn, no mirror: what was wound outwards still is.
   for (const auto& [up, front] : {std::pair{Axis::minus_z, Axis::plus_x}, std::pair{Axis::plus_x, Axis::minus_y}}) {
-    const Result<Mesh> turned = prepare(cube(), up, front, false);
+    const Result<Mesh> turned = prepare(cube(), {.up = up, .front = front});
     ASSERT_TRUE(turned.ok());
     EXPECT_EQ(count_of(*turned, "flipped_triangles"), 0u);
   }

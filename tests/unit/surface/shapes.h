@@ -55,7 +55,7 @@ inline RawModel ball(int rings) {
 }
 
 inline Result<Mesh> prepared(const RawModel& raw, bool source_is_32_bit = false) {
-  return prepare(raw, Axis::plus_y, Axis::plus_z, source_is_32_bit);
+  return prepare(raw, {.source_is_32_bit = source_is_32_bit});
 }
 
 }  // namespace pelage::shapes

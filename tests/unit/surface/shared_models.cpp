@@ -84,7 +84,7 @@ Result<RawModel> import_file(const std::string& path) {
 Result<Mesh> load_file(const std::string& path) {
   const Result<RawModel> raw = import_file(path);
   if (!raw.ok()) return raw.status();
-  return prepare(*raw, Axis::plus_y, Axis::plus_z, raw->is_32_bit);
+  return prepare(*raw, {.source_is_32_bit = raw->is_32_bit});
 }
 
 }  // namespace pelage::shared_models

@@ -62,7 +62,7 @@ std::vector<double> plain_distances(const Mesh& mesh, std::span<const SpreadSour
 
 TEST(EdgeSearchTest, FindsTheShortestWaysToTheBit) {
   for (const Builtin shape : {Builtin::torus, Builtin::cloth, Builtin::knot}) {
-    Result<Mesh> mesh = prepare(make_builtin({shape, 3000}), Axis::plus_y, Axis::plus_z, false);
+    Result<Mesh> mesh = prepare(make_builtin({shape, 3000}));
     ASSERT_TRUE(mesh.ok());
     const Surface surface(std::move(*mesh));
     const auto count = static_cast<double>(surface.mesh().positions.size());
@@ -75,7 +75,7 @@ TEST(EdgeSearchTest, FindsTheShortestWaysToTheBit) {
 }
 
 TEST(EdgeSearchTest, KeepsVectorsInTheSurfaceAndAsLong) {
-  Result<Mesh> mesh = prepare(make_builtin({Builtin::knot, 3000}), Axis::plus_y, Axis::plus_z, false);
+  Result<Mesh> mesh = prepare(make_builtin({Builtin::knot, 3000}));
   ASSERT_TRUE(mesh.ok());
   const Surface surface(std::move(*mesh));
   const glm::dvec3 tangent(surface.mesh().tangents[7]);
@@ -92,7 +92,7 @@ TEST(EdgeSearchTest, KeepsVectorsInTheSurfaceAndAsLong) {
 
 TEST(SidesTest, AreSorted) {
   const RawModel raw = make_builtin({Builtin::knot, 3000});
-  const Result<Mesh> mesh = prepare(raw, Axis::plus_y, Axis::plus_z, false);
+  const Result<Mesh> mesh = prepare(raw);
   ASSERT_TRUE(mesh.ok());
   const std::vector<Side> sides = sorted_sides(mesh->triangles);
   ASSERT_EQ(sides.size(), 3 * mesh->triangles.size());

@@ -1,0 +1,24 @@
+#include "server/frames/frame_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace pelage {
+
+Status check_seconds(const FrameRequest& request, const FrameCost& cost) {
+  if (cost.seconds <= request.max_seconds) return {};
+  return failure(Code::invalid,
+                 "Drawing this frame is expected to take " + std::to_string(std::lround(cost.seconds)) +
+                     " s. Ask for a lower quality, a smaller picture, or more seconds.",
+                 "/max_seconds", "at least the expected seconds, up to 86400");
+}
+
+FrameProgress progress_of(const FrameJob& job, double cost, bool is_drawn) {
+  const double expected = job.expected > 0 ? job.expected : cost;
+  const double passed = job.begun.milliseconds() - job.paused;
+  const double share = is_drawn && expected > 0 ? std::clamp(passed / expected, 0.0, 0.99) : 0;
+  return {job.request.view, job.request.width, job.request.height, share, job.asked.seconds(), expected / 1e3};
+}
+
+}  // namespace pelage

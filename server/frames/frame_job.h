@@ -1,0 +1,61 @@
+// A frame that waits for the render thread or is drawn there.
+#pragma once
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "protocol/base/status.h"
+#include "protocol/base/stopwatch.h"
+#include "protocol/commands/quality.h"
+#include "server/frames/frame_file.h"
+#include "server/frames/shown_scene.h"
+
+namespace pelage {
+
+struct DrawnFrame {
+  DrawnPicture picture;
+  ModelPlacement placement;
+  Revision revision = 0;
+  FrameTimings timings;
+  FrameCounters counters;
+  Knobs knobs;
+  std::optional<FrameEstimate> estimate;
+  FrameCost cost;  // as expected
+};
+
+/// A frame that waits for the render thread or is drawn there.
+struct FrameJob {
+  std::shared_ptr<Scene> scene;
+  FrameRequest request;
+  std::function<bool()> abandoned;
+  bool dry_run = false;
+  FramePast past = {};
+  Stopwatch asked = {};
+  std::promise<Result<DrawnFrame>> answer;
+  // While it is drawn:
+  double cost = 0;      // as expected, milliseconds
+  double expected = 0;  // the same once its view is known
+  Stopwatch begun = {};
+  Revision revision = 0;
+  bool outdated = false;  // a frame that was let in shows another revision of the scene
+  bool given_up = false;
+  int restarts = 0;
+  double paused = 0;  // milliseconds
+
+  bool left() const { return abandoned && abandoned(); }
+  bool same_view(const FrameJob& other) const {
+    return !request.view.empty() && scene == other.scene && request.view == other.request.view;
+  }
+  /// Whether both draw what the renderer has of one scene, which changes with the scene.
+  bool same_subject(const FrameJob& other) const { return scene == other.scene && past.copy == other.past.copy; }
+};
+
+/// Refuses (invalid, "/max_seconds") what is expected to take longer than was asked for.
+Status check_seconds(const FrameRequest& request, const FrameCost& cost);
+
+/// `cost`: in milliseconds, as expected before its view was known.
+FrameProgress progress_of(const FrameJob& job, double cost, bool is_drawn);
+
+}  // namespace pelage
