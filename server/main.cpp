@@ -18,6 +18,7 @@
 #include "server/frames/scene_tracer.h"
 #include "server/http/http_server.h"
 #include "server/import/import.h"
+#include "server/scene/scene_memory.h"
 #include "server/scene/scene_store.h"
 
 namespace {
@@ -189,6 +190,7 @@ int main(int argc, char** argv) {
     if (calibrated.ok()) return 0;
     return fail(calibrated.code == Code::unavailable ? no_gl : failed, calibrated);
   }
+  keep_memory_together();
   HttpOptions http{.host = {}, .port = 0, .token = options.token, .hosts = options.hosts};
   if (!split_address(options.listen, http)) {
     return fail(usage, failure(Code::invalid, "--listen takes ADDRESS:PORT, not " + options.listen + "."));

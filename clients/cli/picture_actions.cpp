@@ -132,7 +132,7 @@ ExitCode print_cost(Session& session, const std::string& path, const std::string
   if (session.options().json)
     fmt::print("{}\n", answer->body);
   else
-    fmt::print("about {:.2g} s, hardly more than {:.2g}\n", cost->seconds, cost->at_most_seconds);
+    fmt::print("about {:.2g} s, up to {:.2g}\n", cost->seconds, cost->seconds * cost->safety);
   return done;
 }
 

@@ -33,8 +33,8 @@ struct FrameEstimate {
 
 /// What a frame is expected to take before it is drawn: the answer of a dry run.
 struct FrameCost {
-  double seconds = 0;          // half of such frames take at most that
-  double at_most_seconds = 0;  // and 95% of them at most that
+  double seconds = 0;  // half of such frames take as long or shorter
+  double safety = 1;   // 1 or more: 95% of them are done after seconds times it
   bool operator==(const FrameCost&) const = default;
 };
 

@@ -51,8 +51,8 @@ void members(V& v, Visited<V, FrameEstimate>& c) {
 template <class V>
 void members(V& v, Visited<V, FrameCost>& c) {
   v.answer("FrameCost", "What drawing a frame is expected to take; waiting for others and encoding come on top.");
-  v.number("seconds", c.seconds, not_negative, "Half of such frames take at most that.");
-  v.number("at_most_seconds", c.at_most_seconds, not_negative, "And 95% of them at most that.");
+  v.number("seconds", c.seconds, not_negative, "Half of such frames are done by then.");
+  v.number("safety", c.safety, one_or_more, "95% of such frames are done after `seconds` times it.");
 }
 
 template <class V>

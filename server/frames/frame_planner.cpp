@@ -66,7 +66,7 @@ FrameCost FramePlanner::cost_of(const ViewFeatures& view, const FurFrame& frame)
   const CostCorrection correction = costs_.correction(frame.model);
   const DialModel& model = default_model();
   const double ms = predicted_cost(model, view, frame.knobs) * calibration_.price * correction.factor;
-  return {ms / 1e3, ms / 1e3 * (correction.learnt ? model.learnt_safety : model.cost_safety)};
+  return {ms / 1e3, correction.learnt ? model.learnt_safety : model.cost_safety};
 }
 
 void FramePlanner::learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,

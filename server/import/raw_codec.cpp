@@ -11,7 +11,8 @@ namespace pelage {
 
 namespace {
 
-constexpr std::uint64_t raw_signature = 0x31'57'41'52'4c'45'50ULL;  // "PELRAW1"
+// "PELRAW2"; "PELRAW1" of journals from before notes were kept has the same but those.
+constexpr std::uint64_t raw_signature = 0x32'57'41'52'4c'45'50ULL, without_notes = 0x31'57'41'52'4c'45'50ULL;
 
 class Writer {
  public:
@@ -86,7 +87,7 @@ std::vector<std::string> read_texts(Reader& in) {
   return texts;
 }
 
-/// What files say beside their polygons. Journals from before it was kept end without.
+/// What files say beside their polygons.
 void write_notes(Writer& out, const RawModel& model) {
   const auto axis = [&](const std::optional<Axis>& value) {
     out.value(static_cast<std::int8_t>(value ? static_cast<int>(*value) : -1));
@@ -126,7 +127,7 @@ void read_notes(Reader& in, RawModel& model) {
   }
 }
 
-RawModel read_model(Reader& in) {
+RawModel read_model(Reader& in, bool has_notes) {
   RawModel model;
   model.is_32_bit = in.value<std::uint8_t>() != 0;
   model.positions = in.array<glm::dvec3>();
@@ -145,7 +146,7 @@ RawModel read_model(Reader& in) {
     image.rgba = in.array<std::uint8_t>();
     model.images.push_back(std::move(image));
   }
-  if (!in.at_end()) read_notes(in, model);
+  if (has_notes) read_notes(in, model);
   return model;
 }
 
@@ -212,9 +213,9 @@ std::string encode_raw_model(const RawModel& model) {
 
 Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   Reader in(bytes);
-  const bool is_ours = in.value<std::uint64_t>() == raw_signature;
-  if (!is_ours) return failure(Code::invalid, "The bytes are no raw model.");
-  RawModel model = read_model(in);
+  const auto signature = in.value<std::uint64_t>();
+  if (signature != raw_signature && signature != without_notes) return failure(Code::invalid, "The bytes are no raw model.");
+  RawModel model = read_model(in, signature == raw_signature);
   if (!in.at_end()) return failure(Code::invalid, "The raw model is cut off, or counts more than it holds.");
   if (!counts_agree(model)) return failure(Code::invalid, "The counts of the raw model do not agree.");
   if (!indices_are_in_range(model)) return failure(Code::invalid, "An index of the raw model is out of range.");

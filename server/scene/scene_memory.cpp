@@ -27,6 +27,12 @@ void give_memory_back() {
 #endif
 }
 
+void keep_memory_together() {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, 2);
+#endif
+}
+
 SceneMemory Scene::last_memory() const {
   const std::lock_guard lock(published_mutex_);
   return memory_;

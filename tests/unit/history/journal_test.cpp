@@ -76,6 +76,8 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   EXPECT_EQ(found->model.prepare.up, Axis::plus_z);
   EXPECT_EQ(found->model.prepare.front, Axis::minus_x);
   EXPECT_TRUE(found->model.prepare.source_is_32_bit);
+  EXPECT_EQ(found->model.prepare.crease_degrees, 30);
+  EXPECT_EQ(found->model.prepare.flipped_parts, (std::vector<std::uint32_t>{2, 7}));
   EXPECT_EQ(found->model.raw, std::string("a\0b", 3));
   EXPECT_EQ(found->model.fur_patches, FurPatches::hard);
   EXPECT_EQ(found->first_revision, 3u);
@@ -230,7 +232,7 @@ TEST_F(JournalTest, LoggedNamesOfVersionFiveAreTakenOver) {
   }
   execute(
       "DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN "
-      "request_key; PRAGMA user_version = 5");
+      "request_key; ALTER TABLE scenes DROP COLUMN creases_and_flips; PRAGMA user_version = 5");
   const auto entries = open()->entries("a", 0);
   ASSERT_TRUE(entries.ok()) << entries.status().message;
   EXPECT_EQ(entries->at(0).commands,
@@ -265,7 +267,7 @@ TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
   }
   execute(
       "DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN "
-      "request_key; PRAGMA user_version = 6");
+      "request_key; ALTER TABLE scenes DROP COLUMN creases_and_flips; PRAGMA user_version = 6");
   {
     const auto journal = open();
     ASSERT_EQ(journal->entries("a", 0)->size(), 1u);

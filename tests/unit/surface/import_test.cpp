@@ -208,6 +208,9 @@ RawModel everything() {
   model.materials = {{{1, 1, 1}, 0}, {{0.5f, 0.5f, 0.5f}, -1}};
   model.images = {{2, 1, {1, 2, 3, 4, 5, 6, 7, 8}}};
   model.length_scale = {1, 0.5f, 2, 4};
+  model.front = Axis::minus_x;
+  model.pose = "Walk@0.5", model.animations = {"Walk", ""};
+  model.lose("missing_pictures", "fur.png", 2);
   return model;
 }
 
@@ -219,6 +222,20 @@ TEST(RawCodec, RoundTrip) {
   EXPECT_EQ(back->corners, everything().corners);
   EXPECT_EQ(back->images[0].rgba, everything().images[0].rgba);
   EXPECT_TRUE(back->is_32_bit);
+  EXPECT_EQ(back->front, Axis::minus_x);
+  EXPECT_EQ(back->losses, everything().losses);
+}
+
+// As journals from before notes were kept have it.
+TEST(RawCodec, ModelsWithoutNotesAreRead) {
+  RawModel plain = everything();
+  plain.front.reset(), plain.pose.clear(), plain.animations.clear(), plain.losses.clear();
+  std::string bytes = encode_raw_model(plain);
+  bytes[6] = '1';
+  bytes.resize(bytes.size() - 2 - 8 - 8 - 8 - 8);  // axes, one empty text, no animations, no losses
+  const Result<RawModel> back = decode_raw_model(bytes_of(bytes));
+  ASSERT_TRUE(back.ok()) << back.status().message;
+  EXPECT_EQ(encode_raw_model(*back), encode_raw_model(plain));
 }
 
 TEST(RawCodec, EveryTruncationAndAnyTrailingByteIsRefused) {

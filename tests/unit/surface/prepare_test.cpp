@@ -120,7 +120,9 @@ TEST(Prepare, DropsWhatIsNoFace) {
   expect_groomable(*mesh);
   EXPECT_EQ(mesh->triangles.size(), 1u);
   EXPECT_EQ(mesh->positions.size(), 3u);
-  EXPECT_EQ(count_of(*mesh, "invalid_faces"), 4u);
+  EXPECT_EQ(count_of(*mesh, "invalid_faces"), 1u);
+  EXPECT_EQ(count_of(*mesh, "bad_indices"), 1u);
+  EXPECT_EQ(count_of(*mesh, "non_finite_faces"), 2u);
   EXPECT_EQ(count_of(*mesh, "degenerate_faces"), 2u);
   EXPECT_EQ(count_of(*mesh, "repeated_faces"), 2u);
 }
