@@ -183,6 +183,7 @@ Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
 struct Wishes {
   std::vector<Complex> flow;
   std::vector<double> spread;
+  std::vector<std::vector<std::uint32_t>> parts;
 };
 
 Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges) {
@@ -201,13 +202,29 @@ Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges) {
                                            ? std::vector<glm::dvec3>(mesh.positions.size(), glm::dvec3(0))
                                            : downhill(mesh, potential_of(edges, poles, mesh.positions.size()));
   constexpr double fine = 0.08, coarse = 0.5;  // what no pole leads has many sources that cancel
-  Wishes wishes;
+  Wishes wishes{{}, {}, parts};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     Complex wish = in_frame(mesh, v, by_poles[v] ? flow[v] : tailwards());
     if (by_poles[v] && std::abs(wish) > 0) wish /= std::abs(wish);
     wishes.flow.push_back(wish), wishes.spread.push_back(by_poles[v] ? fine : coarse);
   }
   return wishes;
+}
+
+/// Over the median length of each part, 1 long at most: wishes that cancel leave little of each, and still a clear way.
+std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vector<std::vector<std::uint32_t>>& parts) {
+  std::vector<glm::dvec2> flow(static_cast<std::size_t>(smooth.size()), glm::dvec2(0));
+  for (const std::vector<std::uint32_t>& part : parts) {
+    std::vector<double> lengths;
+    for (const std::uint32_t v : part) lengths.push_back(std::abs(smooth[v]));
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    for (const std::uint32_t v : part) {
+      const double length = std::abs(smooth[v]), longest = std::max(length, *middle);
+      if (std::isfinite(length) && longest > 0) flow[v] = {smooth[v].real() / longest, smooth[v].imag() / longest};
+    }
+  }
+  return flow;
 }
 
 }  // namespace
@@ -233,13 +250,7 @@ std::vector<glm::dvec2> fur_flow(const Mesh& mesh) {
   Eigen::SparseMatrix<Complex> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::VectorXcd smooth = solved<Complex>(matrix, right);
-  std::vector<glm::dvec2> flow;
-  for (Eigen::Index v = 0; v < n; ++v) {
-    const double length = std::abs(smooth[v]);
-    const Complex held = std::isfinite(length) ? smooth[v] / std::max(length, 1.0) : Complex(0);
-    flow.emplace_back(held.real(), held.imag());
-  }
-  return flow;
+  return relative(smooth, wishes.parts);
 }
 
 }  // namespace pelage

@@ -214,7 +214,8 @@ std::string encode_raw_model(const RawModel& model) {
 Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   Reader in(bytes);
   const auto signature = in.value<std::uint64_t>();
-  if (signature != raw_signature && signature != without_notes) return failure(Code::invalid, "The bytes are no raw model.");
+  if (signature != raw_signature && signature != without_notes)
+    return failure(Code::invalid, "The bytes are no raw model.");
   RawModel model = read_model(in, signature == raw_signature);
   if (!in.at_end()) return failure(Code::invalid, "The raw model is cut off, or counts more than it holds.");
   if (!counts_agree(model)) return failure(Code::invalid, "The counts of the raw model do not agree.");

@@ -200,7 +200,12 @@ Status check(ModelFormat format, Bundle& bundle, RawModel& model) {
   }
 }
 
-Status refusal(const Assimp::Importer& importer, const ClosedIo& io) {
+Status refusal(const Assimp::Importer& importer, const ClosedIo& io, const RawModel& model) {
+  for (const Repair& loss : model.losses) {
+    if (loss.code != "primitives_without_vertices") continue;
+    return broken("a primitive of its mesh \"" + (loss.names.empty() ? "" : loss.names.front()) +
+                  "\" has no vertices; export it again.");
+  }
   std::string reason = importer.GetErrorString();
   if (!io.refused().empty()) reason = "it needs the other file \"" + io.refused() + "\".";
   return broken(reason.empty() ? "it cannot be read." : reason);
@@ -218,7 +223,7 @@ Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std
   importer.SetIOHandler(io);
   keep_only(importer, format == ModelFormat::tds ? "Discreet 3DS Importer" : "glTF2 Importer");
   const aiScene* read = importer.ReadFile(name, 0);
-  if (!read || !read->mRootNode) return refusal(importer, *io);
+  if (!read || !read->mRootNode) return refusal(importer, *io, model);
   const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
   model.animations = animation_names(*scene);
   if (Status posed = pose.empty() ? Status{} : apply_pose(*scene, pose); !posed.ok()) return posed;

@@ -1,4 +1,5 @@
-// Faces, texture coordinates and materials by tinyobjloader's callbacks; mtllib opens nothing but what is bundled.
+// Faces, texture coordinates and materials by tinyobjloader's callbacks without a
+// material reader, so that mtllib opens nothing; material files come from the bundle.
 // Vertices are read here: tinyobjloader takes `nan` and other words for 0 and gives no vertex colours.
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
@@ -60,32 +61,20 @@ Vertices read_vertices(std::string_view text) {
   return vertices;
 }
 
-/// Hands tinyobjloader the material files of the bundle.
-class BundledMaterials : public tinyobj::MaterialReader {
- public:
-  BundledMaterials(const Bundle& bundle, RawModel& model) : bundle_(bundle), model_(model) {}
-
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
-                  std::map<std::string, int>* numbers, std::string* warning, std::string* error) override {
-    const std::string* bytes = bundle_.find(name);
-    if (!bytes) return model_.lose("missing_material_files", name), false;
-    std::istringstream stream(*bytes);
-    tinyobj::LoadMtl(numbers, materials, &stream, warning, error);
-    return true;
-  }
-
- private:
-  const Bundle& bundle_;
-  RawModel& model_;
-};
-
 /// Materials as faces use them, each once.
 class Materials {
  public:
   Materials(const Bundle& bundle, RawModel& model) : bundle_(bundle), model_(model) {}
 
-  void add(const tinyobj::material_t* materials, int count) {
-    for (int i = 0; i < count; ++i) known_[materials[i].name] = materials[i];
+  /// Of all material files that the text names: what follows `mtllib` is one name, and several where none is called so.
+  void read_files(std::string_view text) {
+    while (!text.empty()) {
+      std::string_view line = take_line(text);
+      if (take_word(line) != "mtllib") continue;
+      const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+      const std::string names(line.substr(begin, line.find_last_not_of(" \t") + 1 - begin));
+      if (!read_file(names)) read_each(names);
+    }
   }
   void use(const std::string& name) {
     const auto [place, added] = numbers_.try_emplace(name, model_.materials.size());
@@ -113,6 +102,26 @@ class Materials {
     material.image = picture(source.diffuse_texname);
     if (material.image >= 0 && material.base_colour == glm::vec3(0)) material.base_colour = glm::vec3(1);
     return material;
+  }
+
+  bool read_file(const std::string& name) {
+    const std::string* bytes = bundle_.find(name);
+    if (!bytes) return false;
+    std::istringstream stream(*bytes);
+    std::map<std::string, int> numbers;
+    std::vector<tinyobj::material_t> materials;
+    std::string warning, error;
+    tinyobj::LoadMtl(&numbers, &materials, &stream, &warning, &error);
+    for (const tinyobj::material_t& material : materials) known_[material.name] = material;
+    return true;
+  }
+
+  void read_each(std::string_view names) {
+    const std::string all(names);
+    bool any = false;
+    for (std::string_view word = take_word(names); !word.empty(); word = take_word(names))
+      any = read_file(std::string(word)) || any;
+    if (!any) model_.lose("missing_material_files", all);
   }
 
   int picture(const std::string& name) {
@@ -165,10 +174,6 @@ void add_face(void* data, tinyobj::index_t* indices, int count) {
   }
 }
 
-void add_materials(void* data, const tinyobj::material_t* materials, int count) {
-  static_cast<Faces*>(data)->materials.add(materials, count);
-}
-
 void use_material(void* data, const char* name, int) { static_cast<Faces*>(data)->materials.use(name ? name : ""); }
 
 }  // namespace
@@ -180,17 +185,16 @@ Result<RawModel> parse_obj(Bundle& bundle) {
   RawModel model;
   Vertices vertices = read_vertices(text);
   Materials materials(bundle, model);
+  materials.read_files(text);
   Faces faces{vertices, model, materials, 0, {}};
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = count_vertex;
   callbacks.texcoord_cb = add_texture;
   callbacks.index_cb = add_face;
-  callbacks.mtllib_cb = add_materials;
   callbacks.usemtl_cb = use_material;
   BytesBuffer buffer(text);
   std::istream stream(&buffer);
-  BundledMaterials reader(bundle, model);
-  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &faces, &reader)) return broken("the OBJ text cannot be read.");
+  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &faces)) return broken("the OBJ text cannot be read.");
   if (model.corners.empty()) return broken("it has no faces.");
   model.positions = std::move(vertices.positions);
   if (faces.texture.empty()) model.corner_uv.clear();

@@ -1,4 +1,6 @@
 // Models with the files that they name, their poses, and what was left out of them.
+#include "server/import_worker/bundle.h"
+
 #include <gtest/gtest.h>
 #include <zip.h>
 
@@ -6,7 +8,6 @@
 #include <fstream>
 
 #include "clients/cli/pack/pack.h"
-#include "server/import_worker/bundle.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/skeleton.h"
 
@@ -37,7 +38,8 @@ std::size_t count_of(const RawModel& model, const char* code) {
   return 0;
 }
 
-constexpr const char* fox = "mtllib fox one.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl gone\nf 3 2 1\n";
+constexpr const char* fox =
+    "mtllib fox one.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl gone\nf 3 2 1\n";
 
 TEST_F(Packing, AnObjGoesWithItsMaterialsAndPictures) {
   const std::string path = write("fox.obj", fox);
@@ -97,7 +99,8 @@ TEST(Names, OfFilesThatModelsName) {
 }
 
 TEST(Skeleton, SidesOfJoints) {
-  for (const char* name : {"mixamorig:LeftArm", "Skeleton_arm_joint_L__4_", "l_ear", "Bip01 L Thigh", "paw.L", "LThigh"})
+  for (const char* name :
+       {"mixamorig:LeftArm", "Skeleton_arm_joint_L__4_", "l_ear", "Bip01 L Thigh", "paw.L", "LThigh"})
     EXPECT_EQ(side_of_joint(name), BodySide::left) << name;
   for (const char* name : {"b_RightLeg01_015", "leg_R", "R"}) EXPECT_EQ(side_of_joint(name), BodySide::right) << name;
   for (const char* name : {"Tail", "spine_01", "ballrol", "", "Reference"})
@@ -107,7 +110,7 @@ TEST(Skeleton, SidesOfJoints) {
 TEST(ParseGltf, PosesAreRefusedWhereThereAreNone) {
   const std::string triangle = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0}], "meshes": [{"name": "fox", "primitives": [{"attributes": {"POSITION": 0}},
-      {"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {}}]}],
+      {"attributes": {"POSITION": 0}, "mode": 0}]}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
     "bufferViews": [{"buffer": 0, "byteLength": 36}], "images": [{"uri": "fur.png"}],
     "buffers": [{"byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
@@ -115,12 +118,14 @@ TEST(ParseGltf, PosesAreRefusedWhereThereAreNone) {
   ASSERT_TRUE(model.ok()) << model.status().message;
   EXPECT_EQ(model->face_sizes.size(), 1u);
   EXPECT_EQ(count_of(*model, "points_and_lines"), 1u);
-  EXPECT_EQ(count_of(*model, "primitives_without_vertices"), 1u);
   EXPECT_EQ(count_of(*model, "missing_pictures"), 1u);
   const auto posed = parse_model(ModelFormat::gltf, triangle, "Walk@1");
   ASSERT_FALSE(posed.ok());
   EXPECT_NE(posed.status().message.find("no animation"), std::string::npos);
   EXPECT_FALSE(parse_model(ModelFormat::obj, "v 0 0 0\nf 1 1 1\n", "Walk@1").ok());
+  std::string empty = triangle;
+  empty.replace(empty.find("\"mode\": 0}"), 10, "\"mode\": 4}, {\"attributes\": {}}");
+  EXPECT_NE(parse_model(ModelFormat::gltf, empty).status().message.find("\"fox\" has no vertices"), std::string::npos);
   std::string broken = triangle;
   broken.replace(broken.find("AAAAgD8AAAAA"), 4, "A!AA");
   EXPECT_NE(parse_model(ModelFormat::gltf, broken).status().message.find("base64"), std::string::npos);

@@ -18,7 +18,8 @@ TEST(ShadingNormals, OfACubeAreThoseOfItsSides) {
   const Mesh mesh = shapes::prepared(shapes::cube()).value();
   ASSERT_EQ(mesh.shading_normals.size(), mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const glm::vec3& normal : mesh.shading_normals[t]) EXPECT_LT(glm::distance(normal, face_normal(mesh, t)), 1e-6f);
+    for (const glm::vec3& normal : mesh.shading_normals[t])
+      EXPECT_LT(glm::distance(normal, face_normal(mesh, t)), 1e-6f);
   }
 }
 
