@@ -13,24 +13,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// The vertices of the nearest skin of each lane.
+/// The vertices of the nearest skin of each lane; at least one has some. Lanes without read another's: the rows of a
+/// piece that is not drawn were never written.
 class SkinPoint {
  public:
   HWY_INLINE SkinPoint(const MarchScene& scene, const SkinPixels& skin, int group) : scene_(scene) {
     const auto begin = static_cast<std::size_t>(group * lane_count);
+    there_ = {load(&skin.inverse[begin]) > 0.0f};
+    std::size_t some = begin;
+    while (some + 1 < begin + lane_count && !(skin.inverse[some] > 0)) ++some;
+    float inverse[lane_count], second[lane_count], third[lane_count];
     for (int i = 0; i < lane_count; ++i) {
-      const std::int32_t piece = skin.piece[begin + static_cast<std::size_t>(i)];
+      const std::size_t own = begin + static_cast<std::size_t>(i), pixel = skin.inverse[own] > 0 ? own : some;
+      inverse[i] = skin.inverse[pixel], second[i] = skin.second[pixel], third[i] = skin.third[pixel];
+      const std::int32_t piece = skin.piece[pixel];
       facing_[i] = piece >= 0 ? 1.0f : 0.0f;
       const auto number = static_cast<std::uint32_t>(piece >= 0 ? piece : ~piece);
-      const ShellTriangle triangle{number, 0, true, skin.cut[begin + static_cast<std::size_t>(i)]};
+      const ShellTriangle triangle{number, 0, true, skin.cut[pixel]};
       image_scale_[i] = scene.mesh.axes[number].image_scale;
       for (int k = 0; k < 3; ++k) {
         rows_[k][i] = static_cast<std::int32_t>(scene.row_of(triangle, k));
         corners_[k][i] = static_cast<std::int32_t>(scene.mesh.triangles[number][k]);
       }
     }
-    inverse_ = load(&skin.inverse[begin]), second_ = load(&skin.second[begin]), third_ = load(&skin.third[begin]);
-    there_ = {inverse_ > 0.0f};
+    inverse_ = load(inverse), second_ = load(second), third_ = load(third);
     distance_ = 1.0f / max(inverse_, 1e-20f);
   }
   HWY_INLINE Mask there() const { return there_; }

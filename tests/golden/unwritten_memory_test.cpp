@@ -1,0 +1,45 @@
+// What is culled has no rows; nothing may read them, also not for pixels beside those that are seen.
+#include <gtest/gtest.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include "server/builtin/builtin.h"
+#include "tests/support/furred_model.h"
+#include "tests/support/textured.h"
+
+namespace pelage::testing {
+namespace {
+
+/// Fills memory that is handed out with NaN.
+class PoisonedMemory {
+ public:
+  PoisonedMemory() { poison(256); }  // the allocator writes 255 - the lowest byte of it
+  ~PoisonedMemory() { poison(0); }
+
+ private:
+  static void poison([[maybe_unused]] int byte) {
+#ifdef __GLIBC__
+    mallopt(M_PERTURB, byte);
+#endif
+  }
+};
+
+TEST(UnwrittenMemory, IsNotReadForTexturesOfWhatIsCulled) {
+  FurredModel model = furred(with_planar_uvs(make_builtin({Builtin::sphere, 3000})));
+  model.skin_texture = red_and_blue();
+  model.settings.skin_texture = "0123456789abcdef0123456789abcdef";
+  FrameRequest request = small_frame(AutoView::none, 160);
+  const Mesh& mesh = model.model.surface.mesh();
+  for (const glm::dvec3 way : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0.2, 1), glm::dvec3(-1, -0.4, 0)}) {
+    request.camera.position = mesh.to_model(0.9 * way), request.camera.target = mesh.to_model({0, 0.25, 0});
+    Renderer plain{RendererOptions{}};
+    const Image expected = draw(plain, model, request);
+    const PoisonedMemory poisoned;
+    Renderer renderer{RendererOptions{}};
+    EXPECT_EQ(largest_difference(draw(renderer, model, request), expected), 0);
+  }
+}
+
+}  // namespace
+}  // namespace pelage::testing
