@@ -127,7 +127,7 @@ Result<PlyHeader> take_ply_header(std::string_view& bytes) {
   return header;
 }
 
-// Polygon File Format, text or binary, with vertex colours and texture coordinates.
+// Polygon File Format, text or binary, polygons or strips of triangles, with vertex colours and texture coordinates.
 
 namespace {
 
@@ -261,8 +261,10 @@ class BodyReader {
     for (const PlyProperty& property : element.properties) {
       const bool is_face = element.name == "face" && property.is_list &&
                            (property.name == "vertex_indices" || property.name == "vertex_index");
+      const bool is_strip = element.name == "tristrips" && property.is_list && property.name == "vertex_indices";
       if (is_face && !read_face(property)) return false;
-      if (!is_face && property.is_list && !skip_list(property)) return false;
+      if (is_strip && !read_strip(property)) return false;
+      if (!is_face && !is_strip && property.is_list && !skip_list(property)) return false;
       if (!is_face && !property.is_list) numbers_.next(property.type);
     }
     return numbers_.ok();
@@ -274,13 +276,36 @@ class BodyReader {
     return count.has_value() && numbers_.ok();
   }
 
+  /// An index that is none is read as no_position.
+  std::uint32_t next_index(PlyType type) {
+    const double index = numbers_.next(type);
+    const bool is_index = index >= 0 && index < no_position && index == std::floor(index);
+    return is_index ? static_cast<std::uint32_t>(index) : no_position;
+  }
+
+  /// Triangles that share sides with the ones before; every second is wound the other way, and -1 begins anew.
+  bool read_strip(const PlyProperty& property) {
+    const std::optional<std::size_t> count = take_count(numbers_, property.count_type);
+    if (!count) return false;
+    std::vector<std::uint32_t> strip;
+    for (std::size_t i = 0; i < *count; ++i) {
+      strip.push_back(next_index(property.type));
+      if (strip.back() == no_position) strip.clear();
+      const std::size_t n = strip.size();
+      if (n < 3) continue;
+      const bool odd = n % 2 == 0;
+      model_.face_sizes.push_back(3);
+      model_.corners.insert(model_.corners.end(),
+                            {strip[n - 3], strip[odd ? n - 1 : n - 2], strip[odd ? n - 2 : n - 1]});
+    }
+    return numbers_.ok();
+  }
+
   bool read_face(const PlyProperty& property) {
     const std::optional<std::size_t> count = take_count(numbers_, property.count_type);
     if (!count) return false;
     for (std::size_t i = 0; i < *count; ++i) {
-      const double index = numbers_.next(property.type);
-      const bool is_index = index >= 0 && index < no_position && index == std::floor(index);
-      model_.corners.push_back(is_index ? static_cast<std::uint32_t>(index) : no_position);
+      model_.corners.push_back(next_index(property.type));
     }
     if (*count > 0) model_.face_sizes.push_back(static_cast<std::uint32_t>(*count));
     return numbers_.ok();

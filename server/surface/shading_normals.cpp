@@ -101,8 +101,9 @@ std::vector<std::array<glm::vec3, 3>> shading_normals(std::span<const glm::dvec3
   return result;
 }
 
-void grow_over_creases(const std::vector<glm::uvec3>& triangles,
-                       const std::vector<std::array<glm::vec3, 3>>& shading_normals, std::vector<glm::vec3>& normals) {
+std::vector<std::uint32_t> grow_over_creases(const std::vector<glm::uvec3>& triangles,
+                                             const std::vector<std::array<glm::vec3, 3>>& shading_normals,
+                                             std::vector<glm::vec3>& normals) {
   constexpr float cancelled = 0.1f;
   std::vector<std::vector<glm::vec3>> sides(normals.size());  // those that differ from the vertex's
   for (std::size_t t = 0; t < shading_normals.size(); ++t) {
@@ -113,10 +114,12 @@ void grow_over_creases(const std::vector<glm::uvec3>& triangles,
       if (side != normals[v] && !known) sides[v].push_back(side);
     }
   }
-  for (std::size_t v = 0; v < normals.size(); ++v) {
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t v = 0; v < normals.size(); ++v) {
     const glm::vec3 sum = std::accumulate(sides[v].begin(), sides[v].end(), glm::vec3(0));
-    if (glm::length(sum) > cancelled) normals[v] = glm::normalize(sum);
+    if (glm::length(sum) > cancelled) normals[v] = glm::normalize(sum), changed.push_back(v);
   }
+  return changed;
 }
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -18,8 +19,10 @@ std::vector<std::array<glm::vec3, 3>> shading_normals(std::span<const glm::dvec3
                                                       std::span<const glm::vec3> normals, double crease_degrees);
 
 /// Where fur grows at creases: at each vertex that has shading normals of its own (as above), `normals` becomes the
-/// mean of them, each counted once, however large its triangles are; where they cancel it stays.
-void grow_over_creases(const std::vector<glm::uvec3>& triangles,
-                       const std::vector<std::array<glm::vec3, 3>>& shading_normals, std::vector<glm::vec3>& normals);
+/// mean of them, each counted once, however large its triangles are; where they cancel it stays. The vertices that
+/// changed.
+std::vector<std::uint32_t> grow_over_creases(const std::vector<glm::uvec3>& triangles,
+                                             const std::vector<std::array<glm::vec3, 3>>& shading_normals,
+                                             std::vector<glm::vec3>& normals);
 
 }  // namespace pelage

@@ -139,6 +139,16 @@ TEST(ParsePly, ListsLongerThanTheFileAreRefused) {
 }
 
 /// Two parts, one turned by its node and one mirrored, from one buffer inside the text.
+TEST(ParsePly, StripsOfTriangles) {
+  const RawModel model =
+      parsed(ModelFormat::ply,
+             "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+             "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+             "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n");
+  EXPECT_EQ(model.face_sizes, (std::vector<std::uint32_t>{3, 3, 3}));
+  EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2, 2, 3, 4}));
+}
+
 TEST(ParseGltf, NodeTransformsAndFactors) {
   const std::string gltf = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
     "nodes": [{"children": [1], "translation": [10, 0, 0]}, {"mesh": 0, "rotation": [0, 0, 0.70710678, 0.70710678]},
