@@ -60,9 +60,27 @@ double longest_edges(const Stroke& stroke, const Surface& surface) {
   return longest;
 }
 
+/// Eyes whose ball does not touch the skin.
+std::vector<std::string> warnings_of_eyes(const SetEyes& command, const Surface& surface) {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < command.eyes.size(); ++i) {
+    const Eye& eye = command.eyes[i];
+    const glm::dvec3 centre = surface.mesh().to_internal(eye.position);
+    const double away = glm::distance(centre, surface.position(surface.nearest(centre)));
+    if (away <= eye.radius) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "eye %zu does not touch the skin: its centre is %.3g sizes away from it, and its radius is %.3g",
+                  i + 1, away, eye.radius);
+    warnings.emplace_back(text);
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface) {
+  if (const auto* eyes = std::get_if<SetEyes>(&resolved)) return warnings_of_eyes(*eyes, surface);
   const Stroke* stroke = stroke_of(resolved);
   const Brush* brush = brush_of(resolved);
   if (stroke == nullptr || stroke->samples.empty() || brush == nullptr) return {};

@@ -66,7 +66,7 @@ glm::dvec3 pixel_ray(const PlacedCamera& camera, glm::dvec2 pixel, int width, in
 // What a command does as asked but is hardly meant.
 
 /// In plain words, for the answer: a brush that is finer than the mesh where its stroke passes, so that it touches few
-/// vertices or none. The command is resolved.
+/// vertices or none; an eye that stands off the skin or lies deep in it. The command is resolved.
 std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface);
 
 }  // namespace pelage

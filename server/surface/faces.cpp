@@ -250,14 +250,15 @@ class Orienter {
   }
 
   bool should_turn(const std::vector<std::uint32_t>& members, WoundPart& part) const {
-    constexpr double next_to_nothing = 1e-3;  // of the cube of the box's diagonal; a ball has 0.1
+    constexpr double next_to_nothing = 1e-3;      // of the cube of the box's diagonal; a ball has 0.1
+    constexpr std::size_t enough_to_enclose = 8;  // triangles; fewer enclose nothing that says anything
     const Winding winding = winding_of(members, part.box);
     const double size = part.box.size;
     const bool encloses = std::abs(winding.volume) > next_to_nothing * size * size * size;
     const bool by_volume = winding.volume<0, by_most = winding.flipped> winding.kept;
     const bool agreed = winding.flipped == 0 || winding.kept == 0;
     if (winding.open && agreed) {
-      part.doubtful = encloses && by_volume != by_most;
+      part.doubtful = encloses && by_volume != by_most && members.size() >= enough_to_enclose;
       return by_most;
     }
     return encloses ? by_volume : by_most;
