@@ -127,12 +127,33 @@ f 2 6 8 4
         self.assertIn("triangles   12", self.pelage("load", scene, self.file("cube.OBJ", cube)).stdout)
         self.assertIn("nearest", self.pelage("load", scene, self.file("cube.objj", cube), code=3).stderr)
         self.pelage("load", scene, "-", "--format", "obj", text="v 0 0 0\n", code=3)
-        self.assertIn("/front", self.pelage("load", scene, self.file("c.obj", cube), "--up", "z", code=3).stderr)
+        self.assertIn("up z, front -y", self.pelage("load", scene, self.file("c.obj", cube), "--up", "z").stdout)
+        self.assertIn("/front", self.pelage("load", scene, self.file("c.obj", cube), "--up", "z", "--front", "-z", code=3).stderr)
+        self.assertIn("part 9", self.pelage("load", scene, self.file("c.obj", cube), "--flip", 9, code=3).stderr)
+        self.file("fox.mtl", "newmtl red\nKd 1 0 0\n")
+        with_material = self.pelage("load", scene, self.file("c.obj", "mtllib fox.mtl\nmtllib gone.mtl\nusemtl red\n" + cube)).stdout
+        self.assertIn("missing_material_files: 1 (gone.mtl)", with_material)
+        self.assertNotIn("missing_materials", with_material)
+        self.assertIn("put fox.bin beside", self.pelage("load", scene, self.file(
+            "c.gltf", '{"asset": {"version": "2.0"}, "buffers": [{"uri": "fox.bin"}]}'), code=3).stderr)
+
+    def test_what_a_frame_takes_is_known_before(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 500)
+        self.assertRegex(self.pelage("frame", scene, "--dry-run").stdout, r"^about [0-9.e-]+ s, up to ")
+        picture = self.file("none.png", "")
+        refused = self.pelage("frame", scene, "-o", picture, "--width", 8000, "--height", 8000, "--knob", "shells=64", "--knob",
+                              "steps=16", "--max-seconds", 1, code=3).stderr
+        self.assertIn("/max_seconds", refused)
+        self.assertIn("--max-seconds", refused)
 
     def test_a_real_model(self):
         fox = shared_folder() / "meshes" / "Fox.glb"
         scene = self.new("--builtin", "plane", "--triangles", 2)
         self.assertIn("triangles   576", self.pelage("load", scene, fox).stdout)
+        posed = self.pelage("load", scene, fox, "--pose", "Run@0.3").stdout
+        self.assertIn("pose        Run@0.3", posed)
+        self.assertIn("animations  Survey, Walk, Run", posed)
+        self.assertIn("--pose", self.pelage("load", scene, fox, "--pose", "Fly", code=3).stderr)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import tempfile
+import threading
 import unittest
 
 from support.server import BIN, Server, ServedTest
@@ -34,6 +35,35 @@ class Dial(ServedTest):
         named("FrameRequest").validate({"budget_ms": 60})
         self.assertFalse(named("FrameRequest").is_valid({"budget_ms": 60, "quality": "draft"}))
         self.assertNotIn("pelage-error", self.scene.frame(quality={"shells": 7}).headers)
+
+    def test_a_dry_run_says_what_a_frame_takes(self):
+        costs = []
+        for size in (100, 1000):
+            answer = self.scene.post("frames?dry_run=1", {"width": size, "height": size, "quality": "detailed"})
+            named("FrameCost").validate(answer.json)
+            costs.append(answer.json["seconds"])
+        self.assertLess(costs[0], costs[1])
+        self.assert_problem(self.scene.post("frames?dry_run=1", {"quality": "reference"}), 422, "/quality")
+        self.assert_problem(self.scene.post("frames?dry_run=2", {}), 422, "/dry_run")
+        knobs = {"shells": 64, "steps": 16, "scale": 1}
+        long = {"width": 8000, "height": 8000, "quality": knobs, "max_seconds": 1}
+        self.assert_problem(self.scene.post("frames", long), 422, "/max_seconds")
+
+    def test_a_frame_that_is_drawn_is_listed(self):
+        address = f"/v1/scenes/{self.scene.id}/frames"
+        self.assertEqual(self.server.get(address).json, {"frames": []})
+        request = {"width": 1500, "height": 1500, "quality": "detailed", "view": "slow"}
+        drawing = threading.Thread(target=lambda: self.scene.frame(**request))
+        drawing.start()
+        seen = []
+        while drawing.is_alive():
+            listed = self.server.get(address).json
+            named("FrameProgressList").validate(listed)
+            seen += listed["frames"]
+        drawing.join()
+        self.assertEqual({(one["view"], one["width"]) for one in seen}, {("slow", 1500)})
+        self.assertGreater(max(one["share"] for one in seen), 0)
+        self.assertEqual(self.server.get(address).json, {"frames": []})
 
     def test_the_named_knobs_draw_the_same_picture(self):
         for request in ({"budget_ms": 30}, {"budget_ms": 2000}, {"max_error": 0.03}):

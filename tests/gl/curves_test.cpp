@@ -66,7 +66,9 @@ TEST_P(Curves, FurCoversTheirRoots) {
   FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0});
   FurredModel furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
   // Above where the first groom begins: there fur stands up, and one looks down to its roots.
-  const auto on_skin = [&](const FurredModel& model) { return line(model, {-0.02, 0.16, 0.2435}, {0.02, 0.16, 0.2435}); };
+  const auto on_skin = [&](const FurredModel& model) {
+    return line(model, {-0.02, 0.16, 0.2435}, {0.02, 0.16, 0.2435});
+  };
   const double naked = change(bare, {on_skin(bare)});
   EXPECT_GT(naked, 0.02);
   EXPECT_LT(change(furry, {on_skin(furry)}), 0.1 * naked);
