@@ -152,7 +152,7 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
   load->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
-  load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl and 3ds, else y]");
+  load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl, else y]");
   load->add_option("--front", options.front,
                    "Axis of the file that the model faces [as its joints say; else -y where z is up, z where y is]");
   load->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");

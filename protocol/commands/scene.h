@@ -53,7 +53,7 @@ inline constexpr double default_crease_degrees = 60;
 
 /// Parameters of PUT model: how to read the bytes that come with it. `up` and `front` say which of the file's axes
 /// point up and forward; they differ in more than sign. Where they are not given they follow from the format (Z up and
-/// -Y forward in STL and 3DS, else Y and Z), and forward from a skeleton whose joints say what is left and right.
+/// -Y forward in STL, else Y and Z), and forward from a skeleton whose joints say what is left and right.
 struct ImportOptions {
   ModelFormat format = ModelFormat::obj;
   std::optional<Axis> up, front;

@@ -105,7 +105,7 @@ class Tools(ServedTest):
             self.assertEqual(scene.frame(**FRAME).body, body)
 
     def test_horse(self):
-        self.check_file(pathlib.Path("/usr/share/glmark2/models/horse.3ds"), "format=3ds&up=y&front=z")
+        self.check_file(pathlib.Path("/usr/share/glmark2/models/horse.3ds"), "format=3ds&up=y&front=x")  # it looks along x
 
     def test_dense_fur_of_a_file_shows_no_background(self):
         scene = self.server.new_scene("torus")
