@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
 #include <utility>
 
 #include "clients/cli/pack/pack.h"
 #include "clients/cli/print.h"
 #include "protocol/base/limits.h"
+#include "protocol/base/percent.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 
@@ -76,17 +76,6 @@ Query import_query(const Options& options, const std::string& format) {
   return query;
 }
 
-/// A parameter's value as it stands in an address.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    const bool plain =
-        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-._~,").find(c) != std::string_view::npos;
-    result += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return result;
-}
-
 /// Sends bytes to `name` of the scene.
 Result<HttpAnswer> put_bytes(Session& session, const char* name, const Query& query, const std::string& bytes) {
   const auto path = session.scene_path();
@@ -94,7 +83,7 @@ Result<HttpAnswer> put_bytes(Session& session, const char* name, const Query& qu
   std::string address = *path + "/" + name;
   char separator = '?';
   for (const auto& [parameter, value] : query)
-    address += std::exchange(separator, '&') + parameter + "=" + escaped(value);
+    address += std::exchange(separator, '&') + parameter + "=" + percent_encoded(value);
   return Session::accepted(session.connection().put_bytes(address, bytes));
 }
 
@@ -115,13 +104,13 @@ Result<PackedModel> packed(const Options& options, const std::string& format) {
   return PackedModel{*bytes, false, {}};
 }
 
-/// What to do about a model that was refused.
-std::string next_after(const Status& status, const PackedModel& model) {
-  if (!model.missing.empty())
-    return fmt::format("put {} beside the model and load it again; the scene is as it was",
-                       fmt::join(model.missing, ", "));
-  if (status.message.find("animation") != std::string::npos)
-    return "name one of them with --pose; the scene is as it was";
+/// What to do about a model that was refused. `pose` as it was asked for.
+std::string next_after(const Status& status, const PackedModel& model, const std::string& pose) {
+  const auto says = [&](const std::string& word) { return status.message.find(word) != std::string::npos; };
+  for (const std::string& file : model.missing)
+    if (says(file)) return "put " + file + " beside the model and load it again; the scene is as it was";
+  if (!pose.empty() && (says("animation") || says("pose")))
+    return "load it again with another --pose or without; the scene is as it was";
   return "mend or convert the file and load it again; the scene is as it was";
 }
 
@@ -161,7 +150,7 @@ ExitCode load_model(Session& session) {
   if (answer) return print_summary(session, answer);
   const Status& status = answer.status();
   const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
-  return report(about_the_file ? with_next(status, next_after(status, *model)) : status, options.file);
+  return report(about_the_file ? with_next(status, next_after(status, *model, options.pose)) : status, options.file);
 }
 
 ExitCode load_environment(Session& session) {

@@ -21,9 +21,9 @@ enum class ModelFormat {
                                                                         // others with the files that it names
 enum class Axis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  // "x", "-x", ...
 
-/// The first groom: fur that lies from nose to tail and a little down.
-/// even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, estimated from where they
-/// lie in the model's box when it looks along +Z.
+/// The first groom: fur that flows from under the chin to the ends of limbs, ears and tail, on sheets from front to
+/// back. even: one length everywhere. animal: shorter on face and paws, longer on chest and tail, estimated from where
+/// they lie in the model's box when it looks along +Z.
 enum class GroomForm { even, animal };
 
 struct FirstGroom {

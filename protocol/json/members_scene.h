@@ -38,8 +38,7 @@ struct EnvironmentUpload {
 template <class V>
 void fur_members(V& v, Visited<V, FirstGroom>& c) {
   v.number("length", c.length, {0, 10}, "Sizes.");
-  v.number("inclination", c.inclination, share,
-           "0 upright, 1 lying. At nose and rump, where no way leads to the tail, fur stands up.");
+  v.number("inclination", c.inclination, share, "0 upright, 1 lying. Where fur begins, ends and parts it stands up.");
   v.name(
       "form", c.form, json_names::groom_forms,
       "animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in the model's box.");
@@ -47,7 +46,9 @@ void fur_members(V& v, Visited<V, FirstGroom>& c) {
 
 template <class V>
 void members(V& v, Visited<V, FirstGroom>& c) {
-  v.type("FirstGroom", "The first fur, which lies from nose to tail and a little down.");
+  v.type("FirstGroom",
+         "The first fur, which flows from under the chin to the ends of limbs, ears and tail; on sheets from front to "
+         "back.");
   fur_members(v, c);
 }
 

@@ -216,7 +216,7 @@ std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vect
   std::vector<glm::dvec2> flow(static_cast<std::size_t>(smooth.size()), glm::dvec2(0));
   for (const std::vector<std::uint32_t>& part : parts) {
     std::vector<double> lengths;
-    for (const std::uint32_t v : part) lengths.push_back(std::abs(smooth[v]));
+    for (const std::uint32_t v : part) lengths.push_back(std::isfinite(std::abs(smooth[v])) ? std::abs(smooth[v]) : 0);
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
     for (const std::uint32_t v : part) {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "protocol/base/limits.h"
+#include "protocol/base/percent.h"
 #include "protocol/json/names.h"
 #include "server/import_worker/parse.h"
 
@@ -38,18 +38,6 @@ std::optional<ModelFormat> format_of(std::string_view path) {
   for (const auto& known : json_names::model_formats)
     if (known.text == ending && known.value != ModelFormat::zip) return known.value;
   return {};
-}
-
-std::string percent_decoded(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    unsigned char byte = 0;
-    const bool escaped = text[i] == '%' && i + 2 < text.size() &&
-                         std::from_chars(&text[i + 1], &text[i + 1] + 2, byte, 16).ptr == &text[i + 1] + 2;
-    result += escaped ? static_cast<char>(byte) : text[i];
-    i += escaped ? 2 : 0;
-  }
-  return result;
 }
 
 /// With slashes, without "." and "..".

@@ -93,7 +93,7 @@ bool is_base64(std::string_view uri) {
   return data.size() % 4 != 1 && std::all_of(data.begin(), data.end(), is_digit);
 }
 
-/// Buffers have to be there; pictures that are not are counted by gltf_losses.
+/// Buffers have to be there; pictures that are not are counted by count_pictures.
 Status check_uris(const json& root, const Bundle& bundle) {
   const json& buffers = list(root, "buffers");
   for (std::size_t i = 0; i < buffers.size(); ++i) {

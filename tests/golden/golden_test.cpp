@@ -1,11 +1,8 @@
 // A few whole pictures against ones that were looked at. After a wanted change run with PELAGE_UPDATE_GOLDEN=1, look at
 // the new pictures and commit them on their own with the reason.
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 
-#include "renderer/image/image.h"
 #include "tests/gl/with_renderer.h"
+#include "tests/golden/expect_golden.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
@@ -71,18 +68,7 @@ TEST_P(Pictures, MatchWhatWasLookedAt) {
     request.background = Background::colour;
     golden.change(model, request);
     const Image image = draw(*renderer, model, request);
-    const std::string path = std::string(PELAGE_GOLDEN_FOLDER "/") + golden.name + ".png";
-    if (std::getenv("PELAGE_UPDATE_GOLDEN")) {
-      const std::string png = encode_png(image, true);
-      std::ofstream(path, std::ios::binary).write(png.data(), static_cast<std::streamsize>(png.size()));
-    }
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    const Result<Image> expected = decode_image(std::as_bytes(std::span(bytes)), 1 << 20);
-    ASSERT_TRUE(expected.ok()) << path << ": " << expected.status().message;
-    ASSERT_EQ(expected->rgba.size(), image.rgba.size());
-    EXPECT_LE(mean_difference(image, *expected), golden.mean) << golden.name;
-    EXPECT_LE(largest_difference(image, *expected), golden.largest) << golden.name;
+    expect_golden(image, golden.name, golden.mean, golden.largest);
   }
 }
 

@@ -3,13 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 
-#include "renderer/image/image.h"
 #include "server/first_groom/first_groom.h"
 #include "server/patches/subdivide.h"
+#include "tests/golden/expect_golden.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
@@ -104,18 +101,7 @@ void expect_as_looked_at(const FurredModel& model, const std::string& name) {
   constexpr double mean = 0.5;
   constexpr int largest = 60;
   const Image image = all_tiers(model);
-  const std::string path = PELAGE_GOLDEN_FOLDER "/" + name + ".png";
-  if (std::getenv("PELAGE_UPDATE_GOLDEN")) {
-    const std::string png = encode_png(image, true);
-    std::ofstream(path, std::ios::binary).write(png.data(), static_cast<std::streamsize>(png.size()));
-  }
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const Result<Image> expected = decode_image(std::as_bytes(std::span(bytes)), 1 << 20);
-  ASSERT_TRUE(expected.ok()) << path << ": " << expected.status().message;
-  ASSERT_EQ(expected->rgba.size(), image.rgba.size());
-  EXPECT_LE(mean_difference(image, *expected), mean) << name;
-  EXPECT_LE(largest_difference(image, *expected), largest) << name;
+  expect_golden(image, name, mean, largest);
 }
 
 constexpr FirstGroom short_fur{.length = 0.04};

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "protocol/base/percent.h"
 #include "protocol/json/parse.h"
 
 namespace pelage {
@@ -50,18 +51,6 @@ std::optional<fs::path> below(std::string name) {
   const fs::path path = fs::path(name).lexically_normal();
   if (path.is_absolute() || path.empty() || *path.begin() == "..") return {};
   return path;
-}
-
-std::string percent_decoded(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escaped = text[i] == '%' && i + 2 < text.size() &&
-                         std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
-                         std::isxdigit(static_cast<unsigned char>(text[i + 2]));
-    result += escaped ? static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16)) : text[i];
-    i += escaped ? 2 : 0;
-  }
-  return result;
 }
 
 /// The files of one upload.

@@ -63,6 +63,8 @@ Singular count_singular(const Mesh& mesh) {
   Singular count;
   for (const glm::uvec3& t : mesh.triangles) {
     const int index = index_of(mesh, flow, t);
+    // There fur stands up, or strands would lie in a whorl.
+    for (int k = 0; index != 0 && k < 3; ++k) EXPECT_LT(flow.lengths[t[k]], 0.5);
     count.sources += index > 0 ? 1 : 0, count.saddles += index < 0 ? 1 : 0;
   }
   return count;
