@@ -117,13 +117,19 @@ float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, flo
   return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v, longitudinal_whole(v));
 }
 
-double trimmed_logistic(double x, double s) {
+double wrapped_angle(double angle) { return angle - 2 * pi * std::nearbyint(angle / (2 * pi)); }
+
+double logistic(double x, double s) {
   const double fall = std::exp(-std::abs(x) / s);
-  return fall / (s * square(1 + fall) * std::tanh(pi / (2 * s)));
+  return fall / (s * square(1 + fall));
 }
 
+double logistic_share(double s) { return std::tanh(pi / (2 * s)); }
+
+double trimmed_logistic(double x, double s) { return logistic(x, s) / logistic_share(s); }
+
 double sample_trimmed_logistic(double u, double s) {
-  const double beyond = 1 / (1 + std::exp(pi / s)), below = beyond + u * std::tanh(pi / (2 * s));
+  const double beyond = 1 / (1 + std::exp(pi / s)), below = beyond + u * logistic_share(s);
   return std::clamp(s * std::log(below / (1 - below)), -pi, pi);
 }
 
@@ -189,7 +195,7 @@ LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light,
 LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_view, double h, double azimuth) {
   LobeValues values{};
   for (int p = 0; p < lobe_count - 1; ++p) {
-    const double apart = std::remainder(azimuth - exit_azimuth(p, h, cos_theta_view, lobes.eta), 2 * pi);
+    const double apart = wrapped_angle(azimuth - exit_azimuth(p, h, cos_theta_view, lobes.eta));
     values[static_cast<std::size_t>(p)] = trimmed_logistic(apart, lobes.azimuthal_scale);
   }
   values[lobe_count - 1] = 1 / (2 * pi);

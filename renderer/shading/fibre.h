@@ -49,6 +49,14 @@ float scaled_bessel_i0(float x);
 double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v);
 float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, float v);
 
+/// `angle` in [-pi, pi], whole turns taken off; by a rounding, which is many times as fast as std::remainder. |angle| <
+/// 1e9.
+double wrapped_angle(double angle);
+
+/// The logistic distribution of scale s > 0, and the share of it in [-pi, pi].
+double logistic(double x, double s);
+double logistic_share(double s);
+
 /// The logistic distribution of scale s > 0, cut to [-pi, pi] and normalised there; x in [-pi, pi].
 double trimmed_logistic(double x, double s);
 

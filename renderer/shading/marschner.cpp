@@ -23,6 +23,8 @@ std::vector<QuadratureNode> offset_nodes() {
   return nodes;
 }
 
+double gaussian(double x, double width) { return std::exp(-x * x / (2 * width * width)) / (width * std::sqrt(2 * pi)); }
+
 }  // namespace
 
 AzimuthalAverage::AzimuthalAverage(ShadingModel shading, const FibreOptics& fibre)
@@ -32,11 +34,12 @@ AzimuthalAverage::AzimuthalAverage(ShadingModel shading, const FibreOptics& fibr
       nodes_(offset_nodes()) {
   assert(marschner_ || shading == ShadingModel::energy_conserving);
   width_ = std::max(width_, min_width);
+  share_ = marschner_ ? std::erf(pi / (width_ * std::sqrt(2.0))) : logistic_share(width_);
 }
 
 double AzimuthalAverage::distribution(double apart) const {
-  const double wrapped = std::remainder(apart, 2 * pi);
-  return marschner_ ? caustic_spread(wrapped, width_) : trimmed_logistic(wrapped, width_);
+  const double wrapped = wrapped_angle(apart);
+  return (marschner_ ? gaussian(wrapped, width_) : logistic(wrapped, width_)) / share_;
 }
 
 AzimuthalAverage::NodeValues AzimuthalAverage::exits(double cos_theta) const {
@@ -82,12 +85,6 @@ LobeValues AzimuthalAverage::at(double cos_theta, double azimuth, double sigma_a
   return sum(spread(exits(cos_theta), azimuth), passed(cos_theta, sigma_a), cos_theta, azimuth);
 }
 
-namespace {
-
-double gaussian(double x, double width) { return std::exp(-x * x / (2 * width * width)) / (width * std::sqrt(2 * pi)); }
-
-}  // namespace
-
 MarschnerLobes marschner_lobes(const FibreOptics& fibre) {
   const double alpha = fibre.cuticle_tilt * pi / 180, beta = fibre.highlight_width * pi / 180;
   const auto width = [](double wanted) { return std::max(wanted, 1e-3); };
@@ -100,10 +97,6 @@ MarschnerLobes marschner_lobes(const FibreOptics& fibre) {
 double marschner_reflection(double cos_theta_d, double azimuth, double eta) {
   const double cos_gamma = std::max(0.0, std::cos(azimuth / 2));
   return cos_gamma / 4 * fresnel_dielectric(cos_theta_d * cos_gamma, eta);
-}
-
-double caustic_spread(double apart, double width) {
-  return gaussian(apart, width) / std::erf(pi / (width * std::sqrt(2.0)));
 }
 
 }  // namespace pelage

@@ -32,6 +32,7 @@ class AzimuthalAverage {
   bool marschner_;
   double eta_;
   double width_;                       // of the distribution around the exact azimuth: s, or the caustic width, radians
+  double share_;                       // of the distribution in [-pi, pi], outside of which it is cut
   std::vector<QuadratureNode> nodes_;  // x = h in [0, 1]: both halves are alike
 };
 
@@ -41,16 +42,12 @@ class AzimuthalAverage {
 struct MarschnerLobes {
   LobeValues centre{};       // theta_h of the peak, radians; the fourth lobe is not used and has no weight
   LobeValues width{};        // standard deviation of theta_h, radians, at least 1e-3
-  double caustic_width = 0;  // spread of TT and TRT around the strand, radians
+  double caustic_width = 0;  // spread of TT and TRT around the strand, radians: they are infinite at the caustics
   double eta = 1.55;
 };
 MarschnerLobes marschner_lobes(const FibreOptics& fibre);
 
 /// NR of a smooth fibre in closed form: 1/4 cos(phi/2) times Fresnel; azimuth in [-pi, pi].
 double marschner_reflection(double cos_theta_d, double azimuth, double eta);
-
-/// How TT and TRT spread around their exact azimuth: a Gaussian cut to [-pi, pi] and normalised there. The exact
-/// distribution is infinite at the caustics.
-double caustic_spread(double apart, double width);
 
 }  // namespace pelage

@@ -8,7 +8,7 @@ std::string one(const std::string& op, const std::string& members) {
   return R"({"op": ")" + op + "\", " + members + "}";
 }
 
-std::string coat(const std::string& members) { return one("set_coat", R"("coat": {)" + members + "}"); }
+std::string coat_with(const std::string& members) { return one("set_coat", R"("coat": {)" + members + "}"); }
 
 std::string quality(const std::string& members) { return R"("quality": {)" + members + "}"; }
 
@@ -16,7 +16,7 @@ std::string light(const std::string& members) {
   return one("set_lights", R"("lights": [{"direction": [0, -1, -1])" + members + "}]");
 }
 
-std::string paint(const std::string& field, const std::string& value) {
+std::string painted(const std::string& field, const std::string& value) {
   return one("paint", R"("flood": true, "brush": {"strength": 1}, "field": ")" + field + R"(", )" + value);
 }
 
@@ -28,12 +28,14 @@ std::vector<Feature> of_the_coat() {
   const std::string group = R"({"curves": [[[0, 0, 1], [0.5, 0, 2]]], "width_root": 0.01})";
   const std::string region = R"({"centre": [0, 0, 1], "radii": [0.5, 0.5, 0.5]})";
   return {
-      {"pattern", coat(R"("pattern": {"kind": "stripes"})"), "", coat(R"("pattern": {"kind": "none", "scale": 0.5})")},
-      {"variation", coat(R"("variation": {"hue": 1})"), "", coat(R"("variation": {"hue": 0, "size": 0.3})")},
-      {"tufts", coat(R"("tufts": {"gather": 1})"), "", coat(R"("tufts": {"gather": 0, "size": 0.3, "scales": 3})")},
-      {"painted density", paint("density", R"("value": 0.5)"), "", paint("density", R"("value": 1)")},
-      {"painted colour", paint("root_colour", R"("value": 1, "colour": "#ff0000")"), "",
-       paint("wetness", R"("value": 0)")},
+      {"pattern", coat_with(R"("pattern": {"kind": "stripes"})"), "",
+       coat_with(R"("pattern": {"kind": "none", "scale": 0.5})")},
+      {"variation", coat_with(R"("variation": {"hue": 1})"), "", coat_with(R"("variation": {"hue": 0, "size": 0.3})")},
+      {"tufts", coat_with(R"("tufts": {"gather": 1})"), "",
+       coat_with(R"("tufts": {"gather": 0, "size": 0.3, "scales": 3})")},
+      {"painted density", painted("density", R"("value": 0.5)"), "", painted("density", R"("value": 1)")},
+      {"painted colour", painted("root_colour", R"("value": 1, "colour": "#ff0000")"), "",
+       painted("wetness", R"("value": 0)")},
       {"curves", one("set_curves", R"("groups": [)" + group + "]"), "", one("set_curves", R"("groups": [])")},
       {"bare skin", one("set_skin", R"("regions": [)" + region + "]"), "", one("set_skin", R"("regions": [])")},
       {"eyes", one("set_eyes", R"("eyes": [{"position": [0, 0, 1], "radius": 0.1}])"), "",

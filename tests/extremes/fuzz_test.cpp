@@ -14,7 +14,7 @@
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
 
-namespace pelage::testing {
+namespace pelage::testing::fuzz_test {
 namespace {
 
 using Layers = std::vector<FloatImage>;
@@ -116,4 +116,4 @@ TEST(FuzzWithoutGl, AnySceneIsFiniteAndTheSameTwice) {
 INSTANTIATE_TEST_SUITE_P(Both, Fuzz, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::fuzz_test

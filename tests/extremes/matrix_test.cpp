@@ -13,7 +13,7 @@
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
 
-namespace pelage::testing {
+namespace pelage::testing::matrix_test {
 namespace {
 
 class Matrix : public ::testing::TestWithParam<std::tuple<Backend, std::string>> {
@@ -119,4 +119,4 @@ TEST(MatrixPage, ListsTheRows) {
 }
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::matrix_test

@@ -17,7 +17,7 @@
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
 
-namespace pelage::testing {
+namespace pelage::testing::relations_test {
 namespace {
 
 using Layers = std::vector<FloatImage>;
@@ -215,4 +215,4 @@ TEST_P(Relations, DoublingTheShellsShrinksTheError) {
 INSTANTIATE_TEST_SUITE_P(Both, Relations, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::relations_test

@@ -8,7 +8,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::aovs_test {
 namespace {
 
 class Layers : public WithRenderer {
@@ -378,4 +378,4 @@ TEST_P(Layers, MapsOfALightHideTheFrame) {
 INSTANTIATE_TEST_SUITE_P(Gl, Layers, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::aovs_test

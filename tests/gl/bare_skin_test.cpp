@@ -7,7 +7,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::bare_skin_test {
 namespace {
 
 class BareSkinFrames : public WithRenderer {
@@ -203,4 +203,4 @@ TEST_P(BareSkinFrames, ExtremesGiveFinitePictures) {
 INSTANTIATE_TEST_SUITE_P(Gl, BareSkinFrames, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::bare_skin_test

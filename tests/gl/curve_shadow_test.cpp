@@ -4,7 +4,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::curve_shadow_test {
 namespace {
 
 class CurveShadows : public WithRenderer {};
@@ -110,4 +110,4 @@ TEST_P(CurveShadows, CurvesCastThemOnTheGround) {
 INSTANTIATE_TEST_SUITE_P(Gl, CurveShadows, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::curve_shadow_test

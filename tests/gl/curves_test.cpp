@@ -6,7 +6,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::curves_test {
 namespace {
 
 /// A straight curve on the sphere of radius .289 (internal coordinates), which is seen from +Z.
@@ -132,4 +132,4 @@ TEST_P(Curves, SameFrameSameBits) {
 INSTANTIATE_TEST_SUITE_P(Gl, Curves, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::curves_test

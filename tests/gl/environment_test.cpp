@@ -6,7 +6,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::environment_test {
 namespace {
 
 class EnvironmentLight : public WithRenderer {
@@ -86,4 +86,4 @@ TEST_P(EnvironmentLight, ExtremesStayFinite) {
 INSTANTIATE_TEST_SUITE_P(Gl, EnvironmentLight, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::environment_test

@@ -9,7 +9,7 @@
 #include "renderer/upload/blocks.h"
 #include "tests/gl/backends.h"
 
-namespace pelage::testing {
+namespace pelage::testing::eye_test {
 namespace {
 
 constexpr int size = 96;
@@ -325,4 +325,4 @@ TEST_P(Eyes, ALightIsASharpDiscOnAWetEye) {
 INSTANTIATE_TEST_SUITE_P(Gl, Eyes, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::eye_test

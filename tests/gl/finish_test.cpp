@@ -10,7 +10,7 @@
 #include "renderer/passes/resolve/resolve_pass.h"
 #include "tests/gl/backends.h"
 
-namespace pelage::testing {
+namespace pelage::testing::finish_test {
 namespace {
 
 /// Light of any strength and cover, some of it empty and some of it even.
@@ -97,4 +97,4 @@ TEST(FinishedPicture, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::finish_test

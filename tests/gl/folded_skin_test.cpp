@@ -2,7 +2,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::folded_skin_test {
 namespace {
 
 /// A triangle that faces the front, and on each of its edges one ten times as large, folded back below it: the normals
@@ -38,4 +38,4 @@ TEST_P(FoldedSkin, IsNotShadedByFurThatGrowsIntoIt) {
 INSTANTIATE_TEST_SUITE_P(Gl, FoldedSkin, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::folded_skin_test

@@ -5,7 +5,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::ground_test {
 namespace {
 
 /// Where the ground's opacity lies in a picture from the front, in 1/255, away from the model.
@@ -98,4 +98,4 @@ TEST_P(Grounds, LightsThatShineElsewhereCastNoShadow) {
 INSTANTIATE_TEST_SUITE_P(Gl, Grounds, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::ground_test

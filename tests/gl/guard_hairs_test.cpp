@@ -8,7 +8,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::guard_hairs_test {
 namespace {
 
 FrameRequest request_with(int hairs, int size = 192) {
@@ -228,4 +228,4 @@ TEST(GuardHairRoots, OnlyWhatIsSeenFromTheSideFarThingsFirst) {
 }
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::guard_hairs_test

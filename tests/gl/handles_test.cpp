@@ -3,7 +3,7 @@
 #include "renderer/gl/program.h"
 #include "tests/gl/backends.h"
 
-namespace pelage::testing {
+namespace pelage::testing::handles_test {
 namespace {
 
 class Handles : public OnBackend {};
@@ -67,4 +67,4 @@ TEST_P(Handles, BrokenShaderSaysWhy) {
 INSTANTIATE_TEST_SUITE_P(Gl, Handles, all_contexts(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::handles_test

@@ -13,7 +13,7 @@ extern const char* const lean_grid_vert;
 extern const char* const lean_grid_frag;
 }  // namespace shaders
 
-namespace testing {
+namespace testing::lean_test {
 namespace {
 
 constexpr int side = 33;
@@ -59,5 +59,5 @@ TEST_P(Lean, AgreesWithTheCpu) {
 INSTANTIATE_TEST_SUITE_P(Gl, Lean, both_backends(), name_of);
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::lean_test
 }  // namespace pelage

@@ -3,7 +3,7 @@
 
 #include "renderer/frame/parts.h"
 
-namespace pelage {
+namespace pelage::light_of_test {
 namespace {
 
 bool names(const FurFrame& frame, const char* define, bool model_has_colours = true) {
@@ -39,4 +39,4 @@ TEST(LightOf, NamesFurThatTakesNoColoursOfTheModel) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::light_of_test

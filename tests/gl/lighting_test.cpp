@@ -20,7 +20,7 @@ extern const char* const lean_grid_vert;
 extern const char* const lighting_grid_frag;
 }  // namespace shaders
 
-namespace testing {
+namespace testing::lighting_test {
 namespace {
 
 constexpr int side = 32, cases = side * side;
@@ -335,5 +335,5 @@ INSTANTIATE_TEST_SUITE_P(Gl, Lighting, both_backends(), name_of);
 INSTANTIATE_TEST_SUITE_P(Gl, ShadowFormulas, both_backends(), name_of);
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::lighting_test
 }  // namespace pelage

@@ -10,7 +10,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::marched_any_scene_test {
 namespace {
 
 class AnyScene {
@@ -134,4 +134,4 @@ TEST_P(MarchedScenes, AreThoseOfSortedShells) {
 INSTANTIATE_TEST_SUITE_P(Backends, MarchedScenes, ::testing::Values(Backend::egl_device), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::marched_any_scene_test

@@ -6,7 +6,7 @@
 #include "tests/gl/marched_frames.h"
 #include "tests/gl/with_renderer.h"
 
-namespace pelage::testing {
+namespace pelage::testing::marched_aovs_test {
 namespace {
 
 constexpr std::array all{Aov::beauty, Aov::depth,  Aov::position, Aov::normal,     Aov::tangent,
@@ -94,4 +94,4 @@ TEST_F(MarchedFrames, HaveAovsOfAllThatStandsOnTheBody) {
 INSTANTIATE_TEST_SUITE_P(Backends, MarchedAovs, ::testing::Values(Backend::egl_device), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::marched_aovs_test

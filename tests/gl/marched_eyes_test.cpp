@@ -9,7 +9,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::marched_eyes_test {
 namespace {
 
 constexpr int size = 160;
@@ -117,4 +117,4 @@ TEST(MarcherOfEyes, ExtremesStayLight) {
 INSTANTIATE_TEST_SUITE_P(Backends, MarchedEyes, ::testing::Values(Backend::egl_device), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::marched_eyes_test

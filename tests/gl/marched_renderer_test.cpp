@@ -10,7 +10,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::marched_renderer_test {
 namespace {
 
 TEST_F(MarchedFrames, InPiecesHasTheBitsOfAWholeFrame) {
@@ -158,4 +158,4 @@ TEST_P(MarchedBesideGl, CurvesStandInFrontOfSkin) {
 INSTANTIATE_TEST_SUITE_P(Backends, MarchedBesideGl, ::testing::Values(Backend::egl_device), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::marched_renderer_test

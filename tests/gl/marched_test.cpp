@@ -17,7 +17,7 @@
 #include "tests/support/furred_model.h"
 #include "tests/support/textured.h"
 
-namespace pelage::testing {
+namespace pelage::testing::marched_test {
 namespace {
 
 constexpr MarchQuality fine{32, 0, 1, 64};
@@ -301,4 +301,4 @@ TEST(Marcher, DrawsLightFromAnywhereOfAnyFurAndItsPartsAlike) {
 }
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::marched_test

@@ -6,7 +6,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::paint_test {
 namespace {
 
 class PaintedFrames : public WithRenderer {
@@ -345,4 +345,4 @@ TEST_P(PaintedFrames, ExtremesGiveFinitePictures) {
 INSTANTIATE_TEST_SUITE_P(Gl, PaintedFrames, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::paint_test

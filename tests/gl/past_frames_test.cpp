@@ -4,7 +4,7 @@
 #include "tests/gl/backends.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage::testing {
+namespace pelage::testing::past_frames_test {
 namespace {
 
 class PastFrames : public StoreTest, public ::testing::WithParamInterface<Backend> {
@@ -132,4 +132,4 @@ TEST_P(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
 INSTANTIATE_TEST_SUITE_P(Gl, PastFrames, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::past_frames_test

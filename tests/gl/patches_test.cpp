@@ -5,7 +5,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::patches_test {
 namespace {
 
 class SharedFur : public WithRenderer {};
@@ -61,4 +61,4 @@ TEST_P(SharedFur, OverlapsKeepCoverAndColour) {
 INSTANTIATE_TEST_SUITE_P(Gl, SharedFur, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::patches_test

@@ -17,7 +17,7 @@ extern const char* const lean_grid_vert;
 extern const char* const pattern_grid_frag;
 }  // namespace shaders
 
-namespace testing {
+namespace testing::pattern_test {
 namespace {
 
 constexpr int side = 33;
@@ -86,5 +86,5 @@ TEST_P(PatternOnGpu, VariationOfLengthChangesTheSilhouette) {
 INSTANTIATE_TEST_SUITE_P(Gl, PatternOnGpu, both_backends(), name_of);
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::pattern_test
 }  // namespace pelage

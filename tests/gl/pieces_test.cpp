@@ -7,7 +7,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::pieces_test {
 namespace {
 
 class FramesInPieces : public WithRenderer {
@@ -155,4 +155,4 @@ TEST(Pieces, AreNeverSmallerThanTheirTrianglesAreWorth) {
 INSTANTIATE_TEST_SUITE_P(Gl, FramesInPieces, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::pieces_test

@@ -7,7 +7,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::renderer_test {
 namespace {
 
 class Frames : public WithRenderer {};
@@ -315,4 +315,4 @@ TEST(Backends, GiveTheSameBytesOnOneMesa) {
 }
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::renderer_test

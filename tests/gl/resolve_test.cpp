@@ -7,7 +7,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::resolve_test {
 namespace {
 
 class Resolve : public WithRenderer {
@@ -143,4 +143,4 @@ TEST_P(Resolve, PartSizeFramesAreEnlargedByCatmullRom) {
 INSTANTIATE_TEST_SUITE_P(Gl, Resolve, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::resolve_test

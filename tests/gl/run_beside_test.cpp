@@ -6,7 +6,7 @@
 #include <atomic>
 #include <thread>
 
-namespace pelage {
+namespace pelage::run_beside_test {
 namespace {
 
 TEST(RunBeside, AsksUntilTheWorkIsDone) {
@@ -31,4 +31,4 @@ TEST(RunBeside, EndsTheWorkOnceThePauseGivesUp) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::run_beside_test

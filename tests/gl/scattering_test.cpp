@@ -16,7 +16,7 @@ extern const char* const lean_grid_vert;
 extern const char* const scattering_grid_frag;
 }  // namespace shaders
 
-namespace testing {
+namespace testing::scattering_test {
 namespace {
 
 constexpr int side = 48, cases = side * side;
@@ -273,5 +273,5 @@ TEST_P(Scattering, ExtremesAreFinite) {
 INSTANTIATE_TEST_SUITE_P(Gl, Scattering, both_backends(), name_of);
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::scattering_test
 }  // namespace pelage

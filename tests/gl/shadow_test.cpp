@@ -8,7 +8,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::shadow_test {
 namespace {
 
 class Shadows : public WithRenderer {
@@ -319,4 +319,4 @@ TEST_P(Shadows, WhatLiesBelowASurfaceDoesNotChangeTheSoftShadowOnIt) {
 INSTANTIATE_TEST_SUITE_P(Gl, Shadows, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::shadow_test

@@ -5,7 +5,7 @@
 #include "tests/support/furred_model.h"
 #include "tests/support/textured.h"
 
-namespace pelage::testing {
+namespace pelage::testing::skin_texture_test {
 namespace {
 
 class Backplate : public WithRenderer {
@@ -83,4 +83,4 @@ TEST_P(Backplate, OneCopyOfAModelIsCached) {
 INSTANTIATE_TEST_SUITE_P(Gl, Backplate, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::skin_texture_test

@@ -17,7 +17,7 @@ extern const char* const stack_vert;
 extern const char* const stack_frag;
 }  // namespace shaders
 
-namespace testing {
+namespace testing::sorted_test {
 namespace {
 
 struct Quad {
@@ -296,5 +296,5 @@ TEST_P(Sorted, AShellShowsTheColoursOfAllSlicesInIt) {
 INSTANTIATE_TEST_SUITE_P(Gl, Sorted, both_backends(), name_of);
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::sorted_test
 }  // namespace pelage

@@ -8,7 +8,7 @@
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
-namespace pelage::testing {
+namespace pelage::testing::traced_test {
 namespace {
 
 FurFrame frame_of(Renderer& renderer, const FurredModel& model, const FrameRequest& request) {
@@ -308,4 +308,4 @@ INSTANTIATE_TEST_SUITE_P(Gl, Base, both_backends(), name_of);
 INSTANTIATE_TEST_SUITE_P(Gl, Finish, both_backends(), name_of);
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::traced_test

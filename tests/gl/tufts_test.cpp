@@ -13,7 +13,7 @@ extern const char* const tufts_grid_vert;
 extern const char* const tufts_grid_frag;
 }  // namespace shaders
 
-namespace testing {
+namespace testing::tufts_test {
 namespace {
 
 constexpr int side = 16;
@@ -87,5 +87,5 @@ TEST_P(TuftsOnGpu, FurIsDenserInsideAndGoneOutside) {
 INSTANTIATE_TEST_SUITE_P(Gl, TuftsOnGpu, both_backends(), name_of);
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::tufts_test
 }  // namespace pelage

@@ -7,7 +7,7 @@
 
 #include "tests/gl/marched_frames.h"
 
-namespace pelage::testing {
+namespace pelage::testing::view_cache_test {
 namespace {
 
 class CachedViews : public MarchedFrames {
@@ -154,4 +154,4 @@ TEST_F(CachedViews, AnOrbitLeavesWhatComesBack) {
 }
 
 }  // namespace
-}  // namespace pelage::testing
+}  // namespace pelage::testing::view_cache_test

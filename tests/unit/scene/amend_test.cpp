@@ -1,7 +1,7 @@
 #include "protocol/json/encode.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::amend_test {
 namespace {
 
 class AmendTest : public StoreTest {
@@ -261,4 +261,4 @@ TEST_F(AmendTest, ARestartHasTheAmendment) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::amend_test

@@ -5,7 +5,7 @@
 #include "server/frames/shown_scene.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::branch_test {
 namespace {
 
 class BranchTest : public StoreTest {
@@ -199,4 +199,4 @@ TEST(ChangeShares, ExtremesStayInRange) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::branch_test

@@ -3,7 +3,7 @@
 #include "protocol/json/encode.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::cancel_test {
 namespace {
 
 class CancelTest : public StoreTest {
@@ -64,4 +64,4 @@ TEST_F(CancelTest, AnAmendmentEndsToo) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::cancel_test

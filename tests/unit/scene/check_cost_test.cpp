@@ -3,7 +3,7 @@
 #include "server/groom/evaluation_cost.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::check_cost_test {
 namespace {
 
 class CheckCostTest : public StoreTest {
@@ -56,4 +56,4 @@ TEST_F(CheckCostTest, TheSymmetryOfTheBatchCounts) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::check_cost_test

@@ -5,7 +5,7 @@
 #include "tests/unit/scene/failing_allocation.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::out_of_memory_test {
 namespace {
 
 class OutOfMemory : public StoreTest {
@@ -90,4 +90,4 @@ TEST_F(OutOfMemory, AnUndoHappensWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::out_of_memory_test

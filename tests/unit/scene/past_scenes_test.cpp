@@ -6,7 +6,7 @@
 #include "server/history/history.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::past_scenes_test {
 namespace {
 
 class PastScenesTest : public StoreTest {
@@ -118,4 +118,4 @@ TEST_F(PastScenesTest, CanBeAskedForFromManyThreadsWhileTheSceneChanges) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::past_scenes_test

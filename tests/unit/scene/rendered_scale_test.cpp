@@ -4,7 +4,7 @@
 #include "server/frames/fur_view.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::rendered_scale_test {
 namespace {
 
 class RenderedScale : public StoreTest {
@@ -62,4 +62,4 @@ TEST_F(RenderedScale, WhatWasDrawnDrawsTheSame) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::rendered_scale_test

@@ -2,7 +2,7 @@
 #include "server/scene/scene.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::scene_edit_layers_test {
 namespace {
 
 class SceneEditLayersTest : public StoreTest {
@@ -178,4 +178,4 @@ TEST_F(SceneEditLayersTest, ABrushFinerThanTheMeshIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::scene_edit_layers_test

@@ -6,7 +6,7 @@
 #include "protocol/json/encode.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::scene_memory_test {
 namespace {
 
 class SceneMemoryTest : public StoreTest {
@@ -162,4 +162,4 @@ TEST_F(SceneMemoryTest, BranchesCountTheirModelOnce) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::scene_memory_test

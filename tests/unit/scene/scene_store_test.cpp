@@ -12,7 +12,7 @@
 #include "server/scene/model.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::scene_store_test {
 namespace {
 
 using SceneStoreTest = StoreTest;
@@ -273,4 +273,4 @@ TEST_F(SceneStoreTest, AModelThatCannotBeReadLeavesTheSceneAsItWas) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::scene_store_test

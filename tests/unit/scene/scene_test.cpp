@@ -8,7 +8,7 @@
 #include "server/scene/model.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::scene_test {
 namespace {
 
 using SceneTest = StoreTest;
@@ -263,4 +263,4 @@ TEST_F(SceneTest, ManyArtistsAtOnceLoseNothing) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::scene_test

@@ -2,7 +2,7 @@
 #include "server/scene/scene.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::scene_tools_test {
 namespace {
 
 class SceneToolsTest : public StoreTest {
@@ -127,4 +127,4 @@ TEST_F(SceneToolsTest, LongLeaningFurFolds) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::scene_tools_test

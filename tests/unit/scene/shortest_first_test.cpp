@@ -4,7 +4,7 @@
 
 #include "server/frames/frame_queue.h"
 
-namespace pelage {
+namespace pelage::shortest_first_test {
 namespace {
 
 using Queue = ShortestFirst<std::string>;
@@ -65,4 +65,4 @@ TEST(ShortestFirst, FindsOneToReplace) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::shortest_first_test

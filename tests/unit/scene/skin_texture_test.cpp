@@ -8,7 +8,7 @@
 #include "tests/support/textured.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::skin_texture_test {
 namespace {
 
 using testing::red_and_blue;
@@ -194,4 +194,4 @@ TEST_F(SkinTextureTest, ABuiltinIsLaidByPatchesOnly) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::skin_texture_test

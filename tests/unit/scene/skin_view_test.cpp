@@ -2,7 +2,7 @@
 
 #include "server/frames/fur_view.h"
 
-namespace pelage {
+namespace pelage::skin_view_test {
 namespace {
 
 Mesh mesh_of_size(double size, glm::dvec3 centre) {
@@ -47,4 +47,4 @@ TEST(SkinView, FacingIsACone) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::skin_view_test

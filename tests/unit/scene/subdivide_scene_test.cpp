@@ -8,7 +8,7 @@
 #include "tests/support/textured.h"
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::subdivide_scene_test {
 namespace {
 
 class SubdivideSceneTest : public StoreTest {
@@ -185,4 +185,4 @@ TEST_F(SubdivideSceneTest, ALogIsCarriedToAnotherModel) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::subdivide_scene_test

@@ -6,7 +6,7 @@
 
 #include "tests/unit/scene/store_fixture.h"
 
-namespace pelage {
+namespace pelage::trace_queue_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -392,4 +392,4 @@ TEST(TracedRequest, IsThatOfTheReferenceTier) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::trace_queue_test

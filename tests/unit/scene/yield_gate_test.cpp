@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-namespace pelage {
+namespace pelage::yield_gate_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -56,4 +56,4 @@ TEST(YieldGate, HoldsBackAllThatYield) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::yield_gate_test

@@ -14,7 +14,7 @@
 #include "server/builtin/implicit.h"
 #include "server/builtin/remesh.h"
 
-namespace pelage {
+namespace pelage::builtin_test {
 namespace {
 
 using glm::dvec3;
@@ -342,4 +342,4 @@ TEST(Decimate, KeepsTheGenus) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::builtin_test

@@ -11,7 +11,7 @@
 #include "server/import_worker/parse.h"
 #include "server/import_worker/skeleton.h"
 
-namespace pelage {
+namespace pelage::bundle_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST(ParseGltf, ModelsStandInTheirPose) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::bundle_test

@@ -12,7 +12,7 @@
 
 #include "server/import_worker/parse.h"
 
-namespace pelage {
+namespace pelage::confine_test {
 namespace {
 
 constexpr std::size_t plenty = std::size_t{4} << 30;
@@ -73,4 +73,4 @@ TEST(Confine, ExecutableMemoryIsDenied) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::confine_test

@@ -14,7 +14,7 @@
 #include "server/import/map_picture.h"
 #include "server/import_worker/parse.h"
 
-namespace pelage {
+namespace pelage::import_test {
 namespace {
 
 const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -283,4 +283,4 @@ TEST(RawCodec, RandomDamageIsRefusedOrHarmless) {
 TEST(ProgramFolder, HoldsThisProgram) { EXPECT_TRUE(std::filesystem::exists(program_folder() + "/unit_surface")); }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::import_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace pelage {
+namespace pelage::parse_test {
 namespace {
 
 RawModel parsed(ModelFormat format, const std::string& bytes) {
@@ -260,4 +260,4 @@ TEST(ParseGltf, CompressedMeshesAreNamed) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::parse_test

@@ -15,7 +15,7 @@
 #include "tests/unit/surface/shapes.h"
 #include "tests/unit/surface/shared_models.h"
 
-namespace pelage {
+namespace pelage::patches_test {
 namespace {
 
 double area_of(const Mesh& mesh, std::uint32_t triangle) {
@@ -262,4 +262,4 @@ TEST(SharedPatches, ModelsOfTheSharedFolder) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::patches_test

@@ -8,7 +8,7 @@
 #include "tests/unit/surface/mesh_checks.h"
 #include "tests/unit/surface/shapes.h"
 
-namespace pelage {
+namespace pelage::prepare_test {
 namespace {
 
 using shapes::ball;
@@ -251,4 +251,4 @@ TEST(Prepare, LengthScaleFollowsItsVertex) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::prepare_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/surface/shapes.h"
 
-namespace pelage {
+namespace pelage::shading_normals_test {
 namespace {
 
 glm::vec3 face_normal(const Mesh& mesh, std::size_t t) {
@@ -56,4 +56,4 @@ TEST(ShadingNormals, FurGrowsOutOfTheRimOfAThinSheet) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::shading_normals_test

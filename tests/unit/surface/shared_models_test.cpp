@@ -11,7 +11,7 @@
 
 #include "tests/unit/surface/mesh_checks.h"
 
-namespace pelage {
+namespace pelage::shared_models_test {
 namespace {
 
 using shared_models::Row;
@@ -190,4 +190,4 @@ TEST(PackagedModels, HorseAndCatLoad) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::shared_models_test

@@ -11,7 +11,7 @@
 #include "server/surface/prepare.h"
 #include "server/surface/value_noise.h"
 
-namespace pelage {
+namespace pelage::spread_test {
 namespace {
 
 TEST(MonotoneQueueTest, GivesWhatABinaryHeapGives) {
@@ -134,4 +134,4 @@ TEST(ValueNoiseTest, IsThePlainFormulaToTheBit) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::spread_test

@@ -15,7 +15,7 @@
 #include "tests/unit/surface/mesh_checks.h"
 #include "tests/unit/surface/shapes.h"
 
-namespace pelage {
+namespace pelage::subdivide_test {
 namespace {
 
 ChosenTriangles all_of(const Mesh& mesh) { return {{0, static_cast<std::uint32_t>(mesh.triangles.size())}}; }
@@ -216,4 +216,4 @@ TEST(Subdivide, RefusesTooManyTrianglesAndOnesThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::subdivide_test

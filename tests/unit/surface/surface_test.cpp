@@ -9,7 +9,7 @@
 
 #include "tests/unit/surface/shapes.h"
 
-namespace pelage {
+namespace pelage::surface_test {
 namespace {
 
 Surface surface_of(const RawModel& raw) {
@@ -118,4 +118,4 @@ TEST(Surface, MovesAndStillAnswers) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::surface_test

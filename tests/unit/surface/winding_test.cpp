@@ -5,7 +5,7 @@
 
 #include "tests/unit/surface/shapes.h"
 
-namespace pelage {
+namespace pelage::winding_test {
 namespace {
 
 std::size_t count_of(const Mesh& mesh, const char* code) {
@@ -77,4 +77,4 @@ TEST(Outliers, FarAndTinyPartsAreCounted) {
 }
 
 }  // namespace
-}  // namespace pelage
+}  // namespace pelage::winding_test
