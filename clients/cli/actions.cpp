@@ -26,6 +26,7 @@ ExitCode perform(Session& session) {
     case Action::put_picture: return put_picture(session);
     case Action::run: return run_file(session);
     case Action::frame: return draw_frame(session);
+    case Action::export_fur: return export_fur(session);
     case Action::undo:
     case Action::redo:
     case Action::revert: return move_in_history(session);

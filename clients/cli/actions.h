@@ -28,4 +28,6 @@ ExitCode show_log(Session& session);
 ExitCode draw_frame(Session& session);
 ExitCode pick_pixel(Session& session);
 
+ExitCode export_fur(Session& session);
+
 }  // namespace pelage

@@ -114,6 +114,29 @@ void add_map(CLI::App* command, Options& options, bool field_is_chosen = true) {
                     "Of a scale of lengths: relative (sizes) or world [relative]");
 }
 
+void declare_export(CLI::App& app, Options& options) {
+  CLI::App* command =
+      add_action(app, options, Action::export_fur, "export", "Write the fur in another program's format");
+  add_scene(command, options);
+  command->add_option("-o,--output", options.output, "The file, .usda, .hair or .glb")->required();
+  const auto add = [&](const char* flag, const char* parameter, const char* help) {
+    command->add_option_function<std::string>(
+        flag,
+        [&options, parameter](const std::string& value) { options.export_parameters.emplace_back(parameter, value); },
+        help);
+  };
+  add("--format", "format", "usda, hair, shells or fields [the output's ending, shells for .glb]");
+  add("--shells", "shells", "Layers of shells, 1 to 32 [16]");
+  add("--every", "every", "About one strand of so many, 1 to 1000000 [1]");
+  command->add_flag_callback(
+      "--widen", [&options] { options.export_parameters.emplace_back("widen", "true"); },
+      "Make the strands that are left so much wider that they cover as much");
+  command->add_flag_callback(
+      "--no-curves", [&options] { options.export_parameters.emplace_back("curves", "false"); },
+      "Without whiskers, lashes and brows");
+  command->add_flag("--dry-run", options.dry_run, "Say how much it would be; write nothing");
+}
+
 void declare_map_actions(CLI::App& app, Options& options) {
   CLI::App* map = app.add_subcommand("map", "Fields as pictures through a model's texture coordinates");
   map->require_subcommand(1);
@@ -121,14 +144,16 @@ void declare_map_actions(CLI::App& app, Options& options) {
 
   CLI::App* get = add_action(*map, options, Action::get_map, "get", "Write a field as a picture");
   add_map(get, options);
-  get->add_option("-o,--output", options.output, "The picture, .png or .exr; - for standard output")->required();
-  add_map_parameter(get, options, "--format", "format", "png, png16, exr or exr_half [png16, exr for .exr]");
+  get->add_option("-o,--output", options.output, "The picture, .png, .exr or .npy; - for standard output")->required();
+  add_map_parameter(get, options, "--format", "format",
+                    "png, png16, exr, exr_half or npy [the output's ending, png16 for .png]");
   add_map_parameter(get, options, "--size", "size", "Pixels of a side, 1 to 8192 [1024]");
   add_map_parameter(get, options, "--dilate", "dilate", "Pixels by which islands grow over their seams, 0 to 64 [8]");
 
   CLI::App* put = add_action(*map, options, Action::put_map, "put", "Read a field from a picture, as one undo step");
   add_map(put, options);
-  put->add_option("file", options.file, "PNG, JPEG, EXR or HDR, up to 4096 pixels wide; - for standard input")
+  put->add_option("file", options.file,
+                  "PNG, JPEG, EXR or HDR, up to 4096 pixels wide, or a NumPy array; - for standard input")
       ->required();
   add_map_parameter(put, options, "--strength", "strength", "How far the field goes to the picture's, 0 to 1 [1]");
 
@@ -285,7 +310,8 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_frame_parameter(frame, options, "--colour-source", "colour_source",
                       "automatic, model or coat; default look otherwise");
 
-  add_frame_parameter(frame, options, "--format", "format", "png, png16, jpeg or exr [the output's ending]");
+  add_frame_parameter(frame, options, "--format", "format",
+                      "png, png16, jpeg, exr, npy or npy_linear [the output's ending]");
   add_frame_parameter(frame, options, "--jpeg-quality", "jpeg_quality", "1 to 100 [90]");
   add_frame_parameter(frame, options, "--exr-type", "exr_type", "half or float [half]");
   add_frame_parameter(frame, options, "--aovs", "aovs",
@@ -346,6 +372,7 @@ ParsedLine parse_line(int argc, char** argv) {
   app.add_flag("--json", options.json, "Print the server's answer as JSON");
   app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
   declare_scene_actions(app, options);
+  declare_export(app, options);
   declare_map_actions(app, options);
   declare_groom_actions(app, options);
   declare_history_actions(app, options);

@@ -19,6 +19,7 @@ enum class Action {
   put_picture,
   run,
   frame,
+  export_fur,
   undo,
   redo,
   revert,
@@ -66,7 +67,9 @@ struct Options {
   // map
   std::string field;
   Parameters map_parameters;  // as in the address of the map
-  // run, amend and frame
+  // export
+  Parameters export_parameters;  // as in the address of the file
+  // run, amend, frame and export
   bool dry_run = false;
   Parameters variables;  // of a recipe, as text
   std::optional<std::uint64_t> if_match;

@@ -78,25 +78,39 @@ ExitCode follow_progressive(Session& session, const std::string& path, const std
 
 namespace {
 
-/// The format that an output's ending stands for; PNG where it says nothing.
-const char* format_of(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+/// The formats that endings stand for; that of none, as of standard output, comes first.
+using Endings = std::vector<std::pair<std::string, const char*>>;
+const Endings frame_endings{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"},
+                            {".jpeg", "jpeg"}, {".exr", "exr"}, {".npy", "npy"}};
+const Endings map_endings{{"", "png16"}, {".png", "png16"}, {".exr", "exr"}, {".npy", "npy"}};
+
+/// Refused (invalid) before any work is done.
+Result<std::string> format_of(const std::string& path, const Endings& endings) {
+  std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending == "exr") return "exr";
-  return ending == "jpg" || ending == "jpeg" ? "jpeg" : "png";
+  const auto known =
+      std::find_if(endings.begin(), endings.end(), [&](const auto& each) { return each.first == ending; });
+  if (known != endings.end()) return std::string(known->second);
+  std::string all;
+  for (std::size_t k = 1; k < endings.size(); ++k) all += (k > 1 ? " | " : "") + endings[k].first;
+  return failure(Code::invalid, "No format has the ending of " + path + "; take another, or --format.", "", all);
 }
 
-Parameters with_format(Parameters parameters, const std::string& output) {
+/// The parameters with the format that the output's ending stands for, unless they name one.
+Result<Parameters> with_format(Parameters parameters, const std::string& output, const Endings& endings) {
   const auto names_format = [](const auto& parameter) { return parameter.first == "format"; };
-  const bool given = std::any_of(parameters.begin(), parameters.end(), names_format);
-  if (!given) parameters.emplace_back("format", format_of(output));
+  if (std::any_of(parameters.begin(), parameters.end(), names_format)) return parameters;
+  const Result<std::string> format = format_of(output, endings);
+  if (!format) return format.status();
+  parameters.emplace_back("format", *format);
   return parameters;
 }
 
 /// Checked here too, so that a wrong line says so without a server.
 Result<FrameRequest> frame_request_of(const Options& options) {
-  Result<FrameRequest> request = decode_frame_query(with_format(options.frame, options.output));
+  const Result<Parameters> parameters = with_format(options.frame, options.output, frame_endings);
+  if (!parameters) return parameters.status();
+  Result<FrameRequest> request = decode_frame_query(*parameters);
   const Result<Tracing> tracing = decode_tracing_query(options.trace);
   if (!request || !tracing) return request ? tracing.status() : request;
   const bool strands = request->knobs.method == Method::strands;
@@ -183,8 +197,6 @@ ExitCode pick_pixel(Session& session) {
 
 namespace {
 
-bool ends_in_exr(const std::string& path) { return path.size() >= 4 && path.substr(path.size() - 4) == ".exr"; }
-
 /// The parameters and the field, for the decoder to check before anything is sent.
 Query checked_query(const Options& options) {
   Query query = options.map_parameters;
@@ -206,18 +218,13 @@ std::string address_of(const std::string& scene_path, const Options& options) {
   return address;
 }
 
-Options with_format(Options options) {
-  const Parameters& given = options.map_parameters;
-  const auto names_format = [](const auto& parameter) { return parameter.first == "format"; };
-  const bool has_format = std::any_of(given.begin(), given.end(), names_format);
-  if (!has_format && ends_in_exr(options.output)) options.map_parameters.emplace_back("format", "exr");
-  return options;
-}
-
 }  // namespace
 
 ExitCode get_map(Session& session) {
-  const Options options = with_format(session.options());
+  Options options = session.options();
+  const Result<Parameters> parameters = with_format(options.map_parameters, options.output, map_endings);
+  if (!parameters) return report(parameters.status());
+  options.map_parameters = *parameters;
   if (const auto checked = decode_map_query(checked_query(options)); !checked) return report(checked.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());

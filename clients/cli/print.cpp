@@ -123,13 +123,29 @@ Status write_file(const std::string& path, const std::string& bytes) {
                      : with_next(failure(Code::internal, "Cannot write to standard output."),
                                  "see why its reader ended, or name a file");
   }
-  const std::string temporary = fmt::format("{}.{}", path, getpid());
-  std::ofstream file(temporary, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file && std::rename(temporary.c_str(), path.c_str()) == 0) return {};
-  std::remove(temporary.c_str());
-  return with_next(failure(Code::internal, "Cannot write " + path + "."),
+  NewFile file(path);
+  file.write(bytes);
+  return file.keep();
+}
+
+NewFile::NewFile(std::string path)
+    : path_(std::move(path)), temporary_(fmt::format("{}.{}", path_, getpid())), file_(temporary_, std::ios::binary) {}
+
+NewFile::~NewFile() {
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
+}
+
+bool NewFile::write(std::string_view piece) {
+  return static_cast<bool>(file_.write(piece.data(), static_cast<std::streamsize>(piece.size())));
+}
+
+Status NewFile::keep() {
+  file_.close();
+  if (file_ && std::rename(temporary_.c_str(), path_.c_str()) == 0) {
+    temporary_.clear();
+    return {};
+  }
+  return with_next(failure(Code::internal, "Cannot write " + path_ + "."),
                    "name a file in a folder that exists, in which you may write and which has room");
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clients/cli/session.h"
@@ -25,6 +27,23 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
 /// Under a temporary name in the same folder, then renamed; "-" is standard output.
 Status write_file(const std::string& path, const std::string& bytes);
+
+/// A file that is written piece by piece, under a temporary name that goes with it unless it is kept.
+class NewFile {
+ public:
+  explicit NewFile(std::string path);
+  ~NewFile();
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  bool write(std::string_view piece);
+  /// Renames it, or says why it cannot be written.
+  Status keep();
+
+ private:
+  std::string path_, temporary_;
+  std::ofstream file_;
+};
 
 // Programs that do one action of the client.
 

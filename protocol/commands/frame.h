@@ -46,7 +46,12 @@ enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer shells where t
 enum class FragmentOrder { shells, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
 enum class ToneMap { none, filmic };
 enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
-enum class FrameFormat { png, png16, jpeg, exr };
+/// `npy` is a NumPy array of the pixels of `png`, bytes [height, width, 4]; `npy_linear` one of what an EXR of floats
+/// holds, [height, width, channels] in the order of its AOVs.
+enum class FrameFormat { png, png16, jpeg, exr, npy, npy_linear };
+
+/// Whether the format holds linear light and AOVs, without exposure, tone map and background.
+constexpr bool is_linear(FrameFormat format) { return format == FrameFormat::exr || format == FrameFormat::npy_linear; }
 enum class ExrType { half, single };
 /// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
 /// first light that casts a shadow, as the light sees the model (GPU fur 4).

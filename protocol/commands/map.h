@@ -15,13 +15,17 @@ namespace pelage {
 /// What a map's pixels hold; server/maps/encoding.h has the numbers. `value`: a number in grey, or of a colour field
 /// its red, green, blue and cover. `uv_tangent`: red and green are a direction's parts along +u and +v, .5 is 0.
 /// `fast_fur` (Warren): the same, with the field width in blue and density in alpha. `vector` (as MODO has it):
-/// direction and length as one vector with parts along +u, +v and the normal; floats only. `automatic`: uv_tangent of
-/// direction, else value.
-enum class MapEncoding { automatic, value, uv_tangent, fast_fur, vector };
+/// direction and length as one vector with parts along +u, +v and the normal; floats only. `vertices`: no picture but a
+/// list with a value for each vertex of the mesh, in its order; a direction is a vector along the surface in model
+/// coordinates, floats only, as long as the tip is inclined. `automatic`: uv_tangent of direction, else value.
+enum class MapEncoding { automatic, value, uv_tangent, fast_fur, vector, vertices };
 
-enum class MapFormat { png, png16, exr, exr_half };
+/// `npy` is a NumPy array of floats: [size, size] or [size, size, channels], of `vertices` [vertices] or
+/// [vertices, channels].
+enum class MapFormat { png, png16, exr, exr_half, npy };
 
-/// Puts the fields in place of what a picture holds for them. Needs a model with texture coordinates.
+/// Puts the fields in place of what a picture holds for them. Needs a model with texture coordinates, unless it has a
+/// value for each vertex.
 struct ApplyMap {
   static constexpr const char* op = "map";
   static constexpr Inputs inputs = Inputs::none;
@@ -42,7 +46,7 @@ struct MapRequest {
   MapEncoding encoding = MapEncoding::automatic;
   int size = 1024;                   // pixels of a side, [1, 8192]
   int dilate = 8;                    // pixels by which islands grow, [0, 64]
-  std::optional<double> scale = {};  // as in ApplyMap; absent: the field's largest value for PNG, 1 for EXR
+  std::optional<double> scale = {};  // as in ApplyMap; absent: the field's largest value for PNG, else 1
   Units units = Units::relative;
 };
 
@@ -84,6 +88,7 @@ constexpr MapEncoding encoding_of(Field field, MapEncoding encoding) {
 
 /// Whether a field can be kept in this way.
 constexpr bool fits(Field field, MapEncoding encoding) {
+  if (encoding == MapEncoding::vertices) return true;
   return (field == Field::direction) != (encoding_of(field, encoding) == MapEncoding::value);
 }
 

@@ -85,6 +85,7 @@ template Result<ChangeEvent> decode_answer(std::string_view);
 template Result<FrameEstimate> decode_answer(std::string_view);
 template Result<FrameCounters> decode_answer(std::string_view);
 template Result<FrameCost> decode_answer(std::string_view);
+template Result<ExportAnswer> decode_answer(std::string_view);
 template Result<FrameProgressList> decode_answer(std::string_view);
 template Result<TraceReport> decode_answer(std::string_view);
 template Result<MapAnswer> decode_answer(std::string_view);

@@ -10,6 +10,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
+#include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/history.h"
 #include "protocol/commands/map.h"
@@ -46,6 +47,9 @@ Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query
 
 /// How fine a mesh: triangles.
 Result<MeshRequest> decode_mesh_query(const Query& query);
+
+/// What is exported: format (required), every, widen, curves.
+Result<ExportRequest> decode_export_query(const Query& query);
 
 /// `revision`, optional.
 Result<std::optional<std::uint64_t>> decode_revision_query(const Query& query);

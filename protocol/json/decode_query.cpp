@@ -173,6 +173,8 @@ Result<ImportOptions> decode_import_query(const Query& query) { return decode_qu
 
 Result<MeshRequest> decode_mesh_query(const Query& query) { return decode_query<MeshRequest>(query); }
 
+Result<ExportRequest> decode_export_query(const Query& query) { return decode_query<ExportRequest>(query); }
+
 Result<MapRequest> decode_map_query(const Query& query) { return decode_query<MapRequest>(query); }
 
 Result<MapUpload> decode_map_upload_query(const Query& query) { return decode_query<MapUpload>(query); }

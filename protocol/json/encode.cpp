@@ -29,6 +29,7 @@ std::string encode(const SceneEvent& event) { return line(written(event)); }
 std::string encode(const ChangeEvent& event) { return line(written(event)); }
 std::string encode(const FrameEstimate& estimate) { return line(written(estimate)); }
 std::string encode(const FrameCost& cost) { return line(written(cost)); }
+std::string encode(const ExportAnswer& answer) { return line(written(answer)); }
 std::string encode(const FrameProgressList& frames) { return line(written(frames)); }
 std::string encode(const FrameCounters& counters) { return line(written(counters)); }
 std::string encode(const MapAnswer& answer) { return line(written(answer)); }

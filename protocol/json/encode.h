@@ -36,6 +36,7 @@ std::string encode(const ChangeEvent& event);
 std::string encode(const Knobs& knobs);
 std::string encode(const FrameEstimate& estimate);
 std::string encode(const FrameCost& cost);
+std::string encode(const ExportAnswer& answer);
 std::string encode(const FrameProgressList& frames);
 std::string encode(const FrameCounters& counters);
 /// Noise that cannot be estimated yet is infinite, which JSON cannot say; no shown channel is further off than 1.

@@ -56,6 +56,17 @@ void members(V& v, Visited<V, FrameCost>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, ExportAnswer>& c) {
+  v.answer("ExportAbout", "What an exported file holds.");
+  v.counter("revision", c.revision);
+  v.name("format", c.format, json_names::export_formats);
+  v.counter("strands", c.strands, "With whiskers, lashes and brows; 0 of a GLB.");
+  v.counter("points", c.points, "Of all strands.");
+  v.counter("triangles", c.triangles, "Of a GLB: of the skin and of all layers.");
+  v.counter("bytes", c.bytes, "Of the file.");
+}
+
+template <class V>
 void members(V& v, Visited<V, FrameProgress>& c) {
   v.answer("FrameProgress");
   v.text("view", c.view, "Of its request.");

@@ -108,19 +108,22 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "200 bytes.");
   v.name("format", c.format, json_names::frame_formats,
          "png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map and "
-         "background, multiplied by alpha.");
+         "background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4]. "
+         "npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels].");
   v.integer("jpeg_quality", c.jpeg_quality, {1, 100});
   v.name("exr_type", c.exr_type, json_names::exr_types, "Depth and position are always float.");
-  if (v.shows(c.format == FrameFormat::exr))
+  if (v.shows(is_linear(c.format)))
     v.names(bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
-            "Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of "
+            "Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, "
+            "B, A of "
             "beauty; "
             "A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and "
             "direct; "
             "AOV.Y of shadow and shell_count.");
   v.name(
       "overlay", c.overlay, json_names::overlays,
-      "A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask go from "
+      "A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness and mask go "
+      "from "
       "dark violet for 0 to yellow for 1. difference: how much the fields have changed since `overlay_from`, with the "
       "same colours: of the field that changed most, the change over what counts as much (direction and colours: 1; "
       "length: the longest fur; others: the field's range). Grey where nothing changed. light_depth, light_occlusion "

@@ -146,6 +146,17 @@ void members(V& v, Visited<V, MeshRequest>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, ExportRequest>& c) {
+  v.type("ExportRequest");
+  v.name(required("format"), c.format, json_names::export_formats);
+  v.integer("every", c.every, {1, 1e6},
+            "About one strand of so many, chosen by numbers of their own; above 1 they count as guides.");
+  v.boolean("widen", c.widen, "Makes strands `every` times as wide, which keeps what they cover.");
+  v.boolean("curves", c.curves, "With whiskers, lashes and brows.");
+  v.integer("shells", c.shells, {1, 32}, "Layers of `shells`.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Revisions>& c) {
   v.type("Revisions");
   v.counter(required("from"), c.from);
@@ -185,8 +196,10 @@ void members(V& v, Visited<V, MapRequest>& c) {
   map_members(
       v, c,
       "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length. Unless "
-      "given the field's largest value for PNG, 1 for EXR.");
-  v.name("format", c.format, json_names::map_formats, "8 or 16 bits, or an EXR of floats or halfs.");
+      "given the field's largest value for PNG, else 1.");
+  v.name("format", c.format, json_names::map_formats,
+         "8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size] or [size, size, channels], "
+         "rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.");
   v.integer("size", c.size, {1, limits::map_pixels}, "Pixels of a side. Above 4096 one map is made at a time.");
   v.integer("dilate", c.dilate, {0, limits::map_dilation}, "Pixels by which islands grow over their seams.");
 }

@@ -295,11 +295,11 @@ void members(V& v, Visited<V, MaskPicture>& c) {
 
 template <class V>
 void members(V& v, Visited<V, ApplyMap>& c) {
-  v.type(
-      "Map",
-      "Puts a field in place of what a picture says at the vertices' texture coordinates; on seams the mean of what "
-      "their islands say. The mask holds, unless it is the mask that is read. The commands of a batch read at most 8 "
-      "different pictures.");
+  v.type("Map",
+         "Puts a field in place of what a picture says at the vertices' texture coordinates, on seams the mean of what "
+         "their islands say; or of what a list says of each vertex. The mask holds, unless it is the mask that is "
+         "read. The commands of a batch read at most 8 "
+         "different pictures.");
   v.picture(required("picture"), c.picture, "The name that the upload of a picture was answered with.");
   v.name("field", c.field, json_names::fields);
   v.name("encoding", c.encoding, json_names::map_encodings);

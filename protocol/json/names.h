@@ -9,6 +9,7 @@
 
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
+#include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
@@ -55,13 +56,17 @@ inline constexpr std::array<Name<PictureChannel>, 5> picture_channels{{{"luminan
                                                                        {"green", PictureChannel::green},
                                                                        {"blue", PictureChannel::blue},
                                                                        {"alpha", PictureChannel::alpha}}};
-inline constexpr std::array<Name<MapEncoding>, 5> map_encodings{{{"automatic", MapEncoding::automatic},
+inline constexpr std::array<Name<MapEncoding>, 6> map_encodings{{{"automatic", MapEncoding::automatic},
                                                                  {"value", MapEncoding::value},
                                                                  {"uv_tangent", MapEncoding::uv_tangent},
                                                                  {"fast_fur", MapEncoding::fast_fur},
-                                                                 {"vector", MapEncoding::vector}}};
-inline constexpr std::array<Name<MapFormat>, 4> map_formats{
-    {{"png", MapFormat::png}, {"png16", MapFormat::png16}, {"exr", MapFormat::exr}, {"exr_half", MapFormat::exr_half}}};
+                                                                 {"vector", MapEncoding::vector},
+                                                                 {"vertices", MapEncoding::vertices}}};
+inline constexpr std::array<Name<MapFormat>, 5> map_formats{{{"png", MapFormat::png},
+                                                             {"png16", MapFormat::png16},
+                                                             {"exr", MapFormat::exr},
+                                                             {"exr_half", MapFormat::exr_half},
+                                                             {"npy", MapFormat::npy}}};
 /// The fields by their names, from the table of their shapes.
 constexpr std::array<Name<Field>, field_count> make_field_names() {
   std::array<Name<Field>, field_count> names{};
@@ -140,8 +145,16 @@ inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
     {{"shells", FragmentOrder::shells}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
-inline constexpr std::array<Name<FrameFormat>, 4> frame_formats{
-    {{"png", FrameFormat::png}, {"png16", FrameFormat::png16}, {"jpeg", FrameFormat::jpeg}, {"exr", FrameFormat::exr}}};
+inline constexpr std::array<Name<ExportFormat>, 4> export_formats{{{"usda", ExportFormat::usda},
+                                                                   {"hair", ExportFormat::hair},
+                                                                   {"shells", ExportFormat::shells},
+                                                                   {"fields", ExportFormat::fields}}};
+inline constexpr std::array<Name<FrameFormat>, 6> frame_formats{{{"png", FrameFormat::png},
+                                                                 {"png16", FrameFormat::png16},
+                                                                 {"jpeg", FrameFormat::jpeg},
+                                                                 {"exr", FrameFormat::exr},
+                                                                 {"npy", FrameFormat::npy},
+                                                                 {"npy_linear", FrameFormat::npy_linear}}};
 inline constexpr std::array<Name<ExrType>, 2> exr_types{{{"half", ExrType::half}, {"float", ExrType::single}}};
 inline constexpr std::array<Name<Aov>, 10> aovs{{{"beauty", Aov::beauty},
                                                  {"alpha", Aov::alpha},

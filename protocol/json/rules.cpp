@@ -52,18 +52,19 @@ void check_size(const Value& value, const FrameRequest& request) {
 
 void check_layers(const Value& value, const FrameRequest& request) {
   const double width = request.width * request.knobs.scale, height = request.height * request.knobs.scale;
-  const bool exr = request.format == FrameFormat::exr;
-  if (given(value, "aovs") && !exr) value.refuse_below("aovs", "Only an EXR has AOVs.", "format exr");
+  const bool linear = is_linear(request.format);
+  if (given(value, "aovs") && !linear)
+    value.refuse_below("aovs", "Only linear light has AOVs.", "format exr or npy_linear");
   const bool colour_only = request.aovs == std::vector{Aov::beauty};
-  if (exr && !colour_only && width * height * static_cast<double>(request.aovs.size()) > limits::aov_pixels) {
+  if (linear && !colour_only && width * height * static_cast<double>(request.aovs.size()) > limits::aov_pixels) {
     value.refuse_below("aovs", "The AOVs are too large together.",
                        "drawn pixels x AOVs at most " + std::to_string(limits::aov_pixels));
   }
 }
 
 void check_overlay(const Value& value, const FrameRequest& request) {
-  if (request.format == FrameFormat::exr && request.overlay != Overlay::none) {
-    value.refuse_below("overlay", "An EXR has no overlay.", "format png, png16 or jpeg");
+  if (is_linear(request.format) && request.overlay != Overlay::none) {
+    value.refuse_below("overlay", "Linear light has no overlay.", "format png, png16, jpeg or npy");
   }
   const bool compares = request.overlay == Overlay::difference;
   if (compares && !request.overlay_from) {
@@ -175,14 +176,17 @@ void check(const Value& value, const MapRequest& map) {
   refuse_encoding(value, map.field, map.encoding);
   const bool is_png = map.format == MapFormat::png || map.format == MapFormat::png16;
   if (map.encoding == MapEncoding::vector && is_png)
-    value.refuse_below("format", "Vectors have parts below 0 and need floats.", "exr | exr_half");
+    value.refuse_below("format", "Vectors have parts below 0 and need floats.", "exr | exr_half | npy");
+  if (map.encoding == MapEncoding::vertices && map.format != MapFormat::npy)
+    value.refuse_below("format", "A list of all vertices is no picture.", "npy");
 }
 
 void refuse_encoding(const Value& value, Field field, MapEncoding encoding) {
   if (fits(field, encoding)) return;
   const bool direction = field == Field::direction;
   value.refuse_below("encoding", "The encoding cannot hold this field.",
-                     direction ? "uv_tangent | fast_fur | vector for direction" : "value for all fields but direction");
+                     direction ? "uv_tangent | fast_fur | vector | vertices for direction"
+                               : "value | vertices for all fields but direction");
 }
 
 // Which members of a command go together.

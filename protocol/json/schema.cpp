@@ -373,6 +373,7 @@ nlohmann::ordered_json schemas() {
   describe<FrameRequest>(all), describe<PickRequest>(all);
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
   describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
+  describe<ExportRequest>(all), describe<ExportAnswer>(all);
   describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all), describe<FoldCount>(all);
   describe<SettingsAnswer>(all);
   describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);

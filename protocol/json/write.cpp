@@ -217,6 +217,7 @@ template Json written(const MapAnswer&);
 template Json written(const PictureAnswer&);
 template Json written(const FrameEstimate&);
 template Json written(const FrameCost&);
+template Json written(const ExportAnswer&);
 template Json written(const FrameProgressList&);
 template Json written(const FrameCounters&);
 template Json written(const TraceReport&);

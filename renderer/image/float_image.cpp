@@ -13,6 +13,7 @@
 
 #include "protocol/base/colour_space.h"
 #include "renderer/image/image.h"
+#include "renderer/image/npy.h"
 
 namespace pelage {
 
@@ -143,6 +144,8 @@ Result<FloatImage> decode_float_image(std::span<const std::byte> bytes, std::siz
 }
 
 Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_t max_pixels, const std::string& key) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (is_npy(text)) return decode_npy(text, max_pixels);
   Result<ReadFile> file = read_file(bytes, max_pixels);
   if (!file) return file.status();
   const OIIO::ImageSpec& spec = file->spec;

@@ -34,7 +34,7 @@ struct DataImage {
   std::string text;  // what the file keeps under the asked key; "" for nothing
 };
 
-/// The same files, refused as decode_float_image does.
+/// The same files and .npy (decode_npy), refused as decode_float_image and decode_npy do.
 Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_t max_pixels, const std::string& key);
 
 /// Under which a map's file says what 1 in it stands for.

@@ -6,6 +6,7 @@
 
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
+#include "renderer/image/npy.h"
 
 namespace pelage {
 
@@ -70,6 +71,24 @@ void add_planes(const FloatImage& image, Aov aov, ExrType type, std::vector<ExrP
   }
 }
 
+std::vector<std::size_t> array_shape(int width, int height, std::size_t channels) {
+  return {static_cast<std::size_t>(height), static_cast<std::size_t>(width), channels};
+}
+
+std::string encode_array(const Image& image) {
+  return encode_npy(array_shape(image.width, image.height, 4), std::span(image.rgba));
+}
+
+std::string encode_array(int width, int height, const std::vector<ExrPlane>& planes) {
+  std::vector<float> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const ExrPlane& plane = planes[k];
+    for (std::size_t i = 0; i * planes.size() < values.size(); ++i)
+      values[i * planes.size() + k] = plane.values[plane.offset + i * plane.stride];
+  }
+  return encode_npy(array_shape(width, height, planes.size()), std::span(std::as_const(values)));
+}
+
 std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement) {
   assert(images.size() == request.aovs.size() && !images.empty());
   const auto asked = [&](Aov l) {
@@ -83,7 +102,9 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
     const bool in_beauty = aov == Aov::alpha && asked(Aov::beauty);
     if (!in_beauty) add_planes(images[i], aov, request.exr_type, planes);
   }
-  return encode_exr(images.front().width, images.front().height, planes);
+  const FloatImage& first = images.front();
+  return request.format == FrameFormat::exr ? encode_exr(first.width, first.height, planes)
+                                            : encode_array(first.width, first.height, planes);
 }
 
 }  // namespace
@@ -92,8 +113,10 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
                                      DrawTimes& times, const Pause& pause) {
   switch (request.format) {
     case FrameFormat::png:
+    case FrameFormat::npy:
     case FrameFormat::jpeg: return drawn(renderer.draw(frame, &times, pause));
     case FrameFormat::png16: return drawn(renderer.draw_deep(frame, &times, pause));
+    case FrameFormat::npy_linear:
     case FrameFormat::exr: return drawn(renderer.draw_aovs(frame, request.aovs, &times, pause));
   }
   assert(false);
@@ -102,7 +125,7 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
 
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty) {
-  assert(request.format != FrameFormat::exr);
+  assert(!is_linear(request.format));
   if (frame.overlay != Overlay::none && !renderer.has(frame.model)) {
     return failure(Code::conflict, "the scene has another model since the frame was asked for");
   }
@@ -118,6 +141,7 @@ std::string encode_frame(DrawnPicture picture, const FrameRequest& request, cons
   if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha);
   Image& image = std::get<Image>(picture);
   if (request.format == FrameFormat::jpeg) return encode_jpeg(image, request.jpeg_quality);
+  if (request.format == FrameFormat::npy) return encode_array(image);
   return png.encode(std::move(image), keep_alpha);
 }
 
@@ -127,6 +151,8 @@ const char* content_type_of(FrameFormat format) {
     case FrameFormat::png16: return "image/png";
     case FrameFormat::jpeg: return "image/jpeg";
     case FrameFormat::exr: return "image/x-exr";
+    case FrameFormat::npy:
+    case FrameFormat::npy_linear: return npy_type;
   }
   assert(false);
   return "application/octet-stream";

@@ -71,7 +71,7 @@ FrameCost FramePlanner::cost_of(const ViewFeatures& view, const FurFrame& frame)
 
 void FramePlanner::learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,
                          double cost_ms) {
-  if (request.format == FrameFormat::exr || request.overlay != Overlay::none) return;
+  if (is_linear(request.format) || request.overlay != Overlay::none) return;
   costs_.add(frame.model, estimate.cost_ms / estimate.correction, cost_ms);
 }
 

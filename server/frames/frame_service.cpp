@@ -339,7 +339,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   FrameTimings timings = picture.timings;
   const Stopwatch asked;
   Result<DrawnPicture> finished = DrawnPicture(picture.aovs);
-  if (request.format != FrameFormat::exr) {  // an EXR is light as it was traced
+  if (!is_linear(request.format)) {  // which is light as it was traced
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Stopwatch passed;
       Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.aovs.front());

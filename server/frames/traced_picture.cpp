@@ -13,7 +13,7 @@ FrameRequest traced_request(const FrameRequest& request) {
 }
 
 std::vector<Aov> traced_aovs(const FrameRequest& request) {
-  return request.format == FrameFormat::exr ? request.aovs : std::vector{Aov::beauty};
+  return is_linear(request.format) ? request.aovs : std::vector{Aov::beauty};
 }
 
 Knobs knobs_of(const TracedPicture& picture) {

@@ -229,7 +229,9 @@ struct CheckTool {
     return failure(Code::invalid, "the model has no texture coordinates to lay a picture by", "/picture",
                    "a model with texture coordinates; or own, which takes a picture off");
   }
-  Status operator()(const ApplyMap&) const { return has_uvs("/picture"); }
+  Status operator()(const ApplyMap& command) const {
+    return command.encoding == MapEncoding::vertices ? Status{} : has_uvs("/picture");
+  }
   Status has_uvs(std::string pointer) const {
     if (has_own_uvs(mesh)) return {};
     return failure(Code::invalid, "the model has no texture coordinates to read a picture by", std::move(pointer),

@@ -14,11 +14,11 @@ Result<ExecuteOptions> options_of(const Request& request, const std::vector<std:
   Result<ExecuteOptions> options = change_options_of(request);
   if (!options) return options;
   if (Status status = check_query(request, parameters); !status.ok()) return status;
-  const std::string dry_run = request.get_param_value("dry_run");
-  if (request.has_param("dry_run") && dry_run != "0" && dry_run != "1") {
-    return failure(Code::invalid, "dry_run is 0 or 1.", "/dry_run", "0 | 1");
+  const Result<bool> dry_run = is_dry_run(request);
+  if (!dry_run) {
+    return dry_run.status();
   }
-  options->dry_run = dry_run == "1";
+  options->dry_run = *dry_run;
   return options;
 }
 

@@ -172,13 +172,6 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
 }
 
 /// Whether only the cost is asked for.
-Result<bool> is_dry_run(const Request& request) {
-  if (!request.has_param("dry_run")) return false;
-  const std::string value = request.get_param_value("dry_run");
-  if (value != "0" && value != "1") return failure(Code::invalid, "dry_run is 0 or 1.", "/dry_run", "0 | 1");
-  return value == "1";
-}
-
 void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
                  const Request& request, Response& response) {
   if (!wanted) return reply_problem(response, wanted.status());

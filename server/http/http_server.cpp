@@ -78,6 +78,7 @@ struct HttpServer::Impl {
     add_upload_routes(server, service);
     add_map_routes(server, service);
     add_mesh_routes(server, service);
+    add_export_routes(server, service);
     add_command_routes(server, service);
     add_frame_routes(server, service);
     add_event_routes(server, service);

@@ -36,6 +36,7 @@ struct Service {
   Gate streams{worker_threads / 4};  // each holds a thread for as long as its client likes
   Gate uploads{4};                   // each holds a file in memory
   Gate large_frames{1};
+  Gate exports{1};  // each holds all strands of a scene in memory
   std::atomic<bool> draining{false};
 
   explicit Service(const ServedParts& parts)
@@ -49,6 +50,7 @@ void add_command_routes(httplib::Server& server, Service& service);
 void add_frame_routes(httplib::Server& server, Service& service);
 void add_map_routes(httplib::Server& server, Service& service);
 void add_mesh_routes(httplib::Server& server, Service& service);
+void add_export_routes(httplib::Server& server, Service& service);
 void add_event_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
 void add_studio_routes(httplib::Server& server);

@@ -68,7 +68,8 @@ Result<MapPicture> read_map_picture(const std::string& bytes) {
   read_exr_without_threads();
   Result<DataImage> image = decode_data_image(std::as_bytes(std::span(bytes)), max_pixels, map_scale_text);
   if (!image.ok()) return reason_of(image.status());
-  if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
+  const bool list = image->width == 1;  // of vertices, of which there may be more than pixels on a side
+  if (Status status = list ? Status{} : check_sides(image->width, image->height); !status.ok()) return status;
   const auto broken_numbers =
       std::count_if(image->rgba.begin(), image->rgba.end(), [](float value) { return !std::isfinite(value); });
   if (broken_numbers > 0) return broken(std::to_string(broken_numbers) + " of its numbers are NaN or infinite.");

@@ -12,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-bool is_float(MapFormat format) { return format == MapFormat::exr || format == MapFormat::exr_half; }
+bool is_float(MapFormat format) { return format != MapFormat::png && format != MapFormat::png16; }
 
 double largest(const FieldSet& fields, Field field) {
   if (fields.at_default(field)) return shape_of(field).default_value;
@@ -69,7 +69,32 @@ double covered_share(const MapImage& image) {
   return static_cast<double>(count) / static_cast<double>(image.covered.size());
 }
 
+MapAnswer answer_of(const Mesh& mesh, const MapRequest& request, MapEncoding encoding, double scale, double covered) {
+  MapAnswer answer{.field = request.field, .encoding = encoding, .units = request.units, .covered = covered};
+  const bool world = is_length(scaled_field(request.field, encoding)) && request.units == Units::world;
+  answer.scale = world ? scale * mesh.size : scale;
+  return answer;
+}
+
 }  // namespace
+
+VertexList list_vertices(const Mesh& mesh, const FieldSet& fields, const MapRequest& request) {
+  const double scale = scale_of(mesh, fields, request, MapEncoding::vertices);
+  const int channels = request.field == Field::direction ? 3 : shape_of(request.field).channels;
+  VertexList list{static_cast<std::size_t>(channels), {}, answer_of(mesh, request, MapEncoding::vertices, scale, 1)};
+  list.values.reserve(list.channels * mesh.positions.size());
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    glm::dvec4 value(fields.value(request.field, v));
+    if (request.field == Field::direction) {
+      const glm::dvec3 x(mesh.tangents[v]), y = glm::cross(glm::dvec3(mesh.normals[v]), x);
+      value = glm::dvec4(x * value.x + y * value.y, 0);
+    } else if (channels == 1) {
+      value /= scale;
+    }
+    for (int k = 0; k < channels; ++k) list.values.push_back(static_cast<float>(value[k]));
+  }
+  return list;
+}
 
 DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& request) {
   const MapEncoding encoding = encoding_of(request.field, request.encoding);
@@ -88,9 +113,7 @@ DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& re
   dilate(map.image, request.dilate);
   fit_corners(uvs, values, map.layout.min, map.layout.max, map.image);
   if (map.layout.premultiplied && !is_float(request.format)) divide_by_cover(map.image);
-  map.answer = {.field = request.field, .encoding = encoding, .units = request.units, .covered = covered};
-  const bool world = is_length(scaled_field(request.field, encoding)) && request.units == Units::world;
-  map.answer.scale = world ? scale * mesh.size : scale;
+  map.answer = answer_of(mesh, request, encoding, scale, covered);
   map.answer.outside = count_outside(uvs);
   return map;
 }

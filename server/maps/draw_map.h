@@ -20,8 +20,19 @@ struct DrawnMap {
   MapAnswer answer;  // all but the revision
 };
 
-/// Draws the asked map of a mesh with texture coordinates. Beside the picture it takes 4 bytes a pixel and channel.
+/// Draws the asked map of a mesh with texture coordinates; not `vertices`. Beside the picture it takes 4 bytes a pixel
+/// and channel.
 DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
+
+/// A field's value at each vertex, in their order: numbers over the scale, colours linear with straight alpha, or the
+/// vectors along the surface, in model coordinates, of a direction.
+struct VertexList {
+  std::size_t channels = 1;   // 1, 3 of a direction, 4 of a colour
+  std::vector<float> values;  // channels * vertices
+  MapAnswer answer;           // all but the revision
+};
+
+VertexList list_vertices(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
 
 /// What a picture says about the fields of each vertex.
 struct MapTargets {
@@ -31,7 +42,8 @@ struct MapTargets {
 };
 
 /// Reads the picture at every vertex, mixed from four pixels; on seams the mean of what its islands say. The mesh has
-/// texture coordinates; `scale` is in the field's unit, lengths in sizes.
+/// texture coordinates, or with `vertices` the picture has as many pixels as the mesh vertices. `scale` is in the
+/// field's unit, lengths in sizes.
 MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale);
 
 /// One channel of the picture at every vertex, the file's own numbers held in [0, 1].

@@ -98,9 +98,28 @@ void split(glm::dvec4 value, const MapLayout& layout, MapEncoding encoding, doub
   if (encoding == MapEncoding::fast_fur) of(Field::width).x = value.z * scale, of(Field::density).x = value.w;
 }
 
+/// A list with a value for each vertex.
+MapTargets read_list(const Mesh& mesh, const MapPicture& list, Field field, double scale) {
+  MapTargets targets;
+  targets.fields = {field};
+  std::vector<glm::dvec4>& values = targets.values[static_cast<std::size_t>(field)];
+  values.resize(mesh.positions.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const glm::dvec4 given(list.rgba[4 * v], list.rgba[4 * v + 1], list.rgba[4 * v + 2], list.rgba[4 * v + 3]);
+    if (field == Field::direction) {
+      const glm::dvec3 x(mesh.tangents[v]), y = glm::cross(glm::dvec3(mesh.normals[v]), x);
+      values[v] = glm::dvec4(glm::dot(glm::dvec3(given), x), glm::dot(glm::dvec3(given), y), 0, 0);
+    } else {
+      values[v] = shape_of(field).channels == 4 ? given : given * scale;
+    }
+  }
+  return targets;
+}
+
 }  // namespace
 
 MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale) {
+  if (encoding == MapEncoding::vertices) return read_list(mesh, picture, field, scale);
   const UvCorners uvs = make_uv_corners(mesh);
   const MapLayout layout = layout_of(field, encoding, scale, picture.bits == 32);
   MapTargets targets;

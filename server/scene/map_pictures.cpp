@@ -7,6 +7,7 @@
 #include "protocol/json/names.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
+#include "renderer/image/npy.h"
 #include "server/maps/draw_map.h"
 #include "server/patches/patches.h"
 #include "server/scene/digest.h"
@@ -55,14 +56,30 @@ Result<std::shared_ptr<const MapPicture>> BatchPictures::read(const std::string&
   return known_[name] = std::make_shared<const MapPicture>(std::move(*picture));
 }
 
-Result<std::shared_ptr<const MapPicture>> BatchPictures::find(const Command& command) {
+namespace {
+
+Status check_fit(const ApplyMap& map, const MapPicture& picture, std::size_t vertices) {
+  const bool list = map.encoding == MapEncoding::vertices;
+  const bool vectors = map.encoding == MapEncoding::vector || (list && map.field == Field::direction);
+  if (vectors && picture.bits != 32)
+    return failure(Code::invalid, "vectors have parts below 0, and this picture holds no floats", "/encoding",
+                   "a picture of floats, such as an EXR");
+  const std::size_t entries = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  if (list && entries != vertices)
+    return failure(Code::invalid, fmt::format("the list has {} entries, and the mesh has other vertices", entries),
+                   "/picture", std::to_string(vertices) + " entries");
+  return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const MapPicture>> BatchPictures::find(const Command& command, std::size_t vertices) {
   const NamedPicture named = picture_of(command);
   if (named.name.empty()) return std::shared_ptr<const MapPicture>();
   auto picture = read(named.name, named.pointer);
   const auto* map = std::get_if<ApplyMap>(&command);
-  if (picture && map != nullptr && map->encoding == MapEncoding::vector && (*picture)->bits != 32)
-    return failure(Code::invalid, "vectors have parts below 0, and this picture holds no floats", "/encoding",
-                   "a picture of floats, such as an EXR");
+  if (!picture || map == nullptr) return picture;
+  if (Status unfit = check_fit(*map, **picture, vertices); !unfit.ok()) return unfit;
   return picture;
 }
 
@@ -115,12 +132,17 @@ std::string encode_integers(const DrawnMap& map, const std::vector<ImageText>& t
                     colour ? PngNumbers::srgb : PngNumbers::data);
 }
 
-std::string encode_floats(DrawnMap& map, ExrSample sample, const std::vector<ImageText>& texts) {
+/// As a file of floats has the values.
+void put_file_numbers(DrawnMap& map) {
   const auto channels = static_cast<std::size_t>(map.layout.channels);
   for (std::size_t i = 0; i < map.image.values.size(); ++i) {
     const ChannelKind kind = map.layout.kinds[i % channels];
     map.image.values[i] = static_cast<float>(file_number(kind, map.image.values[i], 32));
   }
+}
+
+std::string encode_floats(const DrawnMap& map, ExrSample sample, const std::vector<ImageText>& texts) {
+  const auto channels = static_cast<std::size_t>(map.layout.channels);
   if (channels == 1) {
     const std::vector<ExrPlane> grey{{"Y", map.image.values, 0, 1, sample}};
     return encode_exr(map.image.size, map.image.size, grey, texts);
@@ -135,19 +157,40 @@ std::string encode_floats(DrawnMap& map, ExrSample sample, const std::vector<Ima
 
 }  // namespace
 
+namespace {
+
+std::string encode_array(const DrawnMap& map) {
+  const auto size = static_cast<std::size_t>(map.image.size), channels = static_cast<std::size_t>(map.layout.channels);
+  std::vector<std::size_t> shape{size, size};
+  if (channels > 1) shape.push_back(channels);
+  return encode_npy(shape, std::span(std::as_const(map.image.values)));
+}
+
+MapFile make_list_file(const Mesh& mesh, const FieldSet& fields, const MapRequest& request) {
+  const VertexList list = list_vertices(mesh, fields, request);
+  std::vector<std::size_t> shape{mesh.positions.size()};
+  if (list.channels > 1) shape.push_back(list.channels);
+  return {encode_npy(shape, std::span(list.values)), npy_type, list.answer};
+}
+
+}  // namespace
+
 Result<MapFile> make_map_file(const Mesh& mesh, const FieldSet& fields, const MapRequest& request) {
+  if (request.encoding == MapEncoding::vertices) return make_list_file(mesh, fields, request);
   if (!has_own_uvs(mesh))
     return failure(Code::invalid, "the model has no texture coordinates to lay a map by", "",
                    "a model with texture coordinates; docs/maps.md says which have some");
   DrawnMap map = draw_map(mesh, fields, request);
   const std::vector<ImageText> texts = texts_of(map.answer, mesh.size);
+  if (request.format != MapFormat::png && request.format != MapFormat::png16) put_file_numbers(map);
   switch (request.format) {
     case MapFormat::png: return MapFile{encode_integers<Image>(map, texts), "image/png", map.answer};
     case MapFormat::png16: return MapFile{encode_integers<Image16>(map, texts), "image/png", map.answer};
     case MapFormat::exr: return MapFile{encode_floats(map, ExrSample::single, texts), "image/x-exr", map.answer};
-    case MapFormat::exr_half: break;
+    case MapFormat::exr_half: return MapFile{encode_floats(map, ExrSample::half, texts), "image/x-exr", map.answer};
+    case MapFormat::npy: break;
   }
-  return MapFile{encode_floats(map, ExrSample::half, texts), "image/x-exr", map.answer};
+  return MapFile{encode_array(map), npy_type, map.answer};
 }
 
 }  // namespace pelage

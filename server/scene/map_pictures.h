@@ -26,8 +26,9 @@ class BatchPictures {
   explicit BatchPictures(const Journal& journal) : journal_(journal) {}
 
   /// The picture that the command reads; null where it reads none. Refused (invalid) when the journal has none of that
-  /// name, when the batch reads too many, and when vectors are to be read from a picture that holds no floats.
-  Result<std::shared_ptr<const MapPicture>> find(const Command& command);
+  /// name, when the batch reads too many, when vectors are to be read from a picture that holds no floats, and when a
+  /// list of vertices is not as long as the mesh has `vertices`.
+  Result<std::shared_ptr<const MapPicture>> find(const Command& command, std::size_t vertices);
 
  private:
   Result<std::shared_ptr<const MapPicture>> read(const std::string& name, const char* pointer);

@@ -196,7 +196,7 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   const auto* retarget = std::get_if<Retarget>(&*resolved);
   Result<Step> step = retarget ? with_source(*retarget, past.sources) : with_rest(std::move(*resolved), past);
   if (!step) return step;
-  auto picture = past.pictures.find(step->command);
+  auto picture = past.pictures.find(step->command, model_->surface.mesh().positions.size());
   if (!picture) return picture.status();
   step->picture = std::move(*picture);
   return step;

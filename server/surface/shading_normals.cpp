@@ -57,8 +57,7 @@ class Creases {
   }
 
   void look_at(std::span<const Side> edge) {
-    if (edge.size() == 1) return;
-    if (edge.size() > 2 || is_sharp(edge[0], edge[1])) {
+    if (edge.size() != 2 || is_sharp(edge[0], edge[1])) {
       any_ = creased_[edge[0].low] = creased_[edge[0].high] = true;
       return;
     }
@@ -72,6 +71,23 @@ class Creases {
   std::vector<bool> creased_;
   bool any_ = false;
 };
+
+/// At each vertex the sum, over its open edges, of the unit vectors that lie in the edge's triangle and lead out of it.
+std::vector<glm::dvec3> over_rims(std::span<const glm::dvec3> positions, const std::vector<glm::uvec3>& triangles) {
+  std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0));
+  for_each_edge(sorted_sides(triangles), [&](std::span<const Side> edge) {
+    if (edge.size() != 1) return;
+    const glm::uvec3& t = triangles[edge[0].triangle];
+    const auto corner = [&](std::uint32_t k) { return positions[t[static_cast<int>(k % 3)]]; };
+    const std::uint32_t k = edge[0].side;
+    const glm::dvec3 along = corner(k + 1) - corner(k), across = corner(k + 2) - corner(k);
+    const glm::dvec3 out = along * glm::dot(along, across) - across * glm::dot(along, along);
+    const double length = glm::length(out);
+    if (!(length > 0)) return;
+    sums[edge[0].low] += out / length, sums[edge[0].high] += out / length;
+  });
+  return sums;
+}
 
 glm::vec3 unit_or(glm::dvec3 vector, glm::vec3 otherwise) {
   const double length = glm::length(vector);
@@ -101,17 +117,23 @@ std::vector<std::array<glm::vec3, 3>> shading_normals(std::span<const glm::dvec3
   return result;
 }
 
-std::vector<std::uint32_t> grow_over_creases(const std::vector<glm::uvec3>& triangles,
+std::vector<std::uint32_t> grow_over_creases(std::span<const glm::dvec3> positions,
+                                             const std::vector<glm::uvec3>& triangles,
                                              const std::vector<std::array<glm::vec3, 3>>& shading_normals,
                                              std::vector<glm::vec3>& normals) {
+  if (shading_normals.empty()) return {};
   constexpr float cancelled = 0.1f;
-  std::vector<std::vector<glm::vec3>> sides(normals.size());  // those that differ from the vertex's
+  const std::vector<glm::dvec3> over_rim = over_rims(positions, triangles);
+  std::vector<std::vector<glm::vec3>> sides(normals.size());  // of vertices at creases
+  for (std::uint32_t v = 0; v < normals.size(); ++v) {
+    if (glm::length(over_rim[v]) > cancelled) sides[v].push_back(glm::vec3(glm::normalize(over_rim[v])));
+  }
   for (std::size_t t = 0; t < shading_normals.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = triangles[t][static_cast<int>(k)];
       const glm::vec3 side = shading_normals[t][k];
       const bool known = std::find(sides[v].begin(), sides[v].end(), side) != sides[v].end();
-      if (side != normals[v] && !known) sides[v].push_back(side);
+      if (!known && (side != normals[v] || !sides[v].empty())) sides[v].push_back(side);
     }
   }
   std::vector<std::uint32_t> changed;

@@ -1,10 +1,12 @@
-// Models with hard edges in the tiers that the CPU draws, side by side, against pictures that were looked at. Run with
+// Models with hard edges in each tier, one below the other, against pictures that were looked at. Run with
 // PELAGE_UPDATE_GOLDEN=1 after a wanted change, as golden_test.cpp says.
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "renderer/strands/tracer.h"
 #include "server/first_groom/first_groom.h"
+#include "server/frames/fur_view.h"
 #include "server/patches/subdivide.h"
 #include "tests/golden/expect_golden.h"
 #include "tests/support/furred_model.h"
@@ -80,18 +82,37 @@ FurredModel subdivided(const FurredModel& model, FirstGroom fur, int levels) {
   return {{Surface(std::move(mesh)), std::move(patches), model.model.id + 1000, "test"}, std::move(fields), {}};
 }
 
+/// Strands in few passes, filtered; what they stand on is drawn by `renderer`, which knows the model.
+Image traced(Renderer& renderer, const FurredModel& model, FrameRequest request) {
+  const auto never_stop = [] { return true; };
+  request.knobs = knobs_of(Tier::reference);
+  request.knobs.trace.passes = 16;
+  const FurFrame frame = make_frame(model.view(), request);
+  const DirtyRange all{0, static_cast<std::uint32_t>(model.fields.size())};
+  const ModelArrays arrays = make_arrays(model.view());
+  Tracer tracer(2, std::size_t{1} << 30, false);
+  Status status = tracer.begin(make_model(model.view(), arrays), make_fields(model.view(), {}, std::span(&all, 1)),
+                               frame, renderer.draw_backplate(frame).value(), std::array{Aov::beauty}, never_stop);
+  while (status.ok() && tracer.report().end == TraceEnd::none) status = tracer.add_pass(never_stop);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return renderer.finish(frame, tracer.aov(Aov::beauty)).value();
+}
+
 /// A frame of each tier, one below the other.
 Image all_tiers(const FurredModel& model) {
   Renderer renderer{RendererOptions{}};
   FrameRequest request = small_frame(AutoView::three_quarter, 240);
   request.tone_map = ToneMap::filmic, request.background = Background::colour;
   Image strip{240, 0, {}};
-  for (const Tier tier : {Tier::draft, Tier::interactive, Tier::detailed}) {
-    request.knobs = knobs_of(tier);
-    const Image image = draw(renderer, model, request);
+  const auto append = [&](const Image& image) {
     strip.height += image.height;
     strip.rgba.insert(strip.rgba.end(), image.rgba.begin(), image.rgba.end());
+  };
+  for (const Tier tier : {Tier::draft, Tier::interactive, Tier::detailed}) {
+    request.knobs = knobs_of(tier);
+    append(draw(renderer, model, request));
   }
+  append(traced(renderer, model, request));
   return strip;
 }
 

@@ -69,6 +69,22 @@ Result<Connection> Connection::to(const std::string& server, const std::string& 
 
 Result<HttpAnswer> Connection::get(const std::string& path) { return impl_->result_of(impl_->client.Get(path)); }
 
+Result<HttpAnswer> Connection::get(const std::string& path, const std::function<bool(std::string_view)>& take) {
+  bool success = false;
+  std::string problem;
+  const auto begin = [&](const httplib::Response& response) {
+    success = response.status >= 200 && response.status < 300;
+    return true;
+  };
+  Result<HttpAnswer> answer = impl_->result_of(impl_->client.Get(path, begin, [&](const char* data, std::size_t size) {
+    if (success) return take({data, size});
+    problem.append(data, size);
+    return true;
+  }));
+  if (answer) answer->body = std::move(problem);
+  return answer;
+}
+
 Result<HttpAnswer> Connection::post_json(const std::string& path, const std::string& body, const HttpHeaders& headers) {
   const httplib::Headers sent(headers.begin(), headers.end());
   return impl_->result_of(impl_->client.Post(path, sent, body, "application/json"));

@@ -1,9 +1,11 @@
 // The client's side of HTTP.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "protocol/base/status.h"
 
@@ -28,6 +30,8 @@ class Connection {
   Connection& operator=(Connection&&) noexcept;
 
   Result<HttpAnswer> get(const std::string& path);
+  /// The same, with the body of a success (2xx) handed over piece by piece; false of `take` ends it.
+  Result<HttpAnswer> get(const std::string& path, const std::function<bool(std::string_view)>& take);
   Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
   Result<HttpAnswer> put_bytes(const std::string& path, const std::string& bytes);
   Result<HttpAnswer> remove(const std::string& path);

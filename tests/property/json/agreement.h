@@ -98,7 +98,7 @@ inline void fit(FrameRequest& frame) {
   if (frame.budget_ms) frame.max_error.reset();
   if (frame.plans()) frame.knobs = {};
   if (frame.knobs.order == FragmentOrder::sorted) frame.height = std::min(frame.height, 512);
-  if (frame.format == FrameFormat::exr) {
+  if (is_linear(frame.format)) {
     frame.overlay = Overlay::none;
     if (frame.aovs.size() > 1) frame.aovs.resize(1);
   }

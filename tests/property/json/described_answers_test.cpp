@@ -36,7 +36,8 @@ RC_GTEST_PROP(DescribedAnswers, OfScenesComeBack, ()) {
 
 RC_GTEST_PROP(DescribedAnswers, OfPicturesComeBack, ()) {
   expect_back<FrameEstimate>("FrameEstimate"), expect_back<FrameCounters>("FrameCounters");
-  expect_back<FrameCost>("FrameCost"), expect_back<FrameProgressList>("FrameProgressList");
+  expect_back<FrameCost>("FrameCost"), expect_back<ExportAnswer>("ExportAbout"),
+      expect_back<FrameProgressList>("FrameProgressList");
   expect_back<TraceReport>("TraceReport"), expect_back<MapAnswer>("MapAbout");
   expect_back<PictureAnswer>("StoredPicture");
 }

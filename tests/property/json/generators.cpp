@@ -260,6 +260,7 @@ template MapAnswer answer();
 template PictureAnswer answer();
 template FrameEstimate answer();
 template FrameCost answer();
+template ExportAnswer answer();
 template FrameProgressList answer();
 template FrameCounters answer();
 template TraceReport answer();

@@ -102,6 +102,49 @@ TEST_F(MapRoundTrip, EveryFieldComesBack) {
   }
 }
 
+/// A list of all vertices as a script would send it back.
+MapPicture sent_back(const VertexList& list) {
+  MapPicture picture{1, static_cast<int>(list.values.size() / list.channels), 32, {}, {}};
+  for (std::size_t i = 0; i < list.values.size(); i += list.channels) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool there = k < list.channels;
+      picture.rgba.push_back(there ? list.values[i + k] : list.channels == 1 ? list.values[i] : 1.0f);
+    }
+  }
+  return picture;
+}
+
+TEST_F(MapRoundTrip, ListsOfVerticesAreExactAndNeedNoTexture) {
+  const Surface ball = surface_of(make_builtin({Builtin::sphere, 500}));
+  const FieldSet fields = random_fields(ball.mesh().positions.size());
+  const FieldSet rest(ball.mesh().positions.size());
+  for (std::size_t f = 0; f < field_count; ++f) {
+    MapRequest request = asked(field_at(f), 1, MapFormat::npy, MapEncoding::vertices);
+    request.units = Units::world;
+    const VertexList list = list_vertices(ball.mesh(), fields, request);
+    const MapPicture picture = sent_back(list);
+    ToolExtras extras;
+    extras.picture = &picture;
+    const ApplyMap command{"", field_at(f), MapEncoding::vertices, list.answer.scale, request.units};
+    FieldSet read = rest;
+    read.apply(evaluate(command, ball, rest, extras).delta);
+    for (std::uint32_t v = 0; v < fields.size(); ++v)
+      EXPECT_LT(glm::distance(read.value(field_at(f), v), fields.value(field_at(f), v)), 2e-6f)
+          << shape_of(field_at(f)).name;
+  }
+}
+
+TEST_F(MapRoundTrip, ListsOfDirectionsAreVectorsAlongTheSurface) {
+  const VertexList list =
+      list_vertices(surface_.mesh(), fields_, asked(Field::direction, 1, MapFormat::npy, MapEncoding::vertices));
+  ASSERT_EQ(list.values.size(), 3 * fields_.size());
+  for (std::uint32_t v = 0; v < fields_.size(); ++v) {
+    const glm::vec3 along(list.values[3 * v], list.values[3 * v + 1], list.values[3 * v + 2]);
+    EXPECT_NEAR(glm::dot(along, surface_.mesh().normals[v]), 0, 1e-6);
+    EXPECT_NEAR(glm::length(along), glm::length(glm::vec2(fields_.value(Field::direction, v))), 1e-6);
+  }
+}
+
 TEST_F(MapRoundTrip, TheOtherEncodingsOfDirection) {
   MapRequest request = asked(Field::direction, 512, MapFormat::png16, MapEncoding::fast_fur);
   EXPECT_LT(worst_change(surface_, fields_, request, 32), 1e-5);

@@ -55,7 +55,8 @@ TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
   EXPECT_EQ(pointer_of(R"({"format": "exr", "overlay": "strokes"})"), "/overlay");
   EXPECT_EQ(pointer_of(R"({"format": "jpeg", "background": "transparent"})"), "/background");
   EXPECT_EQ(pointer_of(R"({"jpeg_quality": 101})"), "/jpeg_quality");
-  EXPECT_EQ(decode_frame_request(R"({"format": "tiff"})").status().limit, "png | png16 | jpeg | exr");
+  EXPECT_EQ(decode_frame_request(R"({"format": "tiff"})").status().limit,
+            "png | png16 | jpeg | exr | npy | npy_linear");
 }
 
 TEST(DecodeFrame, ADifferenceIsFromARevision) {

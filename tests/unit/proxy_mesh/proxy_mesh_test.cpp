@@ -8,7 +8,7 @@
 
 #include "protocol/base/limits.h"
 #include "server/builtin/builtin.h"
-#include "tests/unit/proxy_mesh/glb_file.h"
+#include "tests/support/glb_file.h"
 #include "tests/unit/surface/shapes.h"
 
 namespace pelage {

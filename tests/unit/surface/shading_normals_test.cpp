@@ -55,5 +55,20 @@ TEST(ShadingNormals, FurGrowsOutOfTheRimOfAThinSheet) {
   }
 }
 
+// Otherwise the roots of a cloth's fur are seen from the side, which is dark.
+TEST(ShadingNormals, FurLeansOverOpenRims) {
+  RawModel raw = shapes::cube();
+  raw.face_sizes.pop_back(), raw.corners.resize(raw.corners.size() - 4);  // the side that looks along X
+  const Mesh mesh = shapes::prepared(raw).value();
+  for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+    EXPECT_EQ(mesh.normals[v].x > 0.3f, mesh.positions[v].x > 0) << v;
+    EXPECT_NEAR(glm::dot(mesh.normals[v], mesh.tangents[v]), 0, 1e-6);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {  // the skin is lit as what it is
+    for (const glm::vec3& normal : mesh.shading_normals[t])
+      EXPECT_LT(glm::distance(normal, face_normal(mesh, t)), 1e-6f);
+  }
+}
+
 }  // namespace
 }  // namespace pelage::shading_normals_test

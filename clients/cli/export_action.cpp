@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "clients/cli/actions.h"
+#include "clients/cli/print.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/names.h"
+
+namespace pelage {
+
+namespace {
+
+/// Unless it is named, the format is that of the output's ending; a GLB is for viewers.
+Result<Query> checked_export_query(const Options& options) {
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  Query query = options.export_parameters;
+  const bool named = std::any_of(query.begin(), query.end(), [](const auto& each) { return each.first == "format"; });
+  if (!named) query.emplace_back("format", ending == ".glb" ? "shells" : ending.empty() ? "" : ending.substr(1));
+  const auto checked = decode_export_query(query);
+  if (checked) return query;
+  Status refused = checked.status();
+  if (!named && refused.pointer == "/format")
+    refused = failure(Code::invalid, "No format has the ending of " + options.output + "; take another, or --format.", "", ".usda | .hair | .glb");
+  return refused;
+}
+
+/// The decoder took every value, so that none needs escaping but the + of a number, which means nothing there.
+std::string address_of_export(const std::string& scene_path, const Query& query, bool dry_run) {
+  std::string parameters = dry_run ? "&dry_run=1" : "", format;
+  for (auto [name, value] : query) {
+    std::erase(value, '+');
+    if (name == "format")
+      format = value;
+    else
+      parameters += "&" + name + "=" + value;
+  }
+  if (!parameters.empty()) parameters[0] = '?';
+  return scene_path + "/export/" + format + parameters;
+}
+
+void print_about(const Options& options, const std::string& about) {
+  const auto answer = decode_answer<ExportAnswer>(about);
+  if (options.json || !answer) return fmt::print("{}\n", about);
+  const std::string counts = answer->triangles > 0 ? fmt::format("{} triangles", answer->triangles)
+                                                   : fmt::format("{} strands, {} points", answer->strands, answer->points);
+  fmt::print("{}{}: {}, {:.1f} MB\n", options.output, options.dry_run ? " would hold" : "", counts,
+             static_cast<double>(answer->bytes) / 1e6);
+}
+
+ExitCode write_export(Session& session, const std::string& address) {
+  NewFile file(session.options().output);
+  bool written = true;
+  const auto answer = session.connection().get(address, [&](std::string_view piece) { return written = file.write(piece); });
+  if (written) {  // else the file says why
+    const auto accepted = Session::accepted(answer);
+    if (!accepted) return report(accepted.status());
+  }
+  if (const Status kept = file.keep(); !kept.ok()) return report(kept);
+  const auto about = answer->headers.find("pelage-export");
+  print_about(session.options(), about == answer->headers.end() ? "" : about->second);
+  return done;
+}
+
+}  // namespace
+
+ExitCode export_fur(Session& session) {
+  const Options& options = session.options();
+  const Result<Query> query = checked_export_query(options);
+  if (!query) return report(query.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const std::string address = address_of_export(*path, *query, options.dry_run);
+  if (!options.dry_run) return write_export(session, address);
+  const auto answer = Session::accepted(session.connection().get(address));
+  if (!answer) return report(answer.status());
+  print_about(options, answer->body);
+  return done;
+}
+
+}  // namespace pelage

@@ -1,0 +1,34 @@
+// The groom in the formats of other programs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/commands/history.h"
+
+namespace pelage {
+
+/// `usda`: strands as BasisCurves of USD, as text. `hair`: strands as a HAIR file (cyHair). `shells`: the skin and
+/// layers over it as a GLB that any viewer shows. `fields`: the skin with the fields of its fur as a GLB, for shaders.
+enum class ExportFormat { usda, hair, shells, fields };
+
+/// What of the fur is exported.
+struct ExportRequest {
+  ExportFormat format = ExportFormat::usda;
+  int every = 1;       // about one strand of so many, chosen by numbers of their own; [1, 1000000]
+  bool widen = false;  // makes strands `every` times as wide, which keeps what they cover
+  bool curves = true;  // with whiskers, lashes and brows
+  int shells = 16;     // layers of `shells`, [1, 32]
+};
+
+/// What a file holds, known before it is sent.
+struct ExportAnswer {
+  Revision revision = 0;
+  ExportFormat format = ExportFormat::usda;
+  std::uint64_t strands = 0, points = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t bytes = 0;
+  bool operator==(const ExportAnswer&) const = default;
+};
+
+}  // namespace pelage

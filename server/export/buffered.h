@@ -1,0 +1,48 @@
+// Gathers small pieces of a file for a sink.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+
+#include "server/export/export_file.h"
+
+namespace pelage {
+
+class Buffered {
+ public:
+  explicit Buffered(const Sink& sink) : sink_(sink) { text_.reserve(2 * piece); }
+
+  template <class... Values>
+  void print(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    if (text_.size() >= piece) flush();
+  }
+  template <class Value>
+  void put(const Value& value) {
+    text_.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    if (text_.size() >= piece) flush();
+  }
+
+  bool going() const { return going_; }
+  /// Hands over the rest; whether the sink took all.
+  bool finish() {
+    flush();
+    return going_;
+  }
+
+ private:
+  static constexpr std::size_t piece = std::size_t{1} << 18;
+
+  void flush() {
+    if (going_ && !text_.empty()) going_ = sink_(text_);
+    text_.clear();
+  }
+
+  const Sink& sink_;
+  std::string text_;
+  bool going_ = true;
+};
+
+}  // namespace pelage

@@ -1,0 +1,55 @@
+#include "server/export/corner_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "protocol/base/lean_curve.h"
+#include "server/frames/fur_view.h"
+
+namespace pelage {
+
+namespace {
+
+bool bears_fur(const FieldSet& fields, std::uint32_t vertex) {
+  return fields.number(Field::length, vertex) > 0 && fields.number(Field::density, vertex) > 0;
+}
+
+}  // namespace
+
+CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
+  const FurPieces pieces = make_pieces(scene.model.surface.mesh(), scene.model.patches);
+  CornerMesh shells;
+  std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> known;
+  const auto corner_of = [&](std::uint32_t vertex, const FurCorner& corner) {
+    const auto [at, is_new] = known.try_emplace({vertex, corner.tile_uv.x, corner.tile_uv.y},
+                                                static_cast<std::uint32_t>(shells.corners.size()));
+    if (is_new) shells.corners.push_back({vertex, corner.tile_uv, corner.weight});
+    return at->second;
+  };
+  for (std::size_t t = 0; t < pieces.triangles.size(); ++t) {
+    const glm::uvec3 v = pieces.triangles[t];
+    const bool furred = bears_fur(scene.fields, v.x) || bears_fur(scene.fields, v.y) || bears_fur(scene.fields, v.z);
+    if (!whole && !furred) continue;
+    const std::array<FurCorner, 3>& c = pieces.corners[t];
+    shells.triangles.emplace_back(corner_of(v.x, c[0]), corner_of(v.y, c[1]), corner_of(v.z, c[2]));
+  }
+  return shells;
+}
+
+std::vector<glm::vec3> places_at(const SceneView& scene, double s) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  const Coat& coat = scene.settings.coat;
+  std::vector<glm::vec3> places(mesh.positions.size());
+  for (std::uint32_t v = 0; v < places.size(); ++v) {
+    const glm::dvec3 normal(mesh.normals[v]);
+    const Lean lean = lean_of(glm::dvec2(scene.fields.value(Field::direction, v)), normal, glm::dvec3(mesh.tangents[v]));
+    const LeanPoint at = lean_point(coat.lean_curve, lean.inclination, coat.root_share, s);
+    const double length = double{scene.fields.number(Field::length, v)};
+    const glm::dvec3 place = glm::dvec3(mesh.positions[v]) + length * (at.across * lean.along + at.up * normal);
+    places[v] = glm::vec3(place * mesh.size);
+  }
+  return places;
+}
+
+}  // namespace pelage

@@ -1,0 +1,31 @@
+// A scene's fur as a file of another program: what it holds is known before its bytes are made, piece by piece.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/export.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// Takes the next bytes of a file; false ends the writing.
+using Sink = std::function<bool(std::string_view)>;
+
+struct ExportFile {
+  ExportAnswer about;
+  const char* content_type = "";
+  std::string ending;                     // ".usda"
+  std::function<bool(const Sink&)> write;  // the same bytes each time; false when the sink ended it
+};
+
+/// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
+/// (too_large, "/every") where more than limits::export_strands are expected.
+Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request);
+
+/// The bytes that `write` makes.
+std::uint64_t size_of(const std::function<bool(const Sink&)>& write);
+
+}  // namespace pelage

@@ -1,0 +1,120 @@
+#include "server/export/shells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/coat/slices.h"
+#include "renderer/image/image.h"
+#include "server/export/layer_texture.h"
+#include "server/export/corner_mesh.h"
+#include "server/export/vertex_colours.h"
+#include "server/glb/glb_writer.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float deepest_light = 0.35f;  // of the light, that reaches the skin
+constexpr float shade = 0.08f;      // light that a strand above takes
+
+float light_at(const Slices& slices, double height) {
+  const auto slice = std::min(static_cast<std::size_t>(height * slice_count), std::size_t{slice_count - 1});
+  return deepest_light + (1 - deepest_light) * std::exp(-shade * slices.depth_above[slice]);
+}
+
+/// What all layers share, and the members of the file that grow with each.
+class ShellFile {
+ public:
+  ShellFile(const SceneView& scene, const CornerMesh& shells, const VertexColours& colours, const Slices& slices)
+      : scene_(scene), shells_(shells), colours_(colours), slices_(slices) {
+    const Mesh& mesh = scene.model.surface.mesh();
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> uvs;
+    for (const CornerMesh::Corner& corner : shells.corners) {
+      normals.push_back(mesh.normals[corner.vertex]);
+      uvs.push_back(corner.tile_uv / static_cast<float>(scene.settings.coat.tile));
+    }
+    normals_ = file_.add(std::span(std::as_const(normals))), uvs_ = file_.add(std::span(std::as_const(uvs)));
+    triangles_ = file_.add_triangles(shells.triangles, shells.corners.size());
+  }
+
+  void add_skin() {
+    const Mesh& mesh = scene_.model.surface.mesh();
+    std::vector<glm::vec4> colours;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+      colours.emplace_back(light_at(slices_, 0) * colours_.at(v, 0), 1);
+    const int positions = file_.add_positions(places_at(scene_, 0)), normals = file_.add(std::span(mesh.normals));
+    const int colour = file_.add(std::span(std::as_const(colours)));
+    const int triangles = file_.add_triangles(mesh.triangles, mesh.positions.size());
+    add(primitives_, fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"COLOR_0":{}}},"indices":{},"material":0}})",
+                                 positions, normals, colour, triangles));
+    add(materials_, fmt::format(R"({{"name":"skin",{}}})", dull));
+  }
+
+  void add_layer(int layer, int layers) {
+    const SliceBin bin = bin_of(layer, layers);
+    const std::vector<glm::vec3> places = places_at(scene_, bin.height);
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec4> colours;
+    for (const CornerMesh::Corner& corner : shells_.corners) {
+      positions.push_back(places[corner.vertex]);
+      const glm::vec3 lit = LayerTexture::headroom * light_at(slices_, bin.height) * colours_.at(corner.vertex, bin.height);
+      const float density = scene_.fields.number(Field::density, corner.vertex);
+      colours.emplace_back(glm::min(lit, 1.0f), corner.weight * density);
+    }
+    const int image = file_.add_png(encode_png(LayerTexture(slices_.levels.front(), bin).image(), true));
+    add(textures_, fmt::format(R"({{"source":{},"sampler":0}})", image));
+    add(materials_, fmt::format(R"({{"name":"fur {}","alphaMode":"BLEND",{}}})", layer + 1,
+                                fmt::format(textured, image)));
+    const int place = file_.add_positions(positions), colour = file_.add(std::span(std::as_const(colours)));
+    add(primitives_,
+        fmt::format(
+            R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{}}},"indices":{},"material":{}}})",
+            place, normals_, uvs_, colour, triangles_, layer + 1));
+  }
+
+  std::string finish() {
+    file_.set("scene", "0");
+    file_.set("scenes", R"([{"nodes":[0]}])");
+    file_.set("nodes", fmt::format(R"([{{"name":"fur","mesh":0,"translation":{}}}])",
+                                   json_of(scene_.model.surface.mesh().centre)));
+    file_.set("meshes", "[{\"primitives\":[" + primitives_ + "]}]");
+    file_.set("materials", "[" + materials_ + "]");
+    file_.set("textures", "[" + textures_ + "]");
+    file_.set("samplers", "[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497}]");  // trilinear, repeated
+    return file_.finish();
+  }
+
+ private:
+  static constexpr const char* dull = R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9})";
+  static constexpr const char* textured =
+      R"("pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":0.9,"baseColorTexture":{{"index":{}}}}})";
+
+  static void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : ",") + item; }
+
+  const SceneView& scene_;
+  const CornerMesh& shells_;
+  const VertexColours& colours_;
+  const Slices& slices_;
+  GlbWriter file_;
+  int normals_ = 0, uvs_ = 0, triangles_ = 0;
+  std::string primitives_, materials_, textures_;
+};
+
+}  // namespace
+
+BakedShells bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
+  const CornerMesh shells = make_corner_mesh(scene);
+  const VertexColours colours(scene.model.surface, strands);
+  const Slices slices = bake_slices(scene.settings.coat);
+  ShellFile file(scene, shells, colours, slices);
+  file.add_skin();
+  const int layers = shells.triangles.empty() ? 0 : request.shells;
+  for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers);
+  return {file.finish(), scene.model.surface.mesh().triangles.size() +
+                             static_cast<std::uint64_t>(layers) * shells.triangles.size()};
+}
+
+}  // namespace pelage

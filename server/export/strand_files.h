@@ -1,0 +1,18 @@
+// Strands as files of other programs. Each writes the same bytes every time, and false says that the sink ended it.
+#pragma once
+
+#include "server/export/export_file.h"
+#include "server/export/strands.h"
+
+namespace pelage {
+
+/// USD as text: an Xform at the model's centre with linear BasisCurves, in the model's unit, Y up. Widths and
+/// displayColor (linear) for each point; for each strand `st`, and as Unreal names them `groom_root_uv` (v up),
+/// `groom_id`, `groom_group_id` (0 fur, 1 curves) and `groom_guide` (1 for all where strands were left out).
+bool write_usda(const ExportedStrands& strands, const ExportAnswer& about, bool as_guides, const Sink& sink);
+
+/// The HAIR format of cyHair (Yuksel): segments, points in model coordinates, thickness and linear colours.
+/// Little endian, as its readers expect.
+bool write_hair(const ExportedStrands& strands, const Sink& sink);
+
+}  // namespace pelage

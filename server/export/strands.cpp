@@ -1,0 +1,92 @@
+#include "server/export/strands.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "protocol/base/limits.h"
+#include "protocol/base/parallel.h"
+#include "renderer/strands/grow.h"
+#include "server/frames/fur_view.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double strands_each = 6000;  // of a set
+
+GrowRecipe recipe_of(const FurFrame& frame, const FurModel& model, const ExportRequest& request) {
+  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
+  recipe.share = 1.0 / request.every;
+  recipe.widening = request.widen ? request.every : 1;
+  return recipe;
+}
+
+/// Texture coordinates at the roots of one set, by the triangle that is nearest to each.
+void find_root_uvs(const Surface& surface, const StrandSet& set, glm::vec2* uvs) {
+  const std::size_t points = static_cast<std::size_t>(set.segments) + 1;
+  for (std::size_t i = 0; i < set.count(); ++i) {
+    const SurfacePoint at = surface.nearest(glm::dvec3(set.points[i * points].place));
+    const std::array<glm::vec2, 3>& corners = surface.mesh().texture_uv[at.triangle];
+    glm::dvec2 uv(0);
+    for (int k = 0; k < 3; ++k) uv += at.barycentric[k] * glm::dvec2(corners[static_cast<std::size_t>(k)]);
+    uvs[i] = glm::vec2(uv);
+  }
+}
+
+void add_root_uvs(const Surface& surface, ExportedStrands& strands) {
+  if (surface.mesh().texture_uv.empty()) return;
+  std::vector<std::size_t> first{0};
+  for (const StrandSet& set : strands.sets) first.push_back(first.back() + set.count());
+  strands.root_uvs.resize(first.back());
+  for_each_in_parallel(static_cast<std::uint32_t>(strands.sets.size()), [&](std::uint32_t i) {
+    find_root_uvs(surface, strands.sets[i], strands.root_uvs.data() + first[i]);
+  });
+}
+
+Status check_count(double expected, const ExportRequest& request) {
+  if (expected / request.every <= limits::export_strands) return {};
+  const double every = std::ceil(expected / limits::export_strands);
+  return failure(Code::too_large, "The fur has too many strands for one file.", "/every",
+                 "at least " + std::to_string(static_cast<long long>(every)));
+}
+
+}  // namespace
+
+std::uint64_t ExportedStrands::count() const {
+  return std::accumulate(sets.begin(), sets.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const StrandSet& set) { return sum + set.count(); });
+}
+
+std::uint64_t ExportedStrands::points() const {
+  return std::accumulate(sets.begin(), sets.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const StrandSet& set) { return sum + set.points.size(); });
+}
+
+Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& request) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  const ModelArrays arrays = make_arrays(scene);
+  const FurModel model = make_model(scene, arrays);
+  const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
+  const FurFields fields = make_fields(scene, skin, {});
+  const FurFrame frame = make_frame(scene, FrameRequest{});
+  if (Status many = check_count(expected_strands(model, frame.coat), request); !many.ok()) return many;
+
+  const Grower grower(model, fields, recipe_of(frame, model, request));
+  const std::vector<StrandChunk> chunks = make_chunks(model, frame.coat, strands_each * request.every);
+  ExportedStrands strands;
+  strands.centre = mesh.centre, strands.size = mesh.size;
+  strands.sets.resize(chunks.size());
+  for_each_in_parallel(static_cast<std::uint32_t>(chunks.size()),
+                       [&](std::uint32_t i) { strands.sets[i] = grower.grow(chunks[i]); });
+  std::erase_if(strands.sets, [](const StrandSet& set) { return set.count() == 0; });
+  if (request.curves && !frame.curves.empty()) {
+    strands.sets.push_back(grow_curves(frame.curves));
+    strands.curve_sets = 1;
+  }
+  add_root_uvs(scene.model.surface, strands);
+  return strands;
+}
+
+}  // namespace pelage

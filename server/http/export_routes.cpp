@@ -1,0 +1,59 @@
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+#include "server/export/export_file.h"
+#include "server/http/reply.h"
+#include "server/http/routes.h"
+
+namespace pelage {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+Result<ExportRequest> export_request_of(const Request& request) {
+  Query query = query_of(request);
+  std::erase_if(query, [](const auto& parameter) { return parameter.first == "dry_run"; });
+  query.emplace_back("format", request.matches[2].str());
+  return decode_export_query(query);
+}
+
+/// Sends the file piece by piece, and holds the pass as long as that takes.
+void send_file(ExportFile file, Gate::Pass pass, Response& response) {
+  const auto held = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
+  response.set_content_provider(held->first.about.bytes, held->first.content_type,
+                                [held](std::size_t, std::size_t, httplib::DataSink& sink) {
+                                  return held->first.write(
+                                      [&](std::string_view piece) { return sink.write(piece.data(), piece.size()); });
+                                });
+}
+
+void export_file(Service& service, const Scene& scene, const Request& request, Response& response) {
+  const auto wanted = export_request_of(request);
+  if (!wanted) return reply_problem(response, wanted.status());
+  const auto dry_run = is_dry_run(request);
+  if (!dry_run) return reply_problem(response, dry_run.status());
+  Gate::Pass pass = service.exports.enter();
+  if (!pass)
+    return reply_problem(response, failure(Code::unavailable, "Another file is being exported.", "", "one at a time"));
+  std::optional<SceneCopy> copy;
+  scene.read([&](const SceneView& view) { copy.emplace(view); });
+  Result<ExportFile> file = export_scene(*copy, *wanted);
+  if (!file) return reply_problem(response, file.status());
+  if (*dry_run) return reply_json(response, 200, encode(file->about));
+  response.status = 200;
+  response.set_header("Pelage-Revision", std::to_string(file->about.revision));
+  response.set_header("Pelage-Export", encode(file->about));
+  response.set_header("Content-Disposition", "attachment; filename=\"groom" + file->ending + "\"");
+  send_file(std::move(*file), std::move(pass), response);
+}
+
+}  // namespace
+
+void add_export_routes(httplib::Server& server, Service& service) {
+  server.Get("/v1/scenes/([^/]+)/export/([^/]+)", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { export_file(service, *scene, request, response); });
+  });
+}
+
+}  // namespace pelage

@@ -1,0 +1,142 @@
+"""The groom in other programs' formats, read back by small readers of their own."""
+
+import json
+import re
+import struct
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy
+
+from support.server import BIN, ServedTest
+
+WHISKERS = {"op": "set_curves", "groups": [{"curves": [[[0, 0, 0.5], [0.5, 0, 1]], [[0, 0.1, 0.5], [0.5, 0.2, 1]]], "width_root": 0.01}]}
+
+
+def numbers(text, declaration):
+    """The numbers of an array of a USD text."""
+    found = re.search(re.escape(declaration) + r" = \[(.*?)\](?: \(|\n)", text, re.DOTALL)
+    return numpy.array([float(n) for n in re.findall(r"-?[0-9.]+(?:e[-+]?\d+)?", found[1])]) if found else None
+
+
+class Usd:
+    def __init__(self, text):
+        self.text = text
+        self.translate = numpy.array([float(n) for n in re.search(r"xformOp:translate = \((.*?)\)", text)[1].split(",")])
+        self.counts = numbers(text, "int[] curveVertexCounts").astype(int)
+        self.points = numbers(text, "point3f[] points").reshape(-1, 3)
+        self.widths = numbers(text, "float[] widths")
+        self.colours = numbers(text, "color3f[] primvars:displayColor").reshape(-1, 3)
+        self.extent = numbers(text, "float3[] extent").reshape(2, 3)
+        self.uvs = numbers(text, "float2[] primvars:groom_root_uv")
+        self.roots = self.points[numpy.cumsum(self.counts) - self.counts]
+
+
+class Hair:
+    def __init__(self, content):
+        magic, self.strands, points, arrays = struct.unpack_from("<4sIII", content)
+        assert magic == b"HAIR" and arrays == 23, (magic, arrays)
+        at = 128
+        self.segments = numpy.frombuffer(content, "<u2", self.strands, at)
+        at += 2 * self.strands
+        self.points = numpy.frombuffer(content, "<f4", 3 * points, at).reshape(-1, 3)
+        at += 12 * points
+        self.thickness = numpy.frombuffer(content, "<f4", points, at)
+        at += 4 * points
+        self.colours = numpy.frombuffer(content, "<f4", 3 * points, at).reshape(-1, 3)
+        assert at + 12 * points == len(content)
+
+
+class Export(ServedTest):
+    def scene_of(self, builtin="sphere", length=0.05):
+        return self.server.new_scene(builtin, 500, fur={"length": length})
+
+    def export(self, scene, format, query=""):
+        answer = self.server.get(f"{scene.path}/export/{format}{query}")
+        self.assertEqual(answer.status, 200, answer)
+        return answer
+
+    def usd(self, scene, query=""):
+        return Usd(self.export(scene, "usda", query).body.decode())
+
+    def test_usd_and_hair_hold_the_same_strands(self):
+        scene = self.scene_of()
+        scene.run(WHISKERS)
+        answer = self.export(scene, "usda")
+        usd, hair = Usd(answer.body.decode()), Hair(self.export(scene, "hair").body)
+        about = json.loads(answer.headers["pelage-export"])
+        self.assertEqual((about["strands"], about["points"], about["bytes"]), (len(usd.counts), len(usd.points), len(answer.body)))
+        self.assertEqual(about, self.export(scene, "usda", "?dry_run=1").json)
+        numpy.testing.assert_array_equal(hair.segments + 1, usd.counts)
+        size = scene.info()["size"]
+        numpy.testing.assert_allclose(usd.points + usd.translate, hair.points, atol=1e-6 * size)
+        numpy.testing.assert_allclose(usd.widths, hair.thickness, rtol=1e-6)
+        numpy.testing.assert_allclose(usd.colours, hair.colours, rtol=1e-6)
+        self.assertTrue((usd.widths > 0).all() and numpy.isfinite(usd.points).all())
+        self.assertTrue((usd.points >= usd.extent[0]).all() and (usd.points <= usd.extent[1]).all())
+
+    def test_roots_lie_on_the_skin_and_tips_a_length_away(self):
+        scene = self.scene_of(length=0.05)
+        self.assertEqual(scene.run({"op": "lift", "flood": True, "inclination": 0}).status, 200)
+        usd, size = self.usd(scene), scene.info()["size"]
+        radius = 0.5 * size / 3**0.5
+        distances = numpy.linalg.norm(usd.roots, axis=1)
+        self.assertLess(abs(distances / radius - 1).max(), 0.02)  # flat triangles
+        tips = usd.points[numpy.cumsum(usd.counts) - 1]
+        reach = numpy.linalg.norm(tips - usd.roots, axis=1) / size
+        self.assertLess(reach.max(), 0.08)
+        self.assertGreater(numpy.median(reach), 0.02)
+
+    def test_bald_parts_have_no_strands(self):
+        scene = self.scene_of()
+        all_strands = len(self.usd(scene).counts)
+        self.assertEqual(scene.run({"op": "paint", "flood": True, "field": "density", "value": 0.5, "brush": {"strength": 1}}).status, 200)
+        self.assertAlmostEqual(len(self.usd(scene).counts) / all_strands, 0.5, delta=0.03)
+        self.assertEqual(scene.run({"op": "paint", "flood": True, "field": "density", "value": 0, "brush": {"strength": 1}}).status, 200)
+        answer = self.export(scene, "usda", "?dry_run=1").json
+        self.assertEqual((answer["strands"], answer["points"]), (0, 0))
+        self.assertEqual(Hair(self.export(scene, "hair").body).strands, 0)
+
+    def test_fewer_strands_are_guides_or_wider(self):
+        scene = self.scene_of()
+        whole, few, wide = self.usd(scene), self.usd(scene, "?every=8"), self.usd(scene, "?every=8&widen=true")
+        self.assertAlmostEqual(len(few.counts) / len(whole.counts), 1 / 8, delta=0.02)
+        self.assertAlmostEqual(numpy.median(wide.widths) / numpy.median(few.widths), 8, delta=0.01)
+        self.assertIn("primvars:groom_guide = 1", few.text)
+        self.assertIn("primvars:groom_guide = 0", whole.text)
+
+    def test_curves_can_be_left_out(self):
+        scene = self.scene_of()
+        before = len(self.usd(scene).counts)
+        self.assertEqual(scene.run(WHISKERS).status, 200)
+        self.assertEqual(len(self.usd(scene).counts), before + 2)
+        self.assertEqual(len(self.usd(scene, "?curves=false").counts), before)
+
+    def test_roots_know_their_place_in_the_texture(self):
+        torus = self.usd(self.scene_of("torus"))
+        self.assertEqual(len(torus.uvs), 2 * len(torus.counts))
+        self.assertTrue((torus.uvs >= 0).all() and (torus.uvs <= 1).all() and torus.uvs.std() > 0.2)
+        self.assertIsNone(self.usd(self.scene_of("sphere")).uvs)
+
+    def test_what_cannot_be_exported_is_refused(self):
+        scene = self.scene_of()
+        for path, pointer in (("fbx", "/format"), ("usda?every=0", "/every"), ("usda?every=1.5", "/every"), ("usda?nth=2", "/nth")):
+            answer = self.server.get(f"{scene.path}/export/{path}")
+            self.assertEqual((answer.status, answer.json.get("pointer")), (422, pointer), answer)
+
+    def test_the_client_writes_whole_files_and_says_what_they_hold(self):
+        scene = self.scene_of()
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "fur.hair")
+            run = lambda *words: subprocess.run([BIN / "pelage", "--server", self.server.address, "export", scene.id, *words],
+                                                capture_output=True, text=True, timeout=120)
+            asked = run("-o", file, "--dry-run")
+            self.assertEqual((asked.returncode, list(Path(folder).iterdir())), (0, []), asked)
+            done = run("-o", file, "--every", "4")
+            self.assertEqual(done.returncode, 0, done)
+            self.assertIn(f"{Hair(file.read_bytes()).strands} strands", done.stdout)
+            refused = run("-o", Path(folder, "fur.fbx"))
+            self.assertEqual(refused.returncode, 3, refused)
+            self.assertIn("usda | hair", refused.stderr)
+            self.assertEqual([p.name for p in Path(folder).iterdir()], ["fur.hair"])
