@@ -106,15 +106,12 @@ class Connection:
     @contextlib.contextmanager
     def stream(self, path: str, headers: Mapping[str, str], timeout: float) -> Iterator[http.client.HTTPResponse]:
         """An answer that is read line by line, on a connection of its own. Raises `Problem` where it is refused."""
-        connection = self._connect(timeout)
-        try:
+        with contextlib.closing(self._connect(timeout)) as connection:
             connection.request("GET", self._parts.path.rstrip("/") + path, headers={**self._headers, **headers})
-            answer = connection.getresponse()
-            if answer.status >= 400:
-                raise problem_of(answer.status, answer.read())
-            yield answer
-        finally:
-            connection.close()
+            with connection.getresponse() as answer:
+                if answer.status >= 400:
+                    raise problem_of(answer.status, answer.read())
+                yield answer
 
     def close(self) -> None:
         """Closes the connection of this thread; a later request opens another."""
@@ -220,7 +217,7 @@ def with_query(path: str, query: Optional[Query]) -> str:
 
 def query_text(value: Any) -> str:
     if isinstance(value, bool):
-        return "1" if value else "0"
+        return "true" if value else "false"
     if isinstance(value, (list, tuple)):
         return ",".join(map(query_text, value))
     return str(value)

@@ -32,7 +32,7 @@ def pack_model(path: Path, format: Optional[str]) -> PackedModel:
     content = model.read_bytes()
     files, missing = named_files(model.parent, kind, content)
     if missing:
-        warnings.warn(f"{model.name} names files that are not beside it: {', '.join(missing)}", stacklevel=5)
+        warnings.warn(f"{model.name} names files that are not beside it: {', '.join(missing)}", stacklevel=4)
     if not files:
         return PackedModel(content, kind)
     return PackedModel(zipped({**files, model.name: content}), "zip")
