@@ -114,3 +114,24 @@ def docstring(summary, lines, indent):
     if not lines and len(summary_lines) == 1:
         return [summary_lines[0] + '"""']
     return [*summary_lines, *([""] if lines else []), *lines, indent + '"""']
+
+
+def filled(words, width):
+    """The words in as few lines as hold them."""
+    lines = []
+    for word in words:
+        if lines and len(lines[-1]) + 1 + len(word) <= width:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
+
+
+def on_lines(line):
+    """The line; one that is too long has the values of its Literal or Union on lines of their own."""
+    if len(line) <= WIDTH:
+        return line
+    start, end = line.rindex("[", 0, line.index(", ")) + 1, line.index("]")
+    indent = " " * (len(line) - len(line.lstrip()))
+    values = filled(line[start:end].split(" "), WIDTH - len(indent) - 4)
+    return "\n".join([line[:start], *(f"{indent}    {one}" for one in values), indent + line[end:]])

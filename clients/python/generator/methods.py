@@ -1,6 +1,6 @@
 """commands.py: a method for each command. requests.py: methods whose parameters are members of a schema."""
 
-from generator.contract import WIDTH, docstring, last_of, member_lines, named, sentence, type_of
+from generator.contract import WIDTH, docstring, filled, last_of, member_lines, named, on_lines, sentence, type_of
 from generator.tables import OPTIONS, REQUESTS
 
 COMMANDS_HEAD = '''"""A method for each command of the contract. Made by generate.py."""
@@ -76,7 +76,7 @@ def commands_module(contract):
 
 
 def requests_module(contract):
-    used = {"CommandAnswer", "Field", "FrameCost", "SceneInfo", "Pick"}
+    used = {"CommandAnswer", "ExportAbout", "Field", "FrameCost", "SceneInfo", "Pick"}
     lines = []
     for request in REQUESTS:
         lines += request_lines(contract, request, used)
@@ -125,15 +125,7 @@ def parameter(name, schema, required, used):
     if name == "camera":  # a word does for a camera that the server places
         used.add("AutoView")
         kind = f"Union[AutoView, {kind}]"
-    line = f"        {name}: {kind}," if required else f"        {name}: Optional[{kind}] = None,"
-    return line if len(line) <= WIDTH or "[" not in line else split_at_brackets(line)
-
-
-def split_at_brackets(line):
-    """The parameter with the values of its Literal on lines of their own."""
-    start, end = line.index("Literal[") + len("Literal["), line.rindex('"') + 1
-    values = filled(line[start:end].split(" "), WIDTH - 12)
-    return "\n".join([line[:start], *(f"            {one}" for one in values), f"        {line[end:]}"])
+    return on_lines(f"        {name}: {kind}," if required else f"        {name}: Optional[{kind}] = None,")
 
 
 def collect(schema, used):
@@ -149,17 +141,6 @@ def members_of(pairs):
     if len(line) + 13 <= WIDTH:
         return [f"            {line},"]
     return ["            {", *(f"                {one}" for one in filled([f"{pair}," for pair in pairs], WIDTH - 16)), "            },"]
-
-
-def filled(words, width):
-    """The words in as few lines as hold them."""
-    lines = []
-    for word in words:
-        if lines and len(lines[-1]) + 1 + len(word) <= width:
-            lines[-1] += f" {word}"
-        else:
-            lines.append(word)
-    return lines
 
 
 def imports(used):

@@ -1,6 +1,6 @@
 """schemas.py: a type for each schema of the contract."""
 
-from generator.contract import VARIANTS, docstring, member_lines, named, sentence, type_of, union
+from generator.contract import VARIANTS, docstring, member_lines, named, on_lines, sentence, type_of, union
 
 HEAD = '''"""Types of what is sent and answered, a TypedDict for each object of the contract. Made by generate.py.
 
@@ -12,9 +12,6 @@ from __future__ import annotations
 
 from typing import Any, Dict, Literal, Sequence, TypedDict, Union
 '''
-# The package has a class that takes the place of this one, or says it in other words.
-COMMAND = "Command"
-
 
 def schemas_module(contract):
     plain, objects, unions = [], [], []
@@ -35,9 +32,8 @@ def schemas_module(contract):
 def alias(name, schema):
     if "oneOf" in schema:
         names = [type_of(one) for one in schema["oneOf"]]
-        line = f"{name} = {union(names)}"
-        return line if len(line) < 119 else f"{name} = Union[\n    " + ",\n    ".join(names) + ",\n]"
-    return f"{name} = {type_of(schema)}"
+        return on_lines(f"{name} = {union(names)}")
+    return on_lines(f"{name} = {type_of(schema)}")
 
 
 def quoted(schema):
@@ -66,4 +62,4 @@ def object_lines(contract, name, schema):
 
 
 def fields(members):
-    return ["", *(f"    {name}: {type_of(schema)}" for name, schema in members.items())] if members else []
+    return ["", *(on_lines(f"    {name}: {type_of(schema)}") for name, schema in members.items())] if members else []

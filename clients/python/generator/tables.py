@@ -71,8 +71,13 @@ REQUESTS = (
             "Reads a field from a picture through the model's texture coordinates, as one undo step.", ("field",),
             parameters=(("field", "Field", None, "The field."), PICTURE, AUTHOR, IF_MATCH, UPLOADED)),
     Request("map_array", "MapRequest", "NDArray[numpy.float32]",
-            "A field as a NumPy array through the model's texture coordinates: float32 [size, size, channels], row 0 at "
-            "the top.", ("field", "format"), parameters=(("field", "Field", None, "The field."),)),
+            "A field as a NumPy array through the model's texture coordinates: float32 [size, size], or "
+            "[size, size, channels], row 0 at the top. Numbers are over the scale.", ("field", "format"), parameters=(("field", "Field", None, "The field."),)),
+    Request("export", "ExportRequest", "ExportAbout",
+            "Writes the groom to a file in another program's format. The file appears whole or not at all.",
+            optional=("format",),
+            parameters=((*PATH, "Where to; what is there is replaced. `format` follows from its ending unless given."),)),
+    Request("export_about", "ExportRequest", "ExportAbout", "What such a file would hold; nothing is written."),
     Request("pick", "View", "Pick",
             "What lies under a pixel of a view: triangle, position, normal and what is painted there; `{\"hit\": False}` "
             "where nothing is.",

@@ -655,9 +655,9 @@ class Commands(Generic[R]):
         dry_run: bool = False,
         if_match: Optional[int] = None,
     ) -> R:
-        """Puts a field in place of what a picture says at the vertices' texture coordinates; on seams the mean of
-        what their islands say. The mask holds, unless it is the mask that is read. The commands of a batch read at
-        most 8 different pictures.
+        """Puts a field in place of what a picture says at the vertices' texture coordinates, on seams the mean of
+        what their islands say; or of what a list says of each vertex. The mask holds, unless it is the mask that
+        is read. The commands of a batch read at most 8 different pictures.
 
         picture: The name that the upload of a picture was answered with.
         field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.

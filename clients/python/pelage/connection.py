@@ -6,33 +6,35 @@ import contextlib
 import http.client
 import json
 import random
+import shutil
 import socket
 import threading
 import time
 import urllib.parse
 import uuid
-from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional, Union
+from typing import Any, BinaryIO, Dict, Iterator, Mapping, NamedTuple, Optional
 
 from .errors import PelageError, Unreachable, problem_of
 from .progress import Progress, ReportProgress
 
 IDLE_SECONDS = 1.0  # a server closes a connection that nobody uses after 2 seconds
 LONGEST_DELAY = 30.0  # seconds between two tries
-CHUNK = 1 << 18  # bytes of an upload between two reports
+CHUNK = 1 << 18  # bytes that are sent or written at a time
 LOST = (OSError, http.client.HTTPException)
 
-Query = Mapping[str, Union[str, int, float, bool]]
+Query = Mapping[str, Any]
 
 
 class Request(NamedTuple):
-    """repeatable: Whether sending it twice does no harm."""
+    """repeatable: Whether sending it twice does no harm. into: Takes the body of a good answer."""
 
     method: str
     path: str
     content: Optional[bytes]
     headers: Dict[str, str]
     repeatable: bool
-    progress: Optional[ReportProgress]
+    progress: Optional[ReportProgress] = None
+    into: Optional[BinaryIO] = None
 
 
 class Answer(NamedTuple):
@@ -70,7 +72,11 @@ class Connection:
         self._threads = threading.local()
 
     def get(self, path: str, query: Optional[Query] = None, *, retries: Optional[int] = None) -> Answer:
-        return self._answer(Request("GET", with_query(path, query), None, {}, True, None), retries)
+        return self._answer(Request("GET", with_query(path, query), None, {}, True), retries)
+
+    def get_into(self, file: BinaryIO, path: str, query: Optional[Query] = None) -> Answer:
+        """The answer without its body, which is written to the file as it comes."""
+        return self._answer(Request("GET", with_query(path, query), None, {}, True, into=file))
 
     def post(
         self,
@@ -85,7 +91,7 @@ class Connection:
         sent = {"Content-Type": "application/json", **(headers or {})}
         if changes:
             sent["Idempotency-Key"] = uuid.uuid4().hex
-        return self._answer(Request("POST", with_query(path, query), encoded(document), sent, True, None))
+        return self._answer(Request("POST", with_query(path, query), encoded(document), sent, True))
 
     def put(
         self,
@@ -101,7 +107,7 @@ class Connection:
         return self._answer(Request("PUT", with_query(path, query), content, sent, repeatable, progress))
 
     def delete(self, path: str) -> Answer:
-        return self._answer(Request("DELETE", path, None, {}, False, None))
+        return self._answer(Request("DELETE", path, None, {}, False))
 
     @contextlib.contextmanager
     def stream(self, path: str, headers: Mapping[str, str], timeout: float) -> Iterator[http.client.HTTPResponse]:
@@ -151,7 +157,7 @@ class Connection:
                 raise
             # A server that refuses a body need not read it: its answer may be there all the same.
         answer = connection.getresponse()
-        body = answer.read()
+        body = answer.read() if request.into is None or answer.status != 200 else copied(answer, request.into)
         self._threads.used = time.monotonic()
         return Answer(answer.status, {name.lower(): value for name, value in answer.getheaders()}, body)
 
@@ -176,6 +182,16 @@ def checked(answer: Answer) -> Answer:
     if answer.status >= 400:
         raise problem_of(answer.status, answer.body)
     return answer
+
+
+def copied(answer: http.client.HTTPResponse, file: BinaryIO) -> bytes:
+    """Writes the body to the file, in place of what an earlier try wrote, and gives none."""
+    file.seek(0)
+    file.truncate()
+    shutil.copyfileobj(answer, file, CHUNK)
+    if answer.length:  # of a body that ends early http.client says nothing
+        raise http.client.IncompleteRead(b"", answer.length)
+    return b""
 
 
 def is_refused_for_now(answer: Answer, lost: bool) -> bool:

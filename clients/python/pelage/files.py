@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import uuid
-from typing import Union
+from typing import BinaryIO, Iterator, Union
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -32,18 +33,25 @@ def check_format(path: Path, kind: str) -> None:
         raise ValueError(f"{os.fspath(path)}: the ending stands for {' or '.join(formats_of(path))}, not {kind}")
 
 
-def write_whole(path: Path, content: bytes) -> None:
-    """Writes a file beside the path and moves it there, so that nobody sees half of it."""
+@contextlib.contextmanager
+def whole_file(path: Path) -> Iterator[BinaryIO]:
+    """A file beside the path, which is moved there at the end of the block, so that nobody sees half of it."""
     target = os.path.realpath(os.fspath(path))
     part = f"{target}.{uuid.uuid4().hex[:8]}.part"
     try:
         with open(part, "xb") as file:
-            file.write(content)
+            yield file
         os.replace(part, target)
     except BaseException:
         if os.path.exists(part):
             os.unlink(part)
         raise
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Writes a file, which appears whole or not at all."""
+    with whole_file(path) as file:
+        file.write(content)
 
 
 def read_whole(source: Union[bytes, Path]) -> bytes:

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import contextlib
+import json
+import os
 import threading
 from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional, Union, cast
 
 from . import arrays
-from .connection import Answer, Connection
+from .connection import Answer, Connection, Query, quoted
 from .errors import PelageError
-from .files import Path, check_format, formats_of, read_whole, write_whole
+from .files import Path, check_format, formats_of, read_whole, whole_file, write_whole
 from .frame import FieldMap, Frame
 from .options import Options
 from .pack import pack_model
 from .progress import Progress, ReportProgress
 from .requests import Requests
-from .schemas import CommandAnswer, Field, FrameCost, FrameProgressList, Pick, SceneInfo
+from .schemas import CommandAnswer, ExportAbout, Field, FrameCost, FrameProgressList, Pick, SceneInfo
 
 if TYPE_CHECKING:
     import numpy
@@ -79,7 +81,7 @@ class Pictures(Requests):
             if answer.status != 304:
                 return Frame(answer, request.get("format", "png"))
 
-    def _post_frame(self, request: Dict[str, Any], query: Optional[Mapping[str, Union[str, int, float]]] = None) -> Answer:
+    def _post_frame(self, request: Dict[str, Any], query: Optional[Query] = None) -> Answer:
         return self._connection.post(f"{self._path}/frames", request, query=query, changes=False)
 
     @contextlib.contextmanager
@@ -163,6 +165,17 @@ class Pictures(Requests):
         return self._connection.put(
             f"{self._path}/{name}", content, query=query, headers=options.headers, progress=progress
         )
+
+    def _export(self, members: Dict[str, Any], path: Path) -> ExportAbout:
+        format = members["format"] or os.path.splitext(os.fspath(path))[1][1:].lower()
+        query = {**members, "format": None}
+        with whole_file(path) as file:
+            answer = self._connection.get_into(file, f"{self._path}/export/{quoted(format)}", query)
+        return cast(ExportAbout, json.loads(answer.headers["pelage-export"]))
+
+    def _export_about(self, members: Dict[str, Any]) -> ExportAbout:
+        query = {**members, "format": None, "dry_run": "1"}
+        return cast(ExportAbout, self._connection.get(f"{self._path}/export/{quoted(members['format'])}", query).json)
 
     # The model
 

@@ -14,6 +14,7 @@ from .schemas import (
     Camera,
     Colour,
     CommandAnswer,
+    ExportAbout,
     Field,
     FrameCost,
     FurPatches,
@@ -55,7 +56,7 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr"]] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
         jpeg_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
@@ -90,14 +91,16 @@ class Requests:
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
         format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. Default "png".
+            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
         jpeg_quality: 1 to 100. Default 90.
         exr_type: Depth and position are always float. Default "half".
-        aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of
-            beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and
-            direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask
-            go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
+            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
+            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
+            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
             `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
             (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
@@ -138,7 +141,7 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr"]] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
         jpeg_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
@@ -175,14 +178,16 @@ class Requests:
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
         format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. Default "png".
+            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
         jpeg_quality: 1 to 100. Default 90.
         exr_type: Depth and position are always float. Default "half".
-        aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of
-            beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and
-            direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask
-            go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
+            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
+            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
+            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
             `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
             (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
@@ -223,7 +228,7 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr"]] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
         jpeg_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
@@ -257,14 +262,16 @@ class Requests:
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
         format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. Default "png".
+            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
         jpeg_quality: 1 to 100. Default 90.
         exr_type: Depth and position are always float. Default "half".
-        aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of
-            beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and
-            direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask
-            go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
+            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
+            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
+            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
             `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
             (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
@@ -335,11 +342,11 @@ class Requests:
         look: In place of the scene's, for this frame.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of
-            beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and
-            direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask
-            go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
+            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
+            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
+            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
             `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
             (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
@@ -380,7 +387,7 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr"]] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
         jpeg_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
@@ -414,14 +421,16 @@ class Requests:
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
         format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. Default "png".
+            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
         jpeg_quality: 1 to 100. Default 90.
         exr_type: Depth and position are always float. Default "half".
-        aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of
-            beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and
-            direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask
-            go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
+            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
+            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
+            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
             `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
             (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
@@ -456,7 +465,7 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr"]] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
         jpeg_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
@@ -491,14 +500,16 @@ class Requests:
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
         format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. Default "png".
+            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
         jpeg_quality: 1 to 100. Default 90.
         exr_type: Depth and position are always float. Default "half".
-        aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of
-            beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and
-            direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask
-            go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
+            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
+            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
+            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
             `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
             (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
@@ -608,7 +619,7 @@ class Requests:
         encoding: Optional[MapEncoding] = None,
         scale: Optional[float] = None,
         units: Optional[Units] = None,
-        format: Optional[Literal["png", "png16", "exr", "exr_half"]] = None,
+        format: Optional[Literal["png", "png16", "exr", "exr_half", "npy"]] = None,
         size: Optional[int] = None,
         dilate: Optional[int] = None,
     ) -> FieldMap:
@@ -620,9 +631,11 @@ class Requests:
             direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
             direction, else value. Default "automatic".
         scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.
-            Unless given the field's largest value for PNG, 1 for EXR. 1e-27 to 1e+27.
+            Unless given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
         units: Of a scale of lengths. Default "relative".
-        format: 8 or 16 bits, or an EXR of floats or halfs. Default "png16".
+        format: 8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size] or [size, size,
+            channels], rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.
+            Default "png16".
         size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
         dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
         """
@@ -679,8 +692,8 @@ class Requests:
         size: Optional[int] = None,
         dilate: Optional[int] = None,
     ) -> NDArray[numpy.float32]:
-        """A field as a NumPy array through the model's texture coordinates: float32 [size, size, channels], row 0
-        at the top.
+        """A field as a NumPy array through the model's texture coordinates: float32 [size, size], or [size, size,
+        channels], row 0 at the top. Numbers are over the scale.
 
         field: The field.
         encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and
@@ -688,7 +701,7 @@ class Requests:
             direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
             direction, else value. Default "automatic".
         scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.
-            Unless given the field's largest value for PNG, 1 for EXR. 1e-27 to 1e+27.
+            Unless given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
         units: Of a scale of lengths. Default "relative".
         size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
         dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
@@ -696,6 +709,47 @@ class Requests:
         return self._map_array(
             {"encoding": encoding, "scale": scale, "units": units, "size": size, "dilate": dilate},
             field,
+        )
+
+    def export(
+        self,
+        path: Path,
+        *,
+        format: Optional[Literal["usda", "hair"]] = None,
+        every: Optional[int] = None,
+        widen: Optional[bool] = None,
+        curves: Optional[bool] = None,
+    ) -> ExportAbout:
+        """Writes the groom to a file in another program's format. The file appears whole or not at all.
+
+        path: Where to; what is there is replaced. `format` follows from its ending unless given.
+        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides. 1 to
+            1000000. Default 1.
+        widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
+        curves: With whiskers, lashes and brows. Default true.
+        """
+        return self._export(
+            {"format": format, "every": every, "widen": widen, "curves": curves},
+            path,
+        )
+
+    def export_about(
+        self,
+        *,
+        format: Literal["usda", "hair"],
+        every: Optional[int] = None,
+        widen: Optional[bool] = None,
+        curves: Optional[bool] = None,
+    ) -> ExportAbout:
+        """What such a file would hold; nothing is written.
+
+        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides. 1 to
+            1000000. Default 1.
+        widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
+        curves: With whiskers, lashes and brows. Default true.
+        """
+        return self._export_about(
+            {"format": format, "every": every, "widen": widen, "curves": curves},
         )
 
     def pick(
@@ -838,6 +892,19 @@ class Requests:
         members: Dict[str, Any],
         field: Field,
     ) -> NDArray[numpy.float32]:
+        raise NotImplementedError
+
+    def _export(
+        self,
+        members: Dict[str, Any],
+        path: Path,
+    ) -> ExportAbout:
+        raise NotImplementedError
+
+    def _export_about(
+        self,
+        members: Dict[str, Any],
+    ) -> ExportAbout:
         raise NotImplementedError
 
     def _pick(

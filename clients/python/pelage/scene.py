@@ -201,23 +201,27 @@ class Scene(Commands[CommandAnswer], Pictures):
         return cast(StoredPicture, answer.json)
 
     def set_map_array(self, field: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
-        """Reads a field from an array [height, width, channels] as from a picture; options as of `upload_map`."""
+        """Reads a field from an array [height, width] or [height, width, channels] as from a picture.
+
+        options: As of `upload_map`.
+        """
         return self.upload_map(field, arrays.encoded(array), **options)
 
     def field(self, name: Field) -> NDArray[numpy.float32]:
-        """A field at the vertices as a NumPy array: [vertices], or [vertices, channels].
+        """A field at the vertices as a NumPy array of float32: [vertices], or [vertices, channels].
 
-        direction: [vertices, 3] in model coordinates, whose length is the inclination. Colours: linear, and their cover.
+        direction: [vertices, 3], vectors along the surface in model coordinates, as long as the tip is inclined.
+        root_colour, tip_colour: [vertices, 4], linear red, green and blue, and how much they cover. length: sizes.
         """
-        arrays.numpy_module()  # fails before anything is sent
-        return arrays.decoded(self._connection.get(f"{self._path}/fields/{name}").body, "npy")
+        return self.map_array(name, encoding="vertices")
 
-    def set_field(
-        self, name: Field, array: ArrayLike, *, author: Optional[str] = None, if_match: Optional[int] = None
-    ) -> CommandAnswer:
-        """Puts an array of the shape that `field` gives in the place of a field, as one undo step."""
-        content = arrays.encoded(array)
-        return self._changed(self._upload(f"fields/{name}", content, {}, Options(author, False, if_match), None))
+    def set_field(self, name: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
+        """Puts an array of the shape that `field` gives in the place of a field, as one undo step.
+
+        options: As of `upload_map`, such as strength and author. The mask holds; values beyond the field's range are
+        held at its limit and counted as `clamped`.
+        """
+        return self.upload_map(name, arrays.encoded(array), encoding="vertices", **options)
 
     def _post(self, name: str, body: Any, options: Options) -> CommandAnswer:
         path = f"{self._path}/{name}"

@@ -27,19 +27,24 @@ AutoView = Literal["front", "back", "left", "right", "top", "three_quarter"]
 """`front` looks from +Z, `left` from +X: it shows the animal's left. Each frames the bare model, never the fur."""
 Units = Literal["relative", "world"]
 """relative: sizes; world: the model's unit."""
-Field = Literal["direction", "length", "stretch", "density", "width", "curl", "clump", "wetness", "bare", "mask", "root_colour", "tip_colour"]
+Field = Literal[
+    "direction", "length", "stretch", "density", "width", "curl", "clump", "wetness", "bare", "mask", "root_colour",
+    "tip_colour"
+]
 """A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density, bare
 and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's. root_colour and
 tip_colour: linear colour and how much it covers.
 """
-MapEncoding = Literal["automatic", "value", "uv_tangent", "fast_fur", "vector"]
+MapEncoding = Literal["automatic", "value", "uv_tangent", "fast_fur", "vector", "vertices"]
 """What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v in red
 and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and length as
 one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
 """
 Tier = Literal["draft", "interactive", "detailed", "reference"]
 """draft, interactive and detailed are shells; reference traces strands."""
-Aov = Literal["beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "shell_count"]
+Aov = Literal[
+    "beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "shell_count"
+]
 """All but beauty and alpha leave out the ground, and are drawn with one sample for each drawn pixel. Beauty,
 albedo and direct are multiplied by alpha; position, normal, tangent and shadow are means over what covers the
 pixel. depth: distance along the view of what first brings the opacity over half (skin, fur, eyes, hairs and
@@ -274,9 +279,9 @@ class _MapRequired(TypedDict):
 
 
 class Map(_MapRequired, total=False):
-    """Puts a field in place of what a picture says at the vertices' texture coordinates; on seams the mean of what
-    their islands say. The mask holds, unless it is the mask that is read. The commands of a batch read at most 8
-    different pictures.
+    """Puts a field in place of what a picture says at the vertices' texture coordinates, on seams the mean of what
+    their islands say; or of what a list says of each vertex. The mask holds, unless it is the mask that is read.
+    The commands of a batch read at most 8 different pictures.
 
     picture: The name that the upload of a picture was answered with.
     field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density,
@@ -507,21 +512,22 @@ class FrameRequest(TypedDict, total=False):
     view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409. At
         most 200 bytes. Default "".
     format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map and
-        background, multiplied by alpha. Default "png".
+        background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+        npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default "png".
     jpeg_quality: 1 to 100. Default 90.
     exr_type: Depth and position are always float. Default "half".
-    aovs: Of an EXR; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B, A of beauty;
-        A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct;
-        AOV.Y of shadow and shell_count. 1 to 10 items.
-    overlay: A field of the skin, or the count of shells, over the frame. Not in an EXR. density, wetness and mask go
-        from dark violet for 0 to yellow for 1. difference: how much the fields have changed since `overlay_from`,
-        with the same colours: of the field that changed most, the change over what counts as much (direction and
-        colours: 1; length: the longest fur; others: the field's range). Grey where nothing changed. light_depth,
-        light_occlusion and shadow_width hide the frame: maps of the first light that casts a shadow, as it sees the
-        model, in grey. light_depth: how near the skin is to the light. light_occlusion: white where skin that faces
-        the light lies deeper than what the light sees. shadow_width: the same, reduced and enlarged again. Refused
-        where the knob shadow_maps is off, no light casts a shadow, or that light stands too near the model for one
-        map. Default "none".
+    aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, B,
+        A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo
+        and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
+    overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness and
+        mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
+        `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
+        (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing changed.
+        light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts a shadow, as
+        it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion: white where skin
+        that faces the light lies deeper than what the light sees. shadow_width: the same, reduced and enlarged again.
+        Refused where the knob shadow_maps is off, no light casts a shadow, or that light stands too near the model
+        for one map. Default "none".
     progressive: Shells at once; strands of the same revision are then traced while somebody waits for them with
         `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to this
         same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes, the same
@@ -545,11 +551,14 @@ class FrameRequest(TypedDict, total=False):
     tone_map: Literal["none", "filmic"]
     look: Look
     view: str
-    format: Literal["png", "png16", "jpeg", "exr"]
+    format: Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]
     jpeg_quality: int
     exr_type: Literal["half", "float"]
     aovs: Sequence[Aov]
-    overlay: Literal["none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth", "light_occlusion", "shadow_width", "difference"]
+    overlay: Literal[
+        "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
+        "light_occlusion", "shadow_width", "difference"
+    ]
     progressive: Union[bool, Tracing]
     overlay_from: int
     revision: int
@@ -1912,9 +1921,11 @@ class MapRequest(_MapRequestRequired, total=False):
         length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
         Default "automatic".
     scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length. Unless
-        given the field's largest value for PNG, 1 for EXR. 1e-27 to 1e+27.
+        given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
     units: Of a scale of lengths. Default "relative".
-    format: 8 or 16 bits, or an EXR of floats or halfs. Default "png16".
+    format: 8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size] or [size, size,
+        channels], rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.
+        Default "png16".
     size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
     dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
     """
@@ -1922,7 +1933,7 @@ class MapRequest(_MapRequestRequired, total=False):
     encoding: MapEncoding
     scale: float
     units: Units
-    format: Literal["png", "png16", "exr", "exr_half"]
+    format: Literal["png", "png16", "exr", "exr_half", "npy"]
     size: int
     dilate: int
 
@@ -1960,6 +1971,40 @@ class MeshRequest(TypedDict, total=False):
     """
 
     triangles: int
+
+
+class _ExportRequestRequired(TypedDict):
+    format: Literal["usda", "hair"]
+
+
+class ExportRequest(_ExportRequestRequired, total=False):
+    """The contract's ExportRequest.
+
+    every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides. 1 to 1000000.
+        Default 1.
+    widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
+    curves: With whiskers, lashes and brows. Default true.
+    """
+
+    every: int
+    widen: bool
+    curves: bool
+
+
+class ExportAbout(TypedDict):
+    """What an exported file holds.
+
+    revision: At least 0.
+    strands: With whiskers, lashes and brows. At least 0.
+    points: Of all strands. At least 0.
+    bytes: Of the file. At least 0.
+    """
+
+    revision: int
+    format: Literal["usda", "hair"]
+    strands: int
+    points: int
+    bytes: int
 
 
 class Bounds(TypedDict):
@@ -2447,39 +2492,8 @@ class FrameProgressList(TypedDict):
 
 Camera = Union[AutoCamera, PinholeCamera]
 Command = Union[
-    Comb,
-    Blow,
-    Attract,
-    Interpolate,
-    Flow,
-    Smooth,
-    Noise,
-    Unify,
-    Part,
-    Whorl,
-    Length,
-    Trim,
-    Lift,
-    Erase,
-    Clump,
-    Curl,
-    Paint,
-    Mask,
-    Map,
-    Retarget,
-    SetBlowers,
-    SetAttractors,
-    SetSymmetry,
-    Checkpoint,
-    ChangeEditLayer,
-    SetCoat,
-    SetLook,
-    SetLights,
-    SetEnvironment,
-    SetGround,
-    SetEyes,
-    SetCurves,
-    SetSkin,
-    SetSkinTexture,
+    Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Whorl, Length, Trim, Lift, Erase, Clump, Curl,
+    Paint, Mask, Map, Retarget, SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetLook,
+    SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture
 ]
 Pick = Union[PickMiss, PickHit]
