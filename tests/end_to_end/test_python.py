@@ -73,15 +73,19 @@ class Scenes(PackageTest):
                     self.assertRaises(ValueError, pelage.Server)
 
     def test_threads_share_a_scene(self):
+        client = pelage.Server(self.server.address, retries=0)
+        scene = client.open(self.scene.id)
+
         def groom(seed):
-            self.scene.noise(flood=True, seed=seed)
-            self.client.close()
+            scene.noise(flood=True, seed=seed)
+            client.close()
 
         threads = [threading.Thread(target=groom, args=(seed,)) for seed in range(8)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
+        client.close()
         self.assertEqual(self.scene.info()["revision"], 8)
 
 
@@ -184,11 +188,11 @@ class Grooming(PackageTest):
         self.assertEqual(branch.info()["revision"], 1)
 
     def test_a_log_is_carried_to_another_scene(self):
-        self.scene.comb(flood=True, direction=[0, 1, 0])
+        self.scene.comb(stroke=pelage.stroke([[1, 0.2, 0], [1, 0.3, 0]]), brush={"radius": 0.3})
         other = self.client.create("ball", model={"builtin": "sphere", "triangles": 300})
-        for step in self.scene.steps(carried_to=other):
-            other.run(step)
-        self.assertEqual(other.info()["revision"], 1)
+        own, carried = next(self.scene.steps()), next(self.scene.steps(carried_to=other))
+        self.assertNotEqual(own["stroke"], carried["stroke"])
+        self.assertGreater(other.run(carried)["results"][0]["touched"], 0)
 
 
 class Pictures(PackageTest):
@@ -258,13 +262,17 @@ class Pictures(PackageTest):
         earlier = self.scene.frame(revision=0, **SIZE)
         self.assertEqual((earlier.revision, earlier.bytes), (0, before.bytes))
 
+    def lift(self):
+        self.scene.lift(flood=True)
+        self.client.close()
+
     def test_live_frames_come_with_each_change(self):
         frames = self.scene.live_frames(view="me", quality="draft", **SIZE)
         self.assertEqual(next(frames).revision, 0)
         self.scene.length(flood=True, value=0.2)
         self.assertEqual(next(frames).revision, 1)
         with unittest.mock.patch("pelage.pictures.WAIT", 0.01):
-            timer = threading.Timer(0.3, self.scene.lift, kwargs={"flood": True})
+            timer = threading.Timer(0.3, self.lift)
             timer.start()
             self.assertEqual(next(frames).revision, 2, "after some waits without news")
             timer.join()
@@ -382,7 +390,7 @@ class Following(PackageTest):
         self.scene.length(flood=True, value=0.05)
         news = self.scene.follow(since=0)
         self.assertEqual((next(news).data["ops"], next(news).data["undo_steps"]), (["length"], 1))
-        self.scene.lift(flood=True, author="Ann")
+        self.client.open(self.scene.id).lift(flood=True, author="Ann")
         change = next(news)
         self.assertIsInstance(change, pelage.Change)
         self.assertEqual((change.revision, change.data["author"], self.scene.revision), (2, "Ann", 2))

@@ -37,7 +37,7 @@ class LocalServer(Server):
             raise NotStarted(f"{program} cannot be run: {error}") from error
         self._stop = weakref.finalize(self, stop, process, self.folder)
         try:
-            super().__init__(f"http://127.0.0.1:{self._port(process, seconds)}", token="")
+            super().__init__(f"http://127.0.0.1:{self._port(process, seconds)}")
             self._wait_until_ready(process, seconds)
         except BaseException:
             self._stop()
@@ -55,14 +55,12 @@ class LocalServer(Server):
     def _start(self, program: str, arguments: Sequence[str], data: Optional[Path]) -> subprocess.Popen[bytes]:
         where = os.fspath(data) if data is not None else str(self.folder / "data")
         command: List[str] = [program, "--listen", "127.0.0.1:0", "--port-file", str(self.folder / "port")]
-        environment = {name: value for name, value in os.environ.items() if name != "PELAGE_TOKEN"}
         with open(self.folder / "log", "wb") as log:
             return subprocess.Popen(
                 [*command, "--data", where, *arguments],
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=subprocess.STDOUT,
-                env=environment,
             )
 
     def _port(self, process: subprocess.Popen[bytes], seconds: float) -> int:

@@ -715,10 +715,11 @@ class Requests:
         self,
         path: Path,
         *,
-        format: Optional[Literal["usda", "hair"]] = None,
+        format: Optional[Literal["usda", "hair", "shells", "fields"]] = None,
         every: Optional[int] = None,
         widen: Optional[bool] = None,
         curves: Optional[bool] = None,
+        shells: Optional[int] = None,
     ) -> ExportAbout:
         """Writes the groom to a file in another program's format. The file appears whole or not at all.
 
@@ -727,19 +728,21 @@ class Requests:
             1000000. Default 1.
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
         curves: With whiskers, lashes and brows. Default true.
+        shells: Layers of `shells`. 1 to 32. Default 16.
         """
         return self._export(
-            {"format": format, "every": every, "widen": widen, "curves": curves},
+            {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells},
             path,
         )
 
     def export_about(
         self,
         *,
-        format: Literal["usda", "hair"],
+        format: Literal["usda", "hair", "shells", "fields"],
         every: Optional[int] = None,
         widen: Optional[bool] = None,
         curves: Optional[bool] = None,
+        shells: Optional[int] = None,
     ) -> ExportAbout:
         """What such a file would hold; nothing is written.
 
@@ -747,9 +750,10 @@ class Requests:
             1000000. Default 1.
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
         curves: With whiskers, lashes and brows. Default true.
+        shells: Layers of `shells`. 1 to 32. Default 16.
         """
         return self._export_about(
-            {"format": format, "every": every, "widen": widen, "curves": curves},
+            {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells},
         )
 
     def pick(

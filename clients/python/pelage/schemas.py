@@ -1974,7 +1974,7 @@ class MeshRequest(TypedDict, total=False):
 
 
 class _ExportRequestRequired(TypedDict):
-    format: Literal["usda", "hair"]
+    format: Literal["usda", "hair", "shells", "fields"]
 
 
 class ExportRequest(_ExportRequestRequired, total=False):
@@ -1984,26 +1984,30 @@ class ExportRequest(_ExportRequestRequired, total=False):
         Default 1.
     widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
     curves: With whiskers, lashes and brows. Default true.
+    shells: Layers of `shells`. 1 to 32. Default 16.
     """
 
     every: int
     widen: bool
     curves: bool
+    shells: int
 
 
 class ExportAbout(TypedDict):
     """What an exported file holds.
 
     revision: At least 0.
-    strands: With whiskers, lashes and brows. At least 0.
+    strands: With whiskers, lashes and brows; 0 of a GLB. At least 0.
     points: Of all strands. At least 0.
+    triangles: Of a GLB: of the skin and of all layers. At least 0.
     bytes: Of the file. At least 0.
     """
 
     revision: int
-    format: Literal["usda", "hair"]
+    format: Literal["usda", "hair", "shells", "fields"]
     strands: int
     points: int
+    triangles: int
     bytes: int
 
 
