@@ -43,6 +43,7 @@ class Arrays(ServedTest):
     def test_files(self):
         frame = self.scene.save_frame(self.folder / "fox.npy", **SIZE)
         numpy.testing.assert_array_equal(numpy.load(self.folder / "fox.npy"), frame.array())
+        self.assertEqual(frame.array().dtype, numpy.uint8)
         self.scene.save_frame(self.folder / "linear.npy", format="npy_linear", **SIZE)
         self.assertEqual(numpy.load(self.folder / "linear.npy").dtype, numpy.float32)
         self.assertIsNone(frame._repr_png_())
@@ -91,10 +92,16 @@ class Arrays(ServedTest):
         self.assertLess(numpy.abs(self.scene.field("length") - before).max(), 0.01)
 
     def test_without_numpy_it_says_so_before_anything_is_drawn(self):
+        def answers():
+            metrics = self.server.get("/metrics").body.decode().splitlines()
+            return [line for line in metrics if line.startswith("pelage_requests_total") and ("frames" in line or "maps" in line)]
+
+        before = answers()
         with unittest.mock.patch.dict(sys.modules, {"numpy": None}):
             for call in (self.scene.frame_array, lambda: self.scene.field("length"), lambda: self.scene.set_field("length", [1])):
                 with self.assertRaisesRegex(pelage.PelageError, "pip install numpy"):
                     call()
+        self.assertEqual(answers(), before)
 
     def test_exports(self):
         for name, start in (("fox.usda", b"#usda"), ("fox.hair", b"HAIR")):

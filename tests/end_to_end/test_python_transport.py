@@ -284,7 +284,7 @@ class RealRetries(unittest.TestCase):
     def test_a_server_that_restarts_meanwhile(self):
         server = Server()
         self.addCleanup(server.close)
-        client = pelage.Server(server.address, retries=8)
+        client = pelage.Server(server.address, retries=10)
         self.addCleanup(client.close)
         scene = client.create("fox", model={"builtin": "plane", "triangles": 50})
         news = scene.follow()
