@@ -1,0 +1,137 @@
+"""The contract as Python types and words."""
+
+import json
+import pathlib
+import textwrap
+
+WIDTH = 118
+# Schemas whose names the package gives to classes of its own.
+RENAMED = {"Scene": "SceneInfo", "Problem": "ProblemDocument", "Batch": "CommandBatch"}
+# Objects that a schema is one of, in order.
+VARIANTS = {"Camera": ("AutoCamera", "PinholeCamera"), "Pick": ("PickMiss", "PickHit")}
+PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "object": "Dict[str, Any]",
+         "array": "Sequence[Any]"}
+
+
+class Contract:
+    def __init__(self, document):
+        self.schemas = document["components"]["schemas"]
+        self.operations = {operation["operationId"]: operation for path in document["paths"].values()
+                           for method, operation in path.items() if method != "parameters"}
+
+    @staticmethod
+    def read(path):
+        return Contract(json.loads(pathlib.Path(path).read_text(encoding="utf-8")))
+
+    def commands(self):
+        """Pairs of an op and its schema, in the contract's order."""
+        mapping = self.schemas["Command"]["discriminator"]["mapping"]
+        return [(op, self.schemas[last_of(reference)]) for op, reference in mapping.items()]
+
+    def resolved(self, schema):
+        """The schema with what it refers to; what it says itself wins."""
+        if "$ref" not in schema:
+            return schema
+        target = self.resolved(self.schemas[last_of(schema["$ref"])])
+        return {**target, **{key: value for key, value in schema.items() if key != "$ref"}}
+
+    def words(self, schema):
+        """What a member is: description, range, default."""
+        whole = self.resolved(schema)
+        items = self.resolved(whole.get("items", {}))
+        words = [sentence(whole.get("description") or items.get("description", "")), sentence(range_of(whole)).capitalize()]
+        if "default" in whole:
+            words.append(f"Default {json.dumps(whole['default'])}.")
+        return " ".join(" ".join(words).split())
+
+
+def last_of(reference):
+    return reference.rsplit("/", 1)[1]
+
+
+def named(name):
+    return RENAMED.get(name, name)
+
+
+def type_of(schema):
+    """The Python type of a schema that is no object with members."""
+    if "$ref" in schema:
+        return named(last_of(schema["$ref"]))
+    if "const" in schema or "enum" in schema:
+        values = [schema["const"]] if "const" in schema else schema["enum"]
+        return f"Literal[{', '.join(map(literal, values))}]"
+    if "oneOf" in schema:
+        return union([type_of(one) for one in schema["oneOf"]])
+    if isinstance(schema.get("type"), list):
+        return union([PLAIN[one] for one in schema["type"]])
+    if "items" in schema:
+        return f"Sequence[{type_of(schema['items'])}]"
+    return PLAIN[schema["type"]]
+
+
+def union(types):
+    return types[0] if len(types) == 1 else f"Union[{', '.join(dict.fromkeys(types))}]"
+
+
+def literal(value):
+    return json.dumps(value) if isinstance(value, str) else repr(value)
+
+
+def range_of(schema):
+    """The range of a number or the count of an array's items, or nothing."""
+    unit = " items" if "items" in schema else ""
+    low = schema.get("minItems", schema.get("minimum"))
+    high = schema.get("maxItems", schema.get("maximum"))
+    if low is None and high is None:
+        return ""
+    if low == high:
+        return f"{json.dumps(low)}{unit}"
+    if high is None:
+        return f"at least {json.dumps(low)}{unit}"
+    return f"{json.dumps(low)} to {json.dumps(high)}{unit}" if low is not None else f"at most {json.dumps(high)}{unit}"
+
+
+def sentence(text):
+    text = " ".join(text.split())
+    if not text:
+        return ""
+    return text + ("" if text[-1] in ".!?" else ".")
+
+
+def member_lines(contract, members, indent):
+    """Lines of a docstring, one paragraph for each member that has words."""
+    lines = []
+    for name, schema in members.items():
+        words = contract.words(schema)
+        if words:
+            lines += textwrap.wrap(f"{name}: {words}", WIDTH, initial_indent=indent, subsequent_indent=indent + "    ")
+    return lines
+
+
+def docstring(summary, lines, indent):
+    """A docstring with a summary and the lines, which are indented already."""
+    summary_lines = textwrap.wrap(summary, WIDTH - 3, initial_indent=indent + '"""', subsequent_indent=indent)
+    if not lines and len(summary_lines) == 1:
+        return [summary_lines[0] + '"""']
+    return [*summary_lines, *([""] if lines else []), *lines, indent + '"""']
+
+
+def filled(words, width):
+    """The words in as few lines as hold them."""
+    lines = []
+    for word in words:
+        if lines and len(lines[-1]) + 1 + len(word) <= width:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
+
+
+def on_lines(line):
+    """The line; one that is too long has the values of its Literal or Union on lines of their own."""
+    if len(line) <= WIDTH:
+        return line
+    start, end = line.rindex("[", 0, line.index(", ")) + 1, line.index("]")
+    indent = " " * (len(line) - len(line.lstrip()))
+    values = filled(line[start:end].split(" "), WIDTH - len(indent) - 4)
+    return "\n".join([line[:start], *(f"{indent}    {one}" for one in values), indent + line[end:]])

@@ -1,0 +1,976 @@
+"""A method for each command of the contract. Made by generate.py."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Generic, Literal, Optional, Sequence, TypeVar, Union
+
+from .options import Options
+from .schemas import (
+    Brush,
+    Coat,
+    Colour,
+    CurveGroup,
+    Direction,
+    Environment,
+    Eye,
+    Field,
+    Ground,
+    Key,
+    Light,
+    Look,
+    MapEncoding,
+    MaskAll,
+    MaskBox,
+    MaskPart,
+    MaskPicture,
+    MaskSphere,
+    NamedAttractor,
+    NamedBlower,
+    PictureName,
+    Position,
+    SkinRegion,
+    Stroke,
+    Symmetry,
+    TrimPlane,
+    TrimSphere,
+    Units,
+)
+
+R = TypeVar("R")
+
+
+class Commands(Generic[R]):
+    """Commands as methods. A parameter that is left out is not sent, and takes its default.
+
+    author: Who makes the change, for the log and for those who follow the scene; at most 200 bytes of UTF-8.
+    dry_run: Says what the command would do and changes nothing.
+    if_match: A revision. At another one nothing is done, and `Conflict` is raised.
+
+    A value that breaks the contract raises `Refused` with a pointer to it; nothing is changed then.
+    """
+
+    def _run(self, command: Dict[str, Any], options: Options) -> R:
+        """`command`: with None for what is not to be sent."""
+        raise NotImplementedError
+
+    def comb(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        lean: Optional[float] = None,
+        keep_inclination: Optional[bool] = None,
+        direction: Optional[Direction] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Turns fur the way the stroke moves; as a flood, to `direction` everywhere.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        lean: Inclination that combing tends to: 0 upright, 1 lying. 0 to 1. Default 0.7.
+        keep_inclination: Turn the heading alone. Default false.
+        direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items.
+        """
+        return self._run(
+            {
+                "op": "comb", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "lean": lean, "keep_inclination": keep_inclination, "direction": direction,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def blow(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        blower: Optional[str] = None,
+        source: Optional[Position] = None,
+        direction: Optional[Direction] = None,
+        cone_degrees: Optional[float] = None,
+        softness: Optional[float] = None,
+        fall: Optional[float] = None,
+        units: Optional[Units] = None,
+        strength: Optional[float] = None,
+        lean: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Wind from a source, or from a blower that stays, inside a cone. A stroke restricts it to what its brush
+        covers.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        blower: Name of a blower of the scene, in place of all that follows. Default "".
+        source: In the model's unit; within 1000000 sizes of the model's centre. 3 items.
+        direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items. Default [0, -1, 0].
+        cone_degrees: Half angle of the cone, degrees. 0 to 180. Default 40.
+        softness: Share of the cone over which its edge fades. 0 to 1. Default 0.25.
+        fall: Distance at which the wind has half its strength, in `units`; 0: it does not fall. 0 to 1e+27. Default
+            0.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        strength: 0 does nothing, 1 all. 0 to 1. Default 0.5.
+        lean: Inclination that the wind tends to: 0 upright, 1 lying. 0 to 1. Default 0.7.
+        """
+        return self._run(
+            {
+                "op": "blow", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "blower": blower,
+                "source": source, "direction": direction, "cone_degrees": cone_degrees, "softness": softness,
+                "fall": fall, "units": units, "strength": strength, "lean": lean,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def attract(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        attractor: Optional[str] = None,
+        point: Optional[Position] = None,
+        radius: Optional[float] = None,
+        units: Optional[Units] = None,
+        strength: Optional[float] = None,
+        duration: Optional[float] = None,
+        threshold: Optional[float] = None,
+        max_stretch: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """A stick, or an attractor that stays, pulls fur to it and stretches it. A stroke restricts it to what its
+        brush covers.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        attractor: Name of an attractor of the scene, in place of all that follows. Default "".
+        point: In the model's unit; within 1000000 sizes of the model's centre. 3 items.
+        radius: In `units`; at most 1000000 sizes. 0 to 1e+27. Default 0.2.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        strength: 0 does nothing, 1 all. 0 to 1. Default 0.5.
+        duration: Seconds of pulling. 0 to 10000. Default 1.
+        threshold: Stretch that fur takes without growing. 0 to 1000. Default 0.3.
+        max_stretch: Largest length over the length before any stretch. 1 to 100. Default 3.
+        """
+        return self._run(
+            {
+                "op": "attract", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "attractor": attractor,
+                "point": point, "radius": radius, "units": units, "strength": strength, "duration": duration,
+                "threshold": threshold, "max_stretch": max_stretch,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def interpolate(
+        self,
+        *,
+        keys: Sequence[Key],
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        sigma: Optional[float] = None,
+        units: Optional[Units] = None,
+        distance: Optional[Literal["straight", "dijkstra", "heat"]] = None,
+        strength: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its
+        value.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        keys: What fur is like at one place: a direction, a length or both. 1 to 256 items.
+        sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27.
+            Default 0.2.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        distance: straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by
+            the heat method, slower. Default "dijkstra".
+        strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+        """
+        return self._run(
+            {
+                "op": "interpolate", "keys": keys, "stroke": stroke, "brush": brush, "edit_layer": edit_layer,
+                "sigma": sigma, "units": units, "distance": distance, "strength": strength,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def flow(
+        self,
+        *,
+        curves: Sequence[Sequence[Position]],
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        sigma: Optional[float] = None,
+        units: Optional[Units] = None,
+        distance: Optional[Literal["straight", "dijkstra", "heat"]] = None,
+        inclination: Optional[float] = None,
+        strength: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Lays the fur of the whole body along curves drawn on it, from the first point of each to the last.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        curves: 1 to 64 items.
+        sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27.
+            Default 0.2.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        distance: straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by
+            the heat method, slower. Default "dijkstra".
+        inclination: The fur keeps its own unless given. 0 to 1.
+        strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+        """
+        return self._run(
+            {
+                "op": "flow", "curves": curves, "stroke": stroke, "brush": brush, "edit_layer": edit_layer,
+                "sigma": sigma, "units": units, "distance": distance, "inclination": inclination,
+                "strength": strength,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def smooth(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        t: Optional[float] = None,
+        passes: Optional[int] = None,
+        keep_inclination: Optional[bool] = None,
+        fields: Optional[Sequence[Field]] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Blends each value with the mean of its neighbours, nearer ones counting more.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        t: Share of the mean in each pass; up to 0.5 nothing oscillates. 0 to 1. Default 0.5.
+        passes: 1 to 10000. Default 3.
+        keep_inclination: Smooth headings alone, so that no tuft rises where opposite directions meet. Default false.
+        fields: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.
+            density, bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the
+            coat's. root_colour and tip_colour: linear colour and how much it covers. 1 to 12 items. Default
+            ["direction"].
+        """
+        return self._run(
+            {
+                "op": "smooth", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood, "t": t,
+                "passes": passes, "keep_inclination": keep_inclination, "fields": fields,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def noise(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        seed: Optional[int] = None,
+        amount: Optional[float] = None,
+        feature_size: Optional[float] = None,
+        units: Optional[Units] = None,
+        fields: Optional[Sequence[Field]] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Adds random numbers that are a pure function of the seed and the place; inverted it takes them off.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        seed: 0 to 4294967295. Default 1.
+        amount: Of directions in inclinations; of length, stretch and width a share of the value; of other fields
+            added. 0 to 10. Default 0.2.
+        feature_size: Of the noise, in `units`; 0: every vertex for itself. 0 to 1e+27. Default 0.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        fields: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.
+            density, bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the
+            coat's. root_colour and tip_colour: linear colour and how much it covers. 1 to 12 items. Default
+            ["direction"].
+        """
+        return self._run(
+            {
+                "op": "noise", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "seed": seed, "amount": amount, "feature_size": feature_size, "units": units, "fields": fields,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def unify(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        direction: Optional[Direction] = None,
+        inclination: Optional[float] = None,
+        length: Optional[float] = None,
+        units: Optional[Units] = None,
+        mean: Optional[Sequence[Field]] = None,
+        weight: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Blends to a value, or to the mean under the brush.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items.
+        inclination: The fur keeps its own unless given. 0 to 1.
+        length: In `units`; at most 10 sizes. 0 to 1e+27.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        mean: Fields that go to their weighted mean. 0 to 12 items. Default [].
+        weight: Beside the brush's own strength. 0 to 1. Default 0.5.
+        """
+        return self._run(
+            {
+                "op": "unify", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "direction": direction, "inclination": inclination, "length": length, "units": units, "mean": mean,
+                "weight": weight,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def part(
+        self,
+        *,
+        stroke: Stroke,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        lean: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """A line that fur leans away from on both sides; inverted fur leans to it.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        lean: Inclination that the fur tends to: 0 upright, 1 lying. 0 to 1. Default 0.7.
+        """
+        return self._run(
+            {"op": "part", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "lean": lean},
+            Options(author, dry_run, if_match),
+        )
+
+    def whorl(
+        self,
+        *,
+        stroke: Stroke,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        turn_degrees: Optional[float] = None,
+        lean: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Turns fur round the nearest place of the stroke: a cowlick. Inverted it turns the other way.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        turn_degrees: From outwards, counter-clockwise seen from outside: 0 points out, 90 circles, 180 points in.
+            -180 to 180. Default 70.
+        lean: Inclination that the fur tends to: 0 upright, 1 lying. 0 to 1. Default 0.8.
+        """
+        return self._run(
+            {
+                "op": "whorl", "stroke": stroke, "brush": brush, "edit_layer": edit_layer,
+                "turn_degrees": turn_degrees, "lean": lean,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def length(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        mode: Optional[Literal["set", "add", "scale", "average", "jitter", "min", "max"]] = None,
+        value: Optional[float] = None,
+        units: Optional[Units] = None,
+        seed: Optional[int] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Changes how long fur is.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        mode: average: to the mean under the brush. jitter: by a random share. min, max: not under, not over. Default
+            "set".
+        value: A length in `units`, at most 10 sizes and below 0 for add only; a factor for scale, at most 1000000; a
+            share for jitter, at most 1. -1e+27 to 1e+27. Default 0.03.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        seed: 0 to 4294967295. Default 1.
+        """
+        return self._run(
+            {
+                "op": "length", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "mode": mode, "value": value, "units": units, "seed": seed,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def trim(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        plane: Optional[TrimPlane] = None,
+        sphere: Optional[TrimSphere] = None,
+        height: Optional[float] = None,
+        units: Optional[Units] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Cuts fur by a plane, by a sphere or to a height over the skin, by the way that it leans. A flood cuts
+        wholly, whatever the strength.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        height: In `units`; at most 1000000 sizes. 0 to 1e+27.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        """
+        return self._run(
+            {
+                "op": "trim", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "plane": plane, "sphere": sphere, "height": height, "units": units,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def lift(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Raises fur; inverted it lays it down. Fur that stands upright has no heading and stays.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        """
+        return self._run(
+            {"op": "lift", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood},
+            Options(author, dry_run, if_match),
+        )
+
+    def erase(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        checkpoint: Optional[str] = None,
+        revision: Optional[int] = None,
+        fields: Optional[Sequence[Field]] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Goes back to the first groom, or to a checkpoint or a revision of this scene; with a layer and neither
+        of them, takes away what the layer adds. The mask stays unless it is named.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        checkpoint: Default "".
+        revision: Of this model. 0 to 18446744073709551615.
+        fields: All but the mask when empty. 0 to 12 items. Default [].
+        """
+        return self._run(
+            {
+                "op": "erase", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "checkpoint": checkpoint, "revision": revision, "fields": fields,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def clump(
+        self,
+        *,
+        stroke: Stroke,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        gather: Optional[float] = None,
+        amount: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Turns fur to the line of the stroke and gathers its tips; inverted it opens them.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        gather: How far fur turns. 0 to 1. Default 0.3.
+        amount: What the field clump tends to. 0 to 1. Default 0.6.
+        """
+        return self._run(
+            {
+                "op": "clump", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "gather": gather,
+                "amount": amount,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def curl(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        amount: Optional[float] = None,
+        turn_degrees: Optional[float] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Curls fur and turns its heading; inverted it takes the curl out.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        amount: What the field curl tends to. 0 to 1. Default 0.6.
+        turn_degrees: Counter-clockwise seen from outside. -180 to 180. Default 0.
+        """
+        return self._run(
+            {
+                "op": "curl", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "amount": amount, "turn_degrees": turn_degrees,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def paint(
+        self,
+        *,
+        stroke: Optional[Stroke] = None,
+        brush: Optional[Brush] = None,
+        edit_layer: Optional[str] = None,
+        flood: Optional[bool] = None,
+        field: Optional[Field] = None,
+        value: Optional[float] = None,
+        colour: Optional[Colour] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Paints a field; inverted it takes it back to its default.
+
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        flood: Everywhere in place of a stroke. Default false.
+        field: Not direction, length or stretch, which have tools of their own. Default "density".
+        value: At most 1, of width 4. Of a colour how much it covers. 0 to 4. Default 1.
+        colour: Of root_colour and tip_colour only. Default "#ffffff".
+        """
+        return self._run(
+            {
+                "op": "paint", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood,
+                "field": field, "value": value, "colour": colour,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def mask(
+        self,
+        *,
+        action: Optional[Literal["select", "grow", "shrink", "smooth", "invert"]] = None,
+        all: Optional[MaskAll] = None,
+        vertices: Optional[Sequence[int]] = None,
+        box: Optional[MaskBox] = None,
+        sphere: Optional[MaskSphere] = None,
+        part: Optional[MaskPart] = None,
+        picture: Optional[MaskPicture] = None,
+        combine: Optional[Literal["replace", "add", "subtract", "intersect"]] = None,
+        value: Optional[float] = None,
+        distance: Optional[float] = None,
+        passes: Optional[int] = None,
+        units: Optional[Units] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Chooses where tools work: they change what the mask is 1 on, and nothing where it is 0. Brushes paint it
+        with `paint`. Only select takes a shape, combine and value; only grow and shrink a distance; only smooth
+        passes.
+
+        action: Default "select".
+        all: Everything. What select takes when no shape is given.
+        vertices: 1 to 100000 items.
+        part: The connected part of the model that is nearest.
+        picture: An uploaded picture, read at the vertices' texture coordinates. luminance: by Rec. 709's weights of
+            the file's own numbers, no curve undone.
+        combine: With what the mask is. With replace the rest gets 1 - value. Default "replace".
+        value: What the chosen get. 0 to 1. Default 1.
+        distance: Along edges, in `units`; at most 1000000 sizes. 0 to 1e+27. Default 0.02.
+        passes: 1 to 10000. Default 3.
+        units: relative: sizes; world: the model's unit. Default "relative".
+        """
+        return self._run(
+            {
+                "op": "mask", "action": action, "all": all, "vertices": vertices, "box": box, "sphere": sphere,
+                "part": part, "picture": picture, "combine": combine, "value": value, "distance": distance,
+                "passes": passes, "units": units,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def map(
+        self,
+        *,
+        picture: PictureName,
+        field: Optional[Field] = None,
+        encoding: Optional[MapEncoding] = None,
+        scale: Optional[float] = None,
+        units: Optional[Units] = None,
+        strength: Optional[float] = None,
+        edit_layer: Optional[str] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Puts a field in place of what a picture says at the vertices' texture coordinates, on seams the mean of
+        what their islands say; or of what a list says of each vertex. The mask holds, unless it is the mask that
+        is read. The commands of a batch read at most 8 different pictures.
+
+        picture: The name that the upload of a picture was answered with.
+        field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.
+            density, bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the
+            coat's. root_colour and tip_colour: linear colour and how much it covers. Default "length".
+        encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and
+            +v in red and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector:
+            direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
+            direction, else value. Default "automatic".
+        scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.
+            1e-27 to 1e+27. Default 1.
+        units: Of a scale of lengths. relative: sizes; world: the model's unit. Default "relative".
+        strength: How far the field goes to the picture's. 0 to 1. Default 1.
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        """
+        return self._run(
+            {
+                "op": "map", "picture": picture, "field": field, "encoding": encoding, "scale": scale, "units": units,
+                "strength": strength, "edit_layer": edit_layer,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def retarget(
+        self,
+        *,
+        scene: str,
+        revision: Optional[int] = None,
+        align: Optional[Literal["box", "none"]] = None,
+        fields: Optional[Sequence[Field]] = None,
+        strength: Optional[float] = None,
+        edit_layer: Optional[str] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Takes the fields of another scene, or of this one at another revision, from the nearest places of its
+        surface. The mask holds.
+
+        scene: Id of the source, on the same server.
+        revision: Of the source's model; the present one unless given. 0 to 18446744073709551615.
+        align: box: the models' boxes lie over each other, axis by axis, and lengths stay shares of the size; none:
+            both have the same coordinates, and lengths stay what they are in the model's unit. Default "box".
+        fields: All but the mask when empty. 0 to 12 items. Default [].
+        strength: 0 to 1. Default 1.
+        edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
+        """
+        return self._run(
+            {
+                "op": "retarget", "scene": scene, "revision": revision, "align": align, "fields": fields,
+                "strength": strength, "edit_layer": edit_layer,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def set_blowers(
+        self,
+        *,
+        blowers: Sequence[NamedBlower],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Places all winds that stay, for blow to use by their names, which differ.
+
+        blowers: 0 to 64 items.
+        """
+        return self._run(
+            {"op": "set_blowers", "blowers": blowers},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_attractors(
+        self,
+        *,
+        attractors: Sequence[NamedAttractor],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Places all sticks that stay, for attract to use by their names, which differ.
+
+        attractors: 0 to 64 items.
+        """
+        return self._run(
+            {"op": "set_attractors", "attractors": attractors},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_symmetry(
+        self,
+        *,
+        symmetry: Symmetry,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """From now on each tool with a place works on all its images too, as one undo step. Places on the surface
+        are mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.
+
+        symmetry: Mirror planes, all their combinations, and a rotation about an axis by equal steps.
+        """
+        return self._run(
+            {"op": "set_symmetry", "symmetry": symmetry},
+            Options(author, dry_run, if_match),
+        )
+
+    def checkpoint(
+        self,
+        *,
+        name: str,
+        revision: Optional[int] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Gives this revision a name, or an earlier one; a name that is known moves.
+
+        revision: The one that this command makes unless given. 0 to 18446744073709551615.
+        """
+        return self._run(
+            {"op": "checkpoint", "name": name, "revision": revision},
+            Options(author, dry_run, if_match),
+        )
+
+    def edit_layer(
+        self,
+        *,
+        name: str,
+        action: Optional[Literal["add", "set", "move", "merge_down", "remove"]] = None,
+        weight: Optional[float] = None,
+        muted: Optional[bool] = None,
+        rename: Optional[str] = None,
+        above: Optional[str] = None,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the
+        lowest layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is
+        merged may be muted; the layer that is merged into comes to weight 1.
+
+        action: Default "add".
+        weight: Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change edit layers of
+            at least .05 or at most -.05. -4 to 4.
+        muted: Of add and set.
+        rename: Of set: the new name. Default "".
+        above: Of add, else on top, and move, where it is required: the layer that it comes to lie on, or "" for none.
+        """
+        return self._run(
+            {
+                "op": "edit_layer", "name": name, "action": action, "weight": weight, "muted": muted,
+                "rename": rename, "above": above,
+            },
+            Options(author, dry_run, if_match),
+        )
+
+    def set_coat(
+        self,
+        *,
+        coat: Coat,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Sets what the scene has of `coat`.
+
+        coat: How the strands of the sample tile are made. What is not given takes its default.
+        """
+        return self._run(
+            {"op": "set_coat", "coat": coat},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_look(
+        self,
+        *,
+        look: Look,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Sets what the scene has of `look`.
+
+        look: How fur is shaded. What is not given takes its default.
+        """
+        return self._run(
+            {"op": "set_look", "look": look},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_lights(
+        self,
+        *,
+        lights: Sequence[Light],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Sets what the scene has of `lights`.
+
+        lights: 0 to 8 items.
+        """
+        return self._run(
+            {"op": "set_lights", "lights": lights},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_environment(
+        self,
+        *,
+        environment: Environment,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Sets what the scene has of `environment`.
+
+        environment: Light from all around: a gradient, or spherical harmonics. It scales the look's `ambient`; white
+            everywhere is constant light.
+        """
+        return self._run(
+            {"op": "set_environment", "environment": environment},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_ground(
+        self,
+        *,
+        ground: Ground,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Sets what the scene has of `ground`.
+
+        ground: A level ground that catches shadow. It darkens the background and shows nothing else.
+        """
+        return self._run(
+            {"op": "set_ground", "ground": ground},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_eyes(
+        self,
+        *,
+        eyes: Sequence[Eye],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Places all eyes of the scene; an empty list takes them away. A new creature has two.
+
+        eyes: A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look
+            at. 0 to 8 items.
+        """
+        return self._run(
+            {"op": "set_eyes", "eyes": eyes},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_curves(
+        self,
+        *,
+        groups: Sequence[CurveGroup],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Places all whiskers, lashes and brows of the scene; an empty list takes them away. At most 4096 curves
+        in all, filled ones too. A new creature has some.
+
+        groups: Curves of one kind. Guides are drawn as they are given, and between each two that follow each other
+            more are filled in. They take the look's shading model, cast no shadow, and of the AOVs of an EXR are in
+            beauty and alpha alone. 0 to 16 items.
+        """
+        return self._run(
+            {"op": "set_curves", "groups": groups},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_skin(
+        self,
+        *,
+        regions: Sequence[SkinRegion],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Places all regions of bare skin; an empty list takes them away. A new creature has a nose, lips, ears
+        and pads.
+
+        regions: An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies
+            over the earlier. 0 to 64 items.
+        """
+        return self._run(
+            {"op": "set_skin", "regions": regions},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_skin_texture(
+        self,
+        *,
+        picture: Union[Literal["own"], PictureName],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is
+        the name that the log has after an upload to `skin_texture`, made from the pixels alone; a picture that no
+        scene of this server has used is refused. `own` takes it off again.
+        """
+        return self._run(
+            {"op": "set_skin_texture", "picture": picture},
+            Options(author, dry_run, if_match),
+        )

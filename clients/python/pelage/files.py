@@ -1,0 +1,62 @@
+"""Formats by the endings of file names, and files that appear whole."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import uuid
+from typing import BinaryIO, Iterator, Union
+
+Path = Union[str, "os.PathLike[str]"]
+
+# What a file with an ending may hold; the first is what it holds unless another is asked for.
+FORMATS = {
+    ".png": ("png", "png16"),
+    ".jpg": ("jpeg",),
+    ".jpeg": ("jpeg",),
+    ".exr": ("exr", "exr_half"),
+    ".npy": ("npy", "npy_linear"),
+}
+
+
+def formats_of(path: Path) -> "tuple[str, ...]":
+    """Raises ValueError for an ending that stands for no format."""
+    ending = os.path.splitext(os.fspath(path))[1].lower()
+    if ending not in FORMATS:
+        raise ValueError(f"{os.fspath(path)}: the ending says no format; take one of {', '.join(FORMATS)}")
+    return FORMATS[ending]
+
+
+def check_format(path: Path, kind: str) -> None:
+    """Raises ValueError where a file of that name does not hold that format."""
+    if kind not in formats_of(path):
+        raise ValueError(f"{os.fspath(path)}: the ending stands for {' or '.join(formats_of(path))}, not {kind}")
+
+
+@contextlib.contextmanager
+def whole_file(path: Path) -> Iterator[BinaryIO]:
+    """A file beside the path, which is moved there at the end of the block, so that nobody sees half of it."""
+    target = os.path.realpath(os.fspath(path))
+    part = f"{target}.{uuid.uuid4().hex[:8]}.part"
+    try:
+        with open(part, "xb") as file:
+            yield file
+        os.replace(part, target)
+    except BaseException:
+        if os.path.exists(part):
+            os.unlink(part)
+        raise
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Writes a file, which appears whole or not at all."""
+    with whole_file(path) as file:
+        file.write(content)
+
+
+def read_whole(source: Union[bytes, Path]) -> bytes:
+    """The bytes, or those of the file of that path."""
+    if isinstance(source, bytes):
+        return source
+    with open(source, "rb") as file:
+        return file.read()

@@ -1,0 +1,228 @@
+"""A scene: a model, its fur and the log of every change."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Sequence, Union, cast
+
+from . import arrays, events
+from .commands import Commands
+from .connection import Connection, quoted, with_query
+from .files import Path, read_whole
+from .options import Options
+from .pictures import Pictures, given
+from .progress import ReportProgress
+from .schemas import (
+    Command,
+    CommandAnswer,
+    Comparison,
+    Field,
+    FoldCount,
+    FrameProgress,
+    LogEntry,
+    SceneInfo,
+    Settings,
+    StoredPicture,
+)
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import ArrayLike, NDArray
+
+
+class Batch(Commands[None]):
+    """Commands that become one undo step.
+
+    commands: Those so far, as they are sent.
+    answer: What they did, once the block has ended; None for no commands.
+    """
+
+    def __init__(self) -> None:
+        self.commands: List[Dict[str, Any]] = []
+        self.answer: Optional[CommandAnswer] = None
+
+    def _run(self, command: Dict[str, Any], options: Options) -> None:
+        if options != Options():
+            raise ValueError("author, dry_run and if_match belong to the batch, not to a command in it")
+        self.commands.append(given(command))
+
+
+class Scene(Commands[CommandAnswer], Pictures):
+    """A scene on a server. Any number of threads and processes may use the same one.
+
+    id: What addresses it. name: What it was called; names need not differ.
+    revision: The last one that this object heard of; `info()` asks anew.
+    """
+
+    def __init__(self, connection: Connection, info: SceneInfo) -> None:
+        super().__init__(connection, f"/v1/scenes/{quoted(info['id'])}", info["revision"])
+        self.id = info["id"]
+        self.name = info["name"]
+
+    def __repr__(self) -> str:
+        return f"<Scene {self.name} {self.id}, revision {self.revision}>"
+
+    def info(self) -> SceneInfo:
+        """Its model, revision and edit layers."""
+        return self._described(self._connection.get(self._path))
+
+    def settings(self, revision: Optional[int] = None) -> Settings:
+        """Coat, look, lights, eyes and all else that commands set, with all defaults; now or at a revision."""
+        return cast(Settings, self._connection.get(f"{self._path}/settings", given({"revision": revision})).json)
+
+    def remove(self) -> None:
+        """Removes the scene and its log for good."""
+        self._connection.delete(self._path)
+
+    # Commands
+
+    def run(
+        self,
+        *commands: Union[Command, Dict[str, Any]],
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> CommandAnswer:
+        """Runs one command or 2 to 1000 as one undo step, all or nothing; each as the contract has it."""
+        body: Any = commands[0] if len(commands) == 1 else {"commands": commands}
+        return self._post("commands", body, Options(author, dry_run, if_match))
+
+    @contextlib.contextmanager
+    def batch(
+        self, *, author: Optional[str] = None, dry_run: bool = False, if_match: Optional[int] = None
+    ) -> Iterator[Batch]:
+        """Collects commands and runs them at the end of the block as one undo step. An exception sends nothing."""
+        batch = Batch()
+        yield batch
+        if batch.commands:
+            batch.answer = self._post("commands", {"commands": batch.commands}, Options(author, dry_run, if_match))
+
+    def _run(self, command: Dict[str, Any], options: Options) -> CommandAnswer:
+        return self._post("commands", given(command), options)
+
+    # History
+
+    def undo(self, steps: int = 1, *, author: Optional[str] = None, if_match: Optional[int] = None) -> CommandAnswer:
+        """Takes back the newest steps."""
+        return self._post("undo", {"steps": steps}, Options(author, False, if_match))
+
+    def redo(self, steps: int = 1, *, author: Optional[str] = None, if_match: Optional[int] = None) -> CommandAnswer:
+        """Does again what was taken back."""
+        return self._post("redo", {"steps": steps}, Options(author, False, if_match))
+
+    def revert(
+        self, revision: int, *, author: Optional[str] = None, if_match: Optional[int] = None
+    ) -> CommandAnswer:
+        """Goes back to an earlier revision of this model; can itself be undone."""
+        return self._post("revert", {"revision": revision}, Options(author, False, if_match))
+
+    def amend(
+        self,
+        revision: int,
+        commands: Sequence[Union[Command, Dict[str, Any]]],
+        *,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> CommandAnswer:
+        """Puts commands in the place of the step that made a revision, and replays what follows. None leave it out."""
+        body = {"revision": revision, "commands": commands}
+        return self._post("amend", body, Options(author, dry_run, if_match))
+
+    def branch(self, name: Optional[str] = None, *, revision: Optional[int] = None) -> Scene:
+        """A scene of its own that begins as this one was at a revision, by default now. Its name is "branch" unless given."""
+        answer = self._connection.post(f"{self._path}/branch", given({"name": name, "revision": revision}))
+        return Scene(self._connection, cast(SceneInfo, answer.json))
+
+    def log(self) -> Iterator[LogEntry]:
+        """Every entry since the model came, oldest first."""
+        yield from cast(Any, self._connection.get(f"{self._path}/log").json)["entries"]
+
+    def steps(self, carried_to: Optional[Scene] = None) -> Iterator[Dict[str, Any]]:
+        """The undo steps that lead to where the scene is now; `run` takes each of them.
+
+        carried_to: A scene whose model the positions, directions and lengths are carried to. What names vertices or
+        revisions cannot be carried and raises `Refused`.
+        """
+        query = given({"format": "jsonl", "for": carried_to.id if carried_to else None})
+        for line in self._connection.get(f"{self._path}/log", query).body.splitlines():
+            step: Dict[str, Any] = json.loads(line)
+            yield step
+
+    def compare(self, first: int, second: int) -> Comparison:
+        """What two revisions differ in, field by field."""
+        return cast(Comparison, self._connection.get(f"{self._path}/compare", {"from": first, "to": second}).json)
+
+    def follow(self, since: Optional[int] = None) -> Iterator[events.News]:
+        """News of the scene as they come: its state first, then each change; ends after `Removed`.
+
+        A lost connection is made again where it was, without a gap. since: A revision, to begin with the changes after it.
+        """
+        for news in events.follow(self._connection, f"{self._path}/events", since):
+            self.revision = news.revision
+            yield news
+
+    # Pictures and fields
+
+    def frames_under_way(self) -> List[FrameProgress]:
+        """The frames of the scene that are drawn now or wait to be, and how far they are."""
+        return cast(List[FrameProgress], self._connection.get(f"{self._path}/frames").json["frames"])
+
+    def frame_address(self, **parameters: Union[str, int, float, bool]) -> str:
+        """The address of a PNG of the scene as it is whenever it is asked for, for a page or another program.
+
+        parameters: Those of GET frame.png, such as `camera="front", width=256`. A server with a token asks for it there too.
+        """
+        return self._connection.address + with_query(f"{self._path}/frame.png", parameters)
+
+    def folds(self) -> FoldCount:
+        """Over how many triangles the fur turns over."""
+        return cast(FoldCount, self._connection.get(f"{self._path}/folds").json)
+
+    def upload_skin_texture(
+        self,
+        picture: Union[bytes, Path],
+        *,
+        author: Optional[str] = None,
+        if_match: Optional[int] = None,
+        progress: Optional[ReportProgress] = None,
+    ) -> CommandAnswer:
+        """Lays a PNG or JPEG on the model by its texture coordinates, as one undo step. picture: Its bytes or path."""
+        options = Options(author, False, if_match)
+        return self._changed(self._upload("skin_texture", read_whole(picture), {}, options, progress))
+
+    def upload_picture(
+        self, picture: Union[bytes, Path], *, progress: Optional[ReportProgress] = None
+    ) -> StoredPicture:
+        """Keeps a PNG, JPEG, EXR or HDR for `map` and `mask` to name; nothing is changed. picture: Its bytes or path."""
+        content = read_whole(picture)
+        answer = self._connection.put(f"{self._path}/pictures", content, repeatable=True, progress=progress)
+        return cast(StoredPicture, answer.json)
+
+    def set_map_array(self, field: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
+        """Reads a field from an array [height, width] or [height, width, channels] as from a picture.
+
+        options: As of `upload_map`.
+        """
+        return self.upload_map(field, arrays.encoded(array), **options)
+
+    def field(self, name: Field) -> NDArray[numpy.float32]:
+        """A field at the vertices as a NumPy array of float32: [vertices], or [vertices, channels].
+
+        direction: [vertices, 3], vectors along the surface in model coordinates, as long as the tip is inclined.
+        root_colour, tip_colour: [vertices, 4], linear red, green and blue, and how much they cover. length: sizes.
+        """
+        return self.map_array(name, encoding="vertices")
+
+    def set_field(self, name: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
+        """Puts an array of the shape that `field` gives in the place of a field, as one undo step.
+
+        options: As of `upload_map`, such as strength and author. The mask holds; values beyond the field's range are
+        held at its limit and counted as `clamped`.
+        """
+        return self.upload_map(name, arrays.encoded(array), encoding="vertices", **options)
+
+    def _post(self, name: str, body: Any, options: Options) -> CommandAnswer:
+        path = f"{self._path}/{name}"
+        return self._changed(self._connection.post(path, body, query=options.query, headers=options.headers))
