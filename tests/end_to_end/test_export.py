@@ -50,7 +50,9 @@ class Hair:
 
 class Export(ServedTest):
     def scene_of(self, builtin="sphere", length=0.05):
-        return self.server.new_scene(builtin, 500, fur={"length": length})
+        scene = self.server.new_scene(builtin, 500, fur={"length": length, "inclination": 0})
+        self.assertEqual(scene.run({"op": "set_coat", "coat": {"count": 100, "length_spread": 0.3}}).status, 200)  # some thousand strands
+        return scene
 
     def export(self, scene, format, query=""):
         answer = self.server.get(f"{scene.path}/export/{format}{query}")
@@ -78,7 +80,6 @@ class Export(ServedTest):
 
     def test_roots_lie_on_the_skin_and_tips_a_length_away(self):
         scene = self.scene_of(length=0.05)
-        self.assertEqual(scene.run({"op": "lift", "flood": True, "inclination": 0}).status, 200)
         usd, size = self.usd(scene), scene.info()["size"]
         radius = 0.5 * size / 3**0.5
         distances = numpy.linalg.norm(usd.roots, axis=1)
@@ -92,7 +93,7 @@ class Export(ServedTest):
         scene = self.scene_of()
         all_strands = len(self.usd(scene).counts)
         self.assertEqual(scene.run({"op": "paint", "flood": True, "field": "density", "value": 0.5, "brush": {"strength": 1}}).status, 200)
-        self.assertAlmostEqual(len(self.usd(scene).counts) / all_strands, 0.5, delta=0.03)
+        self.assertAlmostEqual(len(self.usd(scene).counts) / all_strands, 0.5, delta=0.06)  # of a tile of 100 strands
         self.assertEqual(scene.run({"op": "paint", "flood": True, "field": "density", "value": 0, "brush": {"strength": 1}}).status, 200)
         answer = self.export(scene, "usda", "?dry_run=1").json
         self.assertEqual((answer["strands"], answer["points"]), (0, 0))
@@ -138,5 +139,5 @@ class Export(ServedTest):
             self.assertIn(f"{Hair(file.read_bytes()).strands} strands", done.stdout)
             refused = run("-o", Path(folder, "fur.fbx"))
             self.assertEqual(refused.returncode, 3, refused)
-            self.assertIn("usda | hair", refused.stderr)
+            self.assertIn(".usda | .hair | .glb", refused.stderr)
             self.assertEqual([p.name for p in Path(folder).iterdir()], ["fur.hair"])

@@ -38,7 +38,7 @@ TEST_P(FramesInPieces, HaveTheBitsOfAWholeOne) {
   const FurredModel model = lit({.self_shadow_maps = true, .cast_shadow = CastShadow::soft});
   FurredModel other = furred({Builtin::sphere, 300});
   const FurFrame between = frame_of(other, small_frame());
-  FrameRequest layers = large(Tier::interactive, 512);
+  FrameRequest layers = large(Tier::interactive, 256);
   layers.knobs.shells = 128;
   FrameRequest hairy = layers;
   hairy.knobs.guard_hairs = 200, hairy.knobs.shadow_maps = true;
