@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "clients/cli/pack/pack.h"
 #include "clients/cli/print.h"
 #include "protocol/base/limits.h"
 #include "protocol/base/percent.h"
+#include "protocol/base/stopwatch.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 
@@ -17,6 +20,7 @@ namespace pelage {
 
 ExitCode perform(Session& session) {
   switch (session.options().action) {
+    case Action::wait: return wait_for_server(session);
     case Action::create: return create_scene(session);
     case Action::load: return load_model(session);
     case Action::environment: return load_environment(session);
@@ -78,10 +82,9 @@ Query import_query(const Options& options, const std::string& format) {
 }
 
 /// Sends bytes to `name` of the scene.
-Result<HttpAnswer> put_bytes(Session& session, const char* name, const Query& query, const std::string& bytes) {
-  const auto path = session.scene_path();
-  if (!path) return path.status();
-  std::string address = *path + "/" + name;
+Result<HttpAnswer> put_bytes(Session& session, const std::string& scene_path, const char* name, const Query& query,
+                             const std::string& bytes) {
+  std::string address = scene_path + "/" + name;
   char separator = '?';
   for (const auto& [parameter, value] : query)
     address += std::exchange(separator, '&') + parameter + "=" + percent_encoded(value);
@@ -91,7 +94,8 @@ Result<HttpAnswer> put_bytes(Session& session, const char* name, const Query& qu
 Result<HttpAnswer> put_file(Session& session, const char* name, const Query& query, std::size_t max_bytes) {
   const auto bytes = read_file(session.options().file, max_bytes);
   if (!bytes) return bytes.status();
-  return put_bytes(session, name, query, *bytes);
+  const auto path = session.scene_path();
+  return path ? put_bytes(session, *path, name, query, *bytes) : path.status();
 }
 
 /// The model with what it names; standard input is sent as it is.
@@ -129,6 +133,48 @@ ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer)
 
 }  // namespace
 
+ExitCode wait_for_server(Session& session) {
+  constexpr std::chrono::milliseconds pause(200);
+  const Stopwatch passed;
+  auto answer = Session::accepted(session.connection().get("/readyz"));
+  while (!answer && passed.milliseconds() < 1e3 * session.options().wait_seconds) {
+    std::this_thread::sleep_for(pause);
+    answer = Session::accepted(session.connection().get("/readyz"));
+  }
+  return answer ? done : report(answer.status());
+}
+
+namespace {
+
+/// Of the options' file, with a next step that fits it.
+Result<HttpAnswer> load_into(Session& session, const std::string& scene_path) {
+  const Options& options = session.options();
+  const std::string format = options.format.empty() ? ending_of(options.file) : options.format;
+  if (const auto checked = decode_import_query(import_query(options, format)); !checked) return checked.status();
+  const auto model = packed(options, format);
+  if (!model) return model.status();
+  const Query query = import_query(options, model->is_zip ? "zip" : format);
+  auto answer = put_bytes(session, scene_path, "model", query, model->bytes);
+  if (answer) return answer;
+  const Status& status = answer.status();
+  const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
+  return about_the_file ? with_next(status, next_after(status, *model, options.pose)) : status;
+}
+
+/// A scene whose model cannot be loaded goes again.
+ExitCode fill_new_scene(Session& session, const std::string& id) {
+  const std::string path = "/v1/scenes/" + id;
+  const Result<HttpAnswer> answer = load_into(session, path);
+  if (!answer) {
+    static_cast<void>(session.connection().remove(path));  // the load's own failure is the one to tell
+    return report(answer.status(), session.options().file);
+  }
+  fmt::print("{}\n", session.options().json ? answer->body : id);
+  return done;
+}
+
+}  // namespace
+
 ExitCode create_scene(Session& session) {
   const std::string request = new_scene_request_of(session.options());
   if (const auto checked = decode_new_scene(request); !checked) return report(checked.status());
@@ -136,22 +182,16 @@ ExitCode create_scene(Session& session) {
   if (!answer) return report(answer.status());
   const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());
+  if (!session.options().file.empty()) return fill_new_scene(session, summary->id);
   fmt::print("{}\n", session.options().json ? answer->body : summary->id);
   return done;
 }
 
 ExitCode load_model(Session& session) {
-  const Options& options = session.options();
-  const std::string format = options.format.empty() ? ending_of(options.file) : options.format;
-  if (const auto checked = decode_import_query(import_query(options, format)); !checked)
-    return report(checked.status());
-  const auto model = packed(options, format);
-  if (!model) return report(model.status());
-  const auto answer = put_bytes(session, "model", import_query(options, model->is_zip ? "zip" : format), model->bytes);
-  if (answer) return print_summary(session, answer);
-  const Status& status = answer.status();
-  const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
-  return report(about_the_file ? with_next(status, next_after(status, *model, options.pose)) : status, options.file);
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const Result<HttpAnswer> answer = load_into(session, *path);
+  return answer ? print_summary(session, answer) : report(answer.status(), session.options().file);
 }
 
 ExitCode load_environment(Session& session) {

@@ -7,6 +7,7 @@ namespace pelage {
 
 ExitCode perform(Session& session);
 
+ExitCode wait_for_server(Session& session);
 ExitCode create_scene(Session& session);
 ExitCode load_model(Session& session);
 ExitCode load_environment(Session& session);

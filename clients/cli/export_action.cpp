@@ -22,7 +22,8 @@ Result<Query> checked_export_query(const Options& options) {
   if (checked) return query;
   Status refused = checked.status();
   if (!named && refused.pointer == "/format")
-    refused = failure(Code::invalid, "No format has the ending of " + options.output + "; take another, or --format.", "", ".usda | .hair | .glb");
+    refused = failure(Code::invalid, "No format has the ending of " + options.output + "; take another, or --format.",
+                      "", ".usda | .hair | .glb");
   return refused;
 }
 
@@ -43,8 +44,9 @@ std::string address_of_export(const std::string& scene_path, const Query& query,
 void print_about(const Options& options, const std::string& about) {
   const auto answer = decode_answer<ExportAnswer>(about);
   if (options.json || !answer) return fmt::print("{}\n", about);
-  const std::string counts = answer->triangles > 0 ? fmt::format("{} triangles", answer->triangles)
-                                                   : fmt::format("{} strands, {} points", answer->strands, answer->points);
+  const std::string counts = answer->triangles > 0
+                                 ? fmt::format("{} triangles", answer->triangles)
+                                 : fmt::format("{} strands, {} points", answer->strands, answer->points);
   fmt::print("{}{}: {}, {:.1f} MB\n", options.output, options.dry_run ? " would hold" : "", counts,
              static_cast<double>(answer->bytes) / 1e6);
 }
@@ -52,7 +54,8 @@ void print_about(const Options& options, const std::string& about) {
 ExitCode write_export(Session& session, const std::string& address) {
   NewFile file(session.options().output);
   bool written = true;
-  const auto answer = session.connection().get(address, [&](std::string_view piece) { return written = file.write(piece); });
+  const auto answer =
+      session.connection().get(address, [&](std::string_view piece) { return written = file.write(piece); });
   if (written) {  // else the file says why
     const auto accepted = Session::accepted(answer);
     if (!accepted) return report(accepted.status());

@@ -163,27 +163,37 @@ void declare_map_actions(CLI::App& app, Options& options) {
   keep->add_option("file", options.file, "The picture; - for standard input")->required();
 }
 
+/// How a file is read.
+void add_import(CLI::App* command, Options& options) {
+  command->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
+  command->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl, else y]");
+  command->add_option("--front", options.front,
+                      "Axis of the file that the model faces [as its joints say; else -y where z is up, z where y is]");
+  command->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");
+  command->add_option("--crease-degrees", options.crease_degrees,
+                      "Edges that are sharper are seen as edges, 0 to 180; 180 for none [60]");
+  command->add_option("--flip", options.flip,
+                      "Number of a part that turns inside out, as the load reports doubtful ones");
+}
+
 void declare_scene_actions(CLI::App& app, Options& options) {
-  CLI::App* create =
-      add_action(app, options, Action::create, "new", "Make a scene with a built-in model; prints its id");
+  CLI::App* create = add_action(app, options, Action::create, "new",
+                                "Make a scene with a built-in model, or one of a file; prints its id");
   create->add_option("--name", options.name, "Name, 1 to 200 bytes")->capture_default_str();
-  create->add_option("--builtin", options.builtin, "torus, knot, sphere, plane, cloth or creature")
+  CLI::Option* builtin =
+      create->add_option("--builtin", options.builtin, "torus, knot, sphere, plane, cloth or creature")
+          ->capture_default_str();
+  create->add_option("--triangles", options.triangles, "Wished-for triangles of a built-in model")
       ->capture_default_str();
-  create->add_option("--triangles", options.triangles, "Wished-for triangles")->capture_default_str();
+  create->add_option("--file", options.file, "A model in its place, loaded as by `pelage load`")->excludes(builtin);
+  add_import(create, options);
   add_fur(create, options);
 
   CLI::App* load = add_action(app, options, Action::load, "load",
                               "Give a scene a model from a file, with the files that it names; its log starts empty");
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
-  load->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
-  load->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl, else y]");
-  load->add_option("--front", options.front,
-                   "Axis of the file that the model faces [as its joints say; else -y where z is up, z where y is]");
-  load->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");
-  load->add_option("--crease-degrees", options.crease_degrees,
-                   "Edges that are sharper are seen as edges, 0 to 180; 180 for none [60]");
-  load->add_option("--flip", options.flip, "Number of a part that turns inside out, as the load reports doubtful ones");
+  add_import(load, options);
   add_fur(load, options);
 
   CLI::App* environment =
@@ -370,7 +380,19 @@ ParsedLine parse_line(int argc, char** argv) {
   app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
   app.add_option("--author", options.author, "Your name, 1 to 200 bytes, kept with each change and shown to others");
   app.add_flag("--json", options.json, "Print the server's answer as JSON");
-  app.footer("Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
+  app.set_version_flag("--version", "pelage " PELAGE_VERSION);
+  app.footer(
+      "Examples:\n"
+      "  pelaged --data groom-data & pelage wait\n"
+      "  pelage new --name fox --file fox.glb\n"
+      "  pelage run fox clients/recipes/spot.json --dry-run\n"
+      "  pelage frame fox -o fox.png --quality detailed\n"
+      "  pelage export fox -o fox.usda --every 16\n"
+      "Exit codes: 0 done, 1 failed, 2 wrong use, 3 the input was refused.");
+  CLI::App* wait = add_action(app, options, Action::wait, "wait", "Wait until the server is ready");
+  wait->add_option("--seconds", options.wait_seconds, "How long at most, 0 to 3600")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 3600));
   declare_scene_actions(app, options);
   declare_export(app, options);
   declare_map_actions(app, options);

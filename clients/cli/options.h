@@ -10,6 +10,7 @@
 namespace pelage {
 
 enum class Action {
+  wait,
   create,
   load,
   environment,
@@ -50,6 +51,7 @@ struct Options {
   std::string name = "scene";
   std::string builtin = "creature";
   int triangles = 5000;
+  double wait_seconds = 30;  // of wait
   // create and load
   double length = 0.03;  // sizes
   double inclination = 0.45;

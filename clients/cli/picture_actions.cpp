@@ -188,10 +188,14 @@ ExitCode pick_pixel(Session& session) {
   if (!answer) return report(answer.status());
   const auto pick = decode_answer<PickAnswer>(answer->body);
   if (!pick) return report(pick.status());
-  if (options.json)
+  if (options.json) {
     fmt::print("{}\n", answer->body);
-  else
-    print(*pick);
+    return done;
+  }
+  const auto scene = Session::accepted(session.connection().get(*path));
+  const auto summary = scene ? decode_answer<SceneSummary>(scene->body) : Result<SceneSummary>(scene.status());
+  if (!summary) return report(summary.status());
+  print(*pick, summary->report.bounds);
   return done;
 }
 

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <string>
 
+#include "clients/cli/describe.h"
 #include "protocol/json/names.h"
 
 namespace pelage {
@@ -16,8 +17,6 @@ namespace pelage {
 namespace {
 
 std::string text_of(glm::dvec3 v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
-
-std::string shortened(const std::string& text) { return text.size() <= 60 ? text : text.substr(0, 57) + "..."; }
 
 }  // namespace
 
@@ -71,13 +70,18 @@ void print(const CommandAnswer& answer) {
   fmt::print("revision {}\n", answer.revision);
 }
 
-void print(const PickAnswer& answer) {
+void print(const PickAnswer& answer, const Bounds& box) {
   if (!answer.hit) {
     fmt::print("nothing there\n");
     return;
   }
+  const auto share = [&](int k) {
+    const double side = box.max[k] - box.min[k];
+    return side > 0 ? (answer.position[k] - box.min[k]) / side : 0;
+  };
   fmt::print("triangle    {}\nbarycentric {}\nposition    {}\nnormal      {}\n", answer.triangle,
              text_of(answer.barycentric), text_of(answer.position), text_of(answer.normal));
+  fmt::print("in a recipe {{\"at\": [{:.3f}, {:.3f}, {:.3f}]}}\n", share(0), share(1), share(2));
   fmt::print("direction   {}\ninclination {:.6g}\nlength      {:.6g}\nstretch     {:.6g}\n", text_of(answer.direction),
              answer.inclination, answer.length, answer.stretch);
   for (std::size_t i = 0; i < answer.painted.size(); ++i) {
@@ -90,9 +94,9 @@ void print(const PickAnswer& answer) {
 
 void print(const std::vector<LogEntry>& log) {
   for (const LogEntry& entry : log) {
-    const std::string author = entry.author.empty() ? "" : entry.author + "  ";
-    fmt::print("{:>6}{} {:<6}  {:>8} touched  {}{}\n", entry.revision, entry.in_effect ? '*' : ' ', entry.kind,
-               entry.touched, author, shortened(entry.commands));
+    const std::string words = described(entry.commands), author = entry.author.empty() ? "" : ", by " + entry.author;
+    fmt::print("{:>6}{} {}, {} vertices{}\n", entry.revision, entry.in_effect ? '*' : ' ',
+               words.empty() ? entry.kind : words, entry.touched, author);
   }
 }
 

@@ -17,7 +17,8 @@ void print(const SceneSummary& summary);
 void print(const std::vector<SceneSummary>& summaries);
 void print(const CommandResult& result);
 void print(const CommandAnswer& answer);
-void print(const PickAnswer& answer);
+/// With the place in each form that commands and recipes take; `box` is the model's.
+void print(const PickAnswer& answer, const Bounds& box);
 void print(const std::vector<LogEntry>& log);
 
 // Files and the standard streams.

@@ -36,9 +36,9 @@ std::string encode(std::span<const std::size_t> shape, std::span<const Number> v
 
 /// What the header says.
 struct Layout {
-  std::string_view type;            // "<f4"
-  std::vector<std::size_t> shape;   // 1 to 3 numbers
-  std::string_view numbers;         // the rest of the file
+  std::string_view type;           // "<f4"
+  std::vector<std::size_t> shape;  // 1 to 3 numbers
+  std::string_view numbers;        // the rest of the file
 };
 
 /// The text behind `key` in the header's dictionary.
@@ -100,7 +100,8 @@ Result<Pixels> pixels_of(const std::vector<std::size_t>& shape, std::size_t max_
 /// The numbers of one type, as floats over `whole`.
 template <class Number>
 Result<DataImage> read_numbers(Pixels pixels, std::string_view numbers, int bits, float whole) {
-  const std::size_t count = static_cast<std::size_t>(pixels.image.width) * static_cast<std::size_t>(pixels.image.height);
+  const std::size_t count =
+      static_cast<std::size_t>(pixels.image.width) * static_cast<std::size_t>(pixels.image.height);
   if (numbers.size() < count * pixels.channels * sizeof(Number)) return unreadable("it is cut off.");
   DataImage& image = pixels.image;
   image.bits = bits;

@@ -43,7 +43,8 @@ std::vector<glm::vec3> places_at(const SceneView& scene, double s) {
   std::vector<glm::vec3> places(mesh.positions.size());
   for (std::uint32_t v = 0; v < places.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);
-    const Lean lean = lean_of(glm::dvec2(scene.fields.value(Field::direction, v)), normal, glm::dvec3(mesh.tangents[v]));
+    const Lean lean =
+        lean_of(glm::dvec2(scene.fields.value(Field::direction, v)), normal, glm::dvec3(mesh.tangents[v]));
     const LeanPoint at = lean_point(coat.lean_curve, lean.inclination, coat.root_share, s);
     const double length = double{scene.fields.number(Field::length, v)};
     const glm::dvec3 place = glm::dvec3(mesh.positions[v]) + length * (at.across * lean.along + at.up * normal);

@@ -17,7 +17,7 @@ using Sink = std::function<bool(std::string_view)>;
 struct ExportFile {
   ExportAnswer about;
   const char* content_type = "";
-  std::string ending;                     // ".usda"
+  std::string ending;                      // ".usda"
   std::function<bool(const Sink&)> write;  // the same bytes each time; false when the sink ended it
 };
 

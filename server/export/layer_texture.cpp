@@ -37,7 +37,9 @@ LayerTexture::LayerTexture(const SliceLevel& level, const SliceBin& bin) : texel
 Image LayerTexture::image() const {
   Image image{texels_, texels_, {}};
   image.rgba.reserve(4 * opacity_.size());
-  const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0))); };
+  const auto byte = [](double value) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+  };
   for (std::size_t i = 0; i < opacity_.size(); ++i) {
     const std::uint8_t grey = byte(srgb_from_linear(double{std::min(lightness_[i] / headroom, 1.0f)}));
     for (int k = 0; k < 3; ++k) image.rgba.push_back(grey);

@@ -7,8 +7,8 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/image/image.h"
-#include "server/export/layer_texture.h"
 #include "server/export/corner_mesh.h"
+#include "server/export/layer_texture.h"
 #include "server/export/vertex_colours.h"
 #include "server/glb/glb_writer.h"
 
@@ -26,7 +26,8 @@ Image atlas_of(const Coat& coat) {
   Image atlas{static_cast<int>(width), static_cast<int>(width), std::vector<std::uint8_t>(4 * width * width)};
   for (int k = 0; k < atlas_columns * atlas_columns; ++k) {
     const Image layer = LayerTexture(level, bin_of(k, atlas_columns * atlas_columns)).image();
-    const std::size_t left = static_cast<std::size_t>(k % atlas_columns) * side, top = static_cast<std::size_t>(k / atlas_columns) * side;
+    const std::size_t left = static_cast<std::size_t>(k % atlas_columns) * side,
+                      top = static_cast<std::size_t>(k / atlas_columns) * side;
     for (std::size_t y = 0; y < side; ++y)
       std::copy_n(layer.rgba.begin() + static_cast<std::ptrdiff_t>(4 * y * side), 4 * side,
                   atlas.rgba.begin() + static_cast<std::ptrdiff_t>(4 * ((top + y) * width + left)));
@@ -51,7 +52,8 @@ glm::vec3 lean_vector(const SceneView& scene, std::uint32_t v) {
 
 std::string attribute_of(Field field) {
   std::string name = "_";
-  for (const char c : std::string_view(shape_of(field).name)) name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (const char c : std::string_view(shape_of(field).name))
+    name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return name;
 }
 
@@ -62,7 +64,8 @@ std::string add_fields(const SceneView& scene, const CornerMesh& shells, GlbWrit
     const Field field = field_at(f);
     if (shape_of(field).channels != 1) continue;
     const float unit = field == Field::length ? static_cast<float>(scene.model.surface.mesh().size) : 1;
-    const auto values = of_corners<float>(shells, [&](const CornerMesh::Corner& c) { return unit * scene.fields.number(field, c.vertex); });
+    const auto values = of_corners<float>(
+        shells, [&](const CornerMesh::Corner& c) { return unit * scene.fields.number(field, c.vertex); });
     attributes += fmt::format(R"(,"{}":{})", attribute_of(field), file.add(std::span(values)));
   }
   return attributes;
@@ -77,23 +80,33 @@ MeshFile export_mesh(const SceneView& scene, const ExportedStrands& strands) {
   const std::vector<glm::vec3> places = places_at(scene, 0);
   GlbWriter file;
   const auto positions = of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return places[c.vertex]; });
-  const auto normals = of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return mesh.normals[c.vertex]; });
-  const auto uvs = of_corners<glm::vec2>(shells, [&](const CornerMesh::Corner& c) { return c.tile_uv / static_cast<float>(scene.settings.coat.tile); });
-  const auto fur = of_corners<glm::vec4>(shells, [&](const CornerMesh::Corner& c) { return glm::vec4(glm::min(colours.at(c.vertex, 0.7), 1.0f), 1); });
-  const auto leans = of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return lean_vector(scene, c.vertex); });
+  const auto normals =
+      of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return mesh.normals[c.vertex]; });
+  const auto uvs = of_corners<glm::vec2>(
+      shells, [&](const CornerMesh::Corner& c) { return c.tile_uv / static_cast<float>(scene.settings.coat.tile); });
+  const auto fur = of_corners<glm::vec4>(
+      shells, [&](const CornerMesh::Corner& c) { return glm::vec4(glm::min(colours.at(c.vertex, 0.7), 1.0f), 1); });
+  const auto leans =
+      of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return lean_vector(scene, c.vertex); });
   const auto weights = of_corners<float>(shells, [](const CornerMesh::Corner& c) { return c.weight; });
-  std::string attributes = fmt::format(R"("POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{},"_DIRECTION":{},"_WEIGHT":{})",
-                                       file.add_positions(positions), file.add(std::span(normals)), file.add(std::span(uvs)),
-                                       file.add(std::span(fur)), file.add(std::span(leans)), file.add(std::span(weights)));
+  std::string attributes =
+      fmt::format(R"("POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{},"_DIRECTION":{},"_WEIGHT":{})",
+                  file.add_positions(positions), file.add(std::span(normals)), file.add(std::span(uvs)),
+                  file.add(std::span(fur)), file.add(std::span(leans)), file.add(std::span(weights)));
   attributes += add_fields(scene, shells, file);
   const int triangles = file.add_triangles(shells.triangles, shells.corners.size());
   const int atlas = file.add_png(encode_png(atlas_of(scene.settings.coat), true));
   file.set("scene", "0");
   file.set("scenes", R"([{"nodes":[0]}])");
   file.set("nodes", fmt::format(R"([{{"name":"skin","mesh":0,"translation":{}}}])", json_of(mesh.centre)));
-  file.set("meshes", fmt::format(R"([{{"primitives":[{{"attributes":{{{}}},"indices":{},"material":0}}],"extras":{{"fur_layers":{},"atlas_columns":{}}}}}])",
-                                 attributes, triangles, atlas_columns * atlas_columns, atlas_columns));
-  file.set("materials", R"([{"name":"skin","pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9},"occlusionTexture":{"index":0,"strength":0}}])");
+  file.set(
+      "meshes",
+      fmt::format(
+          R"([{{"primitives":[{{"attributes":{{{}}},"indices":{},"material":0}}],"extras":{{"fur_layers":{},"atlas_columns":{}}}}}])",
+          attributes, triangles, atlas_columns * atlas_columns, atlas_columns));
+  file.set(
+      "materials",
+      R"([{"name":"skin","pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9},"occlusionTexture":{"index":0,"strength":0}}])");
   file.set("textures", fmt::format(R"([{{"source":{}}}])", atlas));
   return {file.finish(), shells.triangles.size()};
 }

@@ -14,10 +14,11 @@ struct MeshFile {
 };
 
 /// A GLB with one primitive: POSITION and lengths in the model's unit on a node at the model's centre, NORMAL,
-/// TEXCOORD_0 (the place on the coat's sample tile, which repeats), COLOR_0 (linear, the mean of the fur) and for each field of numbers
-/// an attribute of its name (_LENGTH, _DENSITY ...); _DIRECTION is the vector along the skin that the fur leans to, as
-/// long as its tip is inclined, and _WEIGHT the share of a piece where patches overlap. The material's occlusion
-/// texture (of strength 0) is an atlas of 4 x 4 layers of the tile from the roots up; `extras` of the mesh say so.
+/// TEXCOORD_0 (the place on the coat's sample tile, which repeats), COLOR_0 (linear, the mean of the fur) and for each
+/// field of numbers an attribute of its name (_LENGTH, _DENSITY ...); _DIRECTION is the vector along the skin that the
+/// fur leans to, as long as its tip is inclined, and _WEIGHT the share of a piece where patches overlap. The material's
+/// occlusion texture (of strength 0) is an atlas of 4 x 4 layers of the tile from the roots up; `extras` of the mesh
+/// say so.
 MeshFile export_mesh(const SceneView& scene, const ExportedStrands& strands);
 
 }  // namespace pelage

@@ -7,8 +7,8 @@
 
 #include "renderer/coat/slices.h"
 #include "renderer/image/image.h"
-#include "server/export/layer_texture.h"
 #include "server/export/corner_mesh.h"
+#include "server/export/layer_texture.h"
 #include "server/export/vertex_colours.h"
 #include "server/glb/glb_writer.h"
 
@@ -17,7 +17,7 @@ namespace pelage {
 namespace {
 
 constexpr float deepest_light = 0.35f;  // of the light, that reaches the skin
-constexpr float shade = 0.08f;      // light that a strand above takes
+constexpr float shade = 0.08f;          // light that a strand above takes
 
 float light_at(const Slices& slices, double height) {
   const auto slice = std::min(static_cast<std::size_t>(height * slice_count), std::size_t{slice_count - 1});
@@ -48,8 +48,9 @@ class ShellFile {
     const int positions = file_.add_positions(places_at(scene_, 0)), normals = file_.add(std::span(mesh.normals));
     const int colour = file_.add(std::span(std::as_const(colours)));
     const int triangles = file_.add_triangles(mesh.triangles, mesh.positions.size());
-    add(primitives_, fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"COLOR_0":{}}},"indices":{},"material":0}})",
-                                 positions, normals, colour, triangles));
+    add(primitives_,
+        fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"COLOR_0":{}}},"indices":{},"material":0}})",
+                    positions, normals, colour, triangles));
     add(materials_, fmt::format(R"({{"name":"skin",{}}})", dull));
   }
 
@@ -60,14 +61,15 @@ class ShellFile {
     std::vector<glm::vec4> colours;
     for (const CornerMesh::Corner& corner : shells_.corners) {
       positions.push_back(places[corner.vertex]);
-      const glm::vec3 lit = LayerTexture::headroom * light_at(slices_, bin.height) * colours_.at(corner.vertex, bin.height);
+      const glm::vec3 lit =
+          LayerTexture::headroom * light_at(slices_, bin.height) * colours_.at(corner.vertex, bin.height);
       const float density = scene_.fields.number(Field::density, corner.vertex);
       colours.emplace_back(glm::min(lit, 1.0f), corner.weight * density);
     }
     const int image = file_.add_png(encode_png(LayerTexture(slices_.levels.front(), bin).image(), true));
     add(textures_, fmt::format(R"({{"source":{},"sampler":0}})", image));
-    add(materials_, fmt::format(R"({{"name":"fur {}","alphaMode":"BLEND",{}}})", layer + 1,
-                                fmt::format(textured, image)));
+    add(materials_,
+        fmt::format(R"({{"name":"fur {}","alphaMode":"BLEND",{}}})", layer + 1, fmt::format(textured, image)));
     const int place = file_.add_positions(positions), colour = file_.add(std::span(std::as_const(colours)));
     add(primitives_,
         fmt::format(
@@ -83,7 +85,8 @@ class ShellFile {
     file_.set("meshes", "[{\"primitives\":[" + primitives_ + "]}]");
     file_.set("materials", "[" + materials_ + "]");
     file_.set("textures", "[" + textures_ + "]");
-    file_.set("samplers", "[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497}]");  // trilinear, repeated
+    file_.set("samplers",
+              "[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497}]");  // trilinear, repeated
     return file_.finish();
   }
 
@@ -113,8 +116,8 @@ BakedShells bake_shells(const SceneView& scene, const ExportedStrands& strands, 
   file.add_skin();
   const int layers = shells.triangles.empty() ? 0 : request.shells;
   for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers);
-  return {file.finish(), scene.model.surface.mesh().triangles.size() +
-                             static_cast<std::uint64_t>(layers) * shells.triangles.size()};
+  return {file.finish(),
+          scene.model.surface.mesh().triangles.size() + static_cast<std::uint64_t>(layers) * shells.triangles.size()};
 }
 
 }  // namespace pelage

@@ -14,11 +14,11 @@ namespace pelage {
 
 /// Places are internal: (model - centre) / size.
 struct ExportedStrands {
-  std::vector<StrandSet> sets;       // of the fur, in an order that depends on nothing but the scene; then the curves
-  std::size_t curve_sets = 0;        // the last ones: whiskers, lashes and brows
-  std::vector<glm::vec2> root_uvs;   // of each strand the texture coordinates of its root, v up; empty: none
-  glm::dvec3 centre{0};              // model coordinates
-  double size = 1;                   // model's unit
+  std::vector<StrandSet> sets;      // of the fur, in an order that depends on nothing but the scene; then the curves
+  std::size_t curve_sets = 0;       // the last ones: whiskers, lashes and brows
+  std::vector<glm::vec2> root_uvs;  // of each strand the texture coordinates of its root, v up; empty: none
+  glm::dvec3 centre{0};             // model coordinates
+  double size = 1;                  // model's unit
 
   std::uint64_t count() const;
   std::uint64_t points() const;

@@ -57,9 +57,8 @@ void write_points(const ExportedStrands& strands, Buffered& out) {
   write_array(strands, out, "point3f[] points", true, nullptr, [&](const StrandSet& set, std::size_t i, int) {
     print_vector(out, strands.model_offset(set.points[i]));
   });
-  write_array(strands, out, "float[] widths", true, "vertex", [&](const StrandSet& set, std::size_t i, int) {
-    out.print("{}", strands.model_width(set.points[i]));
-  });
+  write_array(strands, out, "float[] widths", true, "vertex",
+              [&](const StrandSet& set, std::size_t i, int) { out.print("{}", strands.model_width(set.points[i])); });
   write_array(strands, out, "color3f[] primvars:displayColor", true, "vertex",
               [&](const StrandSet& set, std::size_t i, int) { print_vector(out, unpack_colour(set.colours[i])); });
 }
@@ -89,11 +88,12 @@ void write_groom_names(const ExportedStrands& strands, bool as_guides, Buffered&
 
 bool write_usda(const ExportedStrands& strands, const ExportAnswer& about, bool as_guides, const Sink& sink) {
   Buffered out(sink);
-  out.print("#usda 1.0\n(\n    customLayerData = {{\n        string generator = \"Pelage\"\n        int revision = {}\n",
-            about.revision);
+  out.print(
+      "#usda 1.0\n(\n    customLayerData = {{\n        string generator = \"Pelage\"\n        int revision = {}\n",
+      about.revision);
   out.print("    }}\n    defaultPrim = \"groom\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n");
-  out.print("def Xform \"groom\"\n{{\n    double3 xformOp:translate = ({}, {}, {})\n", strands.centre.x, strands.centre.y,
-            strands.centre.z);
+  out.print("def Xform \"groom\"\n{{\n    double3 xformOp:translate = ({}, {}, {})\n", strands.centre.x,
+            strands.centre.y, strands.centre.z);
   out.print("    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n\n    def BasisCurves \"fur\"\n    {{\n");
   out.print("        uniform token type = \"linear\"\n        uniform token wrap = \"nonperiodic\"\n");
   write_extent(strands, out);

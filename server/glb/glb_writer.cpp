@@ -54,8 +54,8 @@ int GlbWriter::add_view(const void* bytes, std::size_t size, int target) {
 template <class Value>
 int GlbWriter::add_vertices(std::span<const Value> values, const char* type, std::string_view bounds) {
   const int view = add_view(values.data(), values.size_bytes(), vertex_data);
-  append_item(accessors_, fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view, floats,
-                                      values.size(), type, bounds));
+  append_item(accessors_, fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view,
+                                      floats, values.size(), type, bounds));
   return accessor_count_++;
 }
 

@@ -95,4 +95,15 @@ std::vector<std::string> warnings_of(const Command& resolved, const Surface& sur
   return {text};
 }
 
+std::vector<std::string> warnings_of_no_change(const Command& resolved) {
+  if (brush_of(resolved) == nullptr) return {};
+  const Stroke* stroke = stroke_of(resolved);
+  if (stroke == nullptr)
+    return {"it changed nothing: no vertex that the mask lets change is in reach, or all are so already"};
+  if (!stroke->id.empty()) return {};
+  return {
+      "it changed nothing: no vertex that the mask lets change lies under the brush, or all are so already; `pick` "
+      "finds places on the surface"};
+}
+
 }  // namespace pelage

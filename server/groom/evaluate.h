@@ -69,4 +69,7 @@ glm::dvec3 pixel_ray(const PlacedCamera& camera, glm::dvec2 pixel, int width, in
 /// vertices or none; an eye that stands off the skin or lies deep in it. The command is resolved.
 std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface);
 
+/// What there is to say where a command changed nothing: of tools with a brush, but for parts of a stroke that goes on.
+std::vector<std::string> warnings_of_no_change(const Command& resolved);
+
 }  // namespace pelage

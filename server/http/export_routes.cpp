@@ -21,11 +21,10 @@ Result<ExportRequest> export_request_of(const Request& request) {
 /// Sends the file piece by piece, and holds the pass as long as that takes.
 void send_file(ExportFile file, Gate::Pass pass, Response& response) {
   const auto held = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
-  response.set_content_provider(held->first.about.bytes, held->first.content_type,
-                                [held](std::size_t, std::size_t, httplib::DataSink& sink) {
-                                  return held->first.write(
-                                      [&](std::string_view piece) { return sink.write(piece.data(), piece.size()); });
-                                });
+  response.set_content_provider(
+      held->first.about.bytes, held->first.content_type, [held](std::size_t, std::size_t, httplib::DataSink& sink) {
+        return held->first.write([&](std::string_view piece) { return sink.write(piece.data(), piece.size()); });
+      });
 }
 
 void export_file(Service& service, const Scene& scene, const Request& request, Response& response) {

@@ -131,9 +131,10 @@ Outcome evaluate_all(const std::vector<Step>& steps, const FieldDelta& start, co
     outcome.delta = compose(outcome.delta, change);
     outcome.results.push_back(describe_change(op_of(steps[k].command), change, fields));
     outcome.results.back().clamped = evaluation.clamped;
-    outcome.results.back().warnings = warnings_of(steps[k].command, surface);
-    outcome.results.back().warnings.insert(outcome.results.back().warnings.end(), evaluation.warnings.begin(),
-                                           evaluation.warnings.end());
+    std::vector<std::string>& warnings = outcome.results.back().warnings;
+    warnings = warnings_of(steps[k].command, surface);
+    warnings.insert(warnings.end(), evaluation.warnings.begin(), evaluation.warnings.end());
+    if (warnings.empty() && change.empty()) warnings = warnings_of_no_change(steps[k].command);
     outcome.results.back().milliseconds = passed.milliseconds();
     const bool setting = set(steps[k].command, set_so_far, next);
     any_set = any_set || setting;

@@ -43,6 +43,25 @@ class Client(ServedTest):
         self.pelage("rm", scene)
         self.assertIn("There is no scene", self.pelage("info", scene, code=3).stderr)
 
+    def test_a_scene_from_a_file_is_whole_or_not_there(self):
+        self.assertRegex(self.pelage("--version").stdout, r"^pelage \d+\.\d+\.\d+$")
+        self.pelage("wait", "--seconds", 20)
+        model = self.file("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+        scene = self.new("--name", "square", "--file", model)
+        self.assertIn("triangles   2", self.pelage("info", scene).stdout)
+        before = self.pelage("list").stdout
+        self.pelage("new", "--file", self.file("bad.obj", "f 1 2 3\n"), code=3)
+        self.assertEqual(self.pelage("list").stdout, before)
+
+    def test_places_and_steps_are_said_in_the_words_of_recipes(self):
+        scene = self.new("--builtin", "sphere")
+        self.assertRegex(self.pelage("pick", scene, 256, 256, "--camera", "front").stdout, r'in a recipe \{"at": \[0\.5\d\d, 0\.5\d\d, 1\.0')
+        far = self.pelage("run", scene, "-", text=json.dumps(comb([9, 9, 9], [9, 9, 8], radius=0.1))).stdout
+        self.assertIn("warning: it changed nothing", far)
+        near = self.pelage("run", scene, "-", text=json.dumps(flood([0, 1, 0], lean=0.9))).stdout
+        self.assertNotIn("warning", near)
+        self.assertRegex(self.pelage("log", scene).stdout, r"comb everywhere, \d+ vertices")
+
     def test_json_answers(self):
         scene = json.loads(self.pelage("--json", "new", "--builtin", "torus").stdout)["id"]
         self.assertEqual(json.loads(self.pelage("info", scene, "--json").stdout)["revision"], 0)

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "renderer/coat/slices.h"
+#include "server/export/corner_mesh.h"
 #include "server/export/layer_texture.h"
 #include "server/export/mesh_fields.h"
-#include "server/export/corner_mesh.h"
 #include "server/export/shells.h"
 #include "server/export/vertex_colours.h"
 #include "tests/support/furred_model.h"
@@ -34,7 +34,8 @@ TEST(LayerTextures, AreAsOpaqueAsTheirStrands) {
       for (std::size_t i = 0; i < count; ++i) {
         double depth = 0;
         for (int s = bin.first; s < bin.last; ++s)
-          depth += level.shape[4 * (static_cast<std::size_t>(s) * count + i) + 3] / 255.0 * stored_depth * level.depth_scale[0];
+          depth += level.shape[4 * (static_cast<std::size_t>(s) * count + i) + 3] / 255.0 * stored_depth *
+                   level.depth_scale[0];
         covered += 1 - std::exp(-depth);
       }
       const Image image = LayerTexture(level, bin).image();
@@ -56,7 +57,8 @@ TEST(BakedShells, HaveASkinAndTheLayersThatWereAsked) {
   EXPECT_EQ(file.json["images"].size(), 5u);
   EXPECT_EQ(file.json["materials"].size(), 6u);
   std::size_t triangles = 0;
-  for (const auto& primitive : primitives) triangles += file.json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
+  for (const auto& primitive : primitives)
+    triangles += file.json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
   EXPECT_EQ(triangles, baked.triangles);
 }
 
@@ -66,7 +68,8 @@ TEST(BakedShells, LieFurtherOutFromRootToTip) {
   for (const double s : {0.0, 0.25, 0.5, 1.0}) {
     double distance = 0;
     const std::vector<glm::vec3> places = places_at(model.view(), s);
-    for (const glm::vec3& place : places) distance += static_cast<double>(glm::length(place)) / static_cast<double>(places.size());
+    for (const glm::vec3& place : places)
+      distance += static_cast<double>(glm::length(place)) / static_cast<double>(places.size());
     EXPECT_GT(distance, before);
     before = distance;
   }
@@ -103,9 +106,12 @@ TEST(MeshOfFields, HasAnAttributeForEachField) {
   const MeshFile mesh = export_mesh(model.view(), strands_of(model));
   const GlbFile file(mesh.glb);
   const auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
-  for (const char* name : {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0", "_DIRECTION", "_LENGTH", "_DENSITY", "_MASK", "_WEIGHT"})
+  for (const char* name :
+       {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0", "_DIRECTION", "_LENGTH", "_DENSITY", "_MASK", "_WEIGHT"})
     EXPECT_TRUE(attributes.contains(name)) << name;
-  const auto count = [&](const char* name) { return file.json["accessors"][attributes[name].get<std::size_t>()]["count"]; };
+  const auto count = [&](const char* name) {
+    return file.json["accessors"][attributes[name].get<std::size_t>()]["count"];
+  };
   EXPECT_EQ(count("_LENGTH"), count("POSITION"));
 }
 

@@ -19,5 +19,22 @@ TEST(Warnings, EyesThatDoNotTouchTheSkinAreNamed) {
   EXPECT_EQ(warnings[1].substr(0, 5), "eye 3");
 }
 
+Comb comb_at(glm::dvec3 place) {
+  Comb comb;
+  comb.stroke.emplace();
+  comb.stroke->samples = {{PositionSample{place}}, {PositionSample{place + glm::dvec3(0.1, 0, 0)}}};
+  return comb;
+}
+
+TEST(Warnings, StrokesThatChangeNothingSaySo) {
+  const std::vector<std::string> warnings = warnings_of_no_change(comb_at({100, 0, 0}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("under the brush"), std::string::npos);
+  EXPECT_TRUE(warnings_of_no_change(SetLights{}).empty());
+  Comb part = comb_at({100, 0, 0});
+  part.stroke->id = "live";
+  EXPECT_TRUE(warnings_of_no_change(part).empty());
+}
+
 }  // namespace
 }  // namespace pelage

@@ -54,7 +54,8 @@ TEST(Npy, NumbersOfEightBitsAreOverTheirLargest) {
 
 TEST(Npy, WhatIsNoPictureIsRefused) {
   const std::string good = of_floats({2, 3}, {1, 2, 3, 4, 5, 6});
-  for (std::size_t size = 6; size < good.size(); ++size) EXPECT_FALSE(decode_npy(good.substr(0, size), many).ok()) << size;
+  for (std::size_t size = 6; size < good.size(); ++size)
+    EXPECT_FALSE(decode_npy(good.substr(0, size), many).ok()) << size;
   EXPECT_FALSE(decode_npy(of_floats({0}, {}), many).ok());
   EXPECT_FALSE(decode_npy(of_floats({1, 1, 1, 1}, {1}), many).ok());
   EXPECT_FALSE(decode_npy(of_floats({2, 3}, {1, 2, 3, 4, 5, 6}), 1).ok());
