@@ -1,7 +1,7 @@
 // Looks and recipes that come with the program, in folders beside it.
 import {readFile, readdir} from "node:fs/promises";
 import {fileURLToPath} from "node:url";
-import {Refusal} from "./refusal";
+import {unknownName} from "./refusal";
 
 export type Kind = "looks" | "recipes";
 export const kinds: Kind[] = ["looks", "recipes"];
@@ -16,6 +16,6 @@ export async function namesOf(kind: Kind): Promise<string[]> {
 
 export async function textOf(kind: Kind, name: string): Promise<string> {
   const names = await namesOf(kind);
-  if (!names.includes(name)) throw new Refusal({detail: `There is no "${name}" among the ${kind}.`, pointer: "/name", limit: names.join(" | ")});
+  if (!names.includes(name)) throw unknownName(`There is no "${name}" among the ${kind}.`, "/name", name, names);
   return readFile(`${folderOf(kind)}${name}.json`, "utf8");
 }

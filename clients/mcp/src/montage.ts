@@ -10,9 +10,9 @@ const gap = 4;
 const gap_colour = 255;
 const channels = 3;
 
-/** As near to a square as it goes; `pngs` are of 8 bits and of this width and height. */
+/** Up to three in a row, more as near to a square as it goes; `pngs` are of 8 bits and of this width and height. */
 export function montage(pngs: Uint8Array[], width: number, height: number): Montage {
-  const columns = Math.ceil(Math.sqrt(pngs.length)), rows = Math.ceil(pngs.length / columns);
+  const columns = pngs.length <= 3 ? pngs.length : Math.ceil(Math.sqrt(pngs.length)), rows = Math.ceil(pngs.length / columns);
   const canvas = blank(columns * (width + gap) - gap, rows * (height + gap) - gap);
   const corners = pngs.map((png, k) => {
     const corner = {left: (k % columns) * (width + gap), top: Math.floor(k / columns) * (height + gap)};

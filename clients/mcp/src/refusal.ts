@@ -1,5 +1,6 @@
 // Why something was not done: in the words of a problem document (RFC 9457), whoever refused it.
 import type {components} from "contract";
+import {nearestOf} from "./nearest";
 
 export type Problem = Partial<components["schemas"]["Problem"]> & {detail: string};
 
@@ -22,6 +23,12 @@ export class Refusal extends Error {
       `Next: ${this.next}`,
     ].filter(Boolean).join("\n");
   }
+}
+
+/** Of a name that is not among the known ones. */
+export function unknownName(detail: string, pointer: string, wrong: string, known: readonly string[]): Refusal {
+  const nearest = nearestOf(wrong, known);
+  return new Refusal({detail, pointer, limit: known.join(" | "), ...(nearest === undefined ? {} : {nearest})});
 }
 
 /** By HTTP status, what helps. */

@@ -2,7 +2,7 @@
 import {Server} from "@modelcontextprotocol/sdk/server/index.js";
 import {CallToolRequestSchema, ErrorCode, ListResourcesRequestSchema, ListToolsRequestSchema, McpError, ReadResourceRequestSchema, type CallToolResult} from "@modelcontextprotocol/sdk/types.js";
 import {kinds, namesOf, textOf, type Kind} from "./library";
-import {Refusal} from "./refusal";
+import {Refusal, unknownName} from "./refusal";
 import type {Caller} from "./service";
 import type {Input, Tool} from "./tools/tool";
 
@@ -38,11 +38,11 @@ async function call(tool: Tool, input: Input, caller: Caller): Promise<CallToolR
   }
 }
 
-/** Names that no member of the tool has; the server says more about those of its own commands, below the top. */
+/** Below the top the server does it. */
 function refuseUnknown({name, inputSchema}: Tool, input: Input) {
   const known = Object.keys(inputSchema.properties);
   const unknown = Object.keys(input).find((member) => !known.includes(member));
-  if (unknown !== undefined) throw new Refusal({detail: `"${unknown}" is not known to ${name}.`, pointer: `/${unknown}`, limit: known.join(" | ")});
+  if (unknown !== undefined) throw unknownName(`"${unknown}" is not known to ${name}.`, `/${unknown}`, unknown, known);
 }
 
 const scheme = "pelage://";
@@ -51,7 +51,7 @@ const mimeType = "application/json";
 async function resources() {
   const all = await Promise.all(kinds.map(async (kind) => (await namesOf(kind)).map((name) => ({
     uri: `${scheme}${kind}/${name}`, name, mimeType,
-    description: kind === "looks" ? `Commands of the look; apply_look runs them.` : `Steps of the recipe; run_recipe runs them.`,
+    description: kind === "looks" ? "Commands of the look; apply_look runs them." : "Steps of the recipe; run_recipe runs them.",
   }))));
   return all.flat();
 }
@@ -62,7 +62,7 @@ async function read(uri: string) {
   try {
     return {uri, mimeType, text: await textOf(kind as Kind, name)};
   } catch (error) {
-    if (error instanceof Refusal) throw new McpError(ErrorCode.InvalidParams, error.text());
+    if (error instanceof Refusal) throw new McpError(ErrorCode.InvalidParams, `${error.message} There are ${error.problem.limit}.`);
     throw error;
   }
 }

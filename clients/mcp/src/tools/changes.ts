@@ -2,9 +2,9 @@
 import {expand, type Recipe} from "../../../web/src/files/recipe";
 import {rulesOf, type Schema} from "../contract";
 import {namesOf, textOf} from "../library";
-import {Refusal} from "../refusal";
+import {Refusal, unknownName} from "../refusal";
 import type {Caller, Service} from "../service";
-import {arrayIn, changes, dry_run_member, result, sceneId, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
+import {arrayIn, changes, dry_run_member, result, scene_member, findScene, pathOf, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
 import {changeInWords, previewInWords} from "./words";
 
 type Answer = Answers["CommandAnswer"];
@@ -27,7 +27,7 @@ function commandTool({service, schemas}: Context, op: string, schema: Schema): T
     inputSchema: schemas.input({scene: scene_member, ...properties, dry_run: dry_run_member}, ["scene", ...required]),
     run: async (input, caller) => {
       const command = Object.fromEntries(Object.entries(without(input, "scene", "dry_run")).map(([member, value]) => [nameInCommand(member), value]));
-      if (op === "retarget") command["scene"] = await sceneId(service, textIn(input, "source_scene"), caller);
+      if (op === "retarget") command["scene"] = (await findScene(service, textIn(input, "source_scene"), caller, "/source_scene")).id;
       return change(service, input, {op, ...command}, caller);
     },
   };
@@ -36,11 +36,10 @@ const replaces = "It replaces what was set before: read it with `read_settings`,
 
 /** Runs a command or a batch as one undo step, or says what it would do. */
 async function change(service: Service, input: Input, body: object, caller: Caller) {
-  const path = await scenePath(service, textIn(input, "scene"), caller);
-  if (dryRunIn(input)) return preview(service, path, body, caller);
-  const {revision: before} = await service.get<Answers["Scene"]>(path, caller);
-  const answer = await service.post<Answer>(`${path}/commands`, body, caller);
-  return result(changeInWords(answer, before), answer);
+  const scene = await findScene(service, textIn(input, "scene"), caller);
+  if (dryRunIn(input)) return preview(service, pathOf(scene), body, caller);
+  const answer = await service.post<Answer>(`${pathOf(scene)}/commands`, body, caller);
+  return result(changeInWords(answer, scene.revision), answer);
 }
 
 export async function preview(service: Service, path: string, body: object, caller: Caller) {
@@ -86,8 +85,7 @@ export async function runRecipe({service, schemas}: Context): Promise<Tool> {
     description: "Runs a whole groom that comes with Pelage, each of its steps as an undo step. Most recipes fit one model: read them first.",
     inputSchema: schemas.input({scene: scene_member, name, variables, dry_run: dry_run_member}, ["scene", "name"]),
     run: async (input, caller) => {
-      const path = await scenePath(service, textIn(input, "scene"), caller);
-      const scene = await service.get<Answers["Scene"]>(path, caller);
+      const scene = await findScene(service, textIn(input, "scene"), caller), path = pathOf(scene);
       const steps = await stepsOf(textIn(input, "name"), input["variables"] ?? {}, scene.bounds);
       if (dryRunIn(input)) return preview(service, path, {commands: steps.flatMap((step) => "commands" in step ? step.commands : [step])}, caller);
       const answer = await runSteps(service, path, steps, caller);
@@ -100,7 +98,7 @@ async function stepsOf(name: string, variables: unknown, bounds: Answers["Bounds
   const texts = await Promise.all((await namesOf("recipes")).map(async (one) => [one, JSON.parse(await textOf("recipes", one)) as Recipe] as const));
   const recipes = Object.fromEntries(texts);
   const recipe = recipes[name];
-  if (!recipe) throw new Refusal({detail: `There is no recipe "${name}".`, pointer: "/name", limit: Object.keys(recipes).join(" | ")});
+  if (!recipe) throw unknownName(`There is no recipe "${name}".`, "/name", name, Object.keys(recipes));
   try {
     return expand(recipe, recipes, bounds, variables as Parameters<typeof expand>[3]);
   } catch (error) {
@@ -116,7 +114,8 @@ async function runSteps(service: Service, path: string, steps: object[], caller:
       answers.push(await service.post<Answer>(`${path}/commands`, step, caller));
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      throw new Refusal({...error.problem, detail: `Step ${answers.length + 1} of ${steps.length} is refused: ${error.problem.detail}`}, `${answers.length} steps are done; \`undo\` with steps ${answers.length} takes them back.`);
+      const detail = `Step ${answers.length + 1} of ${steps.length} is refused: ${error.problem.detail}`;
+      throw new Refusal({...error.problem, detail}, `${answers.length} steps are done; \`undo\` takes them back.`);
     }
   }
   const last = answers.at(-1);

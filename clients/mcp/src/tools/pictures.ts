@@ -7,7 +7,7 @@ import type {Caller, Service} from "../service";
 import {arrayIn, integerIn, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
 
 /** What all frames of a montage share, and what each of its views has of its own. */
-const shared_members = ["quality", "budget_ms", "max_error", "max_seconds", "background", "exposure", "tone_map"];
+const shared_members = ["budget_ms", "max_error", "max_seconds", "background", "exposure", "tone_map"];
 const view_members = ["camera", "overlay", "overlay_from", "revision"];
 const quality_rule = "Give one of quality, budget_ms and max_error at most.";
 
@@ -30,7 +30,7 @@ async function draw(service: Service, path: string, request: object, caller: Cal
 }
 
 function look({service, schemas}: Context): Tool {
-  const {width, height, ...members} = schemas.members("FrameRequest", ["width", "height", "jpeg_quality", ...shared_members, ...view_members]);
+  const {width, height, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "jpeg_quality", ...shared_members, ...view_members]);
   const format = {enum: ["png", "jpeg"], default: "png"};
   return {
     name: "look", annotations: reads,
@@ -60,7 +60,7 @@ function views({service, schemas}: Context): Tool {
   return {
     name: "views", annotations: reads,
     description: `Draws several views in one picture, each with its number in the corner; all sides unless \`views\` says which. ${quality_rule}`,
-    inputSchema: schemas.input({scene: scene_member, views: list, width: side, height: side, ...schemas.members("FrameRequest", shared_members)}, ["scene"]),
+    inputSchema: schemas.input({scene: scene_member, views: list, width: side, height: side, quality: {...schemas.named("Tier"), default: "interactive"}, ...schemas.members("FrameRequest", shared_members)}, ["scene"]),
     run: async (input, caller) => drawViews(service, await scenePath(service, textIn(input, "scene"), caller), input, caller),
   };
 }

@@ -1,7 +1,7 @@
 // Scenes: list, make, load, describe, remove.
 import {readFile} from "node:fs/promises";
 import {extname} from "node:path";
-import {Refusal} from "../refusal";
+import {Refusal, unknownName} from "../refusal";
 import {changes, destroys, reads, result, scene_member, scenePath, textIn, without, arrayIn, type Answers, type Context, type Input, type Tool} from "./tool";
 import {sceneInWords} from "./words";
 
@@ -49,7 +49,9 @@ function loadModel({service, schemas}: Context): Tool {
       const query = queryOf({format: extname(file).slice(1).toLowerCase(), ...without(input, "scene", "path")});
       const scene = await service.put<Scene>(`${at}/model?${query}`, await bytesOf(file), caller);
       const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
-      return result(`${sceneInWords(scene)}${repairs.length > 0 ? `\nRepaired: ${repairs.join(", ")}.` : ""}\nNext: \`views\`. If the model does not stand up or looks away, load it again with up and front.`, scene);
+      const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];
+      const next = "Next: `views`. If the model does not stand on its feet and look along +z, load it again with up and front.";
+      return result([sceneInWords(scene), ...repaired, next].join("\n"), scene);
     },
   };
 }
@@ -85,7 +87,7 @@ function readSettings({service, schemas}: Context): Tool {
     run: async (input, caller) => {
       const wanted = input["only"] === undefined ? names : arrayIn(input, "only");
       const unknown = wanted.findIndex((name) => !names.includes(String(name)));
-      if (unknown >= 0) throw new Refusal({detail: `There is no setting ${JSON.stringify(wanted[unknown])}.`, pointer: `/only/${unknown}`, limit: names.join(" | ")});
+      if (unknown >= 0) throw unknownName(`There is no setting ${JSON.stringify(wanted[unknown])}.`, `/only/${unknown}`, String(wanted[unknown]), names);
       const all = await service.get<Input>(`${await scenePath(service, textIn(input, "scene"), caller)}/settings`, caller);
       const settings = Object.fromEntries(Object.entries(all).filter(([name]) => wanted.includes(name)));
       return result(JSON.stringify(settings), settings);

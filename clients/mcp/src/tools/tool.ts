@@ -2,6 +2,7 @@
 import type {CallToolResult, ToolAnnotations} from "@modelcontextprotocol/sdk/types.js";
 import type {components} from "contract";
 import type {InputSchema, Schema, Schemas} from "../contract";
+import {nearestOf} from "../nearest";
 import {Refusal} from "../refusal";
 import type {Caller, Service} from "../service";
 
@@ -54,15 +55,18 @@ export const without = (input: Input, ...names: string[]): Input =>
 
 /** The path of the scene that an agent means by an id or a name. */
 export async function scenePath(service: Service, wanted: string, caller: Caller): Promise<string> {
-  return `/v1/scenes/${await sceneId(service, wanted, caller)}`;
+  return pathOf(await findScene(service, wanted, caller));
 }
 
-export async function sceneId(service: Service, wanted: string, caller: Caller): Promise<string> {
+export const pathOf = ({id}: {id: string}) => `/v1/scenes/${id}`;
+
+/** `pointer` is where the agent named it. */
+export async function findScene(service: Service, wanted: string, caller: Caller, pointer = "/scene"): Promise<Answers["Scene"]> {
   const {scenes} = await service.get<Answers["SceneList"]>("/v1/scenes", caller);
-  if (scenes.some(({id}) => id === wanted)) return wanted;
-  const named = scenes.filter(({name}) => name === wanted);
-  if (named.length === 1) return named[0]!.id;
+  const named = scenes.filter(({id}) => id === wanted).concat(scenes.filter(({name}) => name === wanted));
+  if (named[0] && (named.length === 1 || named[0].id === wanted)) return named[0];
   const detail = named.length > 1 ? `${named.length} scenes are named "${wanted}"; use an id.` : `There is no scene "${wanted}".`;
   const known = scenes.map(({id, name}) => `${name} (${id})`).join(", ");
-  throw new Refusal({status: 404, detail, pointer: "/scene", limit: known ? `one of ${known}` : "there are no scenes; `create_scene` makes one"});
+  const nearest = nearestOf(wanted, scenes.map(({name}) => name));
+  throw new Refusal({status: 404, detail, pointer, ...(nearest === undefined ? {} : {nearest}), limit: known ? `one of ${known}` : "there are no scenes; `create_scene` makes one"});
 }

@@ -21,28 +21,38 @@ const missed = (results: Result[]) => results.some(({op, touched}) => touched ==
 /** Commands that set the scene touch no vertex. */
 const setsSomething = (op: string) => /^(set_|checkpoint$|edit_layer$|mask$)/.test(op);
 
-const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, the fur is already so, or the mask protects it. `pick` gives positions on the surface.";
+const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, does not move, or the fur is already so or protected by the mask. `pick` gives positions on the surface.";
+
+const max_lines = 20;
+
+/** Of a long batch only the first results; the data have all. */
+function resultsInWords(results: Result[], dry_run: boolean): string[] {
+  const lines = results.slice(0, max_lines).map((one) => resultInWords(one, dry_run));
+  return results.length > max_lines ? [...lines, `And ${results.length - max_lines} more commands.`] : lines;
+}
 
 export function changeInWords({revision, results}: Answer, before: number): string {
   const next = revision === before ? `Nothing changed; the scene is still at revision ${revision}.`
     : `The scene is at revision ${revision}. \`look\` or \`views\` shows it, \`undo\` takes it back.`;
-  return [...results.map((one) => resultInWords(one, false)), next, missed(results) ? miss_hint : ""].filter(Boolean).join("\n");
+  return [...resultsInWords(results, false), next, missed(results) ? miss_hint : ""].filter(Boolean).join("\n");
 }
 
 export function previewInWords({revision, results}: Answer): string {
-  const next = `Dry run: nothing has changed, the scene is still at revision ${revision}. Call it without dry run to do it.`;
-  return [...results.map((one) => resultInWords(one, true)), next, missed(results) ? miss_hint : ""].filter(Boolean).join("\n");
+  const next = `Dry run: nothing has changed, the scene is still at revision ${revision}. The tool without dry run, or run_commands, does it.`;
+  return [...resultsInWords(results, true), next, missed(results) ? miss_hint : ""].filter(Boolean).join("\n");
 }
 
 const corner = (values: readonly number[]) => `[${values.map((value) => short(value)).join(", ")}]`;
 
-export function sceneInWords({id, name, revision, model, vertices, triangles, size, bounds, undo_steps, redo_steps}: Answers["Scene"]): string {
+export function sceneInWords({id, name, revision, model, vertices, triangles, size, bounds, undo_steps, redo_steps, edit_layers}: Answers["Scene"]): string {
+  const layers = edit_layers.length > 0 ? ` Edit layers: ${edit_layers.map((layer) => layer.name).join(", ")}.` : "";
   return `Scene "${name}" (id ${id}): model ${model}, ${vertices} vertices, ${triangles} triangles, size ${short(size)}, box ${corner(bounds.min)} to ${corner(bounds.max)} (x to the model's left, y up, z forward). `
-    + `Revision ${revision}, ${undo_steps} steps to undo, ${redo_steps} to redo.`;
+    + `Revision ${revision}, ${undo_steps} steps to undo, ${redo_steps} to redo.${layers}`;
 }
 
 export function entryInWords({revision, kind, touched, in_effect, author, commands}: Answers["LogEntry"]): string {
-  return `${in_effect ? "*" : " "} ${revision} ${kind} ${opsOf(commands).join(", ")}${touched > 0 ? `, ${touched} vertices` : ""}${author ? `, by ${author}` : ""}`;
+  const what = [`${kind} ${opsOf(commands).join(" ")}`.trim(), touched > 0 ? `${touched} vertices` : "", author ? `by ${author}` : ""];
+  return `${in_effect ? "*" : " "} ${revision} ${what.filter(Boolean).join(", ")}`;
 }
 
 /** The log has one command, or a list of them. */
