@@ -3,7 +3,7 @@
 /** Undefined where none is near. */
 export function nearestOf(wrong: string, known: readonly string[]): string | undefined {
   const near = known.map((name) => ({name, distance: distance(wrong.toLowerCase(), name.toLowerCase())}))
-    .filter((one) => one.distance <= Math.max(2, wrong.length / 3));
+    .filter((one) => one.distance <= Math.ceil(wrong.length / 2));
   return near.sort((a, b) => a.distance - b.distance)[0]?.name;
 }
 
