@@ -1,7 +1,8 @@
 // Several numbered views in one picture.
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {agent, pixelsOf, start} from "./support/agent.mjs";
+import {setTimeout as sleep} from "node:timers/promises";
+import {agent, pixelsOf, server, start} from "./support/agent.mjs";
 
 const scene = "fox";
 const side = 96;
@@ -48,6 +49,29 @@ test("views of one's own: a camera, an overlay, before and after; as many as ask
   const ten = await agent.call("views", {scene, width: 32, height: 32, quality: "draft", views: Array(10).fill({camera})});
   assert.equal(ten.data.views.length, 10);
   assert.deepEqual([pixelsOf(ten.image).width, pixelsOf(ten.image).height], [4 * 32 + 12, 3 * 32 + 8]);
+});
+
+test("a client that listens hears how many views are done", async () => {
+  const heard = [];
+  const views = Array(3).fill({camera: {auto: "back"}});
+  await agent.client.callTool({name: "views", arguments: {scene, width: 32, height: 32, views}}, undefined, {onprogress: ({progress, total}) => heard.push([progress, total])});
+  assert.deepEqual(heard, [[1, 3], [2, 3], [3, 3]]);
+});
+
+test("a call that is given up ends on the server too", async () => {
+  const {data: {id}} = await agent.call("describe_scene", {scene});
+  const drawn = async () => (await server.get(`/v1/scenes/${id}/frames`)).frames.length;
+  const until = async (count) => {
+    for (let tries = 0; tries < 1200 && await drawn() !== count; ++tries) await sleep(50);
+    assert.equal(await drawn(), count);
+  };
+  const leave = new AbortController();
+  const call = agent.client.callTool({name: "look", arguments: {scene, quality: {shells: 1024, steps: 8}, width: 4096, height: 4096, max_seconds: 86400}}, undefined, {signal: leave.signal});
+  const given_up = assert.rejects(call);
+  await until(1);
+  leave.abort();
+  await given_up;
+  await until(0);  // long before it would be drawn
 });
 
 test("a picture as JPEG", async () => {

@@ -10,7 +10,7 @@ import {allTools} from "./tools/index";
 
 async function serve({server, token, tools}: Options) {
   const service = new Service(server, token);
-  const contract = await service.get<Contract>("/openapi.json", {signal: AbortSignal.timeout(30_000), author: "pelage-mcp"});
+  const contract = await service.get<Contract>("/openapi.json", {signal: AbortSignal.timeout(30_000), author: "pelage-mcp", progress: async () => {}});
   const known = await allTools({service, schemas: new Schemas(contract)}, tools);
   await mcpServer(version, known).connect(new StdioServerTransport());
 }

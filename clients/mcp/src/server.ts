@@ -1,13 +1,16 @@
 // The Model Context Protocol on one side, tools and resources on the other.
 import {Server} from "@modelcontextprotocol/sdk/server/index.js";
-import {CallToolRequestSchema, ErrorCode, ListResourcesRequestSchema, ListToolsRequestSchema, McpError, ReadResourceRequestSchema, type CallToolResult} from "@modelcontextprotocol/sdk/types.js";
+import {
+  CallToolRequestSchema, ErrorCode, ListResourcesRequestSchema, ListToolsRequestSchema, McpError, ReadResourceRequestSchema, type CallToolResult,
+} from "@modelcontextprotocol/sdk/types.js";
 import {kinds, namesOf, textOf, type Kind} from "./library";
 import {Refusal, unknownName} from "./refusal";
 import type {Caller} from "./service";
 import type {Input, Tool} from "./tools/tool";
 
 const instructions = `Pelage grooms fur. A scene holds a 3D model and its fur. Tools such as comb, blow, length and paint change the fur; every change is an undo step.
-A good round: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \`pick\` at pixels to get positions on the surface; \`preview_change\` or dry_run to see what a change would do; the change; \`look\`; \`undo\` if it is not what you wanted.
+A good round: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \`pick\` at pixels to get positions on the surface;
+\`preview_change\` or dry_run to see what a change would do; the change; \`look\`; \`undo\` if it is not what you wanted.
 Lengths are shares of the model's size (the diagonal of its box) unless \`units\` says otherwise. Positions are in the model's own coordinates: y up, the model faces +z.
 Tools take a stroke, or "flood": true for everywhere.`;
 
@@ -17,10 +20,14 @@ export function mcpServer(version: string, tools: Map<string, Tool>): Server {
   server.setRequestHandler(ListToolsRequestSchema, () => ({
     tools: [...tools.values()].map(({name, description, inputSchema, annotations}) => ({name, description, inputSchema, annotations})),
   }));
-  server.setRequestHandler(CallToolRequestSchema, ({params}, {signal}) => {
+  server.setRequestHandler(CallToolRequestSchema, ({params}, {signal, sendNotification}) => {
     const tool = tools.get(params.name);
     if (!tool) throw new McpError(ErrorCode.InvalidParams, `There is no tool "${params.name}".`);
-    return call(tool, params.arguments ?? {}, {signal, author: server.getClientVersion()?.name ?? "agent"});
+    const progressToken = params._meta?.progressToken;
+    const progress = async (done: number, total: number) => {
+      if (progressToken !== undefined) await sendNotification({method: "notifications/progress", params: {progressToken, progress: done, total}});
+    };
+    return call(tool, params.arguments ?? {}, {signal, progress, author: server.getClientVersion()?.name ?? "agent"});
   });
   server.setRequestHandler(ListResourcesRequestSchema, async () => ({resources: await resources()}));
   server.setRequestHandler(ReadResourceRequestSchema, async ({params}) => ({contents: [await read(params.uri)]}));
@@ -58,7 +65,8 @@ async function resources() {
 
 async function read(uri: string) {
   const [kind, name] = uri.startsWith(scheme) ? uri.slice(scheme.length).split("/") : [];
-  if (!kinds.includes(kind as Kind) || name === undefined) throw new McpError(ErrorCode.InvalidParams, `There is no resource "${uri}"; there are pelage://looks/NAME and pelage://recipes/NAME.`);
+  if (!kinds.includes(kind as Kind) || name === undefined)
+    throw new McpError(ErrorCode.InvalidParams, `There is no resource "${uri}"; there are pelage://looks/NAME and pelage://recipes/NAME.`);
   try {
     return {uri, mimeType, text: await textOf(kind as Kind, name)};
   } catch (error) {

@@ -1,8 +1,13 @@
 // Calls of the Pelage server. Everything but success is thrown as a Refusal.
 import {Refusal, type Problem} from "./refusal";
 
-/** Of whoever calls: ends the request where the agent gives it up, and names the agent in the log. */
-export interface Caller { signal: AbortSignal; author: string }
+/** Of whoever calls: ends requests where the agent gives the call up, and names the agent in the log. */
+export interface Caller {
+  signal: AbortSignal;
+  author: string;
+  /** Says how many parts of a long call are done, so that the agent goes on waiting. */
+  progress(done: number, total: number): Promise<void>;
+}
 
 interface Body { json?: unknown; bytes?: Uint8Array }
 

@@ -23,7 +23,7 @@ function commandTool({service, schemas}: Context, op: string, schema: Schema): T
   const required = (schema.required ?? []).filter((member) => member !== "op").map(nameInTool);
   return {
     name: op, annotations: changes,
-    description: [schema.description ?? `Sets the scene's ${op.replace(/^set_/, "").replaceAll("_", " ")}.`, op.startsWith("set_") ? replaces : "", rulesOf(schema)].filter(Boolean).join(" "),
+    description: [schema.description ?? `Sets the scene's ${op.replace(/^set_/, "")}.`, op.startsWith("set_") ? replaces : "", rulesOf(schema)].filter(Boolean).join(" "),
     inputSchema: schemas.input({scene: scene_member, ...properties, dry_run: dry_run_member}, ["scene", ...required]),
     run: async (input, caller) => {
       const command = Object.fromEntries(Object.entries(without(input, "scene", "dry_run")).map(([member, value]) => [nameInCommand(member), value]));
@@ -112,6 +112,7 @@ async function runSteps(service: Service, path: string, steps: object[], caller:
   for (const step of steps) {
     try {
       answers.push(await service.post<Answer>(`${path}/commands`, step, caller));
+      await caller.progress(answers.length, steps.length);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       const detail = `Step ${answers.length + 1} of ${steps.length} is refused: ${error.problem.detail}`;

@@ -20,7 +20,8 @@ function move({service}: Context, name: string, description: string, inputSchema
     const path = await scenePath(service, textIn(input, "scene"), caller);
     const answer = await service.post<Answers["CommandAnswer"]>(`${path}/${name}`, without(input, "scene"), caller);
     const {undo_steps, redo_steps} = await service.get<Answers["Scene"]>(path, caller);
-    return result(`Done: the scene is at revision ${answer.revision}, with ${undo_steps} steps to undo and ${redo_steps} to redo. \`look\` or \`views\` shows it.`, {...answer, undo_steps, redo_steps});
+    const text = `Done: the scene is at revision ${answer.revision}, with ${undo_steps} steps to undo and ${redo_steps} to redo. \`look\` or \`views\` shows it.`;
+    return result(text, {...answer, undo_steps, redo_steps});
   };
   return {name, annotations: changes, description, inputSchema, run};
 }

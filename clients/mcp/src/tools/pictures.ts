@@ -56,7 +56,8 @@ const default_side = 256;
 function views({service, schemas}: Context): Tool {
   const side: Schema = {type: "integer", minimum: 16, maximum: max_side, default: default_side, description: "Pixels of each view."};
   const view = {type: "object", properties: schemas.members("FrameRequest", view_members), additionalProperties: false};
-  const list = {type: "array", items: view, minItems: 1, maxItems: max_views, default: all_sides, description: "Each from a camera, of a revision, with an overlay. Two revisions from one camera show before and after."};
+  const list = {type: "array", items: view, minItems: 1, maxItems: max_views, default: all_sides,
+    description: "Each from a camera, of a revision, with an overlay. Two revisions from one camera show before and after."};
   return {
     name: "views", annotations: reads,
     description: `Draws several views in one picture, each with its number in the corner; all sides unless \`views\` says which. ${quality_rule}`,
@@ -69,19 +70,24 @@ function views({service, schemas}: Context): Tool {
 export async function drawViews(service: Service, path: string, input: Input, caller: Caller, names: string[] = []): Promise<CallToolResult> {
   const width = integerIn(input, "width", default_side, 16, max_side), height = integerIn(input, "height", default_side, 16, max_side);
   const wanted = input["views"] === undefined ? all_sides : arrayIn(input, "views");
-  if (wanted.length < 1 || wanted.length > max_views) throw new Refusal({detail: `${wanted.length} views are asked for.`, pointer: "/views", limit: `1 to ${max_views}`});
+  if (wanted.length < 1 || wanted.length > max_views)
+    throw new Refusal({detail: `${wanted.length} views are asked for.`, pointer: "/views", limit: `1 to ${max_views}`});
   const shared = {...without(input, "scene", "views"), width, height};
   const frames: Frame[] = [];
-  for (const [k, view] of wanted.entries()) frames.push(await drawView(service, path, {shared, view, k}, caller));
+  for (const [k, view] of wanted.entries()) {
+    frames.push(await drawView(service, path, {shared, view, k}, caller));
+    await caller.progress(k + 1, wanted.length);
+  }
   const {png, corners} = montage(frames.map(({bytes}) => bytes), width, height);
   const list = wanted.map((view, k) => ({number: k + 1, ...view as object, revision: frames[k]!.revision, width, height, ...corners[k]!}));
   const lines = wanted.map((view, k) => `${k + 1}: ${names[k] ?? viewInWords(view as Input)}, revision ${frames[k]!.revision}`);
-  const hint = `Each view is ${width} x ${height} pixels. For \`pick\` take its camera, width and height as \`view\`, and count pixels from its own upper left corner.`;
+  const hint = `Each view is ${width} x ${height} pixels. For \`pick\` and strokes take its camera, width and height as \`view\`, and count pixels from its own upper left corner.`;
   return withImage(png, "image/png", [...lines, hint].join("\n"), {views: list});
 }
 
 async function drawView(service: Service, path: string, {shared, view, k}: {shared: object; view: unknown; k: number}, caller: Caller): Promise<Frame> {
-  if (typeof view !== "object" || view === null || Array.isArray(view)) throw new Refusal({detail: "A view is an object.", pointer: `/views/${k}`, limit: '{"camera": {"auto": "front"}}'});
+  if (typeof view !== "object" || view === null || Array.isArray(view))
+    throw new Refusal({detail: "A view is an object.", pointer: `/views/${k}`, limit: '{"camera": {"auto": "front"}}'});
   try {
     return await draw(service, path, {...shared, ...view, format: "png"}, caller);
   } catch (error) {
@@ -107,7 +113,8 @@ function pick({service, schemas}: Context): Tool {
       const samples = [{position: picked.position}, {triangle: picked.triangle, barycentric: picked.barycentric}, {screen: request["pixel"]}];
       const words = samples.map((sample) => JSON.stringify(sample));
       const text = [
-        `Position ${JSON.stringify(picked.position)}, fur length ${picked.length.toPrecision(3)} sizes, inclination ${picked.inclination.toPrecision(3)}, leaning to ${JSON.stringify(picked.direction)}.`,
+        `Position ${JSON.stringify(picked.position)}.`,
+        `Fur length ${picked.length.toPrecision(3)} sizes, inclination ${picked.inclination.toPrecision(3)}, leaning to ${JSON.stringify(picked.direction)}.`,
         `As a sample of a stroke: ${words[0]}, or ${words[1]}, or ${words[2]} with "view": ${JSON.stringify(request["view"] ?? {})} beside "samples".`,
       ].join("\n");
       return result(text, {...picked, samples, view: request["view"] ?? {}});

@@ -82,7 +82,8 @@ function readSettings({service, schemas}: Context): Tool {
   const names = Object.keys(schemas.named("Settings").properties ?? {});
   return {
     name: "read_settings", annotations: reads,
-    description: "Coat, look, lights, eyes and all else that `set_...` tools set, as those take it. The `groups` of set_curves are `curves` here, the `regions` of set_skin `skin`, the `picture` of set_skin_texture `skin_texture`.",
+    description: "Coat, look, lights, eyes and all else that `set_...` tools set, as those take it. "
+      + "The `groups` of set_curves are `curves` here, the `regions` of set_skin `skin`, the `picture` of set_skin_texture `skin_texture`.",
     inputSchema: schemas.input({scene: scene_member, only: {type: "array", items: {enum: names}, description: "These alone; all unless given."}}, ["scene"]),
     run: async (input, caller) => {
       const wanted = input["only"] === undefined ? names : arrayIn(input, "only");

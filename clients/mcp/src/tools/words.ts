@@ -21,7 +21,8 @@ const missed = (results: Result[]) => results.some(({op, touched}) => touched ==
 /** Commands that set the scene touch no vertex. */
 const setsSomething = (op: string) => /^(set_|checkpoint$|edit_layer$|mask$)/.test(op);
 
-const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, does not move, or the fur is already so or protected by the mask. `pick` gives positions on the surface.";
+const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, does not move, or the fur is already so "
+  + "or protected by the mask. `pick` gives positions on the surface.";
 
 const max_lines = 20;
 
@@ -46,7 +47,8 @@ const corner = (values: readonly number[]) => `[${values.map((value) => short(va
 
 export function sceneInWords({id, name, revision, model, vertices, triangles, size, bounds, undo_steps, redo_steps, edit_layers}: Answers["Scene"]): string {
   const layers = edit_layers.length > 0 ? ` Edit layers: ${edit_layers.map((layer) => layer.name).join(", ")}.` : "";
-  return `Scene "${name}" (id ${id}): model ${model}, ${vertices} vertices, ${triangles} triangles, size ${short(size)}, box ${corner(bounds.min)} to ${corner(bounds.max)} (x to the model's left, y up, z forward). `
+  const box = `box ${corner(bounds.min)} to ${corner(bounds.max)} (x to the model's left, y up, z forward)`;
+  return `Scene "${name}" (id ${id}): model ${model}, ${vertices} vertices, ${triangles} triangles, size ${short(size)}, ${box}. `
     + `Revision ${revision}, ${undo_steps} steps to undo, ${redo_steps} to redo.${layers}`;
 }
 
