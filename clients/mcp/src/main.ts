@@ -1,0 +1,26 @@
+// pelage-mcp: the contract is read once, then requests of the agent's client come on standard input.
+import {StdioServerTransport} from "@modelcontextprotocol/sdk/server/stdio.js";
+import {version} from "../package.json";
+import {Schemas, type Contract} from "./contract";
+import {readOptions, usage, type Options} from "./options";
+import {mcpServer} from "./server";
+import {Refusal} from "./refusal";
+import {Service} from "./service";
+import {allTools} from "./tools/index";
+
+async function serve({server, token, tools}: Options) {
+  const service = new Service(server, token);
+  const contract = await service.get<Contract>("/openapi.json", {signal: AbortSignal.timeout(30_000), author: "pelage-mcp", progress: async () => {}});
+  const known = await allTools({service, schemas: new Schemas(contract)}, tools);
+  await mcpServer(version, known).connect(new StdioServerTransport());
+}
+
+try {
+  const options = readOptions(process.argv.slice(2), process.env);
+  if (options.help) console.log(usage);
+  else await serve(options);
+} catch (error) {
+  // Standard output belongs to the protocol.
+  console.error(`pelage-mcp: ${error instanceof Refusal ? error.text() : (error as Error).message}`);
+  process.exitCode = 1;
+}

@@ -1,0 +1,43 @@
+// Why something was not done: in the words of a problem document (RFC 9457), whoever refused it.
+import type {components} from "contract";
+import {nearestOf} from "./nearest";
+
+export type Problem = Partial<components["schemas"]["Problem"]> & {detail: string};
+
+export class Refusal extends Error {
+  constructor(readonly problem: Problem, private readonly next = next_steps.get(problem.status ?? 422) ?? "Correct the input and call again.") {
+    super(problem.detail);
+  }
+
+  /** The same refusal, of a field that the agent knows under another pointer. */
+  at(rename: (pointer: string) => string): Refusal {
+    const {pointer} = this.problem;
+    return pointer === undefined ? this : new Refusal({...this.problem, pointer: rename(pointer)}, this.next);
+  }
+
+  text(): string {
+    const {detail, pointer, limit, nearest} = this.problem;
+    return [
+      detail,
+      pointer ? `Field: ${pointer}` : "", limit ? `Limit: ${limit}` : "", nearest ? `Nearest known name: ${nearest}` : "",
+      `Next: ${this.next}`,
+    ].filter(Boolean).join("\n");
+  }
+}
+
+/** Of a name that is not among the known ones. */
+export function unknownName(detail: string, pointer: string, wrong: string, known: readonly string[]): Refusal {
+  const nearest = nearestOf(wrong, known);
+  return new Refusal({detail, pointer, limit: known.join(" | "), ...(nearest === undefined ? {} : {nearest})});
+}
+
+/** By HTTP status, what helps. */
+const next_steps = new Map([
+  [0, "Start it with `pelaged --listen 127.0.0.1:8080`, or start pelage-mcp with the --server where it is."],
+  [401, "Start pelage-mcp with the --token that the server was started with."],
+  [404, "`list_scenes` shows what there is."],
+  [409, "Read the scene with `describe_scene`, then decide whether to call again."],
+  [413, "Ask for less at once."],
+  [429, "Wait a few seconds and call again."],
+  [503, "Wait a few seconds and call again."],
+]);

@@ -1,0 +1,125 @@
+// One tool for each command of the contract, and those that run several: batches, looks and recipes.
+import {expand, type Recipe} from "../../../web/src/files/recipe";
+import {rulesOf, type Schema} from "../contract";
+import {namesOf, textOf} from "../library";
+import {Refusal, unknownName} from "../refusal";
+import type {Caller, Service} from "../service";
+import {arrayIn, changes, dry_run_member, result, scene_member, findScene, pathOf, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
+import {changeInWords, previewInWords} from "./words";
+
+type Answer = Answers["CommandAnswer"];
+
+/** Members of commands that have another name in their tools, where `scene` is the scene that changes. */
+const renamed = new Map([["scene", "source_scene"]]);
+const nameInTool = (member: string) => renamed.get(member) ?? member;
+const nameInCommand = (member: string) => [...renamed].find(([, name]) => name === member)?.[0] ?? member;
+
+export const commandTools = (context: Context): Tool[] =>
+  [...context.schemas.commands()].map(([op, schema]) => commandTool(context, op, schema));
+
+function commandTool({service, schemas}: Context, op: string, schema: Schema): Tool {
+  const members = Object.entries(schema.properties ?? {}).filter(([member]) => member !== "op");
+  const properties = Object.fromEntries(members.map(([member, one]) => [nameInTool(member), one]));
+  const required = (schema.required ?? []).filter((member) => member !== "op").map(nameInTool);
+  return {
+    name: op, annotations: changes,
+    description: [schema.description ?? `Sets the scene's ${op.replace(/^set_/, "")}.`, op.startsWith("set_") ? replaces : "", rulesOf(schema)].filter(Boolean).join(" "),
+    inputSchema: schemas.input({scene: scene_member, ...properties, dry_run: dry_run_member}, ["scene", ...required]),
+    run: async (input, caller) => {
+      const command = Object.fromEntries(Object.entries(without(input, "scene", "dry_run")).map(([member, value]) => [nameInCommand(member), value]));
+      if (op === "retarget") command["scene"] = (await findScene(service, textIn(input, "source_scene"), caller, "/source_scene")).id;
+      return change(service, input, {op, ...command}, caller);
+    },
+  };
+}
+const replaces = "It replaces what was set before: read it with `read_settings`, change it and send it back whole.";
+
+/** Runs a command or a batch as one undo step, or says what it would do. */
+async function change(service: Service, input: Input, body: object, caller: Caller) {
+  const scene = await findScene(service, textIn(input, "scene"), caller);
+  if (dryRunIn(input)) return preview(service, pathOf(scene), body, caller);
+  const answer = await service.post<Answer>(`${pathOf(scene)}/commands`, body, caller);
+  return result(changeInWords(answer, scene.revision), answer);
+}
+
+export async function preview(service: Service, path: string, body: object, caller: Caller) {
+  const answer = await service.post<Answer>(`${path}/commands?dry_run=1`, body, caller);
+  return result(previewInWords(answer), {dry_run: true, ...answer});
+}
+
+function dryRunIn({dry_run = false}: Input): boolean {
+  if (typeof dry_run === "boolean") return dry_run;
+  throw new Refusal({detail: '"dry_run" is neither true nor false.', pointer: "/dry_run", limit: "true | false"});
+}
+
+/** Commands as their tools take them; their own schemas would double what an agent has to read. */
+export function commandsMember(ops: string[]): Schema {
+  const command = {type: "object", properties: {op: {enum: ops}}, required: ["op"], description: "`op` and the members of the tool of that name, without `scene` and `dry_run`."};
+  return {type: "array", items: command, minItems: 1, maxItems: 1000};
+}
+
+export function runCommands({service, schemas}: Context): Tool {
+  return {
+    name: "run_commands", annotations: changes,
+    description: "Runs several commands as one undo step, all or none.",
+    inputSchema: schemas.input({scene: scene_member, commands: commandsMember([...schemas.commands().keys()]), dry_run: dry_run_member}, ["scene", "commands"]),
+    run: (input, caller) => change(service, input, {commands: arrayIn(input, "commands")}, caller),
+  };
+}
+
+export async function applyLook({service, schemas}: Context): Promise<Tool> {
+  const name = {enum: await namesOf("looks"), description: "A look; the resource pelage://looks/NAME holds its commands."};
+  return {
+    name: "apply_look", annotations: changes,
+    description: "Gives the scene a look that comes with Pelage: coat, colours and shading, as one undo step. The groom stays.",
+    inputSchema: schemas.input({scene: scene_member, name, dry_run: dry_run_member}, ["scene", "name"]),
+    run: async (input, caller) => change(service, input, JSON.parse(await textOf("looks", textIn(input, "name"))) as object, caller),
+  };
+}
+
+export async function runRecipe({service, schemas}: Context): Promise<Tool> {
+  const name = {enum: await namesOf("recipes"), description: "A recipe; the resource pelage://recipes/NAME holds its steps and variables."};
+  const variables = {type: "object", default: {}, description: "Other values for variables of the recipe."};
+  return {
+    name: "run_recipe", annotations: changes,
+    description: "Runs a whole groom that comes with Pelage, each of its steps as an undo step. Most recipes fit one model: read them first.",
+    inputSchema: schemas.input({scene: scene_member, name, variables, dry_run: dry_run_member}, ["scene", "name"]),
+    run: async (input, caller) => {
+      const scene = await findScene(service, textIn(input, "scene"), caller), path = pathOf(scene);
+      const steps = await stepsOf(textIn(input, "name"), input["variables"] ?? {}, scene.bounds);
+      if (dryRunIn(input)) return preview(service, path, {commands: steps.flatMap((step) => "commands" in step ? step.commands : [step])}, caller);
+      const answer = await runSteps(service, path, steps, caller);
+      return result(`${steps.length} steps are done.\n${changeInWords(answer, scene.revision)}`, {steps: steps.length, ...answer});
+    },
+  };
+}
+
+async function stepsOf(name: string, variables: unknown, bounds: Answers["Bounds"]) {
+  const texts = await Promise.all((await namesOf("recipes")).map(async (one) => [one, JSON.parse(await textOf("recipes", one)) as Recipe] as const));
+  const recipes = Object.fromEntries(texts);
+  const recipe = recipes[name];
+  if (!recipe) throw unknownName(`There is no recipe "${name}".`, "/name", name, Object.keys(recipes));
+  try {
+    return expand(recipe, recipes, bounds, variables as Parameters<typeof expand>[3]);
+  } catch (error) {
+    throw new Refusal({detail: (error as Error).message, pointer: "/variables", limit: Object.keys(recipe.variables ?? {}).join(" | ")});
+  }
+}
+
+/** The last answer, with the results of all steps. */
+async function runSteps(service: Service, path: string, steps: object[], caller: Caller): Promise<Answer> {
+  const answers: Answer[] = [];
+  for (const step of steps) {
+    try {
+      answers.push(await service.post<Answer>(`${path}/commands`, step, caller));
+      await caller.progress(answers.length, steps.length);
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      const detail = `Step ${answers.length + 1} of ${steps.length} is refused: ${error.problem.detail}`;
+      throw new Refusal({...error.problem, detail}, `${answers.length} steps are done; \`undo\` takes them back.`);
+    }
+  }
+  const last = answers.at(-1);
+  if (!last) throw new Refusal({detail: "The recipe has no steps.", pointer: "/name"});
+  return {...last, results: answers.flatMap(({results}) => results)};
+}

@@ -1,0 +1,123 @@
+// Pictures: one frame, several numbered views in one, and what lies under a pixel.
+import type {CallToolResult} from "@modelcontextprotocol/sdk/types.js";
+import type {Schema} from "../contract";
+import {montage} from "../montage";
+import {Refusal} from "../refusal";
+import type {Caller, Service} from "../service";
+import {arrayIn, integerIn, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
+
+/** What all frames of a montage share, and what each of its views has of its own. */
+const shared_members = ["budget_ms", "max_error", "max_seconds", "background", "exposure", "tone_map"];
+const view_members = ["camera", "overlay", "overlay_from", "revision"];
+const quality_rule = "Give one of quality, budget_ms and max_error at most.";
+
+export const pictureTools = (context: Context): Tool[] => [look(context), views(context), pick(context)];
+
+function withImage(bytes: Uint8Array, mimeType: string, text: string, data: object): CallToolResult {
+  const {content, structuredContent} = result(text, data);
+  return {content: [{type: "image", data: Buffer.from(bytes).toString("base64"), mimeType}, ...content], structuredContent};
+}
+
+interface Frame { bytes: Uint8Array; type: string; revision: number; quality: unknown; estimate: {error?: number} | null }
+
+async function draw(service: Service, path: string, request: object, caller: Caller): Promise<Frame> {
+  const answer = await service.send("POST", `${path}/frames`, {json: request}, caller);
+  const header = (name: string) => JSON.parse(answer.headers.get(name) ?? "null") as unknown;
+  return {
+    bytes: new Uint8Array(await answer.arrayBuffer()), type: answer.headers.get("Content-Type") ?? "image/png",
+    revision: Number(answer.headers.get("Pelage-Revision")), quality: header("Pelage-Quality"), estimate: header("Pelage-Error") as Frame["estimate"],
+  };
+}
+
+function look({service, schemas}: Context): Tool {
+  const {width, height, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "jpeg_quality", ...shared_members, ...view_members]);
+  const format = {enum: ["png", "jpeg"], default: "png"};
+  return {
+    name: "look", annotations: reads,
+    description: `Draws the scene and answers with the picture. ${quality_rule} overlay_from goes with the overlay difference alone.`,
+    inputSchema: schemas.input({scene: scene_member, width: width!, height: height!, format, ...members}, ["scene"]),
+    run: async (input, caller) => {
+      const {format: asked = "png"} = input;
+      if (asked !== "png" && asked !== "jpeg") throw new Refusal({detail: `The format ${JSON.stringify(asked)} is no picture that agents take.`, pointer: "/format", limit: "png | jpeg"});
+      const request = without(input, "scene");
+      const {bytes, type, ...frame} = await draw(service, await scenePath(service, textIn(input, "scene"), caller), request, caller);
+      const error = frame.estimate?.error === undefined ? "" : `, estimated error ${frame.estimate.error.toPrecision(2)} of 1`;
+      const text = `Revision ${frame.revision}${error}. To work on what a pixel shows, give \`pick\` its x and y with the same camera, width and height as \`view\`.`;
+      return withImage(bytes, type, text, {...frame, request});
+    },
+  };
+}
+
+const all_sides = ["three_quarter", "front", "left", "right", "back", "top"].map((auto) => ({camera: {auto}}));
+const max_views = 16;
+const max_side = 1024;
+const default_side = 256;
+
+function views({service, schemas}: Context): Tool {
+  const side: Schema = {type: "integer", minimum: 16, maximum: max_side, default: default_side, description: "Pixels of each view."};
+  const view = {type: "object", properties: schemas.members("FrameRequest", view_members), additionalProperties: false};
+  const list = {type: "array", items: view, minItems: 1, maxItems: max_views, default: all_sides,
+    description: "Each from a camera, of a revision, with an overlay. Two revisions from one camera show before and after."};
+  return {
+    name: "views", annotations: reads,
+    description: `Draws several views in one picture, each with its number in the corner; all sides unless \`views\` says which. ${quality_rule}`,
+    inputSchema: schemas.input({scene: scene_member, views: list, width: side, height: side, quality: {...schemas.named("Tier"), default: "interactive"}, ...schemas.members("FrameRequest", shared_members)}, ["scene"]),
+    run: async (input, caller) => drawViews(service, await scenePath(service, textIn(input, "scene"), caller), input, caller),
+  };
+}
+
+/** A montage of `input.views`; `names` are for the list of what each number is. */
+export async function drawViews(service: Service, path: string, input: Input, caller: Caller, names: string[] = []): Promise<CallToolResult> {
+  const width = integerIn(input, "width", default_side, 16, max_side), height = integerIn(input, "height", default_side, 16, max_side);
+  const wanted = input["views"] === undefined ? all_sides : arrayIn(input, "views");
+  if (wanted.length < 1 || wanted.length > max_views)
+    throw new Refusal({detail: `${wanted.length} views are asked for.`, pointer: "/views", limit: `1 to ${max_views}`});
+  const shared = {...without(input, "scene", "views"), width, height};
+  const frames: Frame[] = [];
+  for (const [k, view] of wanted.entries()) {
+    frames.push(await drawView(service, path, {shared, view, k}, caller));
+    await caller.progress(k + 1, wanted.length);
+  }
+  const {png, corners} = montage(frames.map(({bytes}) => bytes), width, height);
+  const list = wanted.map((view, k) => ({number: k + 1, ...view as object, revision: frames[k]!.revision, width, height, ...corners[k]!}));
+  const lines = wanted.map((view, k) => `${k + 1}: ${names[k] ?? viewInWords(view as Input)}, revision ${frames[k]!.revision}`);
+  const hint = `Each view is ${width} x ${height} pixels. For \`pick\` and strokes take its camera, width and height as \`view\`, and count pixels from its own upper left corner.`;
+  return withImage(png, "image/png", [...lines, hint].join("\n"), {views: list});
+}
+
+async function drawView(service: Service, path: string, {shared, view, k}: {shared: object; view: unknown; k: number}, caller: Caller): Promise<Frame> {
+  if (typeof view !== "object" || view === null || Array.isArray(view))
+    throw new Refusal({detail: "A view is an object.", pointer: `/views/${k}`, limit: '{"camera": {"auto": "front"}}'});
+  try {
+    return await draw(service, path, {...shared, ...view, format: "png"}, caller);
+  } catch (error) {
+    const isOwn = (pointer: string) => (pointer.split("/")[1] ?? "") in view;
+    throw error instanceof Refusal ? error.at((pointer) => isOwn(pointer) ? `/views/${k}${pointer}` : pointer) : error;
+  }
+}
+
+function viewInWords({camera = {auto: "three_quarter"}, overlay}: Input): string {
+  const {auto} = camera as {auto?: string};
+  return `${auto ?? `camera ${JSON.stringify(camera)}`}${overlay === undefined ? "" : `, overlay ${String(overlay)}`}`;
+}
+
+function pick({service, schemas}: Context): Tool {
+  return {
+    name: "pick", annotations: reads,
+    description: "What lies under a pixel of a view: position, normal and fur there, and the place in each form that samples of strokes take.",
+    inputSchema: schemas.input({scene: scene_member, ...schemas.named("PickRequest").properties}, ["scene", "pixel"]),
+    run: async (input, caller) => {
+      const request = without(input, "scene");
+      const picked = await service.post<Answers["Pick"]>(`${await scenePath(service, textIn(input, "scene"), caller)}/pick`, request, caller);
+      if (!picked.hit) return result("Nothing: the pixel shows the background. Take one that shows the model.", picked);
+      const samples = [{position: picked.position}, {triangle: picked.triangle, barycentric: picked.barycentric}, {screen: request["pixel"]}];
+      const words = samples.map((sample) => JSON.stringify(sample));
+      const text = [
+        `Position ${JSON.stringify(picked.position)}.`,
+        `Fur length ${picked.length.toPrecision(3)} sizes, inclination ${picked.inclination.toPrecision(3)}, leaning to ${JSON.stringify(picked.direction)}.`,
+        `As a sample of a stroke: ${words[0]}, or ${words[1]}, or ${words[2]} with "view": ${JSON.stringify(request["view"] ?? {})} beside "samples".`,
+      ].join("\n");
+      return result(text, {...picked, samples, view: request["view"] ?? {}});
+    },
+  };
+}

@@ -1,0 +1,41 @@
+// A dry run of any commands; with a camera also a picture of what would change.
+import type {CallToolResult} from "@modelcontextprotocol/sdk/types.js";
+import type {Caller, Service} from "../service";
+import {commandsMember, preview} from "./changes";
+import {drawViews} from "./pictures";
+import {arrayIn, changes, scene_member, scenePath, textIn, type Answers, type Context, type Tool} from "./tool";
+
+export function previewChange({service, schemas}: Context): Tool {
+  const camera = {...schemas.members("FrameRequest", ["camera"])["camera"], default: undefined,
+    description: "With it also pictures from this camera: 1 before, 2 after, 3 what changed (grey unchanged, then dark violet to yellow)."};
+  return {
+    name: "preview_change",
+    // A picture takes a branch for as long as it is drawn, so this is not read-only to the letter.
+    annotations: {...changes, idempotentHint: true},
+    description: "Says what commands would do, and changes nothing: vertices touched, mean and largest change of each field.",
+    inputSchema: schemas.input({scene: scene_member, commands: commandsMember([...schemas.commands().keys()]), camera}, ["scene", "commands"]),
+    run: async (input, caller) => {
+      const path = await scenePath(service, textIn(input, "scene"), caller);
+      const body = {commands: arrayIn(input, "commands")};
+      const said = await preview(service, path, body, caller);
+      return input["camera"] === undefined ? said : addPicture(said, await drawOnBranch(service, path, body, input["camera"], caller));
+    },
+  };
+}
+
+const addPicture = (said: CallToolResult, drawn: CallToolResult): CallToolResult =>
+  ({content: [...drawn.content.slice(0, 1), ...said.content, ...drawn.content.slice(1)], structuredContent: {...said.structuredContent, ...drawn.structuredContent}});
+
+/** The commands run on a branch, which is gone afterwards. */
+async function drawOnBranch(service: Service, path: string, body: object, camera: unknown, caller: Caller): Promise<CallToolResult> {
+  const {id, revision} = await service.post<Answers["Scene"]>(`${path}/branch`, {name: "preview"}, caller);
+  const branch = `/v1/scenes/${id}`;
+  try {
+    await service.post(`${branch}/commands`, body, caller);
+    const views = [{camera, revision}, {camera}, {camera, overlay: "difference", overlay_from: revision}];
+    return await drawViews(service, branch, {views, width: 384, height: 384}, caller, ["before", "after", "what would change"]);
+  } finally {
+    // Also where the agent has given up, whose signal would end this call too.
+    await service.remove(branch, {...caller, signal: new AbortController().signal});
+  }
+}

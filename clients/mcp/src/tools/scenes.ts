@@ -1,0 +1,110 @@
+// Scenes: list, make, load, describe, remove.
+import {readFile} from "node:fs/promises";
+import {extname} from "node:path";
+import {Refusal, unknownName} from "../refusal";
+import {changes, destroys, reads, result, scene_member, scenePath, textIn, without, arrayIn, type Answers, type Context, type Input, type Tool} from "./tool";
+import {sceneInWords} from "./words";
+
+type Scene = Answers["Scene"];
+
+export function sceneTools(context: Context): Tool[] {
+  return [listScenes(context), createScene(context), loadModel(context), describeScene(context), readSettings(context), removeScene(context)];
+}
+
+function listScenes({service, schemas}: Context): Tool {
+  return {
+    name: "list_scenes", annotations: reads,
+    description: "All scenes of the server. A scene is one model with its fur and its undo steps.",
+    inputSchema: schemas.input({}, []),
+    run: async (_, caller) => {
+      const list = await service.get<Answers["SceneList"]>("/v1/scenes", caller);
+      const words = list.scenes.map(sceneInWords);
+      return result(words.length > 0 ? words.join("\n") : "There are no scenes. `create_scene` makes one.", list);
+    },
+  };
+}
+
+function createScene({service, schemas}: Context): Tool {
+  return {
+    name: "create_scene", annotations: changes,
+    description: "Makes a scene with a built-in model and a first fur. `load_model` then takes a model from a file, if one is wanted.",
+    inputSchema: schemas.input(schemas.named("NewScene").properties ?? {}, []),
+    run: async (input, caller) => {
+      const scene = await service.post<Scene>("/v1/scenes", input, caller);
+      return result(`${sceneInWords(scene)}\nNext: \`views\` shows it from all sides.`, scene);
+    },
+  };
+}
+
+function loadModel({service, schemas}: Context): Tool {
+  const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
+  const path = {type: "string", description: "Path of the file on the machine where pelage-mcp runs. A model with files of its own comes as a zip archive."};
+  return {
+    name: "load_model", annotations: destroys,
+    description: "Gives a scene the model of a file, with a first fur on it. The fur, settings and undo steps that the scene had are gone.",
+    inputSchema: schemas.input({scene: scene_member, path, format: {...format, description: "Unless given, the ending of the path."}, ...options}, ["scene", "path"]),
+    run: async (input, caller) => {
+      const file = textIn(input, "path");
+      const at = await scenePath(service, textIn(input, "scene"), caller);
+      const query = queryOf({format: extname(file).slice(1).toLowerCase(), ...without(input, "scene", "path")});
+      const scene = await service.put<Scene>(`${at}/model?${query}`, await bytesOf(file), caller);
+      const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
+      const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];
+      const next = "Next: `views`. If the model does not stand on its feet and look along +z, load it again with up and front.";
+      return result([sceneInWords(scene), ...repaired, next].join("\n"), scene);
+    },
+  };
+}
+
+const queryOf = (members: Input) => new URLSearchParams(Object.entries(members).map(([name, value]): [string, string] => [name, String(value)])).toString();
+
+async function bytesOf(path: string): Promise<Uint8Array> {
+  try {
+    return await readFile(path);
+  } catch (error) {
+    throw new Refusal({detail: `"${path}" cannot be read: ${(error as Error).message}.`, pointer: "/path", limit: "a file on the machine where pelage-mcp runs"});
+  }
+}
+
+function describeScene({service, schemas}: Context): Tool {
+  return {
+    name: "describe_scene", annotations: reads,
+    description: "What a scene holds: model, box, size, revision, undo steps, edit layers.",
+    inputSchema: schemas.input({scene: scene_member}, ["scene"]),
+    run: async (input, caller) => {
+      const scene = await service.get<Scene>(await scenePath(service, textIn(input, "scene"), caller), caller);
+      return result(sceneInWords(scene), scene);
+    },
+  };
+}
+
+function readSettings({service, schemas}: Context): Tool {
+  const names = Object.keys(schemas.named("Settings").properties ?? {});
+  return {
+    name: "read_settings", annotations: reads,
+    description: "Coat, look, lights, eyes and all else that `set_...` tools set, as those take it. "
+      + "The `groups` of set_curves are `curves` here, the `regions` of set_skin `skin`, the `picture` of set_skin_texture `skin_texture`.",
+    inputSchema: schemas.input({scene: scene_member, only: {type: "array", items: {enum: names}, description: "These alone; all unless given."}}, ["scene"]),
+    run: async (input, caller) => {
+      const wanted = input["only"] === undefined ? names : arrayIn(input, "only");
+      const unknown = wanted.findIndex((name) => !names.includes(String(name)));
+      if (unknown >= 0) throw unknownName(`There is no setting ${JSON.stringify(wanted[unknown])}.`, `/only/${unknown}`, String(wanted[unknown]), names);
+      const all = await service.get<Input>(`${await scenePath(service, textIn(input, "scene"), caller)}/settings`, caller);
+      const settings = Object.fromEntries(Object.entries(all).filter(([name]) => wanted.includes(name)));
+      return result(JSON.stringify(settings), settings);
+    },
+  };
+}
+
+function removeScene({service, schemas}: Context): Tool {
+  return {
+    name: "remove_scene", annotations: destroys,
+    description: "Removes a scene with all its undo steps. This cannot be undone.",
+    inputSchema: schemas.input({scene: scene_member}, ["scene"]),
+    run: async (input, caller) => {
+      const name = textIn(input, "scene");
+      await service.remove(await scenePath(service, name, caller), caller);
+      return result(`Scene "${name}" is gone.`, {removed: name});
+    },
+  };
+}
