@@ -31,6 +31,7 @@ ExitCode perform(Session& session) {
     case Action::run: return run_file(session);
     case Action::frame: return draw_frame(session);
     case Action::export_fur: return export_fur(session);
+    case Action::open_saved: return open_saved(session);
     case Action::undo:
     case Action::redo:
     case Action::revert: return move_in_history(session);

@@ -30,5 +30,6 @@ ExitCode draw_frame(Session& session);
 ExitCode pick_pixel(Session& session);
 
 ExitCode export_fur(Session& session);
+ExitCode open_saved(Session& session);
 
 }  // namespace pelage

@@ -5,6 +5,8 @@
 
 #include "clients/cli/actions.h"
 #include "clients/cli/print.h"
+#include "protocol/base/limits.h"
+#include "protocol/base/percent.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/names.h"
 
@@ -23,7 +25,7 @@ Result<Query> checked_export_query(const Options& options) {
   Status refused = checked.status();
   if (!named && refused.pointer == "/format")
     refused = failure(Code::invalid, "No format has the ending of " + options.output + "; take another, or --format.",
-                      "", ".usda | .hair | .glb");
+                      "", ".usda | .hair | .glb | .pelage");
   return refused;
 }
 
@@ -79,6 +81,19 @@ ExitCode export_fur(Session& session) {
   const auto answer = Session::accepted(session.connection().get(address));
   if (!answer) return report(answer.status());
   print_about(options, answer->body);
+  return done;
+}
+
+ExitCode open_saved(Session& session) {
+  const Options& options = session.options();
+  const auto bytes = read_file(options.file, limits::model_bytes);
+  if (!bytes) return report(bytes.status());
+  const std::string name = options.name == Options{}.name ? "" : "?name=" + percent_encoded(options.name);
+  const auto answer = Session::accepted(session.connection().post_bytes("/v1/open" + name, *bytes));
+  if (!answer) return report(answer.status(), options.file);
+  const auto summary = decode_answer<SceneSummary>(answer->body);
+  if (!summary) return report(summary.status());
+  fmt::print("{}\n", options.json ? answer->body : summary->id);
   return done;
 }
 

@@ -115,17 +115,17 @@ void add_map(CLI::App* command, Options& options, bool field_is_chosen = true) {
 }
 
 void declare_export(CLI::App& app, Options& options) {
-  CLI::App* command =
-      add_action(app, options, Action::export_fur, "export", "Write the fur in another program's format");
+  CLI::App* command = add_action(app, options, Action::export_fur, "export",
+                                 "Write the fur in another program's format, or the whole scene");
   add_scene(command, options);
-  command->add_option("-o,--output", options.output, "The file, .usda, .hair or .glb")->required();
+  command->add_option("-o,--output", options.output, "The file, .usda, .hair, .glb or .pelage")->required();
   const auto add = [&](const char* flag, const char* parameter, const char* help) {
     command->add_option_function<std::string>(
         flag,
         [&options, parameter](const std::string& value) { options.export_parameters.emplace_back(parameter, value); },
         help);
   };
-  add("--format", "format", "usda, hair, shells or fields [the output's ending, shells for .glb]");
+  add("--format", "format", "usda, hair, shells, fields or pelage [the output's ending, shells for .glb]");
   add("--shells", "shells", "Layers of shells, 1 to 32 [16]");
   add("--every", "every", "About one strand of so many, 1 to 1000000 [1]");
   command->add_flag_callback(
@@ -135,6 +135,13 @@ void declare_export(CLI::App& app, Options& options) {
       "--no-curves", [&options] { options.export_parameters.emplace_back("curves", "false"); },
       "Without whiskers, lashes and brows");
   command->add_flag("--dry-run", options.dry_run, "Say how much it would be; write nothing");
+}
+
+void declare_open(CLI::App& app, Options& options) {
+  CLI::App* command = add_action(app, options, Action::open_saved, "open",
+                                 "Make a scene of a .pelage file, with its log; prints its id");
+  command->add_option("file", options.file, "The file, as `pelage export` writes it")->required();
+  command->add_option("--name", options.name, "Name, 1 to 200 bytes [the file's own]")->default_str("");
 }
 
 void declare_map_actions(CLI::App& app, Options& options) {
@@ -394,7 +401,7 @@ ParsedLine parse_line(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(0, 3600));
   declare_scene_actions(app, options);
-  declare_export(app, options);
+  declare_export(app, options), declare_open(app, options);
   declare_map_actions(app, options);
   declare_groom_actions(app, options);
   declare_history_actions(app, options);

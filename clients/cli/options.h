@@ -21,6 +21,7 @@ enum class Action {
   run,
   frame,
   export_fur,
+  open_saved,
   undo,
   redo,
   revert,

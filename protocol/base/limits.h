@@ -16,6 +16,7 @@ inline constexpr int picture_pixels = 4096;                           // its wid
 inline constexpr int map_pixels = 8192;                               // of a side of a map that is made
 inline constexpr int map_dilation = 64;                               // pixels
 inline constexpr double harmonic = 1e6;                               // an environment's coefficient, either sign
+inline constexpr std::size_t saved_bytes = std::size_t{2} << 30;      // of a .pelage file, decompressed
 inline constexpr double export_strands = 4e6;                         // of a file; they take about 160 bytes each
 inline constexpr int proxy_triangles = 200'000;                       // of a mesh that clients get
 inline constexpr double proxy_size = 1e-30;                           // model's unit; a smaller model has none

@@ -10,7 +10,12 @@ namespace pelage {
 
 /// `usda`: strands as BasisCurves of USD, as text. `hair`: strands as a HAIR file (cyHair). `shells`: the skin and
 /// layers over it as a GLB that any viewer shows. `fields`: the skin with the fields of its fur as a GLB, for shaders.
-enum class ExportFormat { usda, hair, shells, fields };
+/// `pelage`: the scene itself, with its model, log and pictures, for another server.
+enum class ExportFormat { usda, hair, shells, fields, pelage };
+
+constexpr bool holds_strands(ExportFormat format) {
+  return format == ExportFormat::usda || format == ExportFormat::hair;
+}
 
 /// What of the fur is exported.
 struct ExportRequest {

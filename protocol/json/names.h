@@ -145,10 +145,11 @@ inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
     {{"shells", FragmentOrder::shells}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
-inline constexpr std::array<Name<ExportFormat>, 4> export_formats{{{"usda", ExportFormat::usda},
+inline constexpr std::array<Name<ExportFormat>, 5> export_formats{{{"usda", ExportFormat::usda},
                                                                    {"hair", ExportFormat::hair},
                                                                    {"shells", ExportFormat::shells},
-                                                                   {"fields", ExportFormat::fields}}};
+                                                                   {"fields", ExportFormat::fields},
+                                                                   {"pelage", ExportFormat::pelage}}};
 inline constexpr std::array<Name<FrameFormat>, 6> frame_formats{{{"png", FrameFormat::png},
                                                                  {"png16", FrameFormat::png16},
                                                                  {"jpeg", FrameFormat::jpeg},

@@ -189,6 +189,15 @@ void refuse_encoding(const Value& value, Field field, MapEncoding encoding) {
                                : "value | vertices for all fields but direction");
 }
 
+void check(const Value& value, const ExportRequest& wanted) {
+  for (const char* name : {"every", "widen", "curves"}) {
+    if (given(value, name) && !holds_strands(wanted.format))
+      value.refuse_below(name, "The format holds no strands.", "format usda or hair");
+  }
+  if (given(value, "shells") && wanted.format != ExportFormat::shells)
+    value.refuse_below("shells", "The format has no layers.", "format shells");
+}
+
 // Which members of a command go together.
 
 namespace {

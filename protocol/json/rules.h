@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/commands/command.h"
+#include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/map.h"
 #include "protocol/commands/quality.h"
@@ -29,6 +30,7 @@ void check(const Value& value, const Knobs& knobs);
 void check(const Value& value, const FrameRequest& request);
 void check(const Value& value, const ImportOptions& options);
 void check(const Value& value, const MapRequest& map);
+void check(const Value& value, const ExportRequest& wanted);
 void check(const Value& value, const MapUpload& map);
 
 void check_command(const Value& value, const Command& command);

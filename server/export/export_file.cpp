@@ -20,7 +20,8 @@ std::uint64_t size_of(const std::function<bool(const Sink&)>& write) {
 namespace {
 
 /// Files of strands, which are made as they are sent.
-ExportFile strand_file(std::shared_ptr<const ExportedStrands> strands, const ExportRequest& request, ExportFile file) {
+ExportFile strand_file(const std::shared_ptr<const ExportedStrands>& strands, const ExportRequest& request,
+                       ExportFile file) {
   file.about.strands = strands->count(), file.about.points = strands->points();
   if (request.format == ExportFormat::hair) {
     file.content_type = "application/octet-stream", file.ending = ".hair";

@@ -8,6 +8,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/export.h"
 #include "server/scene/scene.h"
+#include "server/scene/scene_store.h"
 
 namespace pelage {
 
@@ -24,6 +25,12 @@ struct ExportFile {
 /// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
 /// (too_large, "/every") where more than limits::export_strands are expected.
 Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request);
+
+/// The scene itself: what SceneStore::save writes, as gzip. The file lies in a temporary folder as long as this does.
+Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene);
+
+/// Makes a scene of the bytes of such a file, as SceneStore::open_saved.
+Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name);
 
 /// The bytes that `write` makes.
 std::uint64_t size_of(const std::function<bool(const Sink&)>& write);

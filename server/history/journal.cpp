@@ -261,6 +261,34 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   });
 }
 
+Status Journal::use_picture(const std::string& scene, const std::string& picture) {
+  const std::lock_guard lock(mutex_);
+  return keep_picture(*database_, scene, picture);
+}
+
+Status Journal::copy_into(const StoredScene& stored, const std::string& scene, Journal& to) const {
+  const Result<std::vector<std::string>> pictures = pictures_of(scene);
+  if (!pictures) return pictures.status();
+  for (const std::string& name : *pictures) {
+    const Result<std::string> bytes = picture(name);
+    if (!bytes) return bytes.status();
+    if (Status added = to.add_picture(name, *bytes); !added.ok()) return added;
+    if (Status used = to.use_picture(stored.id, name); !used.ok()) return used;
+  }
+  return for_each_entry(scene, 0, [&](const Entry& entry) { return to.append(stored.id, entry); });
+}
+
+Status Journal::copy_scene(const std::string& scene, Journal& to, const std::string& copy,
+                           const std::string& name) const {
+  Result<StoredScene> stored = this->scene(scene);
+  if (!stored) return stored.status();
+  stored->id = copy, stored->name = name;
+  if (Status added = to.add_scene(*stored); !added.ok()) return added;
+  Status copied = copy_into(*stored, scene, to);
+  if (!copied.ok()) static_cast<void>(to.remove_scene(copy));  // the copy's failure is the one to tell
+  return copied;
+}
+
 Status Journal::add_picture(const std::string& name, const std::string& bytes) {
   const std::lock_guard lock(mutex_);
   return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(bytes).run();
@@ -282,14 +310,28 @@ Result<std::string> Journal::picture(const std::string& name) const {
   return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
+namespace {
+
+Result<std::vector<std::string>> texts_of(Statement& rows) {
+  std::vector<std::string> texts;
+  Result<bool> row = rows.step();
+  for (; row && *row; row = rows.step()) texts.push_back(rows.text_at(0));
+  if (!row) return row.status();
+  return texts;
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> Journal::pictures_of(const std::string& scene) const {
+  const std::lock_guard lock(mutex_);
+  Statement rows = database_->prepare("SELECT picture FROM picture_uses WHERE scene = ? ORDER BY picture");
+  return texts_of(rows.text(scene));
+}
+
 Result<std::vector<std::string>> Journal::scene_ids() const {
   const std::lock_guard lock(mutex_);
-  std::vector<std::string> ids;
   Statement rows = database_->prepare("SELECT id FROM scenes ORDER BY number");
-  Result<bool> row = rows.step();
-  for (; row && *row; row = rows.step()) ids.push_back(rows.text_at(0));
-  if (!row) return row.status();
-  return ids;
+  return texts_of(rows);
 }
 
 Result<StoredScene> Journal::scene(const std::string& id) const {

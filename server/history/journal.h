@@ -66,6 +66,11 @@ class Journal {
   /// Adds a scene with another one's model and entries up to `last`. `scene` has to be there.
   Status branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last);
 
+  /// Writes the scene with its model, log and pictures into another journal, there under the id `copy` and a name. On a
+  /// failure `to` has no such scene. Each change is read and written by itself, so that it takes little memory, and
+  /// what is damaged is refused (internal).
+  Status copy_scene(const std::string& scene, Journal& to, const std::string& copy, const std::string& name) const;
+
   /// Keeps a picture (encode_raw_image, encode_map_picture) under its name, for as long as a scene's log names it. One
   /// that is known stays.
   Status add_picture(const std::string& name, const std::string& bytes);
@@ -73,6 +78,8 @@ class Journal {
   /// Fails (internal) when there is none of that name.
   Result<std::string> picture(const std::string& name) const;
 
+  /// Of all pictures that the scene's log names.
+  Result<std::vector<std::string>> pictures_of(const std::string& scene) const;
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
   Result<StoredScene> scene(const std::string& id) const;
@@ -91,6 +98,8 @@ class Journal {
 
  private:
   explicit Journal(std::unique_ptr<Database> database);
+  Status copy_into(const StoredScene& stored, const std::string& scene, Journal& to) const;
+  Status use_picture(const std::string& scene, const std::string& picture);
 
   mutable std::mutex mutex_;
   std::unique_ptr<Database> database_;

@@ -1,3 +1,6 @@
+#include <chrono>
+#include <thread>
+
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "server/export/export_file.h"
@@ -18,6 +21,24 @@ Result<ExportRequest> export_request_of(const Request& request) {
   return decode_export_query(query);
 }
 
+/// Waits some seconds for the file before: its client has it a moment before its place is free.
+Gate::Pass enter_soon(Gate& gate) {
+  constexpr int tries = 100;
+  constexpr std::chrono::milliseconds pause(50);
+  for (int k = 1; k < tries; ++k) {
+    if (Gate::Pass pass = gate.enter()) return pass;
+    std::this_thread::sleep_for(pause);
+  }
+  return gate.enter();
+}
+
+Result<ExportFile> make_file(Service& service, const Scene& scene, const ExportRequest& wanted) {
+  if (wanted.format == ExportFormat::pelage) return export_saved(service.scenes, scene);
+  std::optional<SceneCopy> copy;
+  scene.read([&](const SceneView& view) { copy.emplace(view); });
+  return export_scene(*copy, wanted);
+}
+
 /// Sends the file piece by piece, and holds the pass as long as that takes.
 void send_file(ExportFile file, Gate::Pass pass, Response& response) {
   const auto held = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
@@ -32,12 +53,10 @@ void export_file(Service& service, const Scene& scene, const Request& request, R
   if (!wanted) return reply_problem(response, wanted.status());
   const auto dry_run = is_dry_run(request);
   if (!dry_run) return reply_problem(response, dry_run.status());
-  Gate::Pass pass = service.exports.enter();
+  Gate::Pass pass = enter_soon(service.exports);
   if (!pass)
     return reply_problem(response, failure(Code::unavailable, "Another file is being exported.", "", "one at a time"));
-  std::optional<SceneCopy> copy;
-  scene.read([&](const SceneView& view) { copy.emplace(view); });
-  Result<ExportFile> file = export_scene(*copy, *wanted);
+  Result<ExportFile> file = make_file(service, scene, *wanted);
   if (!file) return reply_problem(response, file.status());
   if (*dry_run) return reply_json(response, 200, encode(file->about));
   response.status = 200;

@@ -113,7 +113,10 @@ std::optional<Refusal> refused_body(const Request& request) {
   const std::uint64_t length = content_length(request).value_or(0);
   const std::string type = request.get_header_value("Content-Type");
   if (length == 0) return {};
-  if (request.method == "PUT") {
+  const bool opens_file = request.method == "POST" && request.path == "/v1/open";
+  if (opens_file && !type.starts_with("application/octet-stream"))  // which pages of other sites cannot send unasked
+    return refuse(415, Code::unsupported, "A file comes as plain bytes.", "Content-Type: application/octet-stream");
+  if (request.method == "PUT" || opens_file) {
     if (length > limits::model_bytes) {
       return refuse(413, Code::too_large, fmt::format("The upload has {} bytes.", length),
                     fmt::format("at most {} bytes", limits::model_bytes));

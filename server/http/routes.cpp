@@ -64,9 +64,12 @@ namespace {
 
 /// What comes after the scene's id, with {field} for what stands there.
 std::string shape_in_scene(const std::string& rest) {
-  static constexpr std::string_view maps = "/maps/";
-  const bool one_map = rest.starts_with(maps) && rest.size() > maps.size() && rest.find('/', maps.size()) == rest.npos;
-  return one_map ? "/maps/{field}" : rest;
+  for (const auto& [folder, shape] : {std::pair<std::string_view, const char*>{"/maps/", "/maps/{field}"},
+                                      std::pair<std::string_view, const char*>{"/export/", "/export/{format}"}}) {
+    const bool one = rest.size() > folder.size() && rest.find('/', folder.size()) == rest.npos;
+    if (one && rest.starts_with(folder)) return shape;
+  }
+  return rest;
 }
 
 }  // namespace
@@ -87,12 +90,14 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/v1/scenes/{id}/revert", "POST"},
                                                       {"/v1/scenes/{id}/amend", "POST"},
                                                       {"/v1/scenes/{id}/branch", "POST"},
+                                                      {"/v1/open", "POST"},
+                                                      {"/v1/scenes/{id}/export/{format}", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/log", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/events", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/settings", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/compare", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/folds", "GET, HEAD"},
-                                                      {"/v1/scenes/{id}/frames", "POST"},
+                                                      {"/v1/scenes/{id}/frames", "GET, HEAD, POST"},
                                                       {"/v1/scenes/{id}/frame.png", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/pick", "POST"},
                                                       {"/livez", "GET, HEAD"},

@@ -55,6 +55,9 @@ void add_event_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
 void add_studio_routes(httplib::Server& server);
 
+/// Answers with a scene that was made, and where it is; or with why it was not.
+void reply_created(httplib::Response& response, const Result<std::shared_ptr<Scene>>& scene);
+
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
 void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
                 const std::function<void(const std::shared_ptr<Scene>&)>& use);

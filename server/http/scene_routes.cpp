@@ -4,17 +4,17 @@
 
 namespace pelage {
 
-namespace {
-
-using httplib::Request;
-using httplib::Response;
-
-void reply_created(Response& response, const Result<std::shared_ptr<Scene>>& scene) {
+void reply_created(httplib::Response& response, const Result<std::shared_ptr<Scene>>& scene) {
   if (!scene) return reply_problem(response, scene.status());
   const SceneSummary summary = (*scene)->summary();
   reply_json(response, 201, encode(summary), summary.revision);
   response.set_header("Location", "/v1/scenes/" + summary.id);
 }
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
 
 void create_scene(Service& service, const Request& request, Response& response) {
   const auto wanted = decode_new_scene(request.body);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
+#include "server/export/export_file.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 
@@ -86,21 +88,44 @@ Result<std::string> read_body(const Request& request, const httplib::ContentRead
   return bytes;
 }
 
-/// The body is read only once there is room for it.
-void upload(Service& service, const Kind& kind, const Request& request, Response& response,
-            const httplib::ContentReader& read) {
+/// Hands the body to `use`; it is read only once there is room for it.
+void with_body(Service& service, std::size_t max_bytes, const Request& request, Response& response,
+               const httplib::ContentReader& read, const std::function<void(const std::string& bytes)>& use) {
   const auto pass = service.uploads.enter();
   if (!pass) {
     reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", "4 at a time"));
     return close_after(response);
   }
-  const Result<std::string> bytes = read_body(request, read, kind.max_bytes);
+  const Result<std::string> bytes = read_body(request, read, max_bytes);
   if (!bytes) {
     reply_problem(response, bytes.status());
     return close_after(response);
   }
-  with_scene(service, request, response, [&](const auto& scene) {
-    kind.use(service, *scene, request, response, std::as_bytes(std::span(*bytes)));
+  use(*bytes);
+}
+
+void upload(Service& service, const Kind& kind, const Request& request, Response& response,
+            const httplib::ContentReader& read) {
+  with_body(service, kind.max_bytes, request, response, read, [&](const std::string& bytes) {
+    with_scene(service, request, response, [&](const auto& scene) {
+      kind.use(service, *scene, request, response, std::as_bytes(std::span(bytes)));
+    });
+  });
+}
+
+/// The name that a scene is to have, checked as that of a branch.
+Result<std::string> name_of(const Request& request) {
+  if (Status status = check_query(request, {"name"}); !status.ok()) return status;
+  if (!request.has_param("name")) return std::string();
+  const auto named = decode_branch(encode(BranchRequest{.name = request.get_param_value("name")}));
+  return named ? named->name : Result<std::string>(named.status());
+}
+
+void open_scene(Service& service, const Request& request, Response& response, const httplib::ContentReader& read) {
+  const Result<std::string> name = name_of(request);
+  with_body(service, limits::model_bytes, request, response, read, [&](const std::string& bytes) {
+    if (!name) return reply_problem(response, name.status());
+    reply_created(response, open_saved(service.scenes, bytes, *name));
   });
 }
 
@@ -114,6 +139,9 @@ void put(httplib::Server& server, Service& service, const char* name, Kind kind)
 }  // namespace
 
 void add_upload_routes(httplib::Server& server, Service& service) {
+  server.Post("/v1/open", [&service](const Request& request, Response& response, const httplib::ContentReader& read) {
+    open_scene(service, request, response, read);
+  });
   put(server, service, "model", {limits::model_bytes, load_model});
   put(server, service, "environment", {limits::picture_bytes, load_environment});
   put(server, service, "skin_texture", {limits::picture_bytes, load_skin_texture});

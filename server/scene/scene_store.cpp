@@ -156,6 +156,45 @@ Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const Branc
   return removed.ok() ? added : removed;
 }
 
+Status SceneStore::save(const Scene& scene, const std::string& path) const {
+  const auto file = Journal::open(path);
+  return file ? impl_->journal->copy_scene(scene.id(), **file, scene.id(), scene.last_summary().name) : file.status();
+}
+
+Status SceneStore::not_saved(const Status& status) {
+  return failure(Code::invalid, "The file cannot be opened: " + status.message, "",
+                 "a file that was exported as pelage");
+}
+
+namespace {
+
+/// The one scene of a file.
+Result<StoredScene> only_scene(const Journal& file) {
+  const Result<std::vector<std::string>> ids = file.scene_ids();
+  if (!ids) return ids.status();
+  if (ids->size() != 1)
+    return failure(Code::invalid, "it holds " + std::to_string(ids->size()) + " scenes, and not one");
+  return file.scene(ids->front());
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Scene>> SceneStore::open_saved(const std::string& path, const std::string& name) {
+  if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
+  const auto file = Journal::open(path);
+  if (!file) return not_saved(file.status());
+  const Result<StoredScene> stored = only_scene(**file);
+  if (!stored) return not_saved(stored.status());
+  const std::string id = random_id();
+  const Status copied = (*file)->copy_scene(stored->id, *impl_->journal, id, name.empty() ? stored->name : name);
+  if (!copied.ok()) return not_saved(copied);
+  Result<std::shared_ptr<Scene>> scene = impl_->restored(id);
+  const Status added = scene ? impl_->scenes.add(*scene) : not_saved(scene.status());
+  if (added.ok()) return scene;
+  static_cast<void>(impl_->journal->remove_scene(id));  // the failure before is the one to tell
+  return added;
+}
+
 Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const { return impl_->scenes.find(id); }
 
 Status SceneStore::remove(const std::string& id) {

@@ -76,6 +76,14 @@ class SceneStore {
   Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                  const ExecuteOptions& execute = {});
 
+  /// Writes the scene with its model, log and pictures as a file of its own: a journal of one scene.
+  Status save(const Scene& scene, const std::string& path) const;
+  /// Makes a scene of such a file; `name` "" for its own. Refused (invalid) when it is none, damaged or of a newer
+  /// version; the file may be brought to this version.
+  Result<std::shared_ptr<Scene>> open_saved(const std::string& path, const std::string& name);
+  /// The refusal of a file that is none, for the reason of `status`.
+  static Status not_saved(const Status& status);
+
  private:
   struct Impl;
   explicit SceneStore(std::unique_ptr<Impl> impl);

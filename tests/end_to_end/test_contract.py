@@ -375,7 +375,7 @@ class Answers(ServedTest):
     def test_every_operation_answers_what_it_says(self):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "branch": {"name": "side"},
-                "subdivide": {"levels": 1, "masked": False}, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
+                "subdivide": {"levels": 1, "masked": False}, "open": self.server.get(f"{scene.path}/export/pelage").body, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                  "environment": hdr([[[1, 1, 1]]]), "skin_texture": png([[[1, 2, 3]]]), "pictures": png([[[1, 2, 3]]]),
                  "{field}": png([[[1, 2, 3]]])}
@@ -394,7 +394,8 @@ class Answers(ServedTest):
                 body["amend"] = {"revision": steps[-1], "commands": [flood([1, 0, 0])]}
             sent = None if method == "get" else files[name] if method == "put" else body.get(path, body.get(name))
             with self.subTest(f"{method} {path}"):
-                answer = self.server.call(method.upper(), address, sent)
+                type_of = {"Content-Type": "application/octet-stream"} if name == "open" else {}
+                answer = self.server.call(method.upper(), address, sent, headers=type_of)
                 self.assertLess(answer.status, 400, answer)
                 self.check(path, method, answer)
                 if method == "post":

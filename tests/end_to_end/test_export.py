@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy
 
-from support.server import BIN, ServedTest
+from support.pictures import png
+from support.server import BIN, Scene, ServedTest, Server
 
 WHISKERS = {"op": "set_curves", "groups": [{"curves": [[[0, 0, 0.5], [0.5, 0, 1]], [[0, 0.1, 0.5], [0.5, 0.2, 1]]], "width_root": 0.01}]}
 
@@ -122,7 +123,7 @@ class Export(ServedTest):
 
     def test_what_cannot_be_exported_is_refused(self):
         scene = self.scene_of()
-        for path, pointer in (("fbx", "/format"), ("usda?every=0", "/every"), ("usda?every=1.5", "/every"), ("usda?nth=2", "/nth")):
+        for path, pointer in (("fbx", "/format"), ("usda?shells=4", "/shells"), ("shells?every=2", "/every"), ("usda?every=0", "/every"), ("usda?every=1.5", "/every"), ("usda?nth=2", "/nth")):
             answer = self.server.get(f"{scene.path}/export/{path}")
             self.assertEqual((answer.status, answer.json.get("pointer")), (422, pointer), answer)
 
@@ -139,5 +140,48 @@ class Export(ServedTest):
             self.assertIn(f"{Hair(file.read_bytes()).strands} strands", done.stdout)
             refused = run("-o", Path(folder, "fur.fbx"))
             self.assertEqual(refused.returncode, 3, refused)
-            self.assertIn(".usda | .hair | .glb", refused.stderr)
+            self.assertIn(".usda | .hair | .glb | .pelage", refused.stderr)
             self.assertEqual([p.name for p in Path(folder).iterdir()], ["fur.hair"])
+
+    def test_a_scene_goes_to_another_server_and_back(self):
+        scene = self.scene_of("torus")
+        scene.run({"op": "noise", "flood": True, "amount": 0.5})
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/maps/length", png(numpy.full((8, 8, 3), 90, numpy.uint8))).status, 200)
+        scene.post("undo")
+        content = self.export(scene, "pelage").body
+        picture = scene.frame(width=64, height=64).body
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "fur.pelage")
+            file.write_bytes(content)
+            other = Server()
+            self.addCleanup(other.close)
+            ran = subprocess.run([BIN / "pelage", "--server", other.address, "open", file, "--name", "there"], capture_output=True, text=True, timeout=120)
+            self.assertEqual(ran.returncode, 0, ran)
+        there = Scene(other, ran.stdout.strip())
+        info, here = there.info(), scene.info()
+        self.assertEqual((info["name"], info["revision"], info["fields_hash"], info["undo_steps"], info["redo_steps"]),
+                         ("there", here["revision"], here["fields_hash"], here["undo_steps"], here["redo_steps"]))
+        self.assertEqual(there.frame(width=64, height=64).body, picture)
+        self.assertEqual(there.post("redo").status, 200)  # with the picture of the map
+        self.assertEqual(scene.post("redo").status, 200)
+        self.assertEqual(there.info()["fields_hash"], scene.info()["fields_hash"])
+        other.kill()
+        other.start()
+        self.assertEqual(Scene(other, there.id).info()["fields_hash"], scene.info()["fields_hash"])
+
+    def open(self, content, query=""):
+        return self.server.call("POST", f"/v1/open{query}", content, headers={"Content-Type": "application/octet-stream"})
+
+    def test_files_that_are_no_scenes_make_none(self):
+        scene = self.scene_of()
+        good = self.export(scene, "pelage").body
+        before = len(self.server.get("/v1/scenes").json["scenes"])
+        torn = bytearray(good)
+        torn[len(good) // 2 : len(good) // 2 + 4096] = b"x" * 4096
+        for content in (b"", b"no file", good[:4000], bytes(torn)):
+            answer = self.open(content)
+            self.assertEqual(answer.status, 422, answer)
+            self.assertIn("exported as pelage", answer.json["limit"])
+        self.assertEqual(self.open(good, "?name=" + 201 * "x").status, 422)
+        self.assertEqual(self.server.call("POST", "/v1/open", good).status, 415)  # JSON, as it says
+        self.assertEqual(len(self.server.get("/v1/scenes").json["scenes"]), before)

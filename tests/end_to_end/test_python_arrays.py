@@ -20,9 +20,9 @@ SIZE = {"width": 64, "height": 48}
 
 class Arrays(ServedTest):
     def setUp(self):
-        client = pelage.Server(self.server.address)
-        self.addCleanup(client.close)
-        self.scene = client.create("fox", model={"builtin": "torus", "triangles": 500})
+        self.client = pelage.Server(self.server.address)
+        self.addCleanup(self.client.close)
+        self.scene = self.client.create("fox", model={"builtin": "torus", "triangles": 500})
         self.vertices = self.scene.info()["vertices"]
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
@@ -110,7 +110,16 @@ class Arrays(ServedTest):
                 content = (self.folder / name).read_bytes()
                 self.assertEqual((content[:len(start)], about["bytes"], about["revision"]), (start, len(content), 0))
                 self.assertEqual(self.scene.export_about(format=about["format"], every=10), about)
+        self.assertGreater(self.scene.export(self.folder / "fox.glb", shells=2)["triangles"], 0)
+        (self.folder / "fox.glb").unlink()
         with contextlib.suppress(pelage.Refused):
             self.scene.export(self.folder / "fox.abcd")
             self.fail("an unknown format")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["fox.hair", "fox.usda"])
+
+    def test_a_scene_in_a_file_opens_again(self):
+        self.scene.export(self.folder / "fox.pelage")
+        again = self.client.open_file(self.folder / "fox.pelage", name="again")
+        self.assertEqual((again.name, again.info()["fields_hash"]), ("again", self.scene.info()["fields_hash"]))
+        with self.assertRaises(pelage.Refused):
+            self.client.open_file(__file__)

@@ -24,7 +24,7 @@ GENERATED = ("schemas.py", "commands.py", "requests.py")
 # How each operation of the contract is reached.
 OPERATIONS = {
     "listScenes": "Server.scenes", "createScene": "Server.create", "describeScene": "Scene.info", "removeScene": "Scene.remove",
-    "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "subdivide": "Scene.subdivide", "exportScene": "Scene.export",
+    "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "subdivide": "Scene.subdivide", "exportScene": "Scene.export", "openScene": "Server.open_file",
     "uploadEnvironment": "Scene.upload_environment", "uploadSkinTexture": "Scene.upload_skin_texture",
     "uploadPicture": "Scene.upload_picture", "getMap": "Scene.download_map", "uploadMap": "Scene.upload_map",
     "runCommands": "Scene.run", "undo": "Scene.undo", "redo": "Scene.redo", "revert": "Scene.revert", "amend": "Scene.amend",

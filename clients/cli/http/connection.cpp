@@ -90,6 +90,10 @@ Result<HttpAnswer> Connection::post_json(const std::string& path, const std::str
   return impl_->result_of(impl_->client.Post(path, sent, body, "application/json"));
 }
 
+Result<HttpAnswer> Connection::post_bytes(const std::string& path, const std::string& bytes) {
+  return impl_->result_of(impl_->client.Post(path, bytes, "application/octet-stream"));
+}
+
 Result<HttpAnswer> Connection::put_bytes(const std::string& path, const std::string& bytes) {
   return impl_->result_of(impl_->client.Put(path, bytes, "application/octet-stream"));
 }

@@ -33,6 +33,7 @@ class Connection {
   /// The same, with the body of a success (2xx) handed over piece by piece; false of `take` ends it.
   Result<HttpAnswer> get(const std::string& path, const std::function<bool(std::string_view)>& take);
   Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
+  Result<HttpAnswer> post_bytes(const std::string& path, const std::string& bytes);
   Result<HttpAnswer> put_bytes(const std::string& path, const std::string& bytes);
   Result<HttpAnswer> remove(const std::string& path);
 

@@ -106,6 +106,10 @@ class Connection:
         sent = {"Content-Type": "application/octet-stream", **(headers or {})}
         return self._answer(Request("PUT", with_query(path, query), content, sent, repeatable, progress))
 
+    def post_bytes(self, path: str, content: bytes, query: Optional[Query] = None) -> Answer:
+        sent = {"Content-Type": "application/octet-stream"}
+        return self._answer(Request("POST", with_query(path, query), content, sent, False))
+
     def delete(self, path: str) -> Answer:
         return self._answer(Request("DELETE", path, None, {}, False))
 

@@ -167,7 +167,8 @@ class Pictures(Requests):
         )
 
     def _export(self, members: Dict[str, Any], path: Path) -> ExportAbout:
-        format = members["format"] or os.path.splitext(os.fspath(path))[1][1:].lower()
+        ending = os.path.splitext(os.fspath(path))[1][1:].lower()
+        format = members["format"] or ("shells" if ending == "glb" else ending)  # a GLB is for viewers
         query = {**members, "format": None}
         with whole_file(path) as file:
             answer = self._connection.get_into(file, f"{self._path}/export/{quoted(format)}", query)

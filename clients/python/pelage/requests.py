@@ -715,7 +715,7 @@ class Requests:
         self,
         path: Path,
         *,
-        format: Optional[Literal["usda", "hair", "shells", "fields"]] = None,
+        format: Optional[Literal["usda", "hair", "shells", "fields", "pelage"]] = None,
         every: Optional[int] = None,
         widen: Optional[bool] = None,
         curves: Optional[bool] = None,
@@ -738,7 +738,7 @@ class Requests:
     def export_about(
         self,
         *,
-        format: Literal["usda", "hair", "shells", "fields"],
+        format: Literal["usda", "hair", "shells", "fields", "pelage"],
         every: Optional[int] = None,
         widen: Optional[bool] = None,
         curves: Optional[bool] = None,

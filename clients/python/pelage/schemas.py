@@ -1974,7 +1974,7 @@ class MeshRequest(TypedDict, total=False):
 
 
 class _ExportRequestRequired(TypedDict):
-    format: Literal["usda", "hair", "shells", "fields"]
+    format: Literal["usda", "hair", "shells", "fields", "pelage"]
 
 
 class ExportRequest(_ExportRequestRequired, total=False):
@@ -2004,7 +2004,7 @@ class ExportAbout(TypedDict):
     """
 
     revision: int
-    format: Literal["usda", "hair", "shells", "fields"]
+    format: Literal["usda", "hair", "shells", "fields", "pelage"]
     strands: int
     points: int
     triangles: int

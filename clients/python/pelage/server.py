@@ -8,6 +8,7 @@ from typing import Any, Dict, List, Optional, Type, TypeVar, cast
 
 from .connection import Connection, quoted
 from .errors import Busy, NotFound, PelageError, Unreachable
+from .files import Path, read_whole
 from .pictures import given
 from .scene import Scene
 from .schemas import BuiltinModel, FirstGroom, FurPatches, SceneInfo
@@ -57,6 +58,14 @@ class Server:
         """
         members = {"name": name, "model": model, "fur": fur, "fur_patches": fur_patches}
         return Scene(self._connection, cast(SceneInfo, self._connection.post("/v1/scenes", given(members)).json))
+
+    def open_file(self, path: Path, name: Optional[str] = None) -> Scene:
+        """Makes a scene of a .pelage file (`Scene.export`), with its log and undo.
+
+        name: The file's own unless given. Not tried again once it was sent. Raises Refused for other files.
+        """
+        answer = self._connection.post_bytes("/v1/open", read_whole(path), given({"name": name}))
+        return Scene(self._connection, cast(SceneInfo, answer.json))
 
     def scenes(self) -> List[Scene]:
         """All scenes, at most 64."""
