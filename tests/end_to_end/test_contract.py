@@ -76,11 +76,14 @@ class Document(unittest.TestCase):
                            stderr=subprocess.DEVNULL, env={**os.environ, "PELAGE_DOCUMENTS": str(file)})
             documents = [line.split(" ", 1) for line in file.read_text(encoding="utf-8").splitlines()]
         self.assertGreaterEqual(len(documents), 500 + 1300)
+        closed = set()
         for schema, text in documents:
             document = json.loads(text)
             error = jsonschema.exceptions.best_match(named(schema).iter_errors(document))
             self.assertIsNone(error, f"{schema} {text[:2000]}")
-            self.assertFalse(named(schema).is_valid({**document, "undescribed": 1}), schema)
+            if schema not in closed:  # once for each: what is closed does not depend on the values
+                self.assertFalse(named(schema).is_valid({**document, "undescribed": 1}), schema)
+                closed.add(schema)
 
     def test_limits_are_those_of_the_header(self):
         text = (REPOSITORY / "protocol" / "base" / "limits.h").read_text()
