@@ -120,6 +120,12 @@ def picture(frame: pelage.Frame) -> Image.Image:
     return Image.open(io.BytesIO(frame.bytes)).convert("RGB")
 
 
+def load_image(path: pathlib.Path) -> Image.Image:
+    """A picture of a file, over the background where it is transparent."""
+    image = Image.open(path).convert("RGBA")
+    return Image.alpha_composite(Image.new("RGBA", image.size, BACKGROUND), image).convert("RGB")
+
+
 def sheet(pictures: Sequence[Tuple[str, Image.Image]], columns: int = 0) -> Image.Image:
     """Pictures of one size with a label below each, in rows. columns: As many as rows unless given."""
     columns = min(columns or math.ceil(math.sqrt(len(pictures))), len(pictures))
