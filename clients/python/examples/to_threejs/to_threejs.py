@@ -15,7 +15,7 @@ import json
 import pathlib
 import subprocess
 import sys
-from typing import List
+from typing import List, Literal, Sequence
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
@@ -24,7 +24,8 @@ import pelage  # noqa: E402
 from pelage.files import write_whole  # noqa: E402
 from pelage.schemas import PinholeCamera  # noqa: E402
 
-KINDS = {"shells": "three.js, shells", "shader": "three.js, our shader"}
+EXPORTS: Sequence[Literal["shells", "fields"]] = ("shells", "fields")
+PICTURES = {"shells": "three.js, shells", "shader": "three.js, our shader"}
 HEADLESS = [
     "--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     "--hide-scrollbars", "--virtual-time-budget=60000",
@@ -49,19 +50,22 @@ def run(command: List[str], seconds: float) -> None:
 
 
 def export(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> None:
-    for name, kind in (("shells.glb", "shells"), ("fields.glb", "fields")):
-        about = scene.export(args.output / name, format=kind)
-        print(f"{args.output / name}: {about['triangles']} triangles, {about['bytes'] / 1e6:.1f} MB", flush=True)
+    for kind in EXPORTS:
+        path = args.output / f"{kind}.glb"
+        about = scene.export(path, format=kind)
+        print(f"{path}: {about['triangles']} triangles, {about['bytes'] / 1e6:.1f} MB", flush=True)
     settings = scene.settings()
     lights = [light for light in settings["lights"] if light["kind"] == "directional"]
-    about_page = {"camera": camera, "lights": lights, "ambient": settings["look"]["ambient"]}
-    write_whole(args.output / "scene.json", json.dumps(about_page).encode())
-    scene.save_frame(args.output / "pelage.png", camera=camera, quality=args.quality, width=args.size, height=args.size, tone_map="none")
+    content = {"camera": camera, "lights": lights, "ambient": settings["look"]["ambient"]}
+    write_whole(args.output / "scene.json", json.dumps(content).encode())
+    scene.save_frame(
+        args.output / "pelage.png", camera=camera, quality=args.quality, width=args.size, height=args.size, tone_map="none"
+    )
 
 
 def take_pictures(args: argparse.Namespace) -> None:
     pictures = [("Pelage", common.load_image(args.output / "pelage.png"))]
-    for kind, label in KINDS.items():
+    for kind, label in PICTURES.items():
         file, page = (args.output / name for name in (f"{kind}.png", "index.html"))
         run([args.chromium, *HEADLESS, f"--window-size={args.size},{args.size}", f"--screenshot={file.resolve()}",
              f"{page.resolve().as_uri()}#{kind}"], 300)
