@@ -91,19 +91,17 @@ def curves_of_edges(edges: bpy.types.Object, material: bpy.types.Material) -> bp
 
 
 def fur_material() -> bpy.types.Material:
-    """Hair fibres in the colour of each point."""
+    """The colour of each point. Blender's fibres (Principled Hair) let more light through and are paler and noisier."""
     material = bpy.data.materials.new("fur")
     material.use_nodes = True
     tree = material.node_tree
     tree.nodes.clear()
     colour = tree.nodes.new("ShaderNodeAttribute")
     colour.attribute_name = "strand_colour"
-    hair = tree.nodes.new("ShaderNodeBsdfHairPrincipled")
-    hair.parametrization = "COLOR"
-    hair.inputs["Roughness"].default_value = 0.3
-    hair.inputs["Radial Roughness"].default_value = 0.3
+    hair = tree.nodes.new("ShaderNodeBsdfPrincipled")
+    hair.inputs["Roughness"].default_value, hair.inputs["Specular"].default_value = 0.5, 0.2
     output = tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(colour.outputs["Vector"], hair.inputs["Color"])
+    tree.links.new(colour.outputs["Vector"], hair.inputs["Base Color"])
     tree.links.new(hair.outputs["BSDF"], output.inputs["Surface"])
     return material
 

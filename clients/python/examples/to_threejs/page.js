@@ -10,6 +10,7 @@ import {shellsOf} from "./fur.js";
 const renderer = new three.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
 renderer.setPixelRatio(Math.max(devicePixelRatio, 2));  // strands are finer than a pixel
 const anisotropy = renderer.capabilities.getMaxAnisotropy();  // and are seen along the skin
+renderer.setSize(about.size, about.size);
 document.body.append(renderer.domElement);
 const scene = new three.Scene();
 scene.background = new three.Color("#c5c8ce");
@@ -20,8 +21,6 @@ controls.target.fromArray(about.camera.target);
 controls.addEventListener("change", draw);
 
 function draw() {
-  renderer.setSize(innerWidth, innerHeight);
-  camera.aspect = innerWidth / innerHeight;
   const distance = camera.position.distanceTo(controls.target);
   camera.near = distance / 100, camera.far = distance * 10;
   camera.updateProjectionMatrix();
@@ -52,6 +51,7 @@ function addShells({scene: model}) {
 }
 
 async function show() {
+  globalThis.createImageBitmap = undefined;  // pictures as elements: a headless browser waits for these alone
   const loader = new GLTFLoader();
   if (location.hash === "#shader") scene.add(shellsOf((await loader.parseAsync(fields.buffer, "")).scene, {...about, anisotropy}));
   else addShells(await loader.parseAsync(shells.buffer, ""));
@@ -60,6 +60,5 @@ async function show() {
 }
 
 addLights();
-addEventListener("resize", draw);
 addEventListener("hashchange", () => location.reload());
 show();

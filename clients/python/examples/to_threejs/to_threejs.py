@@ -56,7 +56,7 @@ def export(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace)
         print(f"{path}: {about['triangles']} triangles, {about['bytes'] / 1e6:.1f} MB", flush=True)
     settings = scene.settings()
     lights = [light for light in settings["lights"] if light["kind"] == "directional"]
-    content = {"camera": camera, "lights": lights, "ambient": settings["look"]["ambient"]}
+    content = {"camera": camera, "lights": lights, "ambient": settings["look"]["ambient"], "size": args.size}
     write_whole(args.output / "scene.json", json.dumps(content).encode())
     scene.save_frame(
         args.output / "pelage.png", camera=camera, quality=args.quality, width=args.size, height=args.size, tone_map="none"
@@ -64,11 +64,13 @@ def export(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace)
 
 
 def take_pictures(args: argparse.Namespace) -> None:
+    window = max(args.size, 500) + 200  # no window is narrower than 500, and its frame needs room
     pictures = [("Pelage", common.load_image(args.output / "pelage.png"))]
     for kind, label in PICTURES.items():
         file, page = (args.output / name for name in (f"{kind}.png", "index.html"))
-        run([args.chromium, *HEADLESS, f"--window-size={args.size},{args.size}", f"--screenshot={file.resolve()}",
+        run([args.chromium, *HEADLESS, f"--window-size={window},{window}", f"--screenshot={file.resolve()}",
              f"{page.resolve().as_uri()}#{kind}"], 300)
+        common.save_image(file, common.load_image(file).crop((0, 0, args.size, args.size)))
         pictures.append((label, common.load_image(file)))
     common.save_image(args.output / "sheet.png", common.sheet(pictures, len(pictures)))
     print(args.output / "sheet.png")
