@@ -35,7 +35,10 @@ LABEL = 22  # pixels below each picture of a sheet
 def options(text: Optional[str]) -> argparse.ArgumentParser:
     """A parser with what all examples take. text: The docstring of the program."""
     parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--server", help="address of a running server (default: a private one, which ends with the program)")
+    parser.add_argument(
+        "--server",
+        help="address of a running server (default: a private one, which ends with the program)",
+    )
     parser.add_argument("--quality", default="interactive", choices=("draft", "interactive", "detailed"))
     return parser
 

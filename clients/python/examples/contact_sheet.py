@@ -22,9 +22,18 @@ import pelage
 def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     common.model_options(parser)
-    parser.add_argument("--looks", type=pathlib.Path, default=common.LOOKS, help="folder of files with commands (default: clients/looks)")
-    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("looks.jpg"), help="the picture (default: looks.jpg)")
-    parser.add_argument("--turn", type=float, default=35, help="degrees of the camera around the model, 90 at its left (default: 35)")
+    parser.add_argument(
+        "--looks", type=pathlib.Path, default=common.LOOKS,
+        help="folder of files with commands (default: clients/looks)",
+    )
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=pathlib.Path("looks.jpg"),
+        help="the picture (default: looks.jpg)",
+    )
+    parser.add_argument(
+        "--turn", type=float, default=35,
+        help="degrees of the camera around the model, 90 at its left (default: 35)",
+    )
     parser.add_argument("--size", type=int, default=256, help="pixels along the side of each look (default: 256)")
     return parser.parse_args()
 

@@ -23,9 +23,15 @@ def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="of the models")
     parser.add_argument("groom", type=pathlib.Path, help="a recipe or commands, as `pelage run` takes them")
-    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("groomed"), help="folder of the pictures (default: groomed)")
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=pathlib.Path("groomed"),
+        help="folder of the pictures (default: groomed)",
+    )
     parser.add_argument("--front", help="the axis of the files that the models face, such as -z")
-    parser.add_argument("--turn", type=float, default=35, help="degrees of the camera around the model, 90 at its left (default: 35)")
+    parser.add_argument(
+        "--turn", type=float, default=35,
+        help="degrees of the camera around the model, 90 at its left (default: 35)",
+    )
     parser.add_argument("--size", type=int, default=320, help="pixels along a picture's side (default: 320)")
     return parser.parse_args()
 

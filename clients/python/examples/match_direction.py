@@ -74,10 +74,16 @@ def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     common.model_options(parser)
     parser.add_argument("--reference", type=pathlib.Path, help="a square picture of the same model")
-    parser.add_argument("--turn", type=float, default=90, help="degrees of its camera around the model (default: 90, its left)")
+    parser.add_argument(
+        "--turn", type=float, default=90,
+        help="degrees of its camera around the model (default: 90, its left)",
+    )
     parser.add_argument("--rounds", type=int, default=8, help="at most so many (default: 8)")
     parser.add_argument("--size", type=int, default=512, help="pixels along the side of the pictures (default: 512)")
-    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("matched"), help="folder (default: matched)")
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=pathlib.Path("matched"),
+        help="folder (default: matched)",
+    )
     return parser.parse_args()
 
 

@@ -28,10 +28,16 @@ IMPORTER = pathlib.Path(__file__).with_name("blender_import_hair.py")
 def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     common.model_options(parser)
-    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("blender"), help="folder (default: blender)")
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=pathlib.Path("blender"),
+        help="folder (default: blender)",
+    )
     parser.add_argument("--every", type=int, default=4, help="one strand of so many (default: 4)")
     parser.add_argument("--size", type=int, default=320, help="pixels along the side of the pictures (default: 320)")
-    parser.add_argument("--turn", type=float, default=35, help="degrees of the camera around the model, 90 at its left (default: 35)")
+    parser.add_argument(
+        "--turn", type=float, default=35,
+        help="degrees of the camera around the model, 90 at its left (default: 35)",
+    )
     parser.add_argument("--blender", help="the program, to render at once")
     parser.add_argument("--samples", type=int, default=64, help="of Cycles for each pixel (default: 64)")
     return parser.parse_args()

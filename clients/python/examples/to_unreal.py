@@ -69,7 +69,10 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("unreal"), help="folder (default: unreal)")
     parser.add_argument("--every", type=int, default=16, help="one strand of so many (default: 16)")
     parser.add_argument("--guides", type=int, default=256, help="one guide of so many strands (default: 256)")
-    parser.add_argument("--metres", type=float, default=1.0, help="of one unit of the model; 0.01 where it is in centimetres (default: 1)")
+    parser.add_argument(
+        "--metres", type=float, default=1.0,
+        help="of one unit of the model; 0.01 where it is in centimetres (default: 1)",
+    )
     return parser.parse_args()
 
 

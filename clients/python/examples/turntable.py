@@ -22,7 +22,10 @@ import pelage
 def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     common.model_options(parser)
-    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("turntable/fox"), help="begin of the frames' names (default: turntable/fox)")
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=pathlib.Path("turntable/fox"),
+        help="begin of the frames' names (default: turntable/fox)",
+    )
     parser.add_argument("--animation", type=pathlib.Path, help="a .webp or .gif (default: OUTPUT.webp)")
     parser.add_argument("--frames", type=int, default=24, help="of the whole turn (default: 24)")
     parser.add_argument("--seconds", type=float, default=2.0, help="of the whole turn (default: 2)")

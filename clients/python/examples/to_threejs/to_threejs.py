@@ -36,8 +36,14 @@ def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     common.model_options(parser)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("page"), help="folder (default: page)")
-    parser.add_argument("--packages", type=pathlib.Path, default=common.REPOSITORY / "clients" / "web" / "node_modules", help="folder with three and esbuild (default: clients/web/node_modules)")
-    parser.add_argument("--turn", type=float, default=35, help="degrees of the camera around the model, 90 at its left (default: 35)")
+    parser.add_argument(
+        "--packages", type=pathlib.Path, default=common.REPOSITORY / "clients" / "web" / "node_modules",
+        help="folder with three and esbuild (default: clients/web/node_modules)",
+    )
+    parser.add_argument(
+        "--turn", type=float, default=35,
+        help="degrees of the camera around the model, 90 at its left (default: 35)",
+    )
     parser.add_argument("--size", type=int, default=400, help="pixels along the side of the pictures (default: 400)")
     parser.add_argument("--chromium", help="the browser, to take pictures at once")
     return parser.parse_args()
