@@ -1,0 +1,180 @@
+"""What the examples share: options, a scene, recipes, progress and pictures of several frames.
+
+Examples use the package beside them, so that they run from the repository without an installation. Everything that lays
+pictures side by side needs Pillow (`pip install pillow`, or python3-pil of Debian).
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import io
+import math
+import os
+import pathlib
+import subprocess
+import sys
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, cast
+
+from PIL import Image, ImageDraw, ImageFont
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import pelage  # noqa: E402
+from pelage.files import write_whole  # noqa: E402
+from pelage.schemas import BuiltinModel, PinholeCamera  # noqa: E402
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+LOOKS = REPOSITORY / "clients" / "looks"
+BUILTIN = ("torus", "knot", "sphere", "plane", "cloth", "creature")
+MODELS = (".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".3ds", ".zip")
+BACKGROUND = (197, 200, 206)  # as of a frame, so that a sheet is one picture
+TEXT = (40, 42, 46)
+LABEL = 22  # pixels below each picture of a sheet
+
+
+def options(text: Optional[str]) -> argparse.ArgumentParser:
+    """A parser with what all examples take. text: The docstring of the program."""
+    parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument(
+        "--server",
+        help="address of a running server (default: a private one, which ends with the program)",
+    )
+    parser.add_argument("--quality", default="interactive", choices=("draft", "interactive", "detailed"))
+    return parser
+
+
+def model_options(parser: argparse.ArgumentParser) -> None:
+    """Options for a model and its groom, as `new_scene` takes them."""
+    parser.add_argument("--model", default="creature", help=f"a file, or one of {', '.join(BUILTIN)} (default: creature)")
+    parser.add_argument("--triangles", type=int, default=5000, help="of a built-in model (default: 5000)")
+    parser.add_argument("--front", help="the axis of the file that the model faces, such as -z")
+    parser.add_argument("--groom", type=pathlib.Path, help="a recipe or commands, as `pelage run` takes them")
+
+
+@contextlib.contextmanager
+def server(args: argparse.Namespace) -> Iterator[pelage.Server]:
+    with pelage.Server(args.server) if args.server else pelage.local() as running:
+        yield running
+
+
+@contextlib.contextmanager
+def empty_scene(running: pelage.Server, name: str, model: Optional[BuiltinModel] = None) -> Iterator[pelage.Scene]:
+    """A scene that is removed at the end of the block: a server that runs on keeps nothing of us."""
+    scene = running.create(name, model=model)
+    try:
+        yield scene
+    finally:
+        scene.remove()
+
+
+@contextlib.contextmanager
+def new_scene(running: pelage.Server, args: argparse.Namespace) -> Iterator[pelage.Scene]:
+    """A scene with the model and the groom of the options."""
+    model = {"builtin": args.model, "triangles": args.triangles} if args.model in BUILTIN else None
+    with empty_scene(running, pathlib.Path(args.model).stem, cast(Optional[BuiltinModel], model)) as scene:
+        if model is None:
+            scene.load(args.model, front=args.front, progress=pelage.print_progress)
+        if args.groom:
+            run_groom(running, scene, args.groom)
+        yield scene
+
+
+def run_groom(running: pelage.Server, scene: pelage.Scene, groom: pathlib.Path) -> None:
+    """Runs a recipe or commands with the client `pelage`, which fills in variables and positions."""
+    if not groom.is_file():
+        raise FileNotFoundError(f"there is no groom {groom}")
+    done = subprocess.run(
+        [client_program(), "--server", running.address, "run", scene.id, str(groom)], capture_output=True, text=True
+    )
+    if done.returncode:
+        raise pelage.PelageError(done.stderr.strip() or f"pelage ended with {done.returncode}")
+    scene.info()  # the revision that the client has made
+
+
+def client_program() -> str:
+    """`pelage` beside the server's program where that is named, else the one on the PATH."""
+    beside = os.environ.get("PELAGE_SERVER_PROGRAM")
+    return str(pathlib.Path(beside).with_name("pelage")) if beside else "pelage"
+
+
+def orbit(scene: pelage.Scene, degrees: float, height: float = 0.15, fov: float = 30.0) -> PinholeCamera:
+    """A camera on a circle around the model that sees all of it, counter-clockwise from its front seen from above.
+
+    height: Of the camera above the model's centre, in its distance.
+    """
+    bounds = scene.info()["bounds"]
+    centre = [(low + high) / 2 for low, high in zip(bounds["min"], bounds["max"])]
+    extent = [high - low for low, high in zip(bounds["min"], bounds["max"])]
+    # What turns needs the length of its ground diagonal; fur stands out beyond the box.
+    widest = max(math.hypot(extent[0], extent[2]), extent[1]) * 1.12
+    distance = widest / 2 / math.tan(math.radians(fov / 2))
+    angle = math.radians(degrees)
+    away = [math.sin(angle), height, math.cos(angle)]
+    position = [middle + distance * step for middle, step in zip(centre, away)]
+    return {"position": position, "target": centre, "up": [0, 1, 0], "fov_degrees": fov}
+
+
+def report(done: int, of: int, text: str) -> None:
+    """A line of progress on standard error; the results are on standard output."""
+    pelage.print_progress(pelage.Progress(done / of, f"{text} ({done} of {of})"))
+
+
+def picture(frame: pelage.Frame) -> Image.Image:
+    return Image.open(io.BytesIO(frame.bytes)).convert("RGB")
+
+
+def load_image(path: pathlib.Path) -> Image.Image:
+    """A picture of a file, over the background where it is transparent."""
+    image = Image.open(path).convert("RGBA")
+    return Image.alpha_composite(Image.new("RGBA", image.size, BACKGROUND), image).convert("RGB")
+
+
+def sheet(pictures: Sequence[Tuple[str, Image.Image]], columns: int = 0) -> Image.Image:
+    """Pictures of one size with a label below each, in rows. columns: As many as rows unless given."""
+    columns = min(columns or math.ceil(math.sqrt(len(pictures))), len(pictures))
+    width, height = pictures[0][1].size
+    rows = math.ceil(len(pictures) / columns)
+    whole = Image.new("RGB", (columns * width, rows * (height + LABEL)), BACKGROUND)
+    draw = ImageDraw.Draw(whole)
+    for place, (label, one) in enumerate(pictures):
+        left, top = place % columns * width, place // columns * (height + LABEL)
+        whole.paste(one, (left, top))
+        box = draw.textbbox((0, 0), label, font=font())
+        draw.text((left + (width - box[2]) // 2, top + height + 2), label, TEXT, font=font())
+    return whole
+
+
+def font() -> "ImageFont.FreeTypeFont | ImageFont.ImageFont":
+    """A smooth font where one is installed; Pillow's own is small."""
+    try:
+        return ImageFont.truetype("DejaVuSans.ttf", 14)
+    except OSError:
+        return ImageFont.load_default()
+
+
+def save_image(path: pathlib.Path, image: Image.Image, more: Sequence[Image.Image] = (), milliseconds: int = 0) -> None:
+    """Writes a picture, which appears whole or not at all. more, milliseconds: The further pictures of an animation."""
+    kind = Image.registered_extensions().get(path.suffix.lower())
+    if kind is None:
+        raise ValueError(f"{path}: the ending stands for no picture")
+    animation: Dict[str, Any] = {"save_all": True, "append_images": list(more), "duration": milliseconds, "loop": 0} if more else {}
+    content = io.BytesIO()
+    image.save(content, format=kind, quality=90, **animation)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, content.getvalue())
+
+
+def run(main: Callable[[], int]) -> None:
+    """Ends the program with what `main` gives, or with the message of what went wrong and 1."""
+    try:
+        sys.exit(main())
+    except (pelage.PelageError, OSError, ValueError) as error:
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {error}")
+
+
+def files_in(folder: pathlib.Path, endings: Sequence[str]) -> List[pathlib.Path]:
+    """Files with one of the endings, by name. Raises ValueError where there is none."""
+    found = sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
+    if not found:
+        raise ValueError(f"{folder} has no file that ends with one of {', '.join(endings)}")
+    return found

@@ -1,0 +1,277 @@
+"""Turns the fur so that its strands run on the picture as those of a reference picture do.
+
+    python3 clients/python/examples/match_direction.py --output matched
+    python3 clients/python/examples/match_direction.py --model koala.obj --reference photo.png --turn 90 --output matched
+
+Without --reference the program draws one itself, of the same model with a groom that the optimiser does not know. Prints
+after each round the mean angle between the strands of both pictures, and ends with 1 unless it falls to under half. Of a
+reference of its own it also prints the mean angle between the two fields, which the optimiser never sees. Writes
+reference.png, before.png, after.png, sheet.png with lines along the strands, and direction.npy, which
+`scene.set_field("direction", numpy.load("direction.npy"))` puts on a scene of that model.
+
+How: a structure tensor reads along which line strands run at each pixel of both pictures. Where they differ, each vertex
+that the camera sees turns its fur about its normal by part of the difference. The frame is drawn again and compared again,
+for what a picture shows is bent, lit and overlapping fur, and not the field. A round that does not help is taken back, and
+the next one turns less.
+
+What it can do: lay the fur as it lies on a picture of the same model from the same camera, with fur of about the same
+length. What it cannot: see the back of the model, tell a direction from its opposite (a picture shows lines, not where
+they begin: fur turns to the nearer of both), read fur too fine or too blurred for the picture, or find camera, length and
+colour. A photo of another animal needs a model and camera fitted to it first. Needs Pillow and NumPy.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import pathlib
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+import numpy
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
+
+import common
+import pelage
+from pelage.arrays import encoded
+from pelage.files import write_whole
+from pelage.schemas import PinholeCamera
+
+Array = NDArray[numpy.float64]
+WINDOW = 13  # pixels, of the mean of the structure tensor
+EDGE = 6  # pixels within the silhouette whose edge would count as strands
+GRAZING = 0.35  # cosine between normal and view under which a vertex is left alone
+WORTH = 0.1  # of the difference: a round that turns less is not worth its frame
+CELL = 16  # pixels between two lines of the sheet
+
+# Fur whose strands a small picture shows: few, wide, of many colours, lying.
+READABLE: List[Dict[str, Any]] = [
+    {"op": "set_coat", "coat": {
+        "count": 1500, "width_root": 0.003, "width_tip": 0.0012, "bend": 0.1, "clump": 0, "colour_spread": 0.5,
+        "root_share": 0.7, "length_spread": 0.2, "ticking": {"share": 0.3, "colour": [0.9, 0.85, 0.75]}}},
+    {"op": "length", "flood": True, "value": 0.04},
+    {"op": "unify", "flood": True, "inclination": 0.9, "weight": 1},
+]
+
+
+class Lines(NamedTuple):
+    """Along which line strands run: cosine and sine of twice the angle [height, width, 2], and how clearly, 0 to 1."""
+
+    twice: Array
+    clarity: Array
+
+
+class View(NamedTuple):
+    """pixels: Column and row of each vertex. seen: Whether the camera sees fur of it well."""
+
+    pixels: NDArray[numpy.int64]
+    seen: NDArray[numpy.bool_]
+    normals: Array
+
+
+def arguments() -> argparse.Namespace:
+    parser = common.options(__doc__)
+    common.model_options(parser)
+    parser.add_argument("--reference", type=pathlib.Path, help="a square picture of the same model")
+    parser.add_argument(
+        "--turn", type=float, default=90,
+        help="degrees of its camera around the model (default: 90, its left)",
+    )
+    parser.add_argument("--rounds", type=int, default=8, help="at most so many (default: 8)")
+    parser.add_argument("--size", type=int, default=512, help="pixels along the side of the pictures (default: 512)")
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=pathlib.Path("matched"),
+        help="folder (default: matched)",
+    )
+    return parser.parse_args()
+
+
+def blurred(values: Array, size: int) -> Array:
+    """The mean of a window of size x size pixels, twice."""
+    for axis in (0, 1, 0, 1):
+        pad = [(size // 2 + 1, size // 2) if k == axis else (0, 0) for k in range(values.ndim)]
+        sums = numpy.cumsum(numpy.pad(values, pad, mode="edge"), axis=axis)
+        count = values.shape[axis]
+        values = (numpy.take(sums, range(size, size + count), axis) - numpy.take(sums, range(count), axis)) / size
+    return values
+
+
+def lines_of(picture: Array) -> Lines:
+    """Reads lines from the brightness of a picture. Soft light and shadow are divided out first."""
+    bright = picture[..., :3].mean(axis=2)
+    detail = bright - blurred(bright, WINDOW)
+    detail /= numpy.sqrt(blurred(detail**2, 2 * WINDOW + 1)) + 1.0
+    down, right = numpy.gradient(detail)
+    # The gradient's angle doubled, as a vector with y up; lines run across the gradient, which is minus that.
+    tensor = blurred(numpy.stack([right**2 - down**2, -2 * right * down, right**2 + down**2], axis=-1), WINDOW)
+    strength = numpy.hypot(tensor[..., 0], tensor[..., 1])
+    return Lines(-tensor[..., :2] / (strength[..., None] + 1e-9), strength / (tensor[..., 2] + 1e-9))
+
+
+def turn_between(now: Array, wanted: Array) -> Array:
+    """Angles from lines to lines, -pi/2 to pi/2."""
+    sine = now[..., 0] * wanted[..., 1] - now[..., 1] * wanted[..., 0]
+    return numpy.arctan2(sine, (now * wanted).sum(axis=-1)) / 2
+
+
+def smooth_turns(now: Lines, wanted: Lines, inside: Array) -> Array:
+    """How far lines are to be turned at each pixel: a mean of those around it, of clear ones more."""
+    weight = now.clarity * wanted.clarity * inside
+    return blurred(weight * turn_between(now.twice, wanted.twice), WINDOW) / (blurred(weight, WINDOW) + 1e-6)
+
+
+def camera_axes(camera: PinholeCamera) -> Array:
+    """To the right, up and away from the camera, in model coordinates."""
+    away = numpy.subtract(camera["target"], camera["position"])
+    right = numpy.cross(away, camera["up"])
+    up = numpy.cross(right, away)
+    return numpy.stack([axis / numpy.linalg.norm(axis) for axis in (right, up, away)])
+
+
+def shape_of(scene: pelage.Scene) -> Tuple[Array, Array]:
+    """Positions and normals of the vertices, in the order of `scene.field`."""
+    content = scene.mesh(triangles=200000)
+    length = int.from_bytes(content[12:16], "little")
+    about = json.loads(content[20 : 20 + length])
+    count = about["accessors"][0]["count"]
+    if count != scene.info()["vertices"]:
+        raise ValueError("the model has more triangles than the server gives; take one of at most 200000")
+    numbers = numpy.frombuffer(content, "<f4", 6 * count, 28 + length).reshape(2, count, 3).astype(float)
+    return numbers[0] + about["nodes"][0]["translation"], numbers[1]
+
+
+def view_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[View, Array]:
+    """What the camera sees, and the pixels whose lines are compared: fur, and not its silhouette."""
+    positions, normals = shape_of(scene)
+    pixels = scene.frame_array(
+        linear=True, aovs=["alpha", "depth"], camera=camera, quality=args.quality, width=args.size, height=args.size
+    ).astype(float)
+    inside = (blurred(pixels[..., 0], 2 * EDGE + 1) > 0.999).astype(float)
+    offset = positions - camera["position"]
+    right, up, away = (offset @ axis for axis in camera_axes(camera))
+    scale = args.size / 2 / math.tan(math.radians(camera["fov_degrees"] / 2)) / away
+    at = numpy.stack([args.size / 2 + scale * right, args.size / 2 - scale * up], axis=1).astype(int)
+    at = at.clip(0, args.size - 1)
+    facing = -(normals * offset).sum(axis=1) / numpy.linalg.norm(offset, axis=1)
+    # Fur is nearer than the skin below it; what is much nearer is another part of the body.
+    behind = away - pixels[at[:, 1], at[:, 0], 1]
+    seen = (facing > GRAZING) & (behind < 0.06 * scene.info()["size"]) & (inside[at[:, 1], at[:, 0]] > 0)
+    return View(at, seen, normals), inside
+
+
+def turned(directions: Array, normals: Array, angles: Array) -> NDArray[numpy.float32]:
+    """Directions turned about the normals, counter-clockwise seen from outside."""
+    cosine, sine = numpy.cos(angles)[:, None], numpy.sin(angles)[:, None]
+    result: Array = cosine * directions + sine * numpy.cross(normals, directions)
+    return result.astype(numpy.float32)
+
+
+def own_reference(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[Array, Array]:
+    """A picture of the model whose fur lies in waves, up to 65 degrees from where it lay; and the field of that."""
+    positions, normals = shape_of(scene)
+    waves = numpy.sin(6 * math.pi * positions[:, 2] / scene.info()["size"])
+    wanted = turned(scene.field("direction").astype(float), normals, math.radians(65) * waves)
+    other = scene.branch("reference")
+    try:
+        other.set_field("direction", wanted)
+        return draw(other, camera, args), wanted.astype(float)
+    finally:
+        other.remove()
+
+
+def draw(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Array:
+    array = scene.frame_array(camera=camera, quality=args.quality, width=args.size, height=args.size)
+    return array[..., :3].astype(float)
+
+
+def degrees_between(now: Lines, wanted: Lines, inside: Array) -> float:
+    """The mean angle, of clear lines of the reference more."""
+    weight = wanted.clarity * inside
+    return float(numpy.degrees((weight * numpy.abs(turn_between(now.twice, wanted.twice))).sum() / weight.sum()))
+
+
+def match(scene: pelage.Scene, camera: PinholeCamera, wanted: Lines, args: argparse.Namespace) -> Tuple[float, float]:
+    """Turns the fur until no round helps; the mean angles before and after."""
+    view, inside = view_of(scene, camera, args)
+    column, row = view.pixels.T
+    now, gain = lines_of(draw(scene, camera, args)), 0.8
+    first = error = degrees_between(now, wanted, inside)
+    print(f"before: {error:.1f} degrees", flush=True)
+    for done in range(args.rounds):
+        common.report(done, args.rounds, "round")
+        angles = gain * smooth_turns(now, wanted, inside)[row, column]
+        scene.set_field("direction", turned(scene.field("direction").astype(float), view.normals, angles * view.seen))
+        tried = lines_of(draw(scene, camera, args))
+        found = degrees_between(tried, wanted, inside)
+        print(f"round {done + 1}: {found:.1f} degrees{'' if found < error else ', taken back'}", flush=True)
+        if found < error:
+            now, error = tried, found
+        else:
+            scene.undo()
+            gain /= 2
+            if gain < WORTH:
+                break
+    return first, error
+
+
+def with_lines(pixels: Array, lines: Lines, inside: Array) -> Image.Image:
+    """The picture with a short line along the strands of each cell."""
+    image = Image.fromarray(pixels.astype(numpy.uint8))
+    pen = ImageDraw.Draw(image)
+    for y in range(CELL // 2, image.height, CELL):
+        for x in range(CELL // 2, image.width, CELL):
+            if inside[y, x]:
+                angle = math.atan2(lines.twice[y, x, 1], lines.twice[y, x, 0]) / 2
+                step_x, step_y = 0.4 * CELL * math.cos(angle), -0.4 * CELL * math.sin(angle)
+                pen.line((x - step_x, y - step_y, x + step_x, y + step_y), fill=(20, 40, 160), width=2)
+    return image
+
+
+def reference_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[Array, Optional[Array]]:
+    """The picture to match, and the field that made it where it is our own."""
+    if args.reference:
+        picture = Image.open(args.reference).convert("RGB").resize((args.size, args.size), Image.Resampling.LANCZOS)
+        return numpy.asarray(picture, float), None
+    return own_reference(scene, camera, args)
+
+
+def degrees_off(directions: NDArray[numpy.float32], wanted: Array, seen: NDArray[numpy.bool_]) -> float:
+    """The mean angle between the directions of two fields at the vertices that are seen."""
+    first, second = directions[seen].astype(float), wanted[seen]
+    lengths = numpy.linalg.norm(first, axis=1) * numpy.linalg.norm(second, axis=1)
+    cosines = (first * second).sum(axis=1) / numpy.maximum(lengths, 1e-9)
+    return float(numpy.degrees(numpy.arccos(cosines.clip(-1, 1))).mean())
+
+
+def save(scene: pelage.Scene, pictures: Dict[str, Array], inside: Array, folder: pathlib.Path) -> None:
+    for name, one in pictures.items():
+        common.save_image(folder / f"{name}.png", Image.fromarray(one.astype(numpy.uint8)))
+    labelled = [(name, with_lines(one, lines_of(one), inside)) for name, one in pictures.items()]
+    common.save_image(folder / "sheet.png", common.sheet(labelled, len(labelled)))
+    write_whole(folder / "direction.npy", encoded(scene.field("direction")))
+    print(folder / "sheet.png")
+
+
+def main() -> int:
+    args = arguments()
+    with common.server(args) as running, common.new_scene(running, args) as scene:
+        if not args.groom:
+            scene.run(*READABLE)
+        camera = common.orbit(scene, args.turn)
+        reference, hidden = reference_of(scene, camera, args)
+        start = scene.field("direction")
+        view, inside = view_of(scene, camera, args)
+        pictures = {"reference": reference, "before": draw(scene, camera, args)}
+        before, after = match(scene, camera, lines_of(reference), args)
+        pictures["after"] = draw(scene, camera, args)
+        save(scene, pictures, inside, args.output)
+        if hidden is not None:
+            fields = [degrees_off(one, hidden, view.seen) for one in (start, scene.field("direction"))]
+            print(f"fields: {fields[0]:.1f} degrees before, {fields[1]:.1f} after")
+    print(f"pictures: {before:.1f} degrees before, {after:.1f} after")
+    return 0 if after < before / 2 else 1
+
+
+if __name__ == "__main__":
+    common.run(main)
