@@ -150,7 +150,8 @@ void members(V& v, Visited<V, ExportRequest>& c) {
   v.type("ExportRequest");
   v.name(required("format"), c.format, json_names::export_formats);
   v.integer("every", c.every, {1, 1e6},
-            "About one strand of so many, chosen by numbers of their own; above 1 they count as guides.");
+            "About one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless they "
+            "are widened.");
   v.boolean("widen", c.widen, "Makes strands `every` times as wide, which keeps what they cover.");
   v.boolean("curves", c.curves, "With whiskers, lashes and brows.");
   v.integer("shells", c.shells, {1, 32}, "Layers of `shells`.");

@@ -29,7 +29,7 @@ ExportFile strand_file(const std::shared_ptr<const ExportedStrands>& strands, co
     return file;
   }
   file.content_type = "model/vnd.usda", file.ending = ".usda";
-  file.write = [strands, about = file.about, guides = request.every > 1](const Sink& sink) {
+  file.write = [strands, about = file.about, guides = request.every > 1 && !request.widen](const Sink& sink) {
     return write_usda(*strands, about, guides, sink);
   };
   return file;

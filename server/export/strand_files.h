@@ -6,9 +6,10 @@
 
 namespace pelage {
 
-/// USD as text: an Xform at the model's centre with linear BasisCurves, in the model's unit, Y up. Widths and
-/// displayColor (linear) for each point; for each strand `st`, and as Unreal names them `groom_root_uv` (v up),
-/// `groom_id`, `groom_group_id` (0 fur, 1 curves) and `groom_guide` (1 for all where strands were left out).
+/// USD as text: an Xform at the model's centre, with the schema that Unreal takes as a groom, and linear BasisCurves in
+/// the model's unit, Y up. Widths and colours (linear; displayColor, and groom_color as Unreal names it) for each
+/// point; for each strand `st`, `groom_root_uv` (v up), `groom_id` and `groom_group_id` (0 fur, 1 curves);
+/// `groom_guide` of all.
 bool write_usda(const ExportedStrands& strands, const ExportAnswer& about, bool as_guides, const Sink& sink);
 
 /// The HAIR format of cyHair (Yuksel): segments, points in model coordinates, thickness and linear colours.

@@ -59,8 +59,10 @@ void write_points(const ExportedStrands& strands, Buffered& out) {
   });
   write_array(strands, out, "float[] widths", true, "vertex",
               [&](const StrandSet& set, std::size_t i, int) { out.print("{}", strands.model_width(set.points[i])); });
-  write_array(strands, out, "color3f[] primvars:displayColor", true, "vertex",
-              [&](const StrandSet& set, std::size_t i, int) { print_vector(out, unpack_colour(set.colours[i])); });
+  for (const char* name : {"color3f[] primvars:displayColor", "float3[] primvars:groom_color"}) {
+    write_array(strands, out, name, true, "vertex",
+                [&](const StrandSet& set, std::size_t i, int) { print_vector(out, unpack_colour(set.colours[i])); });
+  }
 }
 
 void write_root_uvs(const ExportedStrands& strands, Buffered& out) {
@@ -80,7 +82,7 @@ void write_groom_names(const ExportedStrands& strands, bool as_guides, Buffered&
               [&](const StrandSet&, std::size_t, int) { out.print("{}", strand++); });
   write_array(strands, out, "int[] primvars:groom_group_id", false, "uniform",
               [&](const StrandSet&, std::size_t, int group) { out.print("{}", group); });
-  out.print("        int primvars:groom_guide = {} (\n            interpolation = \"constant\"\n        )\n",
+  out.print("        int[] primvars:groom_guide = [{}] (\n            interpolation = \"constant\"\n        )\n",
             as_guides ? 1 : 0);
 }
 
@@ -92,8 +94,10 @@ bool write_usda(const ExportedStrands& strands, const ExportAnswer& about, bool 
       "#usda 1.0\n(\n    customLayerData = {{\n        string generator = \"Pelage\"\n        int revision = {}\n",
       about.revision);
   out.print("    }}\n    defaultPrim = \"groom\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n");
-  out.print("def Xform \"groom\"\n{{\n    double3 xformOp:translate = ({}, {}, {})\n", strands.centre.x,
-            strands.centre.y, strands.centre.z);
+  out.print(
+      "def Xform \"groom\" (\n    prepend apiSchemas = [\"GroomAPI\"]\n)\n{{\n    double3 xformOp:translate = ({}, {}, "
+      "{})\n",
+      strands.centre.x, strands.centre.y, strands.centre.z);
   out.print("    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n\n    def BasisCurves \"fur\"\n    {{\n");
   out.print("        uniform token type = \"linear\"\n        uniform token wrap = \"nonperiodic\"\n");
   write_extent(strands, out);

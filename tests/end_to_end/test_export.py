@@ -30,6 +30,7 @@ class Usd:
         self.widths = numbers(text, "float[] widths")
         self.colours = numbers(text, "color3f[] primvars:displayColor").reshape(-1, 3)
         self.extent = numbers(text, "float3[] extent").reshape(2, 3)
+        assert (numbers(text, "float3[] primvars:groom_color") == self.colours.ravel()).all()
         self.uvs = numbers(text, "float2[] primvars:groom_root_uv")
         self.roots = self.points[numpy.cumsum(self.counts) - self.counts]
 
@@ -105,8 +106,9 @@ class Export(ServedTest):
         whole, few, wide = self.usd(scene), self.usd(scene, "?every=8"), self.usd(scene, "?every=8&widen=true")
         self.assertAlmostEqual(len(few.counts) / len(whole.counts), 1 / 8, delta=0.02)
         self.assertAlmostEqual(numpy.median(wide.widths) / numpy.median(few.widths), 8, delta=0.01)
-        self.assertIn("primvars:groom_guide = 1", few.text)
-        self.assertIn("primvars:groom_guide = 0", whole.text)
+        self.assertIn("int[] primvars:groom_guide = [1]", few.text)
+        self.assertIn("int[] primvars:groom_guide = [0]", wide.text)
+        self.assertIn("int[] primvars:groom_guide = [0]", whole.text)
 
     def test_curves_can_be_left_out(self):
         scene = self.scene_of()

@@ -18,9 +18,9 @@ from typing import Dict, NamedTuple
 
 import common
 import pelage
-from pelage.files import whole_file, write_whole
+from pelage.files import write_whole
 
-# Unreal takes as a groom what has this schema, with all curves below it.
+# Unreal takes as a groom what has this schema, with all curves below it: here both files together, not each.
 GROOM = """#usda 1.0
 (
     defaultPrim = "groom"
@@ -33,12 +33,14 @@ def Xform "groom" (
 )
 {{
     def "guides" (
+        delete apiSchemas = ["GroomAPI"]
         prepend references = @./guides.usda@
     )
     {{
     }}
 
     def "strands" (
+        delete apiSchemas = ["GroomAPI"]
         prepend references = @./strands.usda@
     )
     {{
@@ -76,15 +78,6 @@ def arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def fit(raw: pathlib.Path, path: pathlib.Path, guides: bool) -> None:
-    """Writes the strands as Unreal reads them: primvars are arrays, and colour has the prefix groom_ and no role."""
-    with raw.open("rb") as lines, whole_file(path) as file:
-        for line in lines:
-            line = line.replace(b"color3f[] primvars:displayColor", b"float3[] primvars:groom_color")
-            # Of thinned strands the export says that they are guides; here --guides alone are.
-            file.write(re.sub(rb"int(\[\])? primvars:groom_guide = \S+", b"int[] primvars:groom_guide = [%d]" % guides, line))
-
-
 def read(path: pathlib.Path) -> Attributes:
     """Reads a USD text as Pelage writes it: an array is one line."""
     counts: Dict[str, int] = {}
@@ -117,13 +110,7 @@ def check(path: pathlib.Path, about: pelage.schemas.ExportAbout) -> None:
 
 def write(scene: pelage.Scene, name: str, every: int, args: argparse.Namespace) -> None:
     path, guides = args.output / f"{name}.usda", name == "guides"
-    raw = path.with_suffix(".raw.usda")
-    try:
-        about = scene.export(raw, every=every, widen=every > 1 and not guides, curves=not guides)
-        fit(raw, path, guides)
-    finally:
-        raw.unlink(missing_ok=True)
-    check(path, about)
+    check(path, scene.export(path, every=every, widen=every > 1 and not guides, curves=not guides))
 
 
 def main() -> int:

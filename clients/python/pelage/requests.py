@@ -724,8 +724,8 @@ class Requests:
         """Writes the groom to a file in another program's format. The file appears whole or not at all.
 
         path: Where to; what is there is replaced. `format` follows from its ending unless given.
-        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides. 1 to
-            1000000. Default 1.
+        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless they
+            are widened. 1 to 1000000. Default 1.
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
         curves: With whiskers, lashes and brows. Default true.
         shells: Layers of `shells`. 1 to 32. Default 16.
@@ -746,8 +746,8 @@ class Requests:
     ) -> ExportAbout:
         """What such a file would hold; nothing is written.
 
-        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides. 1 to
-            1000000. Default 1.
+        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless they
+            are widened. 1 to 1000000. Default 1.
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
         curves: With whiskers, lashes and brows. Default true.
         shells: Layers of `shells`. 1 to 32. Default 16.

@@ -1980,8 +1980,8 @@ class _ExportRequestRequired(TypedDict):
 class ExportRequest(_ExportRequestRequired, total=False):
     """The contract's ExportRequest.
 
-    every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides. 1 to 1000000.
-        Default 1.
+    every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless they are
+        widened. 1 to 1000000. Default 1.
     widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
     curves: With whiskers, lashes and brows. Default true.
     shells: Layers of `shells`. 1 to 32. Default 16.
