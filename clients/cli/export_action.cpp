@@ -43,13 +43,16 @@ std::string address_of_export(const std::string& scene_path, const Query& query,
   return scene_path + "/export/" + format + parameters;
 }
 
+std::string counts_of(const ExportAnswer& about) {
+  if (about.format == ExportFormat::pelage) return fmt::format("revision {}", about.revision);
+  if (holds_strands(about.format)) return fmt::format("{} strands, {} points", about.strands, about.points);
+  return fmt::format("{} triangles", about.triangles);
+}
+
 void print_about(const Options& options, const std::string& about) {
   const auto answer = decode_answer<ExportAnswer>(about);
   if (options.json || !answer) return fmt::print("{}\n", about);
-  const std::string counts = answer->triangles > 0
-                                 ? fmt::format("{} triangles", answer->triangles)
-                                 : fmt::format("{} strands, {} points", answer->strands, answer->points);
-  fmt::print("{}{}: {}, {:.1f} MB\n", options.output, options.dry_run ? " would hold" : "", counts,
+  fmt::print("{}{}: {}, {:.1f} MB\n", options.output, options.dry_run ? " would hold" : "", counts_of(*answer),
              static_cast<double>(answer->bytes) / 1e6);
 }
 
