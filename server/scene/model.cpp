@@ -5,9 +5,11 @@
 #include <string>
 
 #include "protocol/base/limits.h"
+#include "protocol/json/names.h"
 #include "server/fields/field_mix.h"
 #include "server/scene/digest.h"
 #include "server/surface/prepare.h"
+#include "server/surface/shading_normals.h"
 
 namespace pelage {
 
@@ -37,11 +39,18 @@ std::string id_of(const Mesh& mesh) {
   return digest(parts.append(bytes_in(frame)));
 }
 
+/// Plane and cloth are what formulas are tried on: their fur stands upright to the rim.
+bool is_built_in(const std::string& name) {
+  return std::any_of(json_names::builtins.begin(), json_names::builtins.end(),
+                     [&](const auto& known) { return known.text == name; });
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
   Result<Mesh> mesh = prepare(raw, how.prepare);
   if (!mesh) return mesh.status();
+  if (!is_built_in(how.name)) lean_over_rims(*mesh);
   Result<PatchMap> patches = lay(*mesh, how.fur_patches);
   if (!patches) return patches.status();
   for (const ChosenTriangles& chosen : how.subdivisions) {

@@ -238,7 +238,7 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
                        {"tiny_parts", outliers.tiny_parts}});
   Mesh mesh = finish(raw, soup, turn, std::move(report));
   mesh.shading_normals = shading_normals(soup.positions, mesh.triangles, mesh.normals, options.crease_degrees);
-  for (const std::uint32_t v : grow_over_creases(soup.positions, mesh.triangles, mesh.shading_normals, mesh.normals))
+  for (const std::uint32_t v : grow_over_creases(mesh.triangles, mesh.shading_normals, mesh.normals))
     mesh.tangents[v] = glm::vec3(tailward(glm::normalize(glm::dvec3(mesh.normals[v]))));
   return mesh;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "server/surface/adjacency.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
@@ -57,7 +58,8 @@ class Creases {
   }
 
   void look_at(std::span<const Side> edge) {
-    if (edge.size() != 2 || is_sharp(edge[0], edge[1])) {
+    if (edge.size() == 1) return;
+    if (edge.size() > 2 || is_sharp(edge[0], edge[1])) {
       any_ = creased_[edge[0].low] = creased_[edge[0].high] = true;
       return;
     }
@@ -73,12 +75,12 @@ class Creases {
 };
 
 /// At each vertex the sum, over its open edges, of the unit vectors that lie in the edge's triangle and lead out of it.
-std::vector<glm::dvec3> over_rims(std::span<const glm::dvec3> positions, const std::vector<glm::uvec3>& triangles) {
+std::vector<glm::dvec3> over_rims(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles) {
   std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0));
   for_each_edge(sorted_sides(triangles), [&](std::span<const Side> edge) {
     if (edge.size() != 1) return;
     const glm::uvec3& t = triangles[edge[0].triangle];
-    const auto corner = [&](std::uint32_t k) { return positions[t[static_cast<int>(k % 3)]]; };
+    const auto corner = [&](std::uint32_t k) { return glm::dvec3(positions[t[static_cast<int>(k % 3)]]); };
     const std::uint32_t k = edge[0].side;
     const glm::dvec3 along = corner(k + 1) - corner(k), across = corner(k + 2) - corner(k);
     const glm::dvec3 out = along * glm::dot(along, across) - across * glm::dot(along, along);
@@ -117,23 +119,17 @@ std::vector<std::array<glm::vec3, 3>> shading_normals(std::span<const glm::dvec3
   return result;
 }
 
-std::vector<std::uint32_t> grow_over_creases(std::span<const glm::dvec3> positions,
-                                             const std::vector<glm::uvec3>& triangles,
+std::vector<std::uint32_t> grow_over_creases(const std::vector<glm::uvec3>& triangles,
                                              const std::vector<std::array<glm::vec3, 3>>& shading_normals,
                                              std::vector<glm::vec3>& normals) {
-  if (shading_normals.empty()) return {};
   constexpr float cancelled = 0.1f;
-  const std::vector<glm::dvec3> over_rim = over_rims(positions, triangles);
-  std::vector<std::vector<glm::vec3>> sides(normals.size());  // of vertices at creases
-  for (std::uint32_t v = 0; v < normals.size(); ++v) {
-    if (glm::length(over_rim[v]) > cancelled) sides[v].push_back(glm::vec3(glm::normalize(over_rim[v])));
-  }
+  std::vector<std::vector<glm::vec3>> sides(normals.size());  // those that differ from the vertex's
   for (std::size_t t = 0; t < shading_normals.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = triangles[t][static_cast<int>(k)];
       const glm::vec3 side = shading_normals[t][k];
       const bool known = std::find(sides[v].begin(), sides[v].end(), side) != sides[v].end();
-      if (!known && (side != normals[v] || !sides[v].empty())) sides[v].push_back(side);
+      if (side != normals[v] && !known) sides[v].push_back(side);
     }
   }
   std::vector<std::uint32_t> changed;
@@ -142,6 +138,34 @@ std::vector<std::uint32_t> grow_over_creases(std::span<const glm::dvec3> positio
     if (glm::length(sum) > cancelled) normals[v] = glm::normalize(sum), changed.push_back(v);
   }
   return changed;
+}
+
+void lean_over_rims(Mesh& mesh) {
+  constexpr double cancelled = 0.1;
+  const std::vector<glm::dvec3> over_rim = over_rims(mesh.positions, mesh.triangles);
+  const auto at_rim = [&](std::uint32_t v) { return glm::length(over_rim[v]) > cancelled; };
+  std::vector<std::vector<glm::vec3>> sides(over_rim.size());  // of vertices at rims
+  const bool split = !mesh.shading_normals.empty();
+  std::vector<std::array<glm::vec3, 3>> seen(mesh.triangles.size());
+  for (std::size_t t = 0; t < seen.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = mesh.triangles[t][static_cast<int>(k)];
+      seen[t][k] = split ? mesh.shading_normals[t][k] : mesh.normals[v];
+      const bool known = std::find(sides[v].begin(), sides[v].end(), seen[t][k]) != sides[v].end();
+      if (at_rim(v) && !known) sides[v].push_back(seen[t][k]);
+    }
+  }
+  bool any = false;
+  for (std::uint32_t v = 0; v < over_rim.size(); ++v) {
+    if (!at_rim(v)) continue;
+    const glm::vec3 out(glm::normalize(over_rim[v]));
+    const glm::dvec3 sum(std::accumulate(sides[v].begin(), sides[v].end(), out));
+    if (!(glm::length(sum) > cancelled)) continue;
+    mesh.normals[v] = glm::vec3(glm::normalize(sum));
+    mesh.tangents[v] = glm::vec3(tailward(glm::normalize(sum)));
+    any = true;
+  }
+  if (any) mesh.shading_normals = std::move(seen);
 }
 
 }  // namespace pelage

@@ -65,8 +65,8 @@ class Authors(ServedTest):
         self.pelage("--author", "Ben", "redo", self.scene.id)
         self.assertEqual(self.authors(), ["Zoë 100%41", "", "Ben"])
         lines = self.pelage("log", self.scene.id).stdout.splitlines()
-        self.assertRegex(lines[0], r'^ +1\* do +36 touched  Zoë 100%41  \{')
-        self.assertRegex(lines[1], r"^ +2  undo +36 touched +$")
+        self.assertRegex(lines[0], r"^ +1\* comb everywhere, 36 vertices, by Zoë 100%41$")
+        self.assertRegex(lines[1], r"^ +2  undo, 36 vertices$")
         self.pelage("--author", "x" * 201, "undo", self.scene.id, code=3)
 
 

@@ -8,6 +8,8 @@
 #include "server/first_groom/first_groom.h"
 #include "server/frames/fur_view.h"
 #include "server/patches/subdivide.h"
+#include "server/surface/prepare.h"
+#include "server/surface/shading_normals.h"
 #include "tests/golden/expect_golden.h"
 #include "tests/support/furred_model.h"
 
@@ -131,7 +133,16 @@ TEST(HardEdges, OfACube) { expect_as_looked_at(furred(box(true), short_fur), "ed
 TEST(HardEdges, OfASubdividedCube) {
   expect_as_looked_at(subdivided(furred(box(true), short_fur), short_fur, 4), "edges_cube_subdivided");
 }
-TEST(HardEdges, OfAnOpenBox) { expect_as_looked_at(furred(box(false), short_fur), "edges_box"); }
+/// Open, and prepared as a file's model is.
+FurredModel open_box() {
+  Mesh mesh = prepare(box(false)).value();
+  lean_over_rims(mesh);
+  PatchMap patches = lay_patches(mesh);
+  FieldSet fields = first_groom(mesh, short_fur);
+  return {{Surface(std::move(mesh)), std::move(patches), 2000, "test"}, std::move(fields), {}};
+}
+
+TEST(HardEdges, OfAnOpenBox) { expect_as_looked_at(open_box(), "edges_box"); }
 TEST(HardEdges, OfALowPolyFox) { expect_as_looked_at(furred(fox(), {.length = 0.025}), "edges_fox"); }
 
 }  // namespace
