@@ -4,7 +4,7 @@
 #include "protocol/base/limits.h"
 #include "server/export/export_file.h"
 #include "server/export/gzip.h"
-#include "server/export/temporary_file.h"
+#include "server/export/temporary_folder.h"
 
 namespace pelage {
 

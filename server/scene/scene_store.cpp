@@ -7,6 +7,8 @@
 #include <random>
 
 #include "protocol/base/limits.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
 #include "protocol/json/names.h"
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"
@@ -186,7 +188,9 @@ Result<std::shared_ptr<Scene>> SceneStore::open_saved(const std::string& path, c
   const Result<StoredScene> stored = only_scene(**file);
   if (!stored) return not_saved(stored.status());
   const std::string id = random_id();
-  const Status copied = (*file)->copy_scene(stored->id, *impl_->journal, id, name.empty() ? stored->name : name);
+  const auto named = decode_branch(encode(BranchRequest{.name = name.empty() ? stored->name : name}));
+  if (!named) return not_saved(named.status());  // a file may come from anybody
+  const Status copied = (*file)->copy_scene(stored->id, *impl_->journal, id, named->name);
   if (!copied.ok()) return not_saved(copied);
   Result<std::shared_ptr<Scene>> scene = impl_->restored(id);
   const Status added = scene ? impl_->scenes.add(*scene) : not_saved(scene.status());

@@ -1,4 +1,4 @@
-#include "server/export/temporary_file.h"
+#include "server/export/temporary_folder.h"
 
 #include <cstdlib>
 #include <filesystem>

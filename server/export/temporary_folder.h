@@ -1,4 +1,4 @@
-// A name for a file that is needed for a while.
+// A place for files that are needed for a while.
 #pragma once
 
 #include <string>
