@@ -79,6 +79,7 @@ Query import_query(const Options& options, const std::string& format) {
   };
   add("up", options.up), add("front", options.front), add("pose", options.pose), add("form", options.form);
   add("crease_degrees", options.crease_degrees), add("flip", fmt::format("{}", fmt::join(options.flip, ",")));
+  add("two_sided", fmt::format("{}", fmt::join(options.two_sided, ",")));
   return query;
 }
 

@@ -181,6 +181,8 @@ void add_import(CLI::App* command, Options& options) {
                       "Edges that are sharper are seen as edges, 0 to 180; 180 for none [60]");
   command->add_option("--flip", options.flip,
                       "Number of a part that turns inside out, as the load reports doubtful ones");
+  command->add_option("--two-sided", options.two_sided,
+                      "Number of a part of one layer that grows fur on both sides, as the load reports sheets");
 }
 
 void declare_scene_actions(CLI::App& app, Options& options) {

@@ -63,8 +63,8 @@ struct Options {
   std::string format;     // "" for the file's ending
   std::string up, front;  // "" where the file says it
   std::string pose;
-  std::string crease_degrees;  // "" for the server's choice
-  std::vector<int> flip;       // numbers of parts
+  std::string crease_degrees;        // "" for the server's choice
+  std::vector<int> flip, two_sided;  // numbers of parts
   // environment
   double intensity = 1, turn_degrees = 0;
   // map

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,17 @@ namespace pelage {
 namespace {
 
 std::string text_of(glm::dvec3 v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
+
+void print_sheets(const std::vector<NumberedPart>& sheets) {
+  constexpr std::size_t shown = 8;
+  for (std::size_t i = 0; i < std::min(shown, sheets.size()); ++i) {
+    fmt::print(
+        "sheet       part {} ({} triangles at {}) has one layer, bare behind; load with --two-sided {} for fur on both "
+        "sides\n",
+        sheets[i].part, sheets[i].triangles, text_of(sheets[i].centre), sheets[i].part);
+  }
+  if (sheets.size() > shown) fmt::print("sheet       and {} more; --json lists them\n", sheets.size() - shown);
+}
 
 }  // namespace
 
@@ -37,10 +49,11 @@ void print(const SceneSummary& summary) {
     fmt::print("repaired    {}: {}{}\n", repair.code, repair.count,
                repair.names.empty() ? "" : fmt::format(" ({})", fmt::join(repair.names, ", ")));
   }
-  for (const DoubtfulPart& part : report.doubtful_parts) {
+  for (const NumberedPart& part : report.doubtful_parts) {
     fmt::print("doubtful    part {} ({} triangles at {}) may be inside out; load with --flip {} to turn it\n",
                part.part, part.triangles, text_of(part.centre), part.part);
   }
+  print_sheets(report.sheets);
   for (const EditLayer& layer : summary.edit_layers)
     fmt::print("layer       {} (weight {:g}{})\n", layer.name, layer.weight, layer.muted ? ", muted" : "");
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,

@@ -81,13 +81,12 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// A connected part that may be wound the wrong way: it is open, so that nothing says which of its sides is outside,
-/// and what little it encloses says the other one.
-struct DoubtfulPart {
+/// A connected part that the load says something about.
+struct NumberedPart {
   int part = 1;  // its number, from 1
   std::size_t triangles = 0;
   glm::dvec3 centre{0};  // of its box, model's coordinates
-  bool operator==(const DoubtfulPart&) const = default;
+  bool operator==(const NumberedPart&) const = default;
 };
 
 /// What preparation made of a model.
@@ -103,7 +102,10 @@ struct ModelReport {
   std::string pose = {};                         // "NAME@SECONDS" that it stands in; "" as the file has it
   std::vector<std::string> animations = {};      // that the file has
   std::vector<Repair> repairs;
-  std::vector<DoubtfulPart> doubtful_parts = {};
+  // Parts that may be wound the wrong way: they are open, so that nothing says which of their sides is outside, and
+  // what little they enclose says the other one.
+  std::vector<NumberedPart> doubtful_parts = {};
+  std::vector<NumberedPart> sheets = {};  // of several parts those of one layer, bare behind
   bool operator==(const ModelReport&) const = default;
 };
 
@@ -170,6 +172,7 @@ enum class EntryKind { command, join, undo, redo, revert, replay };
 struct LogEntry {
   Revision revision = 0;
   std::string kind;      // the word of an EntryKind
+  Revision step = 0;     // of the step that it made, joined or replayed: the revision that made it; else 0
   std::string commands;  // JSON text of the resolved commands, "" for undo and redo
   std::size_t touched = 0;
   bool in_effect = false;   // whether its commands are among those that lead to the present

@@ -9,9 +9,10 @@
 namespace pelage {
 
 /// `usda`: strands as BasisCurves of USD, as text. `hair`: strands as a HAIR file (cyHair). `shells`: the skin and
-/// layers over it as a GLB that any viewer shows. `fields`: the skin with the fields of its fur as a GLB, for shaders.
-/// `pelage`: the scene itself, with its model, log and pictures, for another server.
-enum class ExportFormat { usda, hair, shells, fields, pelage };
+/// layers over it as a GLB that any viewer shows. `cards`: the skin and textured strips along the
+/// clumps of the fur in levels of detail, as games draw it, as a GLB. `fields`: the skin with the fields of its fur as
+/// a GLB, for shaders. `pelage`: the scene itself, with its model, log and pictures, for another server.
+enum class ExportFormat { usda, hair, shells, cards, fields, pelage };
 
 constexpr bool holds_strands(ExportFormat format) {
   return format == ExportFormat::usda || format == ExportFormat::hair;
@@ -24,6 +25,7 @@ struct ExportRequest {
   bool widen = false;  // makes strands `every` times as wide, which keeps what they cover
   bool curves = true;  // with whiskers, lashes and brows
   int shells = 16;     // layers of `shells`, [1, 32]
+  int cards = 6000;    // of the finest level of `cards`, about; [100, 200000]
 };
 
 /// What a file holds, known before it is sent.
@@ -32,6 +34,7 @@ struct ExportAnswer {
   ExportFormat format = ExportFormat::usda;
   std::uint64_t strands = 0, points = 0;
   std::uint64_t triangles = 0;
+  std::uint64_t cards = 0;
   std::uint64_t bytes = 0;
   bool operator==(const ExportAnswer&) const = default;
 };

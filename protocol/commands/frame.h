@@ -67,6 +67,8 @@ enum class Overlay {
   light_depth,
   light_occlusion,
   shadow_width,
+  bald,       // the skin alone, in plain grey
+  wire,       // its triangles
   difference  // how much the fields have changed since overlay_from
 };
 

@@ -18,7 +18,7 @@ struct BranchRequest {
 
 /// Puts other commands in the place of an earlier step, and replays the steps after it.
 struct AmendRequest {
-  std::uint64_t revision = 0;     // one that the step has in the log; the step is still in effect
+  std::uint64_t revision = 0;     // one that the step has in the log, or its number; the step is still in effect
   std::vector<Command> commands;  // at most 1,000, strokes whole; none leaves the step out
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocol/commands/answers.h"
 #include "protocol/commands/field.h"
@@ -37,6 +38,7 @@ struct ApplyMap {
   Units units = Units::relative;  // of length and vector
   double strength = 1;            // how far fields go to the picture's, [0, 1]
   std::string edit_layer = {};    // edit layer that keeps the change; "" for the groom
+  int tile = 0;                   // UDIM tile, [1001, 9999]: only vertices that lie in it change; 0: all do
 };
 
 /// Which map is asked for.
@@ -48,6 +50,7 @@ struct MapRequest {
   int dilate = 8;                    // pixels by which islands grow, [0, 64]
   std::optional<double> scale = {};  // as in ApplyMap; absent: the field's largest value for PNG, else 1
   Units units = Units::relative;
+  int tile = 0;  // UDIM tile, [1001, 9999]: 1001 + u + 10 v; 0: all, over one another
 };
 
 /// What comes with the bytes of an uploaded map.
@@ -57,6 +60,7 @@ struct MapUpload {
   std::optional<double> scale = {};  // absent: what the picture says about itself, else 1
   Units units = Units::relative;
   double strength = 1;
+  int tile = 0;  // as in ApplyMap
 };
 
 /// What a map that was made is like.
@@ -66,8 +70,9 @@ struct MapAnswer {
   MapEncoding encoding = MapEncoding::value;
   double scale = 1;  // that 1 in the picture stands for
   Units units = Units::relative;
-  double covered = 0;       // share of the pixels that lie in triangles
-  std::size_t outside = 0;  // triangles with a part outside [0, 1], drawn where a picture that repeats shows them
+  double covered = 0;           // share of the pixels that lie in triangles
+  std::size_t outside = 0;      // triangles with a part outside [0, 1], drawn where a picture that repeats shows them
+  std::vector<int> tiles = {};  // UDIM tiles that the model has texture coordinates in, rising
   bool operator==(const MapAnswer&) const = default;
 };
 
@@ -79,6 +84,9 @@ struct PictureAnswer {
   std::optional<double> scale = {};  // sizes, or the field's unit, where the picture says it of itself
   bool operator==(const PictureAnswer&) const = default;
 };
+
+/// Numbers of UDIM tiles.
+inline constexpr int first_udim = 1001, last_udim = 9999;
 
 /// What `automatic` stands for.
 constexpr MapEncoding encoding_of(Field field, MapEncoding encoding) {

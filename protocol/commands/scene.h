@@ -60,6 +60,7 @@ struct ImportOptions {
   std::string pose;                                // "NAME@SECONDS" of an animation of the file; "" as it stands
   double crease_degrees = default_crease_degrees;  // [0, 180]; 180: no edge is
   std::vector<int> flip;                           // numbers of parts that turn inside out, from 1
+  std::vector<int> two_sided;                      // and of those that get a back, to grow fur on both sides
   FirstGroom fur{.form = GroomForm::animal};
   FurPatches fur_patches = FurPatches::overlapping;
 };

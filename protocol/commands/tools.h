@@ -89,7 +89,7 @@ struct Interpolate {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
-  std::vector<Key> keys = {};  // 1 to 256
+  std::vector<Key> keys = {};  // 1 to 1,024
   double sigma = 0.2;          // width of the Gaussians, in `units`, above 0
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;

@@ -12,8 +12,10 @@
 #include "protocol/commands/command.h"
 #include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/guides.h"
 #include "protocol/commands/history.h"
 #include "protocol/commands/map.h"
+#include "protocol/commands/pick.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 #include "protocol/commands/settings.h"
@@ -58,11 +60,9 @@ Result<std::optional<std::uint64_t>> decode_revision_query(const Query& query);
 Result<MapRequest> decode_map_query(const Query& query);
 /// What comes with the bytes of a map: field (required), encoding, scale, units, strength.
 Result<MapUpload> decode_map_upload_query(const Query& query);
+/// What comes with the bytes of guide curves: format (required), keys, sigma, strength.
+Result<GuideUpload> decode_guide_query(const Query& query);
 
-struct PickRequest {
-  View view;
-  glm::dvec2 pixel{0};  // origin top left
-};
 Result<PickRequest> decode_pick(std::string_view text);
 
 /// `{"steps": n}` (1 when absent or the body is empty), n in [1, 1e6].

@@ -178,6 +178,7 @@ Result<ExportRequest> decode_export_query(const Query& query) { return decode_qu
 Result<MapRequest> decode_map_query(const Query& query) { return decode_query<MapRequest>(query); }
 
 Result<MapUpload> decode_map_upload_query(const Query& query) { return decode_query<MapUpload>(query); }
+Result<GuideUpload> decode_guide_query(const Query& query) { return decode_query<GuideUpload>(query); }
 
 Result<Environment> decode_environment_query(const Query& query) {
   const auto upload = decode_query<json_parts::EnvironmentUpload>(query);

@@ -62,7 +62,8 @@ void members(V& v, Visited<V, ExportAnswer>& c) {
   v.name("format", c.format, json_names::export_formats);
   v.counter("strands", c.strands, "With whiskers, lashes and brows; 0 of a GLB.");
   v.counter("points", c.points, "Of all strands.");
-  v.counter("triangles", c.triangles, "Of a GLB: of the skin and of all layers.");
+  v.counter("triangles", c.triangles, "Of a GLB: of the skin and of all layers, or of the finest level of cards.");
+  v.counter("cards", c.cards, "Of the finest level.");
   v.counter("bytes", c.bytes, "Of the file.");
 }
 
@@ -106,6 +107,8 @@ void members(V& v, Visited<V, MapAnswer>& c) {
   v.number("covered", c.covered, share, "Share of the pixels that lie in triangles.");
   v.counter("outside", c.outside,
             "Triangles with a part outside [0, 1], drawn where a picture that repeats shows them.");
+  v.integers("tiles", c.tiles, {first_udim, last_udim}, any_count,
+             "UDIM tiles that the model has texture coordinates in.");
 }
 
 template <class V>
@@ -142,10 +145,10 @@ void members(V& v, Visited<V, Repair>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, DoubtfulPart>& c) {
-  v.answer("DoubtfulPart");
+void members(V& v, Visited<V, NumberedPart>& c) {
+  v.answer("NumberedPart");
   v.integer("part", c.part, {1, static_cast<double>(limits::model_triangles)},
-            "Its number, from 1, as `flip` takes it.");
+            "Its number, from 1, as `flip` and `two_sided` take it.");
   v.counter("triangles", c.triangles);
   v.position("centre", c.centre, "Of its box.");
 }
@@ -166,6 +169,10 @@ void report_members(V& v, Visited<V, ModelReport>& c) {
   v.objects("repairs", c.repairs, any_count, "What was mended, and what was left out.");
   v.objects("doubtful_parts", c.doubtful_parts, any_count,
             "Open parts that may be inside out: what little they enclose says so. `flip` turns one.");
+  v.objects(
+      "sheets", c.sheets, any_count,
+      "Of several parts those of one layer: open, and enclosing next to nothing. They are bare behind; `two_sided` "
+      "gives one a back.");
 }
 
 template <class V>
@@ -246,6 +253,9 @@ void members(V& v, Visited<V, LogEntry>& c) {
   v.answer("LogEntry");
   v.counter("revision", c.revision);
   v.word("kind", c.kind, json_names::entry_kinds, "`join` and `replay` belong to the undo step of the entry before.");
+  v.counter("step", c.step,
+            "Number of the step whose commands these are: the revision that made it first. An `amend` leaves it to the "
+            "step that it changes and to those that it replays. 0 of undo, redo and revert.");
   v.counter("touched", c.touched);
   v.boolean("in_effect", c.in_effect,
             "Whether its commands are among those that lead to the present: they can be amended.");

@@ -130,7 +130,9 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "and shadow_width hide the frame: maps of the first light that casts a shadow, as it sees the model, in grey. "
       "light_depth: how near the skin is to the light. light_occlusion: white where skin that faces the light lies "
       "deeper than what the light sees. shadow_width: the same, reduced and enlarged again. Refused where the knob "
-      "shadow_maps is off, no light casts a shadow, or that light stands too near the model for one map.");
+      "shadow_maps is off, no light casts a shadow, or that light stands too near the model for one map. bald and wire "
+      "hide the frame too: the skin in plain grey without its fur, to find places on it, and the same with the edges "
+      "of its triangles.");
   v.special(
       "progressive", c.progressive,
       "Shells at once; strands of the same revision are then traced while somebody waits for them with `after` and "

@@ -1,8 +1,10 @@
 // Requests about whole scenes and their history, on the wire.
 #pragma once
 
+#include "protocol/commands/guides.h"
 #include "protocol/commands/history.h"
 #include "protocol/commands/map.h"
+#include "protocol/commands/pick.h"
 #include "protocol/commands/scene.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/members_look.h"
@@ -104,14 +106,36 @@ void members(V& v, Visited<V, BranchRequest>& c) {
 template <class V>
 void members(V& v, Visited<V, AmendRequest>& c) {
   v.type("AmendRequest");
-  v.counter(required("revision"), c.revision, "That made the step, or joined it, as in the log.");
+  v.counter(required("revision"), c.revision,
+            "That made, joined or replayed the step, as in the log, or the number of the step.");
   v.objects(required("commands"), c.commands, {0, limits::commands_per_batch},
             "What takes its place; strokes are whole. None leaves the step out.");
 }
 
 template <class V>
+void members(V& v, Visited<V, PickRay>& c) {
+  v.type("PickRay", "The first place of the surface that it hits, from either side.");
+  v.position(required("origin"), c.origin);
+  v.direction(required("direction"), c.direction);
+}
+
+template <class V>
+void members(V& v, Visited<V, PickFarthest>& c) {
+  v.type("PickFarthest",
+         "The place of the surface that lies farthest along a direction, of what lies in a box: the tip of an ear.");
+  v.direction(required("direction"), c.direction);
+  v.position("min", c.min, "Lowest corner of the box; the whole model unless given.");
+  v.position("max", c.max, "Highest corner of the box. With `min`, and nowhere below it.");
+}
+
+template <class V>
 void members(V& v, Visited<V, PickRequest>& c) {
-  v.type("PickRequest");
+  v.type("PickRequest",
+         "Which place is meant: what lies under a pixel of a view; or the first that a ray hits, the farthest along a "
+         "direction, or the nearest to a point.");
+  if (v.has("ray", c.ray.has_value())) return v.object(required("ray"), c.ray);
+  if (v.has("farthest", c.farthest.has_value())) return v.object(required("farthest"), c.farthest);
+  if (v.has("nearest", c.nearest.has_value())) return v.position(required("nearest"), c.nearest);
   v.object("view", c.view);
   v.pixel(required("pixel"), c.pixel, c.view, "Pixels from the top left, within the view.");
 }
@@ -132,8 +156,11 @@ void members(V& v, Visited<V, ImportOptions>& c) {
   v.number("crease_degrees", c.crease_degrees, {0, 180},
            "An edge whose triangles' normals differ by more is seen as an edge, and skin and fur beside it are lit by "
            "their own side alone; 180: none is.");
-  v.integers("flip", c.flip, {1, static_cast<double>(limits::model_triangles)}, {0, limits::flipped_parts},
+  v.integers("flip", c.flip, {1, static_cast<double>(limits::model_triangles)}, {0, limits::numbered_parts},
              "Parts that are turned inside out, by the numbers that `doubtful_parts` of the answer gives.");
+  v.integers("two_sided", c.two_sided, {1, static_cast<double>(limits::model_triangles)}, {0, limits::numbered_parts},
+             "Parts of one layer that get a back, so that fur grows on both sides, by the numbers that `sheets` of the "
+             "answer gives; the only part of a model is 1.");
   fur_members(v, c.fur);
   fur_patches_member(v, c.fur_patches);
 }
@@ -155,6 +182,7 @@ void members(V& v, Visited<V, ExportRequest>& c) {
   v.boolean("widen", c.widen, "Makes strands `every` times as wide, which keeps what they cover.");
   v.boolean("curves", c.curves, "With whiskers, lashes and brows.");
   v.integer("shells", c.shells, {1, 32}, "Layers of `shells`.");
+  v.integer("cards", c.cards, {100, 200000}, "Of the finest level of `cards`, about.");
 }
 
 template <class V>
@@ -203,6 +231,7 @@ void members(V& v, Visited<V, MapRequest>& c) {
          "rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.");
   v.integer("size", c.size, {1, limits::map_pixels}, "Pixels of a side. Above 4096 one map is made at a time.");
   v.integer("dilate", c.dilate, {0, limits::map_dilation}, "Pixels by which islands grow over their seams.");
+  v.integer("tile", c.tile, {0, last_udim}, "UDIM tile to draw, from 1001; 0: all of them over one another.");
 }
 
 template <class V>
@@ -211,6 +240,22 @@ void members(V& v, Visited<V, MapUpload>& c) {
   map_members(v, c,
               "What 1 in the picture stands for. With neither it nor `units`: what the file says of itself, else 1.");
   v.number("strength", c.strength, share, "How far the field goes to the picture's.");
+  v.integer("tile", c.tile, {0, last_udim},
+            "UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture repeats, "
+            "and all do.");
+}
+
+template <class V>
+void members(V& v, Visited<V, GuideUpload>& c) {
+  v.type("GuideUpload");
+  v.name(required("format"), c.format, json_names::guide_formats);
+  v.integer(
+      "keys", c.keys, {1, limits::keys},
+      "Curves that are used at most, chosen evenly by their order; fewer where the model has so many vertices that "
+      "they would be too much work.");
+  v.number("sigma", c.sigma, {1e-6, 1e6},
+           "Width of the Gaussians that spread them, sizes; from the distance between roots unless given.");
+  v.number("strength", c.strength, share, "0 does nothing, 1 all.");
 }
 
 }  // namespace pelage::json_parts

@@ -307,6 +307,9 @@ void members(V& v, Visited<V, ApplyMap>& c) {
            "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.");
   v.name("units", c.units, json_names::units, "Of a scale of lengths. relative: sizes; world: the model's unit.");
   v.number("strength", c.strength, share, "How far the field goes to the picture's.");
+  v.integer("tile", c.tile, {0, last_udim},
+            "UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture repeats, "
+            "and all do.");
   layer_member(v, c);
 }
 

@@ -11,6 +11,7 @@
 #include "protocol/commands/command.h"
 #include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/guides.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 
@@ -145,11 +146,14 @@ inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
     {{"shells", FragmentOrder::shells}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
-inline constexpr std::array<Name<ExportFormat>, 5> export_formats{{{"usda", ExportFormat::usda},
+inline constexpr std::array<Name<ExportFormat>, 6> export_formats{{{"usda", ExportFormat::usda},
                                                                    {"hair", ExportFormat::hair},
                                                                    {"shells", ExportFormat::shells},
+                                                                   {"cards", ExportFormat::cards},
                                                                    {"fields", ExportFormat::fields},
                                                                    {"pelage", ExportFormat::pelage}}};
+inline constexpr std::array<Name<GuideFormat>, 3> guide_formats{
+    {{"usda", GuideFormat::usda}, {"hair", GuideFormat::hair}, {"json", GuideFormat::json}}};
 inline constexpr std::array<Name<FrameFormat>, 6> frame_formats{{{"png", FrameFormat::png},
                                                                  {"png16", FrameFormat::png16},
                                                                  {"jpeg", FrameFormat::jpeg},
@@ -167,7 +171,7 @@ inline constexpr std::array<Name<Aov>, 10> aovs{{{"beauty", Aov::beauty},
                                                  {"direct", Aov::direct},
                                                  {"shadow", Aov::shadow},
                                                  {"shell_count", Aov::shell_count}}};
-inline constexpr std::array<Name<Overlay>, 12> overlays{{{"none", Overlay::none},
+inline constexpr std::array<Name<Overlay>, 14> overlays{{{"none", Overlay::none},
                                                          {"direction", Overlay::direction},
                                                          {"strokes", Overlay::strokes},
                                                          {"length", Overlay::length},
@@ -178,7 +182,9 @@ inline constexpr std::array<Name<Overlay>, 12> overlays{{{"none", Overlay::none}
                                                          {"light_depth", Overlay::light_depth},
                                                          {"light_occlusion", Overlay::light_occlusion},
                                                          {"shadow_width", Overlay::shadow_width},
-                                                         {"difference", Overlay::difference}}};
+                                                         {"difference", Overlay::difference},
+                                                         {"bald", Overlay::bald},
+                                                         {"wire", Overlay::wire}}};
 inline constexpr std::array<Name<Builtin>, 6> builtins{{{"torus", Builtin::torus},
                                                         {"knot", Builtin::knot},
                                                         {"sphere", Builtin::sphere},

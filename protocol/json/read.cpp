@@ -334,6 +334,7 @@ template MeshRequest read(const Value&);
 template ExportRequest read(const Value&);
 template MapRequest read(const Value&);
 template MapUpload read(const Value&);
+template GuideUpload read(const Value&);
 template Calibration read(const Value&);
 template SceneSummary read(const Value&);
 template SceneList read(const Value&);

@@ -90,6 +90,13 @@ void check_method(const Value& value, const Knobs& knobs) {
 
 }  // namespace
 
+void check(const Value& value, const PickFarthest& farthest) {
+  if (farthest.min.has_value() != farthest.max.has_value())
+    return value.refuse_below(farthest.min ? "max" : "min", "A box has two corners.", "required");
+  if (farthest.min && !glm::all(glm::lessThanEqual(*farthest.min, *farthest.max)))
+    value.refuse_below("max", "The highest corner of a box is nowhere below its lowest.", "min or more, on each axis");
+}
+
 void check(const Value& value, const FrameRequest& request) {
   check_dial(value, request);
   check_strands(value, request);
@@ -170,7 +177,10 @@ void check(const Value& value, const ImportOptions& options) {
     value.refuse_below("front", "Up and front lie on one line.", "another axis than up");
 }
 
-void check(const Value& value, const MapUpload& map) { refuse_encoding(value, map.field, map.encoding); }
+void check(const Value& value, const MapUpload& map) {
+  refuse_encoding(value, map.field, map.encoding);
+  refuse_tile(value, map.tile, map.encoding);
+}
 
 void check(const Value& value, const MapRequest& map) {
   refuse_encoding(value, map.field, map.encoding);
@@ -179,6 +189,14 @@ void check(const Value& value, const MapRequest& map) {
     value.refuse_below("format", "Vectors have parts below 0 and need floats.", "exr | exr_half | npy");
   if (map.encoding == MapEncoding::vertices && map.format != MapFormat::npy)
     value.refuse_below("format", "A list of all vertices is no picture.", "npy");
+  refuse_tile(value, map.tile, map.encoding);
+}
+
+void refuse_tile(const Value& value, int tile, MapEncoding encoding) {
+  if (tile != 0 && tile < first_udim)
+    value.refuse_below("tile", "UDIM tiles are numbered from 1001.", "0, or [1001, 9999]");
+  if (tile != 0 && encoding == MapEncoding::vertices)
+    value.refuse_below("tile", "A list of all vertices has no tiles.", "0");
 }
 
 void refuse_encoding(const Value& value, Field field, MapEncoding encoding) {
@@ -196,6 +214,8 @@ void check(const Value& value, const ExportRequest& wanted) {
   }
   if (given(value, "shells") && wanted.format != ExportFormat::shells)
     value.refuse_below("shells", "The format has no layers.", "format shells");
+  if (given(value, "cards") && wanted.format != ExportFormat::cards)
+    value.refuse_below("cards", "The format has no cards.", "format cards");
 }
 
 // Which members of a command go together.
@@ -340,7 +360,10 @@ void check(const Value& value, const ChangeMask& mask) {
     value.refuse_below("box/max", "The box ends before it begins.", "at least min");
 }
 
-void check(const Value& value, const ApplyMap& map) { refuse_encoding(value, map.field, map.encoding); }
+void check(const Value& value, const ApplyMap& map) {
+  refuse_encoding(value, map.field, map.encoding);
+  refuse_tile(value, map.tile, map.encoding);
+}
 
 template <class T>
 void check_names(const Value& value, const char* list, const std::vector<T>& named) {

@@ -6,6 +6,7 @@
 #include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/map.h"
+#include "protocol/commands/pick.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 #include "protocol/json/reader.h"
@@ -28,12 +29,16 @@ void check(const Value& value, const Eye& eye);
 void check(const Value& value, const Tracing& tracing);
 void check(const Value& value, const Knobs& knobs);
 void check(const Value& value, const FrameRequest& request);
+void check(const Value& value, const PickFarthest& farthest);
 void check(const Value& value, const ImportOptions& options);
 void check(const Value& value, const MapRequest& map);
 void check(const Value& value, const ExportRequest& wanted);
 void check(const Value& value, const MapUpload& map);
 
 void check_command(const Value& value, const Command& command);
+
+/// Refuses a number that no UDIM tile has, and any of a list of vertices.
+void refuse_tile(const Value& value, int tile, MapEncoding encoding);
 
 /// Refuses a map of the field in an encoding that cannot hold it.
 void refuse_encoding(const Value& value, Field field, MapEncoding encoding);

@@ -119,6 +119,11 @@ std::vector<Camera> forms() {
   return {Camera{}, Camera{.automatic = AutoView::none}};
 }
 template <>
+std::vector<PickRequest> forms() {
+  return {PickRequest{}, PickRequest{.ray = PickRay{}}, PickRequest{.farthest = PickFarthest{}},
+          PickRequest{.nearest = glm::dvec3(0)}};
+}
+template <>
 std::vector<PickAnswer> forms() {
   return {PickAnswer{}, PickAnswer{.hit = true}};
 }
@@ -373,6 +378,7 @@ nlohmann::ordered_json schemas() {
   describe<FrameRequest>(all), describe<PickRequest>(all);
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
   describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
+  describe<GuideUpload>(all);
   describe<ExportRequest>(all), describe<ExportAnswer>(all);
   describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all), describe<FoldCount>(all);
   describe<SettingsAnswer>(all);

@@ -11,6 +11,7 @@
 #include "renderer/frame/run_beside.h"
 #include "renderer/marched/field_overlay.h"
 #include "renderer/marched/kernels.h"
+#include "renderer/marched/shape_overlay.h"
 
 namespace pelage {
 
@@ -219,7 +220,7 @@ template <class Picture, class Finish>
 Result<Picture> MarchedRenderer::finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
                                                const Finish& finish) const {
   assert(light.width == frame.width && light.height == frame.height);
-  if (frame.overlay != Overlay::none && !is_field(frame.overlay))
+  if (frame.overlay != Overlay::none && !is_field(frame.overlay) && !is_shape(frame.overlay))
     return failure(Code::invalid, "Traced strands have no such map.", "/overlay");
   DrawTimes taken;
   Picture picture;

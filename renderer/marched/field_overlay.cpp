@@ -4,10 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
-#include "protocol/base/parallel.h"
+#include "renderer/marched/plain_overlay.h"
 #include "renderer/marched/visible_triangles.h"
 #include "renderer/upload/blocks.h"
 
@@ -148,28 +147,6 @@ glm::vec4 stroke_at(const StrokeField& field, int x, int y) {
   return {glm::vec3(core), std::max(core, 0.6f * whole)};
 }
 
-FloatImage empty_overlay(int width, int height) {
-  FloatImage image;
-  image.width = width, image.height = height, image.display_referred = true;
-  image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  return image;
-}
-
-/// Calls pixel(x, y), which gives sRGB with straight alpha.
-template <class Pixel>
-FloatImage drawn_overlay(int width, int height, int threads, const Pixel& pixel) {
-  FloatImage image = empty_overlay(width, height);
-  const auto draw_row = [&](std::uint32_t y) {
-    float* row = &image.rgba[4 * std::size_t{y} * static_cast<std::size_t>(width)];
-    for (int x = 0; x < width; ++x) {
-      const glm::vec4 colour = pixel(x, static_cast<int>(y));
-      std::memcpy(row + std::ptrdiff_t{4} * x, &colour.x, sizeof colour);
-    }
-  };
-  for_each_in_parallel(static_cast<std::uint32_t>(height), draw_row, threads);
-  return image;
-}
-
 }  // namespace
 
 bool is_field(Overlay overlay) {
@@ -200,7 +177,7 @@ FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threa
     return at_visible(at, values[t.x], values[t.y], values[t.z]);
   };
   if (frame.overlay != Overlay::strokes) {
-    return drawn_overlay(frame.width, frame.height, threads, [&](int x, int y) {
+    return plain_overlay(frame.width, frame.height, threads, [&](int x, int y) {
       const VisibleTriangle& at = visible(x, y);
       return at.there() ? glm::vec4(colour_of(frame.overlay, value_at(at)), strength) : glm::vec4(0);
     });
@@ -212,12 +189,12 @@ FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threa
     const float length = at_visible(at, mesh.groom[t.x].z, mesh.groom[t.y].z, mesh.groom[t.z].z);
     return glm::vec3(value_at(at), length > 0 ? 1.0f : 0.0f);
   });
-  return drawn_overlay(frame.width, frame.height, threads, [&](int x, int y) { return stroke_at(field, x, y); });
+  return plain_overlay(frame.width, frame.height, threads, [&](int x, int y) { return stroke_at(field, x, y); });
 }
 
 FloatImage count_overlay(const FloatImage& counts, int shells) {
   const float most = 2 * static_cast<float>(shells);
-  return drawn_overlay(counts.width, counts.height, 1, [&](int x, int y) {
+  return plain_overlay(counts.width, counts.height, 1, [&](int x, int y) {
     const float count = counts.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.width) +
                                          static_cast<std::size_t>(x))];
     return glm::vec4(ramp_of(count / most), count > 0 ? strength : 0.0f);

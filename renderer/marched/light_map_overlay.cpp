@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include "renderer/marched/fur_hull.h"
+#include "renderer/marched/plain_overlay.h"
 #include "renderer/marched/shadow_width.h"
 
 namespace pelage {
@@ -75,19 +75,12 @@ std::optional<FloatImage> light_map_overlay(const FurFrame& frame, const MarchMe
   const Greys greys = greys_of(frame, *light, *view, radius, mesh, threads);
   const auto side = static_cast<float>(std::min(frame.width, frame.height));
   const glm::vec2 corner = 0.5f * (glm::vec2(frame.width, frame.height) - side);
-  FloatImage image;
-  image.width = frame.width, image.height = frame.height, image.display_referred = true;
-  image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
-    const auto width = static_cast<std::size_t>(frame.width);
-    const glm::vec2 pixel(static_cast<float>(i % width) + 0.5f, static_cast<float>(i / width) + 0.5f);
-    const glm::vec2 at = (pixel - corner) / side;
+  return plain_overlay(frame.width, frame.height, threads, [&](int x, int y) {
+    const glm::vec2 at = (glm::vec2(x, y) + 0.5f - corner) / side;
     const bool beside = at.x < 0 || at.y < 0 || at.x > 1 || at.y > 1;
     const float grey = beside ? 0.0f : frame.overlay == Overlay::shadow_width ? greys.between(at) : greys.nearest(at);
-    const glm::vec4 colour(glm::vec3(grey), 1);
-    std::memcpy(&image.rgba[4 * i], &colour.x, sizeof colour);
-  }
-  return image;
+    return glm::vec4(glm::vec3(grey), 1);
+  });
 }
 
 }  // namespace pelage

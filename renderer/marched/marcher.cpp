@@ -16,6 +16,7 @@
 #include "renderer/marched/kernels.h"
 #include "renderer/marched/light_map_overlay.h"
 #include "renderer/marched/marcher_kept.h"
+#include "renderer/marched/shape_overlay.h"
 #include "renderer/marched/shell_shadow.h"
 #include "renderer/shaders/constants.h"
 #include "renderer/upload/blocks.h"
@@ -220,6 +221,7 @@ FloatImage Marcher::draw_bare(const FurFrame& frame, std::vector<AovPixel>& aovs
 std::optional<FloatImage> Marcher::draw_overlay(const FurFrame& frame) const {
   const MarchMesh mesh = meshes_.at(frame.model).view();
   if (is_light_map(frame.overlay)) return light_map_overlay(frame, mesh, threads_);
+  if (is_shape(frame.overlay)) return shape_overlay(frame, mesh, threads_);
   return field_overlay(frame, mesh, threads_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "server/export/cards.h"
 #include "server/export/mesh_fields.h"
 #include "server/export/shells.h"
 #include "server/export/strand_files.h"
@@ -48,6 +49,11 @@ ExportFile file_of(const SceneView& scene, ExportedStrands gathered, const Expor
   if (request.format == ExportFormat::shells) {
     BakedShells baked = bake_shells(scene, gathered, request);
     return glb_file(std::move(baked.glb), baked.triangles, std::move(file));
+  }
+  if (request.format == ExportFormat::cards) {
+    CardFile cards = bake_cards(scene, gathered, request);
+    file.about.cards = cards.cards;
+    return glb_file(std::move(cards.glb), cards.triangles, std::move(file));
   }
   if (request.format == ExportFormat::fields) {
     MeshFile mesh = export_mesh(scene, gathered);

@@ -8,21 +8,16 @@
 #include "renderer/coat/slices.h"
 #include "renderer/image/image.h"
 #include "server/export/corner_mesh.h"
+#include "server/export/eye_part.h"
 #include "server/export/layer_texture.h"
+#include "server/export/skin_part.h"
 #include "server/export/vertex_colours.h"
+#include "server/frames/fur_view.h"
 #include "server/glb/glb_writer.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr float deepest_light = 0.35f;  // of the light, that reaches the skin
-constexpr float shade = 0.08f;          // light that a strand above takes
-
-float light_at(const Slices& slices, double height) {
-  const auto slice = std::min(static_cast<std::size_t>(height * slice_count), std::size_t{slice_count - 1});
-  return deepest_light + (1 - deepest_light) * std::exp(-shade * slices.depth_above[slice]);
-}
 
 /// What all layers share, and the members of the file that grow with each.
 class ShellFile {
@@ -41,17 +36,14 @@ class ShellFile {
   }
 
   void add_skin() {
-    const Mesh& mesh = scene_.model.surface.mesh();
-    std::vector<glm::vec4> colours;
-    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
-      colours.emplace_back(light_at(slices_, 0) * colours_.at(v, 0), 1);
-    const int positions = file_.add_positions(places_at(scene_, 0)), normals = file_.add(std::span(mesh.normals));
-    const int colour = file_.add(std::span(std::as_const(colours)));
-    const int triangles = file_.add_triangles(mesh.triangles, mesh.positions.size());
-    add(primitives_,
-        fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"COLOR_0":{}}},"indices":{},"material":0}})",
-                    positions, normals, colour, triangles));
-    add(materials_, fmt::format(R"({{"name":"skin",{}}})", dull));
+    add(primitives_, pelage::add_skin(file_, scene_, colours_, slices_, 0));
+    add(materials_, fmt::format(R"({{"name":"skin",{}}})", dull_material));
+  }
+
+  void add_eyes(const std::vector<FurEye>& eyes, int material) {
+    if (eyes.empty()) return;
+    add(primitives_, pelage::add_eyes(file_, eyes, scene_.model.surface.mesh().size, material));
+    add(materials_, fmt::format(R"({{"name":"eyes",{}}})", wet_material));
   }
 
   void add_layer(int layer, int layers) {
@@ -91,7 +83,6 @@ class ShellFile {
   }
 
  private:
-  static constexpr const char* dull = R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9})";
   static constexpr const char* textured =
       R"("pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":0.9,"baseColorTexture":{{"index":{}}}}})";
 
@@ -116,6 +107,7 @@ BakedShells bake_shells(const SceneView& scene, const ExportedStrands& strands, 
   file.add_skin();
   const int layers = shells.triangles.empty() ? 0 : request.shells;
   for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers);
+  file.add_eyes(make_frame(scene, FrameRequest{}).eyes, layers + 1);
   return {file.finish(),
           scene.model.surface.mesh().triangles.size() + static_cast<std::uint64_t>(layers) * shells.triangles.size()};
 }

@@ -15,6 +15,7 @@ namespace pelage {
 namespace {
 
 constexpr double strands_each = 6000;  // of a set
+constexpr int strands_of_card = 8;     // enough to find clumps
 
 GrowRecipe recipe_of(const FurFrame& frame, const FurModel& model, const ExportRequest& request) {
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
@@ -52,6 +53,14 @@ Status check_count(double expected, const ExportRequest& request) {
                  "at least " + std::to_string(static_cast<long long>(every)));
 }
 
+/// Of which strands the file is made: some are enough for cards, without whiskers.
+ExportRequest needed(ExportRequest request, double expected) {
+  if (request.format != ExportFormat::cards) return request;
+  request.curves = false;
+  request.every = static_cast<int>(std::clamp(expected / (double{strands_of_card} * request.cards), 1.0, 1e6));
+  return request;
+}
+
 }  // namespace
 
 std::uint64_t ExportedStrands::count() const {
@@ -64,14 +73,16 @@ std::uint64_t ExportedStrands::points() const {
                          [](std::uint64_t sum, const StrandSet& set) { return sum + set.points.size(); });
 }
 
-Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& request) {
+Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& asked) {
   const Mesh& mesh = scene.model.surface.mesh();
   const ModelArrays arrays = make_arrays(scene);
   const FurModel model = make_model(scene, arrays);
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
   const FurFields fields = make_fields(scene, skin, {});
   const FurFrame frame = make_frame(scene, FrameRequest{});
-  if (Status many = check_count(expected_strands(model, frame.coat), request); !many.ok()) return many;
+  const double expected = expected_strands(model, frame.coat);
+  const ExportRequest request = needed(asked, expected);
+  if (Status many = check_count(expected, request); !many.ok()) return many;
 
   const Grower grower(model, fields, recipe_of(frame, model, request));
   const std::vector<StrandChunk> chunks = make_chunks(model, frame.coat, strands_each * request.every);

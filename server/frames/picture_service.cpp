@@ -1,6 +1,35 @@
 #include "server/frames/picture_service.h"
 
+#include <algorithm>
+
 namespace pelage {
+
+namespace {
+
+constexpr int probe_reduction = 4;
+
+/// The picture that tells what another one costs.
+FrameRequest probe_of(const FrameRequest& request) {
+  FrameRequest probe = request;
+  probe.width = std::max(1, request.width / probe_reduction),
+  probe.height = std::max(1, request.height / probe_reduction);
+  probe.knobs.trace.passes = 1;
+  probe.knobs.trace.noise = probe.knobs.trace.seconds = 0;
+  probe.view.clear();
+  return probe;
+}
+
+/// Growing strands takes the same for any size, a pass as long as there are pixels.
+FrameCost cost_of(const FrameRequest& request, const FrameRequest& probe, const TraceReport& report) {
+  constexpr double safety = 1.5;  // docs/notes/2026-11-25-models.md
+  const Tracing& trace = request.knobs.trace;
+  const auto pixels = [](const FrameRequest& frame) { return static_cast<double>(frame.width) * frame.height; };
+  const double pass_ms = report.trace_ms * pixels(request) / pixels(probe);
+  const double seconds = (report.grow_ms + trace.passes * pass_ms) / 1e3;
+  return {trace.seconds > 0 ? std::min(seconds, trace.seconds) : seconds, safety};
+}
+
+}  // namespace
 
 Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                           const std::function<bool()>& abandoned) {
@@ -15,6 +44,14 @@ Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, c
   // Where too many wait, whoever asks for a better picture is told so; shells are there all the same.
   static_cast<void>(traces_.improve(scene, request, answer->revision));
   return answer;
+}
+
+Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                       const std::function<bool()>& abandoned) {
+  if (request.knobs.method != Method::strands) return frames_.cost(scene, request);
+  const FrameRequest probe = probe_of(request);
+  const auto picture = traces_.trace(scene, probe, abandoned);
+  return picture ? cost_of(request, probe, (*picture)->report) : Result<FrameCost>(picture.status());
 }
 
 Status PictureService::look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen) {

@@ -15,7 +15,7 @@ Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& 
   const MapEncoding encoding = encoding_of(command.field, command.encoding);
   const bool is_length = command.field == Field::length || encoding == MapEncoding::vector;
   const double scale = is_length ? internal_length(command.scale, command.units, mesh) : command.scale;
-  const MapTargets targets = read_map(mesh, *extras.picture, command.field, encoding, scale);
+  const MapTargets targets = read_map(mesh, *extras.picture, command.field, encoding, scale, command.tile);
   Brush everywhere;
   everywhere.strength = command.strength;
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
@@ -24,6 +24,7 @@ Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& 
   for (const Field field : targets.fields) {
     FieldWriter writer(fields, field);
     for (const auto [v, weight] : region) {
+      if (!targets.says_nothing.empty() && targets.says_nothing[v]) continue;
       if (field == Field::direction && !targets.keeps_direction.empty() && targets.keeps_direction[v]) continue;
       const glm::dvec4 now = to_summable(field, glm::dvec4(fields.value(field, v)));
       const glm::dvec4 there = to_summable(field, targets.values[static_cast<std::size_t>(field)][v]);

@@ -184,14 +184,19 @@ bool take_number(std::string_view& text, T& number) {
 std::string encode_creases_and_flips(const PrepareOptions& options) {
   std::string text = fmt::format("{}", options.crease_degrees);
   for (const std::uint32_t part : options.flipped_parts) text += fmt::format(" {}", part);
+  if (!options.two_sided_parts.empty()) text += " /";
+  for (const std::uint32_t part : options.two_sided_parts) text += fmt::format(" {}", part);
   return text;
 }
 
 bool decode_creases_and_flips(std::string_view text, PrepareOptions& options) {
   if (text.empty()) return true;
   if (!take_number(text, options.crease_degrees)) return false;
-  while (!text.empty())
-    if (!take_number(text, options.flipped_parts.emplace_back())) return false;
+  std::vector<std::uint32_t>* parts = &options.flipped_parts;
+  while (!text.empty()) {
+    if (text.starts_with(" /")) text.remove_prefix(2), parts = &options.two_sided_parts;
+    if (!take_number(text, parts->emplace_back())) return false;
+  }
   return true;
 }
 

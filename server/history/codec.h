@@ -29,7 +29,8 @@ std::string encode_subdivisions(const std::vector<ChosenTriangles>& subdivisions
 /// Refused (internal) unless the bytes are whole subdivisions of rising runs.
 Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::byte> bytes);
 
-/// The degrees of creases and the numbers of flipped parts, with blanks between. "" stands for the defaults; false for
+/// The degrees of creases and the numbers of flipped parts, then after a slash those of two-sided ones, with blanks
+/// between. "" stands for the defaults; false for
 /// any other text that was not made so.
 std::string encode_creases_and_flips(const PrepareOptions& options);
 bool decode_creases_and_flips(std::string_view text, PrepareOptions& options);

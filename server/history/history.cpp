@@ -199,13 +199,20 @@ static LogEntry line_of(const Entry& entry) {
           .author = entry.author};
 }
 
+/// The number of the step that an entry makes, or adds to, after one of number `last`. Logs from before steps had
+/// numbers have none for replayed ones.
+static Revision step_of(const Entry& entry, Revision last) {
+  if (entry.kind == EntryKind::join) return last;
+  return entry.kind == EntryKind::replay && entry.argument > 0 ? entry.argument : entry.revision;
+}
+
 /// The record at `index`, after `last`.
 History::Record History::next_record(const Entry& entry, std::size_t index, const Record& last) const {
   Record record;
   record.line = line_of(entry);
   record.argument = entry.argument;
   const auto arrive = [&](std::size_t state) {
-    record.top = records_[state].top;
+    record.top = records_[state].top, record.step = records_[state].step;
     record.settings = records_[state].settings;
   };
   switch (entry.kind) {
@@ -219,7 +226,7 @@ History::Record History::next_record(const Entry& entry, std::size_t index, cons
     case EntryKind::command:
     case EntryKind::join:
     case EntryKind::replay:  // its commands follow those that lead to the record before it
-      record.top = index;
+      record.top = index, record.step = record.line.step = step_of(entry, last.step);
       record.below = last.top;
       record.settings = entry.settings ? entry.settings : last.settings;
   }
@@ -320,7 +327,7 @@ std::vector<LoggedChange> History::changes_after(Revision after, std::size_t max
     const LogEntry& line = record.line;
     changes.push_back({{.revision = line.revision,
                         .kind = line.kind,
-                        .argument = record.argument,
+                        .argument = line.kind == name_of(EntryKind::replay) ? 0 : record.argument,
                         .author = line.author,
                         .ops = {},
                         .touched = line.touched,
@@ -335,7 +342,8 @@ std::vector<ListedStep> History::listed_steps() const {
   std::vector<ListedStep> steps;
   std::optional<ListedStep> later;  // parts that join the entry below
   for (std::size_t at = records_.back().top; at != 0; at = records_[at].below) {
-    ListedStep step{first_ + at, first_ + at, first_ + records_[at].below, whole_commands(records_[at].line.commands)};
+    const LogEntry& line = records_[at].line;
+    ListedStep step{line.step, first_ + at, first_ + at, first_ + records_[at].below, whole_commands(line.commands)};
     if (later) {
       prepend_samples(later->commands.front(), step.commands.front());
       step.commands = std::move(later->commands), step.last = later->last;

@@ -50,6 +50,7 @@ struct UndoMemory {
 
 /// A step of the list of commands that leads to the present.
 struct ListedStep {
+  Revision number = 0;            // as LogEntry::step
   Revision first = 0, last = 0;   // those of its entries; they differ where parts were joined
   Revision before = 0;            // one that has the list up to it and the same state
   std::vector<Command> commands;  // a stroke that came in parts is one whole stroke without an id
@@ -114,6 +115,7 @@ class History {
     std::uint64_t argument = 0;                  // as in Entry
     std::size_t undo_steps = 0, redo_steps = 0;  // once it was recorded
     std::size_t top = 0;                         // record of the last entry in the list of commands that leads here
+    Revision step = 0;                           // number of the last step in that list
     std::size_t below = 0;  // do, join and replay: the top of the list before this entry; the list ends at 0
     std::shared_ptr<const SceneSettings> settings;
   };

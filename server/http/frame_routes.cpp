@@ -177,14 +177,10 @@ void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Re
   if (!wanted) return reply_problem(response, wanted.status());
   if (request.has_param("after") || request.has_param("wait"))
     return reply_problem(response, failure(Code::invalid, "A dry run waits for nothing.", "/after", "without dry_run"));
-  if (wanted->knobs.method == Method::strands) {
-    return reply_problem(response,
-                         failure(Code::invalid, "What tracing strands takes is not known before; end it by seconds.",
-                                 "/quality", "shells"));
-  }
   const Status there = wanted->revision ? scene->has_revision(*wanted->revision) : Status{};
   if (!there.ok()) return reply_problem(response, there);
-  const auto cost = service.frames.cost(scene, *wanted);
+  const ClientSocket client(request);
+  const auto cost = service.pictures.cost(scene, *wanted, [&client] { return client.gone(); });
   if (!cost) return reply_problem(response, cost.status());
   reply_json(response, 200, encode(*cost));
 }
@@ -214,7 +210,7 @@ Result<FrameRequest> png_request_of(const Request& request) {
 void pick(const Scene& scene, const Request& request, Response& response) {
   const auto wanted = decode_pick(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
-  const auto answer = scene.pick(wanted->view, wanted->pixel);
+  const auto answer = scene.pick(*wanted);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer));
 }

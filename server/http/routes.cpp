@@ -84,6 +84,7 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/v1/scenes/{id}/skin_texture", "PUT"},
                                                       {"/v1/scenes/{id}/pictures", "PUT"},
                                                       {"/v1/scenes/{id}/maps/{field}", "GET, HEAD, PUT"},
+                                                      {"/v1/scenes/{id}/guides", "PUT"},
                                                       {"/v1/scenes/{id}/commands", "POST"},
                                                       {"/v1/scenes/{id}/undo", "POST"},
                                                       {"/v1/scenes/{id}/redo", "POST"},

@@ -9,6 +9,7 @@
 #include "server/export/export_file.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
+#include "server/scene/load_guides.h"
 
 namespace pelage {
 
@@ -55,6 +56,17 @@ void load_map(Service& service, Scene& scene, const Request& request, Response& 
   const auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
   const auto answer = service.scenes.load_map(scene, *how, bytes, *options);
+  if (!answer) return reply_problem(response, answer.status());
+  reply_json(response, 200, encode(*answer), answer->revision);
+}
+
+void follow_guides(Service&, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+  const auto how = decode_guide_query(query_of(request));
+  if (!how) return reply_problem(response, how.status());
+  const auto options = change_options_of(request);
+  if (!options) return reply_problem(response, options.status());
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const auto answer = load_guides(scene, *how, text, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
@@ -146,6 +158,7 @@ void add_upload_routes(httplib::Server& server, Service& service) {
   put(server, service, "environment", {limits::picture_bytes, load_environment});
   put(server, service, "skin_texture", {limits::picture_bytes, load_skin_texture});
   put(server, service, "maps/([^/]+)", {limits::picture_bytes, load_map});
+  put(server, service, "guides", {limits::guide_bytes, follow_guides});
   put(server, service, "pictures", {limits::picture_bytes, keep_picture});
 }
 

@@ -15,6 +15,7 @@
 #include "server/import_worker/animation.h"
 #include "server/import_worker/confine.h"
 #include "server/import_worker/gltf_check.h"
+#include "server/import_worker/gltf_weights.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/pose.h"
 #include "server/import_worker/read_picture.h"
@@ -217,6 +218,8 @@ Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std
   RawModel model;
   model.is_32_bit = true;
   if (Status status = check(format, bundle, model); !status.ok()) return status;
+  if (format == ModelFormat::gltf) bundle.model() = with_node_weights(std::move(bundle.model()));
+  if (format == ModelFormat::glb) bundle.model() = with_node_weights_of_glb(std::move(bundle.model()));
   const std::string name = std::string("model.") + worker_format_names[static_cast<std::size_t>(format)];
   auto* io = new ClosedIo(name, bundle.model(), bundle);  // the importer deletes it
   Assimp::Importer importer;

@@ -99,7 +99,7 @@ VertexList list_vertices(const Mesh& mesh, const FieldSet& fields, const MapRequ
 DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& request) {
   const MapEncoding encoding = encoding_of(request.field, request.encoding);
   const double scale = scale_of(mesh, fields, request, encoding);
-  const UvCorners uvs = make_uv_corners(mesh);
+  const UvCorners all = make_uv_corners(mesh), uvs = in_udim(all, request.tile);
   std::vector<glm::vec4> values;
   values.reserve(uvs.corners.size());
   for (const UvCorner& corner : uvs.corners)
@@ -114,7 +114,7 @@ DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& re
   fit_corners(uvs, values, map.layout.min, map.layout.max, map.image);
   if (map.layout.premultiplied && !is_float(request.format)) divide_by_cover(map.image);
   map.answer = answer_of(mesh, request, encoding, scale, covered);
-  map.answer.outside = count_outside(uvs);
+  map.answer.outside = count_outside(uvs), map.answer.tiles = udims_of(all);
   return map;
 }
 

@@ -39,12 +39,14 @@ struct MapTargets {
   std::vector<Field> fields;                                // by rising number: which ones the encoding holds
   std::array<std::vector<glm::dvec4>, field_count> values;  // of those fields, for each vertex; beyond ranges too
   std::vector<bool> keeps_direction;  // of `vector`, where it has no length and so no direction; else empty
+  std::vector<bool> says_nothing;     // of vertices that do not lie in the tile; empty where all are read
 };
 
 /// Reads the picture at every vertex, mixed from four pixels; on seams the mean of what its islands say. The mesh has
 /// texture coordinates, or with `vertices` the picture has as many pixels as the mesh vertices. `scale` is in the
-/// field's unit, lengths in sizes.
-MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale);
+/// field's unit, lengths in sizes. Of a UDIM `tile` the picture shows its square alone.
+MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale,
+                    int tile = 0);
 
 /// One channel of the picture at every vertex, the file's own numbers held in [0, 1].
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel);

@@ -118,9 +118,10 @@ MapTargets read_list(const Mesh& mesh, const MapPicture& list, Field field, doub
 
 }  // namespace
 
-MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale) {
+MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale,
+                    int tile) {
   if (encoding == MapEncoding::vertices) return read_list(mesh, picture, field, scale);
-  const UvCorners uvs = make_uv_corners(mesh);
+  const UvCorners uvs = in_udim(make_uv_corners(mesh), tile);
   const MapLayout layout = layout_of(field, encoding, scale, picture.bits == 32);
   MapTargets targets;
   targets.fields = fields_of(field, encoding);
@@ -129,6 +130,10 @@ MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, Ma
   if (encoding == MapEncoding::vector) targets.keeps_direction.resize(mesh.positions.size(), false);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
     split(value_at_vertex(uvs, v, picture, layout, encoding), layout, encoding, scale, v, targets);
+  if (tile != 0) {
+    targets.says_nothing.resize(mesh.positions.size());
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) targets.says_nothing[v] = uvs.of_vertex(v).empty();
+  }
   return targets;
 }
 

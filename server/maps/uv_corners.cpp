@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <tuple>
 #include <utility>
 
+#include "protocol/commands/map.h"
 #include "server/maps/encoding.h"
 #include "server/maps/read_map.h"
 
@@ -181,6 +183,63 @@ void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::d
       for (int c = 0; c < image.channels; ++c) moved = project(taps, values[k][c], c, min[c], max[c], image) || moved;
     }
   }
+}
+
+namespace {
+
+constexpr int udims_of_row = 10;
+
+glm::ivec2 square_of(const UvCorners& uvs, glm::uvec3 t) {
+  const auto uv = [&](std::uint32_t k) { return dvec2(uvs.corners[k].uv); };
+  return glm::ivec2(glm::floor((uv(t.x) + uv(t.y) + uv(t.z)) / 3.0));
+}
+
+glm::ivec2 square_of(int udim) { return {(udim - first_udim) % udims_of_row, (udim - first_udim) / udims_of_row}; }
+
+/// The corners in `kept`, moved by `shift`.
+UvCorners chosen(const UvCorners& uvs, const std::vector<bool>& kept, glm::vec2 shift) {
+  UvCorners chosen;
+  std::size_t corner = 0;
+  for (std::uint32_t vertex = 0; vertex + 1 < uvs.first.size(); ++vertex) {
+    chosen.first.push_back(static_cast<std::uint32_t>(chosen.corners.size()));
+    for (; corner < uvs.first[vertex + 1]; ++corner) {
+      if (!kept[corner]) continue;
+      chosen.corners.push_back(uvs.corners[corner]);
+      chosen.corners.back().uv += shift;
+    }
+  }
+  chosen.first.push_back(static_cast<std::uint32_t>(chosen.corners.size()));
+  return chosen;
+}
+
+}  // namespace
+
+UvCorners in_udim(UvCorners uvs, int tile) {
+  if (tile == 0) return uvs;
+  const glm::ivec2 square = square_of(tile);
+  std::vector<glm::uvec3> triangles;
+  std::vector<bool> kept(uvs.corners.size(), false);
+  for (const glm::uvec3 t : uvs.of_triangle) {
+    if (square_of(uvs, t) != square) continue;
+    triangles.push_back(t);
+    kept[t.x] = kept[t.y] = kept[t.z] = true;
+  }
+  UvCorners inside = chosen(uvs, kept, -glm::vec2(square));
+  std::vector<std::uint32_t> number(uvs.corners.size());
+  for (std::uint32_t k = 0, next = 0; k < kept.size(); ++k) number[k] = kept[k] ? next++ : 0;
+  for (const glm::uvec3 t : triangles) inside.of_triangle.emplace_back(number[t.x], number[t.y], number[t.z]);
+  return inside;
+}
+
+std::vector<int> udims_of(const UvCorners& uvs) {
+  std::set<int> tiles;
+  for (const glm::uvec3 t : uvs.of_triangle) {
+    const glm::ivec2 square = square_of(uvs, t);
+    const std::int64_t tile = first_udim + square.x + std::int64_t{udims_of_row} * square.y;
+    if (square.x >= 0 && square.x < udims_of_row && square.y >= 0 && tile <= last_udim)
+      tiles.insert(static_cast<int>(tile));
+  }
+  return {tiles.begin(), tiles.end()};
 }
 
 }  // namespace pelage

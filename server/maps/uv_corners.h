@@ -38,6 +38,12 @@ struct UvCorners {
   }
 };
 
+/// Those of a UDIM tile, by the middles of their triangles, moved to [0, 1]; all as they are where `tile` is 0.
+UvCorners in_udim(UvCorners uvs, int tile);
+
+/// The tiles that triangles lie in, by their middles, rising. Those that have no number are left out.
+std::vector<int> udims_of(const UvCorners& uvs);
+
 /// Corners of triangles with the same vertex and the same coordinates are one. The mesh has texture
 /// coordinates.
 UvCorners make_uv_corners(const Mesh& mesh);

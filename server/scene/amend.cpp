@@ -14,7 +14,8 @@ namespace {
 
 Status not_in_effect() {
   return failure(Code::invalid, "no step that is in effect has this revision", "/revision",
-                 "a revision of the log that made, joined or replayed commands and is not undone or reverted past");
+                 "the number of a step of the log, or a revision that made, joined or replayed it, that is not undone "
+                 "or reverted past");
 }
 
 /// A refusal of a step that was fine before the amendment. Where it stands in that step does not help whoever amends.
@@ -31,7 +32,7 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   if (Status refused = admit(options); !refused.ok()) return refused;
   const std::vector<ListedStep> steps = history_.listed_steps();
   const auto amended = std::find_if(steps.begin(), steps.end(), [&](const ListedStep& step) {
-    return step.first <= request.revision && request.revision <= step.last;
+    return step.number == request.revision || (step.first <= request.revision && request.revision <= step.last);
   });
   if (amended == steps.end()) return not_in_effect();
 
@@ -40,9 +41,9 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   if (!replay) return replay.status();
   replay->entries.front().author = options.author;
   replay->entries.front().request_key = options.request_key;
-  if (Status refused = replay_step(*replay, request.commands, options); !refused.ok()) return refused;
+  if (Status refused = replay_step(*replay, amended->number, request.commands, options); !refused.ok()) return refused;
   for (auto later = amended + 1; later != steps.end(); ++later) {
-    if (Status refused = replay_step(*replay, later->commands, options); !refused.ok())
+    if (Status refused = replay_step(*replay, later->number, later->commands, options); !refused.ok())
       return refused.code == Code::unavailable ? refused : not_replayed(*later, refused);
   }
 
@@ -65,7 +66,8 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
 }
 
 /// Evaluates one step on what those before it left. Its entry has a revision of its own, which its checkpoints name.
-Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands, const ExecuteOptions& options) const {
+Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
+                          const ExecuteOptions& options) const {
   const auto replayed_fields_at = [&](Revision revision) -> Result<FieldSet> {
     if (revision <= history_.revision()) return fields_at(revision);
     FieldSet then = replay.fields;
@@ -103,8 +105,9 @@ Status Scene::replay_step(Replay& replay, const std::vector<Command>& commands, 
   replay.fields = std::move(outcome.fields);
   if (outcome.settings) replay.settings = outcome.settings;
   const std::vector<Command> logged = chosen(resolved, outcome.effective);
-  replay.entries.push_back({next, EntryKind::replay, 0, encode(logged), std::move(outcome.delta), replay.fields.hash(),
-                            outcome.settings, pictures_read_by(logged), options.author, options.request_key});
+  replay.entries.push_back({next, EntryKind::replay, number, encode(logged), std::move(outcome.delta),
+                            replay.fields.hash(), outcome.settings, pictures_read_by(logged), options.author,
+                            options.request_key});
   return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include "server/groom/evaluate.h"
 #include "server/groom/vertex_frame.h"
+#include "server/scene/farthest_place.h"
 
 namespace pelage {
 
@@ -40,12 +41,25 @@ void read_paint(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
   }
 }
 
+std::optional<SurfacePoint> under_pixel(const Surface& surface, const View& view, glm::dvec2 pixel) {
+  const double aspect = static_cast<double>(view.width) / view.height;
+  const PlacedCamera camera = place_camera(view.camera, aspect, surface.mesh());
+  return surface.raycast(camera.position, pixel_ray(camera, pixel, view.width, view.height));
+}
+
+std::optional<SurfacePoint> place_of(const Surface& surface, const PickRequest& wanted) {
+  const Mesh& mesh = surface.mesh();
+  if (wanted.ray) return surface.raycast(mesh.to_internal(wanted.ray->origin), wanted.ray->direction);
+  if (wanted.farthest) return farthest_place(surface, *wanted.farthest);
+  if (wanted.nearest) return surface.nearest(mesh.to_internal(*wanted.nearest));
+  return under_pixel(surface, wanted.view, wanted.pixel);
+}
+
 }  // namespace
 
-PickAnswer pick(const Surface& surface, const FieldSet& fields, const View& view, glm::dvec2 pixel) {
+PickAnswer pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted) {
   const Mesh& mesh = surface.mesh();
-  const PlacedCamera camera = place_camera(view.camera, static_cast<double>(view.width) / view.height, mesh);
-  const auto point = surface.raycast(camera.position, pixel_ray(camera, pixel, view.width, view.height));
+  const std::optional<SurfacePoint> point = place_of(surface, wanted);
   PickAnswer answer;
   if (!point) return answer;
   answer.hit = true;

@@ -323,9 +323,9 @@ Result<MapFile> Scene::draw_map(const MapRequest& request) const {
   return file;
 }
 
-Result<PickAnswer> Scene::pick(const View& view, glm::dvec2 pixel) const {
+Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
   const std::lock_guard lock(mutex_);
-  return pelage::pick(model_->surface, fields_, view, pixel);
+  return pelage::pick(model_->surface, fields_, wanted);
 }
 
 FoldCount Scene::count_folds() const {

@@ -17,6 +17,7 @@
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/history.h"
+#include "protocol/commands/pick.h"
 #include "protocol/commands/scene.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
@@ -162,7 +163,7 @@ class Scene {
   /// What a retarget takes from this scene: at the present revision or an earlier one of this model, else refused
   /// (invalid, "/revision").
   Result<GroomSource> groom(std::optional<Revision> revision) const;
-  Result<PickAnswer> pick(const View& view, glm::dvec2 pixel) const;
+  Result<PickAnswer> pick(const PickRequest& wanted) const;
   /// A field through the model's texture coordinates; the scene goes on while it is drawn. Refused as make_map_file.
   Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
@@ -234,7 +235,9 @@ class Scene {
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
   Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
   Result<Replay> begin_replay(Revision before) const;
-  Status replay_step(Replay& replay, const std::vector<Command>& commands, const ExecuteOptions& options) const;
+  /// `number` as LogEntry::step.
+  Status replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
+                     const ExecuteOptions& options) const;
   History new_history(Revision first, SceneSettings settings) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;

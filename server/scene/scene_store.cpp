@@ -61,6 +61,7 @@ PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
     options.front = options.up == Axis::plus_z ? Axis::minus_y : Axis::plus_z;
   if (line(options.front) == line(options.up)) options.front = Axis::plus_y;  // -Z is up
   options.flipped_parts.assign(asked.flip.begin(), asked.flip.end());
+  options.two_sided_parts.assign(asked.two_sided.begin(), asked.two_sided.end());
   return options;
 }
 
@@ -314,6 +315,7 @@ Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload
   const Result<PictureAnswer> picture = impl_->keep_map(bytes);
   if (!picture) return picture.status();
   ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
+  command.tile = upload.tile;
   command.scale = upload.scale.value_or(picture->scale.value_or(1));
   if (!upload.scale && picture->scale) command.units = Units::relative;  // what files say is in sizes
   return scene.execute({command}, execute);

@@ -185,13 +185,14 @@ class Orienter {
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       if (part_[t] != no_triangle) continue;
       const std::vector<std::uint32_t> members = gather(t);
-      WoundPart part{t, members.size(), box_of(members), false};
+      WoundPart part{t, members.size(), box_of(members)};
       bool turn = should_turn(members, part);
       const auto number = static_cast<std::uint32_t>(report_.parts.size() + 1);
       if (std::find(flipped.begin(), flipped.end(), number) != flipped.end()) turn = !turn;
       for (std::uint32_t member : members) flip_[member] = flip_[member] != turn;
       report_.parts.push_back(part);
     }
+    report_.part_of = std::move(part_);
     return std::move(flip_);
   }
 
@@ -199,14 +200,15 @@ class Orienter {
   /// The part of `seed`, its triangles turned so that they agree with the seed.
   std::vector<std::uint32_t> gather(std::uint32_t seed) {
     std::vector<std::uint32_t> members = {seed};
-    part_[seed] = seed;
+    const auto number = static_cast<std::uint32_t>(report_.parts.size());
+    part_[seed] = number;
     for (std::size_t i = 0; i < members.size(); ++i) {
       const std::uint32_t t = members[i];
       for (const Neighbour& next : neighbours_[t]) {
         if (next.triangle == no_triangle) continue;
         const bool wanted = next.agrees ? flip_[t] : !flip_[t];
         if (part_[next.triangle] == no_triangle) {
-          part_[next.triangle] = seed;
+          part_[next.triangle] = number;
           flip_[next.triangle] = wanted;
           members.push_back(next.triangle);
         } else if (flip_[next.triangle] != wanted && t < next.triangle) {
@@ -257,6 +259,7 @@ class Orienter {
     const bool encloses = std::abs(winding.volume) > next_to_nothing * size * size * size;
     const bool by_volume = winding.volume<0, by_most = winding.flipped> winding.kept;
     const bool agreed = winding.flipped == 0 || winding.kept == 0;
+    part.sheet = winding.open && !encloses && members.size() >= enough_to_enclose;
     if (winding.open && agreed) {
       part.doubtful = encloses && by_volume != by_most && members.size() >= enough_to_enclose;
       return by_most;

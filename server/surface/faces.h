@@ -28,7 +28,8 @@ struct WoundPart {
   std::uint32_t first = 0;  // its first triangle
   std::size_t triangles = 0;
   Placement box;
-  bool doubtful = false;  // DoubtfulPart
+  bool doubtful = false;  // ModelReport::doubtful_parts
+  bool sheet = false;     // open, and encloses next to nothing
 };
 
 struct Orientation {
@@ -37,6 +38,7 @@ struct Orientation {
   std::size_t non_manifold_edges = 0;  // of three triangles or more
   std::size_t one_sided_edges = 0;     // across which the winding cannot agree, as on a Moebius strip
   std::vector<WoundPart> parts;        // in the order of their first triangles
+  std::vector<std::uint32_t> part_of;  // of each triangle, its place in `parts`
 };
 
 /// Turns triangles so that neighbours across each edge of two triangles agree. A part without open edges then encloses

@@ -9,6 +9,7 @@
 #include "server/surface/faces.h"
 #include "server/surface/outliers.h"
 #include "server/surface/shading_normals.h"
+#include "server/surface/two_sided.h"
 #include "server/surface/weld.h"
 
 namespace pelage {
@@ -81,12 +82,16 @@ glm::dmat3 turn_to_house_axes(glm::dvec3 up, glm::dvec3 front) {
   return glm::transpose(glm::dmat3(glm::cross(up, front), up, front));
 }
 
-Status check_triangle_count(const RawModel& raw) {
-  std::size_t triangles = 0;
-  for (std::uint32_t corners : raw.face_sizes) triangles += corners > 2 ? corners - 2 : 0;
+Status check_count(std::size_t triangles) {
   if (triangles <= limits::model_triangles) return {};
   return refusal("The model has " + std::to_string(triangles) + " triangles.",
                  "at most " + std::to_string(limits::model_triangles));
+}
+
+Status check_triangle_count(const RawModel& raw) {
+  std::size_t triangles = 0;
+  for (std::uint32_t corners : raw.face_sizes) triangles += corners > 2 ? corners - 2 : 0;
+  return check_count(triangles);
 }
 
 /// A 32-bit number near `largest` has neighbours this far away; it must be small beside the model.
@@ -172,26 +177,31 @@ Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, Model
 
 namespace {
 
-/// The parts that may be inside out, where they lie in the file.
-std::vector<DoubtfulPart> doubtful_parts(const Orientation& orientation, const Placement& placement,
-                                         const glm::dmat3& turn) {
-  std::vector<DoubtfulPart> doubtful;
+/// Parts that the report names, where they lie in the file.
+std::vector<NumberedPart> numbered_parts(const Orientation& orientation, bool WoundPart::*is_named,
+                                         const Placement& placement, const glm::dmat3& turn) {
+  std::vector<NumberedPart> named;
   for (std::size_t i = 0; i < orientation.parts.size(); ++i) {
     const WoundPart& part = orientation.parts[i];
-    if (!part.doubtful) continue;
+    if (!(part.*is_named)) continue;
     const glm::dvec3 centre = part.box.centre * placement.size + placement.centre;
-    doubtful.push_back({static_cast<int>(i + 1), part.triangles, glm::transpose(turn) * centre});
+    named.push_back({static_cast<int>(i + 1), part.triangles, glm::transpose(turn) * centre});
   }
-  return doubtful;
+  return named;
 }
 
-Status check_flipped(const Orientation& orientation, const std::vector<std::uint32_t>& flipped) {
-  for (const std::uint32_t part : flipped) {
+Status check_parts(const Orientation& orientation, const std::vector<std::uint32_t>& numbers, const char* pointer) {
+  for (const std::uint32_t part : numbers) {
     if (part >= 1 && part <= orientation.parts.size()) continue;
-    return failure(Code::invalid, "The model has no part " + std::to_string(part) + ".", "/flip",
+    return failure(Code::invalid, "The model has no part " + std::to_string(part) + ".", pointer,
                    "[1, " + std::to_string(orientation.parts.size()) + "]");
   }
   return {};
+}
+
+Status check_parts(const Orientation& orientation, const PrepareOptions& options) {
+  const Status flipped = check_parts(orientation, options.flipped_parts, "/flip");
+  return flipped.ok() ? check_parts(orientation, options.two_sided_parts, "/two_sided") : flipped;
 }
 
 }  // namespace
@@ -225,8 +235,9 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
   if (soup.triangles.empty()) return refusal("No triangle of the model has an area.");
   drop_unused(soup);
   const Orientation orientation = orient(soup, options.flipped_parts);
-  if (Status status = check_flipped(orientation, options.flipped_parts); !status.ok()) return status;
-  report.doubtful_parts = doubtful_parts(orientation, placement, turn);
+  if (Status status = check_parts(orientation, options); !status.ok()) return status;
+  report.doubtful_parts = numbered_parts(orientation, &WoundPart::doubtful, placement, turn);
+  if (orientation.parts.size() > 1) report.sheets = numbered_parts(orientation, &WoundPart::sheet, placement, turn);
   const Outliers outliers = find_outliers(soup, orientation);
   add_repairs(report, {{"repeated_faces", repeated},
                        {"flipped_triangles", orientation.flipped_triangles},
@@ -236,7 +247,10 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
                        {"far_vertices", outliers.far_vertices},
                        {"far_parts", outliers.far_parts},
                        {"tiny_parts", outliers.tiny_parts}});
+  const std::size_t fronts = add_backs(soup, orientation, options.two_sided_parts);
+  if (Status status = check_count(soup.triangles.size()); !status.ok()) return status;
   Mesh mesh = finish(raw, soup, turn, std::move(report));
+  lift_backs(mesh, fronts);
   mesh.shading_normals = shading_normals(soup.positions, mesh.triangles, mesh.normals, options.crease_degrees);
   for (const std::uint32_t v : grow_over_creases(mesh.triangles, mesh.shading_normals, mesh.normals))
     mesh.tangents[v] = glm::vec3(tailward(glm::normalize(glm::dvec3(mesh.normals[v]))));

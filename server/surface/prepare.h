@@ -30,20 +30,22 @@ struct PrepareOptions {
   Axis up = Axis::plus_y, front = Axis::plus_z;  // on different lines
   bool source_is_32_bit = false;                 // RawModel::is_32_bit
   double crease_degrees = default_crease_degrees;
-  std::vector<std::uint32_t> flipped_parts = {};  // numbers of parts that turn inside out, from 1
+  // Numbers of parts, from 1, that
+  std::vector<std::uint32_t> flipped_parts = {};    // turn inside out
+  std::vector<std::uint32_t> two_sided_parts = {};  // get a back (add_backs)
 };
 
 /// Drops faces that are no faces (fewer than 3 corners, repeated or out-of-range vertices, non-finite or zero area in
 /// double), triangulates n-gons, turns `up` to +Y and `front` to +Z, welds vertices on equal positions, drops repeated
-/// faces and unused vertices, makes the winding of each part agree (orient), turns the parts that are asked for,
-/// centres and scales in double, and makes area-weighted vertex normals (zero sums get any triangle's; at creases all
-/// sides count alike), shading normals, and tangent frames whose tangent points tailwards (the surface part of -Z; of
-/// -Y where that vanishes). Positions are rounded to 32 bits last. Refused (invalid): no triangle left, coordinates
-/// over 1e20, more triangles than the limit, zero size, or 32-bit steps above 1e-4 of the size ("precision":
-/// |coordinate| * 2^-23 > 1e-4 size) when `source_is_32_bit`. Also refused: `up` and `front` on one line ("/front"),
-/// and a part that is not there ("/flip"). Deterministic. The report lists every repair that happened, what the file
-/// lost before, and counts what cannot be repaired: open, non-manifold and one-sided edges, parts and vertices far from
-/// the rest, and parts too small to see.
+/// faces and unused vertices, makes the winding of each part agree (orient), turns the parts that are asked for and
+/// gives backs to others, centres and scales in double, and makes area-weighted vertex normals (zero sums get any
+/// triangle's; at creases all sides count alike), shading normals, and tangent frames whose tangent points tailwards
+/// (the surface part of -Z; of -Y where that vanishes). Positions are rounded to 32 bits last. Refused (invalid): no
+/// triangle left, coordinates over 1e20, more triangles than the limit, zero size, or 32-bit steps above 1e-4 of the
+/// size ("precision": |coordinate| * 2^-23 > 1e-4 size) when `source_is_32_bit`. Also refused: `up` and `front` on one
+/// line ("/front"), and a part that is not there ("/flip", "/two_sided"). Deterministic. The report lists every repair
+/// that happened, what the file lost before, and counts what cannot be repaired: open, non-manifold and one-sided
+/// edges, parts and vertices far from the rest, and parts too small to see.
 Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options = {});
 
 }  // namespace pelage

@@ -61,7 +61,7 @@ class Document(unittest.TestCase):
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Subdivide", "Retarget", "ChangeEditLayer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
-                    "PickRequest")
+                    "PickRay", "PickFarthest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -225,6 +225,10 @@ class Requests(ServedTest):
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
+        for place in ({"ray": {"origin": [0, 0, 9], "direction": [0, 0, -1]}}, {"nearest": [1, 2, 3]},
+                      {"farthest": {"direction": [0, 1, 0], "min": [-1, -1, -1], "max": [1, 1, 1]}}):
+            for variation in self.variations(place):
+                self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
 
     def test_layers(self):
         empty, scene = self.server.new_scene("plane", 50), self.server.new_scene("plane", 50)

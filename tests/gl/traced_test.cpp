@@ -274,7 +274,7 @@ TEST_P(Finish, IsWhatIsDrawnOfTheSameLight) {
 
 TEST_P(Finish, LaysFieldsOverThePictureAsOverADrawnOne) {
   for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::density,
-                                Overlay::wetness, Overlay::mask, Overlay::difference}) {
+                                Overlay::wetness, Overlay::mask, Overlay::difference, Overlay::bald, Overlay::wire}) {
     FrameRequest request = askew(100, 70);
     request.overlay = overlay;
     const auto [steps, deep] = steps_apart(request);

@@ -6,6 +6,7 @@
 #include "renderer/marched/field_overlay.h"
 #include "renderer/marched/fur_hull.h"
 #include "renderer/marched/light_map_overlay.h"
+#include "renderer/marched/shape_overlay.h"
 
 namespace pelage {
 namespace {
@@ -111,6 +112,21 @@ TEST(Overlays, TheNearestIsShown) {
     EXPECT_NEAR(pixel(image, 32, 32).g, 0.2f, 0.02f) << near_first;
     EXPECT_NEAR(pixel(image, 18, 32).g, 1, 0.02f) << near_first;
   }
+}
+
+/// The square's diagonal runs from its lower left to its upper right corner; skin that faces the eye is lightest.
+TEST(Overlays, TheShapeHidesTheFrame) {
+  const Squares square = one_square();
+  const FloatImage bald = shape_overlay(frame_of(Overlay::bald), square.mesh(), 2);
+  const FloatImage wire = shape_overlay(frame_of(Overlay::wire), square.mesh(), 1);
+  for (const glm::ivec2 on : {glm::ivec2(32, 31), glm::ivec2(24, 28)}) EXPECT_GT(pixel(bald, on.x, on.y).r, 0.8f);
+  EXPECT_LT(pixel(bald, 2, 2).r, 0.3f);
+  for (int i = 3; i < picture_side * picture_side * 4; i += 4) ASSERT_EQ(bald.rgba[static_cast<std::size_t>(i)], 1);
+  EXPECT_EQ(pixel(wire, 24, 28), pixel(bald, 24, 28)) << "within a triangle";
+  int edges = 0;
+  for (int x = 17; x < 47; ++x) edges += pixel(wire, x, 40) != pixel(bald, x, 40) ? 1 : 0;
+  EXPECT_TRUE(edges == 1 || edges == 2) << edges;
+  EXPECT_NE(pixel(wire, 15, 40), pixel(bald, 15, 40)) << "the silhouette";
 }
 
 /// Depths run from white at the near side of the ball around the model to black at its far side.

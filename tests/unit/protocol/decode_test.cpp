@@ -347,6 +347,16 @@ TEST(DecodePick, PixelsLieInTheView) {
   EXPECT_TRUE(decode_pick(R"({"view": {"width": 10, "height": 20}, "pixel": [10, 20]})").ok());
   EXPECT_EQ(decode_pick(R"({"view": {"width": 10, "height": 20}, "pixel": [10.5, 0]})").status().pointer, "/pixel/0");
   EXPECT_EQ(decode_pick("{}").status().pointer, "/pixel");
+  const auto refused = [](const char* text) { return decode_pick(text).status().pointer; };
+  EXPECT_TRUE(decode_pick(R"({"ray": {"origin": [0, 0, 9], "direction": [0, 0, -1]}})").ok());
+  EXPECT_EQ(refused(R"({"ray": {"origin": [0, 0, 9], "direction": [0, 0, 0]}})"), "/ray/direction");
+  EXPECT_EQ(refused(R"({"ray": {"origin": [0, 0, 9], "direction": [0, 0, 1]}, "pixel": [1, 1]})"), "/pixel");
+  EXPECT_TRUE(decode_pick(R"({"farthest": {"direction": [0, 1, 0]}})").ok());
+  EXPECT_TRUE(decode_pick(R"({"farthest": {"direction": [0, 1, 0], "min": [0, 0, 0], "max": [0, 1, 1]}})").ok());
+  EXPECT_EQ(refused(R"({"farthest": {"direction": [0, 1, 0], "min": [0, 0, 0]}})"), "/farthest/max");
+  EXPECT_EQ(refused(R"({"farthest": {"direction": [0, 1, 0], "min": [0, 2, 0], "max": [0, 1, 1]}})"), "/farthest/max");
+  EXPECT_TRUE(decode_pick(R"({"nearest": [1, 2, 3]})").ok());
+  EXPECT_EQ(refused(R"({"nearest": [1, 2]})"), "/nearest");
 }
 
 TEST(SplitSteps, LinesArraysAndDocuments) {

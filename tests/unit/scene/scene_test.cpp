@@ -189,21 +189,56 @@ TEST_F(SceneTest, DrawingGetsTheRangesThatChanged) {
 TEST_F(SceneTest, PickTellsWhatLiesUnderAPixel) {
   const auto scene = make(Builtin::sphere, 2000);
   const View view{.camera = {.automatic = AutoView::front}, .width = 300, .height = 300};
-  const Result<PickAnswer> hit = scene->pick(view, {150, 150});
+  const Result<PickAnswer> hit = scene->pick({view, {150, 150}});
   ASSERT_TRUE(hit.ok());
   EXPECT_TRUE(hit->hit);
   EXPECT_NEAR(hit->normal.z, 1, 1e-2);
   EXPECT_NEAR(hit->length, 0.03, 1e-3);
   EXPECT_NEAR(hit->inclination, 0.45, 0.3);
   EXPECT_NEAR(glm::dot(hit->direction, hit->normal), 0, 1e-9);
-  EXPECT_FALSE(scene->pick(view, {1, 1})->hit);
+  EXPECT_FALSE(scene->pick({view, {1, 1}})->hit);
+}
+
+TEST_F(SceneTest, PickFollowsARay) {
+  const auto scene = make(Builtin::sphere, 2000);
+  const auto hit = [&](glm::dvec3 origin, glm::dvec3 direction) {
+    return *scene->pick({.ray = PickRay{origin, direction}});
+  };
+  EXPECT_NEAR(hit({9, 0, 0}, {-1, 0, 0}).normal.x, 1, 1e-2);
+  EXPECT_NEAR(hit({0, 9, 0}, {0, -1e-6, 0}).normal.y, 1, 1e-2);
+  EXPECT_FALSE(hit({9, 0, 0}, {1, 0, 0}).hit) << "away from it";
+  EXPECT_TRUE(hit({0, 0, 0}, {0, 0, 1e6}).hit) << "from within";
+}
+
+TEST_F(SceneTest, PickFindsTheNearestPlace) {
+  const auto scene = make(Builtin::sphere, 2000);
+  const PickAnswer found = *scene->pick({.nearest = glm::dvec3(0, 0, 40)});
+  EXPECT_NEAR(found.normal.z, 1, 1e-2);
+  EXPECT_NEAR(glm::distance(found.position, scene->pick({.nearest = found.position})->position), 0, 1e-6);
+}
+
+TEST_F(SceneTest, PickFindsTheFarthestPlaceInABox) {
+  const auto scene = make(Builtin::sphere, 20000);
+  const PickAnswer top = *scene->pick({.farthest = PickFarthest{{0, 2, 0}}});
+  EXPECT_NEAR(top.normal.y, 1, 1e-2);
+  const double radius = top.position.y;
+  const glm::dvec3 low(-radius), high(radius, 0.5 * radius, radius);
+  const PickAnswer cut = *scene->pick({.farthest = PickFarthest{{0, 1, 0}, low, high}});
+  EXPECT_NEAR(cut.position.y, 0.5 * radius, 1e-6) << "on the box's side, within a triangle";
+  EXPECT_NEAR(glm::length(cut.position), radius, 0.01 * radius);
+  const glm::dvec3 aside(0.2 * radius, -radius, 0);
+  const PickAnswer edge = *scene->pick({.farthest = PickFarthest{{0, 1, 0}, aside, glm::dvec3(radius)}});
+  EXPECT_NEAR(edge.position.x, aside.x, 1e-6);
+  EXPECT_NEAR(edge.position.y, std::sqrt(1 - 0.04) * radius, 0.01 * radius);
+  const PickFarthest beside{{0, 1, 0}, glm::dvec3(2 * radius), glm::dvec3(3 * radius)};
+  EXPECT_FALSE(scene->pick({.farthest = beside})->hit);
 }
 
 TEST_F(SceneTest, PickTellsWhatIsPainted) {
   const auto scene = make(Builtin::sphere, 2000);
   const View view{.camera = {.automatic = AutoView::front}, .width = 300, .height = 300};
   const auto value = [&](Field field) {
-    return scene->pick(view, {150, 150})->painted[static_cast<std::size_t>(field) - first_painted];
+    return scene->pick({view, {150, 150}})->painted[static_cast<std::size_t>(field) - first_painted];
   };
   EXPECT_NEAR(value(Field::density).x, 1, 1e-6) << "at rest";
   EXPECT_EQ(value(Field::root_colour), glm::dvec4(0));

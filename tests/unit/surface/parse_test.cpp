@@ -196,20 +196,46 @@ TEST(ParseGltf, SkinsStandAsTheirJointsSay) {
   EXPECT_NEAR(glm::length(model.positions[2] - glm::dvec3(0, 6, 0)), 0, 1e-6);
 }
 
-/// A target that moves all by 4, at a quarter of its weight.
-TEST(ParseGltf, MorphTargetsCountByTheirWeights) {
+/// A triangle with a target that moves all by 4 along z, whose mesh has a weight of a quarter.
+std::string morphed(const char* nodes) {
   const std::string bytes =
       "data:application/octet-stream;base64,"
       "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBA";
-  const RawModel model = parsed(ModelFormat::gltf, R"({"asset": {"version": "2.0"}, "scene": 0,
-    "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": )" + std::string(nodes) +
+         R"(,
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 1}]}], "weights": [0.25]}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
                   {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 4], "max": [0, 0, 4]}],
     "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36}],
-    "buffers": [{"byteLength": 72, "uri": ")" + bytes + R"("}]})");
+    "buffers": [{"byteLength": 72, "uri": ")" +
+         bytes + R"("}]})";
+}
+
+std::string glb_of(std::string document) {
+  document.resize((document.size() + 3) / 4 * 4, ' ');
+  const auto number = [](std::size_t value) {
+    const auto word = static_cast<std::uint32_t>(value);
+    return std::string(reinterpret_cast<const char*>(&word), sizeof word);
+  };
+  return "glTF" + number(2) + number(20 + document.size()) + number(document.size()) + "JSON" + document;
+}
+
+TEST(ParseGltf, MorphTargetsCountByTheirWeights) {
+  const RawModel model = parsed(ModelFormat::gltf, morphed(R"([{"mesh": 0}])"));
   ASSERT_EQ(model.positions.size(), 3u);
   EXPECT_NEAR(glm::length(model.positions[1] - glm::dvec3(1, 0, 1)), 0, 1e-6);
+}
+
+/// Two nodes share a mesh, and one of them has another weight.
+TEST(ParseGltf, WeightsOfANodeTakeThePlaceOfItsMeshs) {
+  const std::string document = morphed(R"([{"mesh": 0, "weights": [0.75], "children": [1]}, {"mesh": 0}])");
+  for (const auto& [format, bytes] :
+       {std::pair(ModelFormat::gltf, document), std::pair(ModelFormat::glb, glb_of(document))}) {
+    const RawModel model = parsed(format, bytes);
+    ASSERT_EQ(model.positions.size(), 6u);
+    EXPECT_NEAR(model.positions[1].z, 3, 1e-6) << "its own weight";
+    EXPECT_NEAR(model.positions[4].z, 1, 1e-6) << "the mesh's";
+  }
 }
 
 TEST(ParseGltf, OtherVersionsAndGraphsThatAreNoTreesAreRefused) {

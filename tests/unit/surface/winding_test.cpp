@@ -43,10 +43,49 @@ TEST(Winding, OpenPartsKeepTheirsAndAreReported) {
   const Mesh inside_out = shapes::prepared(turned(without_lid(shapes::cube(2, {5, 0, 0})))).value();
   EXPECT_EQ(count_of(inside_out, "flipped_triangles"), 0u);
   ASSERT_EQ(inside_out.report.doubtful_parts.size(), 1u);
-  const DoubtfulPart& part = inside_out.report.doubtful_parts.front();
+  const NumberedPart& part = inside_out.report.doubtful_parts.front();
   EXPECT_EQ(part.part, 1);
   EXPECT_EQ(part.triangles, 10u);
   EXPECT_LT(glm::distance(part.centre, glm::dvec3(6, 1, 1)), 1e-6);
+}
+
+/// A ball, and beside it a sheet of eight triangles in the plane of x and y, facing z.
+RawModel ball_and_sheet() {
+  RawModel raw = shapes::ball(8);
+  const auto first = static_cast<std::uint32_t>(raw.positions.size());
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) raw.positions.emplace_back(3 + x, y, 0);
+  for (std::uint32_t y = 0; y < 2; ++y) {
+    for (std::uint32_t x = 0; x < 2; ++x) {
+      const std::uint32_t corner = first + 3 * y + x;
+      raw.face_sizes.push_back(4);
+      for (const std::uint32_t v : {corner, corner + 1, corner + 4, corner + 3}) raw.corners.push_back(v);
+      if (!raw.face_material.empty()) raw.face_material.push_back(0);
+    }
+  }
+  return raw;
+}
+
+TEST(Winding, SheetsAreReportedAndGetABack) {
+  const RawModel raw = ball_and_sheet();
+  const Mesh plain = prepare(raw).value();
+  ASSERT_EQ(plain.report.sheets.size(), 1u);
+  EXPECT_EQ(plain.report.sheets.front().part, 2);
+  EXPECT_EQ(plain.report.sheets.front().triangles, 8u);
+  const Mesh both = prepare(raw, {.two_sided_parts = {2}}).value();
+  EXPECT_EQ(both.triangles.size(), plain.triangles.size() + 8);
+  ASSERT_EQ(both.positions.size(), plain.positions.size() + 9);
+  EXPECT_EQ(both.report.parts, 3u);
+  const std::size_t fronts = plain.positions.size();
+  for (std::size_t v = 0; v < 9; ++v) {
+    const glm::dvec3 front(both.positions[fronts - 9 + v]), back(both.positions[fronts + v]);
+    EXPECT_NEAR(both.normals[fronts - 9 + v].z, 1, 1e-6);
+    EXPECT_NEAR(both.normals[fronts + v].z, -1, 1e-6);
+    EXPECT_NEAR(glm::distance(back, front - glm::dvec3(0, 0, 1e-3)), 0, 1e-6) << v;
+  }
+  const auto refused = prepare(raw, {.two_sided_parts = {3}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().pointer, "/two_sided");
 }
 
 TEST(Winding, OnePartIsFlipped) {

@@ -1,0 +1,143 @@
+#include "server/export/cards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/coat/slices.h"
+#include "server/export/card_texture.h"
+#include "server/export/clumps.h"
+#include "server/export/eye_part.h"
+#include "server/export/skin_part.h"
+#include "server/frames/fur_view.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double overlap = 1.9;       // width of a card over the distance to the next
+constexpr double most_turned = 0.65;  // around its middle line, radians
+
+/// Rows of quads of each level.
+constexpr std::array<std::size_t, card_levels> rows_of_level{StrandClump::rows - 1, 3, 2};
+
+struct CardMesh {
+  std::vector<glm::vec3> places, normals;
+  std::vector<glm::vec2> uvs;
+  std::vector<glm::vec4> colours;
+  std::vector<glm::uvec3> triangles;
+};
+
+/// A unit vector that a card's sides are level with: the skin's normal, unless the strand stands along it.
+glm::vec3 level_of(const StrandClump& clump, glm::vec3 along) {
+  const glm::vec3 across = glm::cross(along, clump.normal);
+  if (glm::length(across) > 0.25f * glm::length(along)) return clump.normal;
+  const glm::vec3 any = std::abs(clump.normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 u = glm::normalize(glm::cross(clump.normal, any)), v = glm::cross(clump.normal, u);
+  const float turn = 6.2831853f * clump.number;
+  return std::cos(turn) * u + std::sin(turn) * v;
+}
+
+/// From the middle of the card to its right side, unit.
+glm::vec3 side_of(const StrandClump& clump, glm::vec3 level, glm::vec3 along) {
+  const auto turn = static_cast<float>(most_turned * (2 * std::fmod(7.0 * double{clump.number}, 1.0) - 1));
+  const glm::vec3 across = glm::cross(along, level);
+  const float length = glm::length(across);
+  if (!(length > 1e-12f)) return glm::normalize(glm::cross(level, clump.normal) + 1e-6f * clump.normal);
+  const glm::vec3 side = across / length;
+  return std::cos(turn) * side + std::sin(turn) * glm::cross(glm::normalize(along), side);
+}
+
+/// `width`: sizes.
+void add_card(const StrandClump& clump, double width, std::size_t rows, const Slices& slices, double size,
+              CardMesh& mesh) {
+  const glm::vec3 level = level_of(clump, clump.places.back() - clump.places.front());
+  const auto lock = static_cast<float>(std::min(static_cast<int>(clump.number * card_locks), card_locks - 1));
+  const auto first = static_cast<std::uint32_t>(mesh.places.size());
+  for (std::size_t row = 0; row <= rows; ++row) {
+    const double height = static_cast<double>(row) / static_cast<double>(rows);
+    const auto at = static_cast<std::size_t>(std::lround(height * (StrandClump::rows - 1)));
+    const glm::vec3 along = clump.places[std::min(at + 1, StrandClump::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
+    const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
+    const glm::vec4 colour(glm::min(light_at(slices, height) * clump.colours[at] / 0.75f, 1.0f), 1);
+    for (const float right : {0.0f, 1.0f}) {
+      mesh.places.push_back((clump.places[at] + (2 * right - 1) * half) * static_cast<float>(size));
+      mesh.normals.push_back(clump.normal);
+      mesh.uvs.emplace_back((lock + right) / card_locks, 1 - static_cast<float>(height));
+      mesh.colours.push_back(colour);
+    }
+  }
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const std::uint32_t a = first + 2 * row;
+    mesh.triangles.emplace_back(a, a + 1, a + 2), mesh.triangles.emplace_back(a + 1, a + 3, a + 2);
+  }
+}
+
+std::string add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
+  return fmt::format(
+      R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{}}},"indices":{},"material":{}}})",
+      file.add_positions(mesh.places), file.add(std::span<const glm::vec3>(mesh.normals)),
+      file.add(std::span<const glm::vec2>(mesh.uvs)), file.add(std::span<const glm::vec4>(mesh.colours)),
+      file.add_triangles(mesh.triangles, mesh.places.size()), material);
+}
+
+constexpr int skin_material = 0, eye_material = 1, card_material = 2;
+
+void set_materials(GlbWriter& file, const Coat& coat, double width) {
+  const int image = file.add_png(encode_png(card_texture(coat, width), true));
+  file.set(
+      "materials",
+      fmt::format(
+          R"([{{"name":"skin",{}}},{{"name":"eyes",{}}},{{"name":"cards","alphaMode":"MASK","alphaCutoff":0.4,)"
+          R"("doubleSided":true,"pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":0.8,"baseColorTexture":{{"index":0}}}}}}])",
+          dull_material, wet_material));
+  file.set("textures", fmt::format(R"([{{"source":{},"sampler":0}}])", image));
+  file.set("samplers", R"([{"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071}])");
+}
+
+/// Mesh 0 is the body; mesh and node 1 + k are the cards of level k, where there are any.
+void set_scenes(GlbWriter& file, const std::string& body, const std::vector<std::string>& levels, glm::dvec3 centre) {
+  std::string scenes, nodes = fmt::format(R"({{"name":"body","mesh":0,"translation":{}}})", json_of(centre));
+  std::string meshes = R"({"name":"body","primitives":[)" + body + "]}";
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    scenes += fmt::format(R"({}{{"name":"LOD{}","nodes":[0{}]}})", k > 0 ? "," : "", k,
+                          levels[k].empty() ? "" : fmt::format(",{}", k + 1));
+    if (levels[k].empty()) continue;
+    nodes += fmt::format(R"(,{{"name":"fur_LOD{}","mesh":{},"translation":{}}})", k, k + 1, json_of(centre));
+    meshes += fmt::format(R"(,{{"name":"fur_LOD{}","primitives":[{}]}})", k, levels[k]);
+  }
+  file.set("scene", "0");
+  file.set("scenes", "[" + scenes + "]");
+  file.set("nodes", "[" + nodes + "]");
+  file.set("meshes", "[" + meshes + "]");
+}
+
+}  // namespace
+
+CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
+  const Slices slices = bake_slices(scene.settings.coat);
+  const FurFrame frame = make_frame(scene, FrameRequest{});
+  const double cell = cell_of(strands, request.cards);
+  CardFile result;
+  GlbWriter file;
+  std::string body = add_skin(file, scene, VertexColours(scene.model.surface, strands), slices, skin_material);
+  if (!frame.eyes.empty()) body += "," + add_eyes(file, frame.eyes, strands.size, eye_material);
+  std::vector<std::string> levels;
+  for (int level = 0; level < card_levels; ++level) {
+    const double distance = cell * std::pow(2.0, 0.5 * level);
+    CardMesh mesh;
+    const std::vector<StrandClump> clumps = make_clumps(strands, distance);
+    for (const StrandClump& clump : clumps)
+      add_card(clump, overlap * distance, rows_of_level[static_cast<std::size_t>(level)], slices, strands.size, mesh);
+    if (level == 0) result.cards = clumps.size(), result.triangles = mesh.triangles.size();
+    levels.push_back(clumps.empty() ? "" : add_cards(file, mesh, card_material));
+  }
+  result.triangles += scene.model.surface.mesh().triangles.size();
+  set_materials(file, scene.settings.coat, overlap * cell);
+  set_scenes(file, body, levels, scene.model.surface.mesh().centre);
+  result.glb = file.finish();
+  return result;
+}
+
+}  // namespace pelage

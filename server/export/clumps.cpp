@@ -1,0 +1,104 @@
+#include "server/export/clumps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace pelage {
+
+namespace {
+
+/// A cube, and which of six ways the skin faces.
+using Key = std::tuple<int, int, int, int>;
+
+int facing_of(glm::vec3 normal) {
+  const glm::vec3 size = glm::abs(normal);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  return 2 * axis + (normal[axis] < 0 ? 1 : 0);
+}
+
+Key key_of(glm::vec3 root, glm::vec3 normal, double cell) {
+  const glm::dvec3 cube = glm::floor(glm::dvec3(root) / cell);
+  return {static_cast<int>(cube.x), static_cast<int>(cube.y), static_cast<int>(cube.z), facing_of(normal)};
+}
+
+/// Calls use(set, number of the strand in it, its first point) for each strand of the fur.
+template <class Use>
+void for_each_strand(const ExportedStrands& strands, const Use& use) {
+  for (std::size_t k = 0; k + strands.curve_sets < strands.sets.size(); ++k) {
+    const StrandSet& set = strands.sets[k];
+    const std::size_t points = static_cast<std::size_t>(set.segments) + 1;
+    for (std::size_t i = 0; i < set.count(); ++i) use(set, i, i * points);
+  }
+}
+
+std::size_t count_clumps(const ExportedStrands& strands, double cell) {
+  std::set<Key> keys;
+  for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
+    keys.insert(key_of(set.points[first].place, set.roots[i].normal, cell));
+  });
+  return keys.size();
+}
+
+/// Sums of a clump's strands.
+struct Sum {
+  std::array<glm::dvec3, StrandClump::rows> places{}, colours{};
+  glm::dvec3 normal{0};
+  double count = 0;
+  float number = 0;
+
+  void add(const StrandSet& set, std::size_t strand, std::size_t first) {
+    if (count == 0) number = set.roots[strand].number;
+    for (std::size_t row = 0; row < StrandClump::rows; ++row) {
+      const double at = static_cast<double>(row) / (StrandClump::rows - 1) * set.segments;
+      const auto low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(set.segments) - 1);
+      const double share = at - static_cast<double>(low);
+      const auto mix = [&](auto of) { return glm::mix(of(first + low), of(first + low + 1), share); };
+      places[row] += mix([&](std::size_t k) { return glm::dvec3(set.points[k].place); });
+      colours[row] += mix([&](std::size_t k) { return glm::dvec3(unpack_colour(set.colours[k])); });
+    }
+    normal += glm::dvec3(set.roots[strand].normal);
+    ++count;
+  }
+
+  StrandClump mean() const {
+    StrandClump clump;
+    for (std::size_t row = 0; row < StrandClump::rows; ++row) {
+      clump.places[row] = glm::vec3(places[row] / count);
+      clump.colours[row] = glm::vec3(colours[row] / count);
+    }
+    clump.normal = glm::vec3(glm::normalize(normal));
+    clump.number = number;
+    return clump;
+  }
+};
+
+}  // namespace
+
+std::vector<StrandClump> make_clumps(const ExportedStrands& strands, double cell) {
+  std::map<Key, Sum> sums;
+  for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
+    sums[key_of(set.points[first].place, set.roots[i].normal, cell)].add(set, i, first);
+  });
+  std::vector<StrandClump> clumps;
+  clumps.reserve(sums.size());
+  for (const auto& [key, sum] : sums) clumps.push_back(sum.mean());
+  return clumps;
+}
+
+double cell_of(const ExportedStrands& strands, int count) {
+  constexpr double narrowest = 1e-4, widest = 1;  // sizes
+  double low = narrowest, high = widest, cell = std::sqrt(low * high);
+  for (int step = 0; step < 24; ++step) {
+    cell = std::sqrt(low * high);
+    const auto clumps = static_cast<double>(count_clumps(strands, cell));
+    if (std::abs(clumps - count) <= 0.1 * count) break;
+    (clumps > count ? low : high) = cell;
+  }
+  return cell;
+}
+
+}  // namespace pelage

@@ -1,0 +1,36 @@
+// The words of a USD file as text.
+#pragma once
+
+#include <string_view>
+
+namespace pelage {
+
+/// One of ( ) [ ] { } = , ; or a word or number, a text without its quotes, a path or an asset; empty at the end.
+struct UsdaToken {
+  enum class Kind { end, mark, word, text } kind = Kind::end;
+  std::string_view text = {};
+
+  bool is(char mark) const { return kind == Kind::mark && text.front() == mark; }
+};
+
+/// Takes words off the front of a text. Comments are passed over. What is not closed ends with the file.
+class UsdaTokens {
+ public:
+  explicit UsdaTokens(std::string_view text) : rest_(text) {}
+
+  UsdaToken take();
+  UsdaToken peek() const { return UsdaTokens(*this).take(); }
+  /// Takes what belongs to an opening mark that was taken, its closing one with it.
+  void skip_group();
+  /// Takes one value: a group, or a word, text or path.
+  void skip_value();
+
+ private:
+  void skip_blanks();
+  UsdaToken take_until(std::string_view quote);
+  UsdaToken take_front(UsdaToken::Kind kind, std::size_t size);
+
+  std::string_view rest_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,68 @@
+#include "server/scene/farthest_place.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace pelage {
+
+namespace {
+
+/// A corner of the part of a triangle that lies in the box.
+struct Corner {
+  glm::dvec3 place, barycentric;
+};
+
+struct HalfSpace {
+  int axis;
+  double side, bound;  // inside: side * place[axis] <= side * bound
+
+  double depth(glm::dvec3 place) const { return side * (bound - place[axis]); }
+};
+
+/// The part of a convex polygon in a half space (Sutherland and Hodgman 1974).
+void clip(std::vector<Corner>& polygon, const HalfSpace& half, std::vector<Corner>& kept) {
+  kept.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const double in_from = half.depth(from.place), in_to = half.depth(to.place);
+    if (in_from >= 0) kept.push_back(from);
+    if ((in_from >= 0) == (in_to >= 0)) continue;
+    const double share = in_from / (in_from - in_to);
+    kept.push_back({glm::mix(from.place, to.place, share), glm::mix(from.barycentric, to.barycentric, share)});
+  }
+  polygon.swap(kept);
+}
+
+std::vector<HalfSpace> half_spaces(const Mesh& mesh, const PickFarthest& wanted) {
+  if (!wanted.min) return {};
+  const glm::dvec3 min = mesh.to_internal(*wanted.min), max = mesh.to_internal(*wanted.max);
+  return {{0, -1, min.x}, {1, -1, min.y}, {2, -1, min.z}, {0, 1, max.x}, {1, 1, max.y}, {2, 1, max.z}};
+}
+
+}  // namespace
+
+std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFarthest& wanted) {
+  const Mesh& mesh = surface.mesh();
+  const std::vector<HalfSpace> box = half_spaces(mesh, wanted);
+  const glm::dvec3 direction = glm::normalize(wanted.direction);
+  double farthest = -std::numeric_limits<double>::infinity();
+  std::optional<SurfacePoint> found;
+  std::vector<Corner> polygon, kept;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    polygon.clear();
+    for (int k = 0; k < 3; ++k) {
+      glm::dvec3 corner(0);
+      corner[k] = 1;
+      polygon.push_back({glm::dvec3(mesh.positions[mesh.triangles[t][k]]), corner});
+    }
+    for (const HalfSpace& half : box) clip(polygon, half, kept);
+    for (const Corner& corner : polygon) {
+      const double along = glm::dot(corner.place, direction);
+      if (along > farthest) farthest = along, found = SurfacePoint{t, corner.barycentric};
+    }
+  }
+  return found;
+}
+
+}  // namespace pelage

@@ -1,0 +1,14 @@
+// The tip of an ear: what of a surface lies farthest along a direction, within a box.
+#pragma once
+
+#include <optional>
+
+#include "protocol/commands/pick.h"
+#include "server/surface/surface.h"
+
+namespace pelage {
+
+/// Of several places the one of the first triangle; none where no triangle reaches into the box.
+std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFarthest& wanted);
+
+}  // namespace pelage
