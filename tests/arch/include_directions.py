@@ -60,8 +60,6 @@ ALLOWED = {
     "renderer/finish": ["protocol/base", "protocol/commands", "renderer/image", "renderer/input", "renderer/optics"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],
-    "clients/cli/trade": ["protocol", "clients/cli", "renderer/image", "renderer/compare"],
-    "clients/cli/trade/page": ["protocol/base", "protocol/commands"],
     "clients/cli/compare": ["protocol", "clients/cli", "renderer/image", "renderer/compare"],
 }
 # outside library -> folders that may include it

@@ -36,6 +36,7 @@ class NextSteps(ServedTest):
 
     def test_senders(self):
         self.assertIn("--token", self.next_of("list", token="wrong", code=1))
+        self.assertIn("--token", self.next_of("trade", "--scene", "any", "-o", self.server.folder, token="wrong", code=1))
         with stub_server(403, "about:blank") as stub:
             self.assertIn("--host", self.next_of("list", "--server", stub, code=1))
         self.assertIn("`pelaged`", self.next_of("list", "--server", "http://127.0.0.1:1", code=1))

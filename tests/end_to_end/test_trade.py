@@ -3,12 +3,20 @@
 import csv
 import json
 import math
+import os
+import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from support.server import ServedTest
+from support.server import BIN, REPOSITORY, ServedTest
+
+sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
+import pelage  # noqa: E402
+from pelage.trade.cases import TIERS  # noqa: E402
 
 
 class Trade(ServedTest):
@@ -46,7 +54,7 @@ class Trade(ServedTest):
         self.assertNotIn("http", text)  # nothing from elsewhere
         self.assertNotIn(str(self.folder), text)
         sources = [image.get("src") for image in page.iter("img")]
-        self.assertEqual(len([s for s in sources if s.startswith("data:image/jpeg;base64,")]), len(sources))
+        self.assertEqual([source[:30] for source in sources if not source.startswith("data:image/")], [])
         self.assertGreaterEqual(len(sources), 8)  # R1, R2, three tiers and their errors
         self.assertGreaterEqual(len(list(page.iter("svg"))), 5)
         headings = [heading.text for heading in page.iter("h2")]
@@ -74,6 +82,24 @@ class Trade(ServedTest):
         self.folder.mkdir()
         (self.folder / "results.csv").write_text("a,b\r\n1,2\r\n")
         self.assertIn("other columns", self.trade("--resume", code=3).stderr)
+
+    def test_what_is_missing_is_named(self):
+        without_numpy = self.folder / "without"
+        without_numpy.mkdir(parents=True)
+        (without_numpy / "numpy.py").write_text("raise ImportError")
+        alone = shutil.copy(BIN / "pelage-trade", self.folder)
+        for path, name in (("", "pelage-compare"), (without_numpy, "NumPy")):
+            run = subprocess.run([alone, "-o", self.folder], capture_output=True, text=True, timeout=60,
+                                 env={**os.environ, "PATH": "/nowhere", "PYTHONPATH": str(path)})
+            self.assertEqual(run.returncode, 1, run)
+            self.assertRegex(run.stderr, f"pelage: .*{name}.*\n  next:    mend")
+
+    def test_the_tiers_are_those_of_the_server(self):
+        with pelage.Server(self.server.address) as server:
+            scene = server.create(model={"builtin": "sphere", "triangles": 200})
+            for tier, size in (("draft", 512), ("interactive", 32), ("detailed", 32)):  # a small draft has another scale
+                self.assertEqual(scene.frame(quality=tier, width=size, height=size).quality, TIERS[tier])
+            scene.remove()
 
 
 if __name__ == "__main__":

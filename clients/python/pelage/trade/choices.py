@@ -1,0 +1,69 @@
+"""What is worth its cost: means over scenes, the Pareto front, the best choice, and how fast an error falls."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+
+from .table import Row
+
+Point = Tuple[float, float]
+
+
+class Mean(NamedTuple):
+    """A setting over all scenes that have it. cost: Milliseconds, geometric mean. flip, silhouette: Means."""
+
+    name: str
+    cost: float
+    flip: float
+    silhouette: float
+
+
+def means_over(rows: Sequence[Row], scenes: Sequence[str]) -> List[Mean]:
+    """Of the settings that every one of these scenes has, against R1, in the order of the rows."""
+    of_knobs: Dict[str, Dict[str, Row]] = {}
+    for row in rows:
+        if row.is_of_shells and row.scene in scenes:
+            of_knobs.setdefault(row.knobs, {}).setdefault(row.scene, row)
+    return [mean_of(list(group.values())) for group in of_knobs.values() if len(group) == len(scenes)]
+
+
+def mean_of(rows: Sequence[Row]) -> Mean:
+    return Mean(
+        rows[0].name,
+        statistics.geometric_mean(max(row.cost, 1e-3) for row in rows),
+        statistics.fmean(row.flip for row in rows),
+        statistics.fmean(row.silhouette for row in rows),
+    )
+
+
+def best_within(settings: Sequence[Mean], milliseconds: float) -> Optional[Mean]:
+    """The setting with the least error that costs at most so much."""
+    affordable = [mean for mean in settings if mean.cost <= milliseconds]
+    return min(affordable, key=lambda mean: mean.flip) if affordable else None
+
+
+def cheapest_at(settings: Sequence[Mean], error: float) -> Optional[Mean]:
+    """The cheapest setting with at most this error."""
+    good = [mean for mean in settings if mean.flip <= error]
+    return min(good, key=lambda mean: mean.cost) if good else None
+
+
+def pareto_front(points: Sequence[Point]) -> List[Point]:
+    """The points of cost and error that no other point beats in both, by rising cost."""
+    front: List[Point] = []
+    for point in sorted(points):
+        if not front or point[1] < front[-1][1]:
+            front.append(point)
+    return front
+
+
+def fitted_order(points: Sequence[Point]) -> Optional[float]:
+    """The p that fits y = c / x^p in least squares of logarithms; None with fewer than 2 different x. All above 0."""
+    if len({x for x, _ in points}) < 2:
+        return None
+    xs, ys = ([math.log(value) for value in values] for values in zip(*points))
+    x_mean, y_mean = statistics.fmean(xs), statistics.fmean(ys)
+    together = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys))
+    return -together / sum((x - x_mean) ** 2 for x in xs)

@@ -1,0 +1,159 @@
+"""The report as one HTML page."""
+
+from __future__ import annotations
+
+from typing import List, Optional, Sequence
+
+from .choices import Mean, best_within, cheapest_at, means_over
+from .markup import Content, Element, document, image, items, table, tag
+from .plots import TIER_COLOURS, convergence_plot, knob_plots, scatter_plot, tier_plot
+from .sweep import Report, Shown
+from .table import Row, milliseconds, swept_scenes
+
+BUDGETS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)  # milliseconds
+ERRORS = (0.08, 0.04, 0.03, 0.02, 0.015)
+NO_DEARER = 1.02  # measured costs differ by so much from run to run
+
+
+def page(report: Report) -> str:
+    """The whole page; it needs nothing beside itself."""
+    rows, scenes = report.rows, swept_scenes(report.rows)
+    scatters = [tag("div", tag("h3", scene), scatter_plot(rows, scene)) for scene in scenes]
+    knobs = [tag("div", tag("h3", scene), knob_plots(rows, scene)) for scene in scenes]
+    return document("Speed for accuracy", [
+        *introduction(report),
+        tag("h2", "What to choose when"), *advice(rows),
+        tag("h2", "Side by side"),
+        tag("p", "Below each picture its error map: black is none, yellow is as wrong as can be."),
+        *gallery(report.pictures),
+        tag("h2", "Where the tiers lie"), tier_plot(rows), tier_table(rows),
+        tag("h2", "Error against time"),
+        tag("p", "Each dot is a setting; rest the pointer on it for its name. Nothing lies below the line: it is the "
+                 "best that each time buys."),
+        tag("div", *scatters, class_="panels"),
+        tag("h2", "What each knob buys"),
+        tag("p", "One knob is turned, the others stay as in the tier of that colour. Left is faster, down is better: a "
+                 "good knob goes down and hardly to the right."),
+        *knobs,
+        tag("h2", "More shells, less error"),
+        tag("p", "The order says how fast: with order 1 twice the shells halve the error."), convergence_plot(rows),
+        tag("h2", "Is it sound?"), checks(rows), all_rows(rows),
+    ])
+
+
+def introduction(report: Report) -> List[Element]:
+    size, repeats = report.options.size, report.options.repeats
+    of_cpu = any(row.cpu_ms > 0 for row in report.rows)
+    time = "milliseconds of CPU on all threads" if of_cpu else "wall milliseconds"
+    return [
+        tag("p", "How much time each quality takes, and how far its picture is from the truth. Drawn by ",
+            tag("b", report.renderer), f" at {size} x {size} pixels. Another machine, above all another GPU, has other "
+            "times: run ", tag("code", "pelage trade"), " there."),
+        tag("p", tag("b", "Error"), " is FLIP, the difference that an eye sees when two pictures are swapped in "
+            "place, from 0 to 1, over the fur only. ", tag("b", "Silhouette"), " is the same in a band of 8 pixels to "
+            "each side of its edge. ", tag("b", "Time"), f" is {time} of drawing, shadows included, without sending "
+            f"and encoding: the least of {repeats}."),
+        tag("p", "The truth is ", tag("b", "R1"), ", the same fur with the same shadows in "
+            f"{report.options.truth} shells with every fragment sorted. ", tag("b", "R2"),
+            " traces every strand; it shows what shells and light leave out."),
+    ]
+
+
+def advice(rows: Sequence[Row]) -> List[Element]:
+    scenes = swept_scenes(rows)
+    settings = means_over(rows, scenes)
+    if not settings:
+        return [tag("p", "Not enough was measured to say.")]
+    tiers = [mean for tier in TIER_COLOURS for mean in settings if mean.name == tier]
+    over = "one scene" if len(scenes) == 1 else f"{len(scenes)} scenes"
+    return [
+        tag("p", f"Means over {over} on which every setting was tried. Choose by the time that you have, or by the "
+            "error that you can live with: under .015 is hard to see even when pictures are swapped in place, .04 is "
+            "seen when they are, .08 is seen side by side. The error is of shells, not of light: look at the pictures "
+            "too."),
+        tag("div", tag("div", budget_table(settings)), tag("div", error_table(settings)), class_="pair"),
+        items([judgement(settings, tier) for tier in tiers]),
+    ]
+
+
+def cells_of(wish: str, choice: Optional[Mean]) -> List[str]:
+    if choice is None:
+        return [wish, "nothing that was measured", "", "", ""]
+    return [wish, choice.name, milliseconds(choice.cost), f"{choice.flip:.4f}", f"{choice.silhouette:.4f}"]
+
+
+def budget_table(settings: Sequence[Mean]) -> Element:
+    dearest = max(mean.cost for mean in settings)
+    rows: List[List[str]] = []
+    for budget in BUDGETS:
+        choice = best_within(settings, budget)
+        buys_more = choice is not None and budget <= 2 * dearest and not (rows and rows[-1][1] == choice.name)
+        if buys_more:
+            rows.append(cells_of(milliseconds(budget), choice))
+    return table(["so many ms", "choose", "ms", "error", "silhouette"], rows)
+
+
+def error_table(settings: Sequence[Mean]) -> Element:
+    rows = [cells_of(f"{error:.3f}", cheapest_at(settings, error)) for error in ERRORS]
+    return table(["error of at most", "choose", "ms", "error", "silhouette"], rows)
+
+
+def judgement(settings: Sequence[Mean], tier: Mean) -> List[Content]:
+    """Whether another setting is as cheap and better, in words."""
+    better = best_within(settings, tier.cost * NO_DEARER)
+    verdict = "Nothing measured is better for its time."
+    if better and better.flip <= 0.95 * tier.flip:
+        verdict = f"For the same time, {better.name} has {better.flip:.4f}."
+    return [tag("b", tier.name), f" takes {milliseconds(tier.cost)} ms with an error of {tier.flip:.4f} (silhouette "
+            f"{tier.silhouette:.4f}). {verdict}"]
+
+
+def gallery(pictures: Sequence[Shown]) -> List[Element]:
+    parts: List[Element] = []
+    for scene in dict.fromkeys(picture.scene for picture in pictures):
+        figures = [figure(picture) for picture in pictures if picture.scene == scene]
+        parts += [tag("h3", scene), tag("div", *figures, class_="pictures")]
+    return parts
+
+
+def figure(picture: Shown) -> Element:
+    images = [image(picture.image, "jpeg", f"{picture.name}, {picture.scene}")]
+    if picture.map:
+        images.append(image(picture.map, "png", f"error of {picture.name}"))
+    return tag("figure", *images, tag("figcaption", tag("b", picture.name), f" {picture.caption}"))
+
+
+def folded(summary: str, content: Element) -> Element:
+    return tag("details", tag("summary", summary), tag("div", content, class_="all"))
+
+
+def tier_table(rows: Sequence[Row]) -> Element:
+    head = ["tier", "scene", "truth", "error", "95 of 100 pixels under", "silhouette", "light over truth",
+            "coverage over truth", "ms"]
+    tiers = [row for tier in TIER_COLOURS for row in rows if (row.series, row.value) == ("tier", tier)]
+    lines = [[row.value, row.scene, row.reference, f"{row.flip:.4f}", f"{row.flip_95:.3f}", f"{row.silhouette:.4f}",
+              f"{row.luminance:.3f}", f"{row.coverage:.3f}", milliseconds(row.cost)] for row in tiers]
+    return folded("The figures of the tiers, R2 included", table(head, lines))
+
+
+def all_rows(rows: Sequence[Row]) -> Element:
+    head = ["scene", "setting", "truth", "error", "95%", "silhouette", "ms", "CPU ms"]
+    lines = [[row.scene, row.name, row.reference, f"{row.flip:.4f}", f"{row.flip_95:.3f}", f"{row.silhouette:.4f}",
+              milliseconds(row.draw_ms), milliseconds(row.cpu_ms) if row.cpu_ms > 0 else ""] for row in rows]
+    return folded("Everything that was measured; results.csv has it with all knobs", table(head, lines))
+
+
+def checks(rows: Sequence[Row]) -> Element:
+    """How sure the truth is, and whether a pixel was broken."""
+    of_shells = [row for row in rows if row.is_of_shells]
+    floor = max((row.floor for row in of_shells), default=0.0)
+    least = min((row.flip for row in of_shells), default=1.0)
+    verdict = "Errors under ten times that are not proved: the truth itself may be off by so much."
+    if floor <= least / 10:
+        verdict = "The truth is proved: that is less than a tenth of the smallest error here."
+    broken = str(sum(row.non_finite for row in rows))
+    return items([
+        ["Pixels that are not finite: ", tag("b", broken), f", in {len(rows)} frames."],
+        [f"R1 with half its shells differs from R1 by at most {floor:.4f}. ", f"The smallest error is {least:.4f}. ",
+         verdict],
+    ])

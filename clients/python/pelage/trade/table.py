@@ -1,0 +1,103 @@
+"""One row for each measured setting, and their table as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import List, NamedTuple, Sequence, get_type_hints
+
+
+class Row(NamedTuple):
+    """A setting of the knobs on a scene, measured against a truth. FLIP is in [0, 1], over the fur.
+
+    size: Pixels of a side.
+    series, base, value: What is turned ("tier", "grid" or a knob), the tier that the other knobs are of, and to what.
+    reference, truth: "R1" with its shadows, or "R2"; its shells or passes.
+    scale: As it was drawn, which `min_radius` may raise.
+    silhouette: FLIP in the band around the fur's edge; 0 where there is no edge.
+    luminance, coverage: Mean luminance of the fur and sum of alpha, over those of the truth.
+    floor: FLIP that the truth itself may be off.
+    non_finite: Pixels with NaN or infinity.
+    draw_ms, cpu_ms: The least of the repeats, shadows included; cpu_ms of all threads, 0 where the server does not say.
+    knobs: JSON, as a request's `quality`.
+    """
+
+    scene: str
+    size: int
+    series: str
+    base: str
+    value: str
+    reference: str
+    truth: int
+    shells: int
+    steps: int
+    scale: float
+    flip: float
+    flip_95: float
+    silhouette: float
+    silhouette_95: float
+    luminance: float
+    coverage: float
+    floor: float
+    non_finite: int
+    draw_ms: float
+    cpu_ms: float
+    knobs: str
+
+    @property
+    def name(self) -> str:
+        """The setting in words."""
+        if self.series == "tier":
+            return self.value
+        if self.series == "grid":
+            return f"{self.shells} shells of {self.steps} steps at {self.scale:g} of the size"
+        return f"{self.base} with {self.series} {self.value}"
+
+    @property
+    def cost(self) -> float:
+        """Milliseconds of CPU where the server says them, else those that passed."""
+        return self.cpu_ms if self.cpu_ms > 0 else self.draw_ms
+
+    @property
+    def is_of_shells(self) -> bool:
+        """Whether the truth is R1, with any shadows."""
+        return self.reference.startswith("R1")
+
+
+KINDS = get_type_hints(Row)
+
+
+def to_csv(rows: Sequence[Row]) -> str:
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows([Row._fields, *rows])
+    return text.getvalue()
+
+
+def from_csv(text: str) -> List[Row]:
+    """The rows again. Raises ValueError for other columns or a broken line."""
+    lines = csv.reader(io.StringIO(text, newline=""))
+    if tuple(next(lines, ())) != Row._fields:
+        raise ValueError("The table has other columns.")
+    return [row_of(line, number) for number, line in enumerate(lines, 1)]
+
+
+def row_of(line: Sequence[str], number: int) -> Row:
+    try:
+        return Row(**{name: KINDS[name](field) for name, field in zip(Row._fields, line)})
+    except (TypeError, ValueError):
+        raise ValueError(f"Row {number} of the table is broken.") from None
+
+
+def scenes_of(rows: Sequence[Row]) -> List[str]:
+    """All scenes, in the order of the rows."""
+    return list(dict.fromkeys(row.scene for row in rows))
+
+
+def swept_scenes(rows: Sequence[Row]) -> List[str]:
+    """Those with a grid of settings."""
+    return scenes_of([row for row in rows if row.series == "grid"])
+
+
+def milliseconds(value: float) -> str:
+    """Three digits, without an exponent."""
+    return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
