@@ -1,9 +1,23 @@
 // pelage: the command-line client.
-#include "clients/cli/actions.h"
-#include "clients/cli/print.h"
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "clients/cli/actions/actions.h"
 #include "protocol/json/author.h"
 
 namespace {
+
+/// Becomes the program of this name that lies beside this one. Comes back only to say that it cannot.
+pelage::ExitCode hand_over(const char* program, char* const* arguments) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string path = self.parent_path() / program;
+  execv(path.c_str(), arguments);
+  const auto status = pelage::failure(pelage::Code::internal, "Cannot start " + path + "; it belongs beside pelage.");
+  return report(with_next(status, "build or install all programs in one folder"));
+}
 
 /// The machine that is measured is this one, so the server's program does it, and no server need run.
 pelage::ExitCode calibrate(const pelage::Options& options) {
@@ -12,7 +26,7 @@ pelage::ExitCode calibrate(const pelage::Options& options) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  return pelage::hand_over("pelaged", arguments.data());
+  return hand_over("pelaged", arguments.data());
 }
 
 }  // namespace
@@ -20,8 +34,8 @@ pelage::ExitCode calibrate(const pelage::Options& options) {
 int main(int argc, char** argv) {
   const auto [exit_code, options] = pelage::parse_line(argc, argv);
   if (exit_code) return *exit_code;
-  if (options.action == pelage::Action::compare) return pelage::hand_over("pelage-compare", argv);
-  if (options.action == pelage::Action::trade) return pelage::hand_over("pelage-trade", argv);
+  if (options.action == pelage::Action::compare) return hand_over("pelage-compare", argv);
+  if (options.action == pelage::Action::trade) return hand_over("pelage-trade", argv);
   if (options.action == pelage::Action::calibrate) return calibrate(options);
   pelage::HttpHeaders headers;
   if (!options.author.empty()) headers.emplace(pelage::author_header, pelage::encoded_author(options.author));

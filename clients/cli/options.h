@@ -35,7 +35,9 @@ enum class Action {
   subdivide,
   compare,
   trade,
-  calibrate
+  calibrate,
+  completions,
+  man
 };
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
@@ -76,6 +78,8 @@ struct Options {
   bool dry_run = false;
   Parameters variables;  // of a recipe, as text
   std::optional<std::uint64_t> if_match;
+  std::string places;  // file of places by name; "" for none
+  bool verbose = false, watch = false;
   // frame and pick
   std::string output = "frame.png";
   Parameters frame;          // as in the address of frame.png
@@ -83,7 +87,11 @@ struct Options {
   bool progressive = false;  // shells, and then strands over the same file
   std::optional<int> until_pass;
   std::optional<double> for_seconds;
-  double x = 0, y = 0;  // pixels
+  std::optional<double> x, y;               // pixels
+  std::string ray, farthest, nearest, box;  // numbers with commas; "" where they do not say the place
+  bool world = false;                       // those are the model's own coordinates, not shares of its box
+  std::string place_name;                   // "" for none
+  std::string shell;                        // of completions
   // undo, redo, revert, amend
   std::uint64_t count = 1;  // steps, or the revision
   bool drop = false;        // amend: leave the step out

@@ -4,37 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 
-#include "clients/cli/print.h"
+#include "clients/cli/terminal/print.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/reader.h"
 
 namespace pelage {
 
 namespace {
-
-const char* advice_for(Code code) {
-  switch (code) {
-    case Code::malformed: return "correct the text; openapi.json of the server says what it takes";
-    case Code::not_found: return "see what there is with `pelage list`";
-    case Code::conflict: return "try again";
-    case Code::precondition: return "look at the scene with `pelage info` and decide again";
-    case Code::too_large: return "send less at a time";
-    case Code::unsupported: return "send it in a form that the server reads";
-    case Code::invalid: return "correct the value and try again; nothing was changed by it";
-    case Code::busy:
-    case Code::unavailable: return "try again in a moment; the server has other work";
-    case Code::ok:
-    case Code::internal: break;
-  }
-  return "the server's own output says more";
-}
-
-ExitCode exit_code_of(Code code) {
-  const bool ours = code == Code::internal || code == Code::unavailable || code == Code::busy || code == Code::conflict;
-  return ours ? failed : refused;
-}
 
 /// Of refusals of HTTP itself, which have no code of their own.
 const char* advice_for(int http_status) {
@@ -49,16 +26,6 @@ bool could_be_id(const std::string& text) {
 }
 
 }  // namespace
-
-ExitCode report(const Status& status, const std::string& context) {
-  fmt::print(stderr, "pelage: {}\n", status.message);
-  if (!context.empty()) fmt::print(stderr, "  in:      {}\n", context);
-  if (!status.pointer.empty()) fmt::print(stderr, "  field:   {}\n", status.pointer);
-  if (!status.limit.empty()) fmt::print(stderr, "  limit:   {}\n", status.limit);
-  if (!status.nearest.empty()) fmt::print(stderr, "  nearest: {}\n", status.nearest);
-  fmt::print(stderr, "  next:    {}\n", status.next.empty() ? advice_for(status.code) : status.next);
-  return exit_code_of(status.code);
-}
 
 std::string header(const HttpAnswer& answer, const char* name) {
   const auto found = answer.headers.find(name);
@@ -105,6 +72,18 @@ Result<std::string> Session::scene_id(const std::string& wanted) {
   if (ids.size() > 1)
     return failure(Code::not_found, fmt::format("{} scenes are named \"{}\"; use an id.", ids.size(), wanted));
   return failure(Code::not_found, "There is no scene \"" + wanted + "\".", "", "", nearest_name(wanted, names));
+}
+
+ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer) {
+  if (!answer) return report(answer.status());
+  if (session.options().json) {
+    fmt::print("{}\n", answer->body);
+    return done;
+  }
+  const auto summary = decode_answer<SceneSummary>(answer->body);
+  if (!summary) return report(summary.status());
+  print(*summary);
+  return done;
 }
 
 ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context) {

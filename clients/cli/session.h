@@ -5,16 +5,10 @@
 
 #include "clients/cli/http/connection.h"
 #include "clients/cli/options.h"
+#include "clients/cli/terminal/report.h"
 #include "protocol/base/status.h"
 
 namespace pelage {
-
-enum ExitCode { done = 0, failed = 1, wrong_use = 2, refused = 3 };
-
-/// Prints the reason, where, the limit, the nearest name and what to do next, to standard error: what the status says,
-/// or what fits its code. `context` says what
-/// was being done, such as "step 3 of groom.jsonl". Gives the exit code that fits.
-ExitCode report(const Status& status, const std::string& context = {});
 
 class Session {
  public:
@@ -41,6 +35,9 @@ class Session {
 
 /// Of an answer; "" when it has none. `name` in lower case.
 std::string header(const HttpAnswer& answer, const char* name);
+
+/// Prints a scene, or what refused to say it.
+ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer);
 
 /// Prints what a command changed, or what refused it; `context` as for report.
 ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context = {});

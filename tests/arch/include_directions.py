@@ -60,12 +60,18 @@ ALLOWED = {
     "renderer/finish": ["protocol/base", "protocol/commands", "renderer/image", "renderer/input", "renderer/optics"],
     "renderer/gl": ["protocol/base", "renderer/gl"],
     "clients": ["protocol", "clients"],
+    "clients/cli/http": ["protocol/base"],
+    "clients/cli/pack": ["protocol"],
+    "clients/cli/recipe": ["protocol"],
+    "clients/cli/help": [],
+    "clients/cli/terminal": ["protocol"],
     "clients/cli/compare": ["protocol", "clients/cli", "renderer/image", "renderer/compare"],
 }
 # outside library -> folders that may include it
 ONLY_IN = {
     r"httplib\.h": ["server/http", "clients/cli/http"],
     r"nlohmann/.*": ["protocol/json", "clients/cli/recipe"],
+    r"CLI/.*": ["server", "clients/cli/line", "clients/cli/help"],
     r"zip\.h": ["server/import_worker", "clients/cli/pack"],
     r"OpenImageIO/.*": ["renderer/image"],
     r"(EGL|GL)/.*": ["renderer/gl"],

@@ -93,6 +93,76 @@ class Recipes(ServedTest):
         self.assertNotIn("length: touched 0", run.split("step 2")[0])
         self.assertIn("nothing is changed, revision 0", run)
 
+    def test_what_a_pick_finds_is_where_later_steps_work(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 2000)
+        low, high = (json.loads(self.pelage("info", scene, "--json").stdout)["bounds"][k] for k in ("min", "max"))
+        recipe = self.file("top.json", {"steps": [
+            {"pick": {"farthest": {"direction": [0, 1, 0]}}, "as": "top"},
+            {"pick": {"ray": {"origin": {"at": [0.5, -1, 0.5]}, "direction": [0, 1, 0]}}, "as": "below"},
+            {"for": {"place": ["${top}", "${below}"], "value": ["${top.length * 2}", 0.2]}, "steps": [
+                {"op": "length", "value": "${value}", "brush": {"radius": 0.2, "strength": 1, "falloff": "constant"},
+                 "stroke": {"samples": [{"position": {"at": "${place}"}}]}, "assert": {"min_vertices": 5}}]}]})
+        self.assertIn("touched", self.pelage("run", scene, recipe, "--dry-run").stdout)
+        self.assertEqual(self.revision(scene), 0)
+        self.assertIn("2 steps", self.pelage("run", scene, recipe).stdout)
+        self.assertAlmostEqual(self.length_at(scene, [0, 4 * high[1], 0.001]), 0.06, places=5)
+        self.assertAlmostEqual(self.length_at(scene, [0, 4 * low[1], 0.001]), 0.2, places=5)
+        log = self.pelage("log", scene, "--lines").stdout
+        self.assertNotIn("pick", log)
+        again = self.new("--builtin", "sphere", "--triangles", 2000)
+        self.pelage("run", again, "-", text=log)
+        self.assertEqual(*(json.loads(self.pelage("info", each, "--json").stdout)["fields_hash"] for each in (scene, again)))
+
+    def test_a_pick_that_finds_nothing_stops_the_run_before_it_begins(self):
+        scene = self.new("--builtin", "sphere")
+        recipe = self.file("miss.json", {"steps": [
+            {"op": "length", "flood": True, "value": 0.1},
+            {"pick": {"ray": {"origin": [0, 9, 0], "direction": [0, 1, 0]}}, "as": "sky"}]})
+        refused = self.pelage("run", scene, recipe, code=3).stderr
+        for word in ("finds nothing", "miss.json", "/steps/1/pick"):
+            self.assertIn(word, refused)
+        self.assertEqual(self.revision(scene), 0)
+
+    def test_an_assert_says_what_was_touched(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 2000)
+        dab = {"op": "length", "value": 0.2, "brush": {"radius": 0.1}, "stroke": {"samples": [{"position": {"at": [0.5, 1, 0.5]}}]}}
+        far = {**dab, "stroke": {"samples": [{"position": {"at": [9, 9, 9]}}]}, "assert": {"min_vertices": 1}}
+        recipe = self.file("far.json", {"steps": [{"commands": [{**dab, "assert": {"max_vertices": 100000}}, dab]}, far, dab]})
+        for line in ((), ("--dry-run",)):
+            refused = self.pelage("run", scene, recipe, *line, code=3).stderr
+            for word in ("length touched 0 vertices", "step 2 of 3", "far.json", "/steps/1/assert", "1 or more"):
+                self.assertIn(word, refused)
+            self.assertEqual(self.revision(scene), 0 if line else 1)
+            scene = self.new("--builtin", "sphere", "--triangles", 2000)
+
+    def test_places_are_picked_kept_and_used(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 2000)
+        places = self.server.folder / "sphere.places.json"
+        printed = self.pelage("pick", scene, "--farthest", "0,1,0", "--box", "0,0.5,0,1,1,1", "--as", "crown", "--places", places).stdout
+        self.assertIn('"as": "crown"', printed)
+        self.pelage("pick", scene, "--nearest", "0.5,-3,0.5", "--as", "base", "--places", places)
+        kept = json.loads(places.read_text())
+        for name, y in (("base", 0), ("crown", 1)):
+            self.assertTrue(all(abs(a - b) < 0.02 for a, b in zip(kept[name], [0.5, y, 0.5])), kept)
+        step = json.loads(printed.split("a step")[1])
+        recipe = self.file("crown.json", {"variables": {"base": [0.5, 1, 0.5]}, "steps": [step, {
+            "op": "length", "value": 0.2, "brush": {"radius": 0.1, "strength": 1, "falloff": "constant"},
+            "stroke": {"samples": [{"position": {"at": "${base}"}}]}}]})
+        self.pelage("run", scene, recipe, "--places", places)
+        low = json.loads(self.pelage("info", scene, "--json").stdout)["bounds"]["min"]
+        self.assertAlmostEqual(self.length_at(scene, [0, 4 * low[1], 0.001]), 0.2, places=5)
+
+    def test_each_way_to_pick(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 2000)
+        world = json.loads(self.pelage("pick", scene, "--ray", "0,9,0,0,-1,0", "--world", "--json").stdout)
+        shares = json.loads(self.pelage("pick", scene, "--ray=0.5,5,0.5,0,-1,0", "--json").stdout)
+        self.assertTrue(all(abs(a - b) < 1e-6 for a, b in zip(world["position"], shares["position"])))
+        for line, words in ((("--ray", "1,2"), "flag:    --ray"), (("--farthest", "0,0,0"), "flag:    --"),
+                            (("--farthest", "0,1,0", "--box", "1,1,1,0,0,0"), "flag:    --box"), (("--nearest", "a,b,c"), "flag:    --nearest")):
+            self.assertIn(words, self.pelage("pick", scene, *line, code=3).stderr)
+        for line in ((), (5,), (5, 5, "--nearest", "0,0,0"), ("--box", "0,0,0,1,1,1"), (5, 5, "--places", "p.json")):
+            self.pelage("pick", scene, *line, code=2)
+
     def check_groom(self, scene, name):
         """Short in the face, long on the chest, back combed to the tail and parted; wet and spotted somewhere."""
         info = json.loads(self.pelage("info", scene, "--json").stdout)

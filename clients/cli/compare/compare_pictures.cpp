@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clients/cli/print.h"
+#include "clients/cli/terminal/files.h"
 #include "protocol/base/limits.h"
 #include "renderer/compare/compare.h"
 
@@ -43,6 +43,7 @@ Result<Mask> mask_for(const Options& options, const FloatImage& reference, const
 }
 
 Result<PictureError> measure(const Options& options) {
+  if (const Status bad = options.map.empty() ? Status{} : check_output(options.map); !bad.ok()) return bad;
   const auto reference = read_picture(options.reference);
   if (!reference) return reference.status();
   const auto test = read_picture(options.test);

@@ -1,7 +1,8 @@
 // What `pelage compare` does.
 #pragma once
 
-#include "clients/cli/session.h"
+#include "clients/cli/options.h"
+#include "clients/cli/terminal/report.h"
 
 namespace pelage {
 

@@ -12,6 +12,18 @@ namespace {
 
 constexpr int connection_seconds = 5;
 constexpr int answer_seconds = 600;  // a large model or picture takes a while
+constexpr const char* bytes_type = "application/octet-stream";
+constexpr std::size_t piece_bytes = std::size_t{1} << 18;
+
+/// A body that says how far it is.
+httplib::ContentProvider in_pieces(const std::string& bytes, const Sent& sent) {
+  return [&bytes, &sent](std::size_t begin, std::size_t length, httplib::DataSink& sink) {
+    const std::size_t piece = std::min(length, piece_bytes);
+    const bool went = sink.write(bytes.data() + begin, piece);
+    if (went && sent) sent(begin + piece);
+    return went;
+  };
+}
 
 HttpAnswer answer_of(const httplib::Response& response) {
   HttpAnswer answer{.status = response.status, .body = response.body, .headers = {}};
@@ -90,12 +102,14 @@ Result<HttpAnswer> Connection::post_json(const std::string& path, const std::str
   return impl_->result_of(impl_->client.Post(path, sent, body, "application/json"));
 }
 
-Result<HttpAnswer> Connection::post_bytes(const std::string& path, const std::string& bytes) {
-  return impl_->result_of(impl_->client.Post(path, bytes, "application/octet-stream"));
+Result<HttpAnswer> Connection::post_bytes(const std::string& path, const std::string& bytes, const Sent& sent) {
+  if (bytes.empty()) return impl_->result_of(impl_->client.Post(path, bytes, bytes_type));
+  return impl_->result_of(impl_->client.Post(path, bytes.size(), in_pieces(bytes, sent), bytes_type));
 }
 
-Result<HttpAnswer> Connection::put_bytes(const std::string& path, const std::string& bytes) {
-  return impl_->result_of(impl_->client.Put(path, bytes, "application/octet-stream"));
+Result<HttpAnswer> Connection::put_bytes(const std::string& path, const std::string& bytes, const Sent& sent) {
+  if (bytes.empty()) return impl_->result_of(impl_->client.Put(path, bytes, bytes_type));
+  return impl_->result_of(impl_->client.Put(path, bytes.size(), in_pieces(bytes, sent), bytes_type));
 }
 
 Result<HttpAnswer> Connection::remove(const std::string& path) { return impl_->result_of(impl_->client.Delete(path)); }

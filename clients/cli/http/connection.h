@@ -1,6 +1,7 @@
 // The client's side of HTTP.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -18,6 +19,7 @@ struct HttpAnswer {
 };
 
 using HttpHeaders = std::map<std::string, std::string>;
+using Sent = std::function<void(std::size_t bytes)>;
 
 /// Keeps one connection to a server open. A server that cannot be reached gives a Status (unavailable).
 class Connection {
@@ -33,8 +35,9 @@ class Connection {
   /// The same, with the body of a success (2xx) handed over piece by piece; false of `take` ends it.
   Result<HttpAnswer> get(const std::string& path, const std::function<bool(std::string_view)>& take);
   Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
-  Result<HttpAnswer> post_bytes(const std::string& path, const std::string& bytes);
-  Result<HttpAnswer> put_bytes(const std::string& path, const std::string& bytes);
+  /// `sent` is told how many bytes went out so far.
+  Result<HttpAnswer> post_bytes(const std::string& path, const std::string& bytes, const Sent& sent = {});
+  Result<HttpAnswer> put_bytes(const std::string& path, const std::string& bytes, const Sent& sent = {});
   Result<HttpAnswer> remove(const std::string& path);
 
  private:

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 
-#include "clients/cli/actions.h"
-#include "clients/cli/print.h"
+#include "clients/cli/actions/actions.h"
+#include "clients/cli/actions/upload.h"
+#include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/progress.h"
 #include "protocol/base/limits.h"
 #include "protocol/base/percent.h"
 #include "protocol/json/decode.h"
@@ -46,6 +49,7 @@ std::string address_of_export(const std::string& scene_path, const Query& query,
 std::string counts_of(const ExportAnswer& about) {
   if (about.format == ExportFormat::pelage) return fmt::format("revision {}", about.revision);
   if (holds_strands(about.format)) return fmt::format("{} strands, {} points", about.strands, about.points);
+  if (about.format == ExportFormat::cards) return fmt::format("{} cards, {} triangles", about.cards, about.triangles);
   return fmt::format("{} triangles", about.triangles);
 }
 
@@ -56,18 +60,28 @@ void print_about(const Options& options, const std::string& about) {
              static_cast<double>(answer->bytes) / 1e6);
 }
 
+/// Into the file as it comes; `written` is whether the file took all.
+Result<HttpAnswer> received(Session& session, const std::string& address, NewFile& file, bool& written) {
+  std::atomic<std::size_t> bytes = 0;
+  const ProgressLine line("exporting", [&bytes]() -> ProgressState {
+    return {-1, bytes > 0 ? fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6) : ""};
+  });
+  return session.connection().get(address, [&](std::string_view piece) {
+    bytes += piece.size();
+    return written = file.write(piece);
+  });
+}
+
 ExitCode write_export(Session& session, const std::string& address) {
   NewFile file(session.options().output);
   bool written = true;
-  const auto answer =
-      session.connection().get(address, [&](std::string_view piece) { return written = file.write(piece); });
+  const auto answer = received(session, address, file, written);
   if (written) {  // else the file says why
     const auto accepted = Session::accepted(answer);
     if (!accepted) return report(accepted.status());
   }
   if (const Status kept = file.keep(); !kept.ok()) return report(kept);
-  const auto about = answer->headers.find("pelage-export");
-  print_about(session.options(), about == answer->headers.end() ? "" : about->second);
+  print_about(session.options(), header(*answer, "pelage-export"));
   return done;
 }
 
@@ -92,7 +106,7 @@ ExitCode open_saved(Session& session) {
   const auto bytes = read_file(options.file, limits::model_bytes);
   if (!bytes) return report(bytes.status());
   const std::string name = options.name == Options{}.name ? "" : "?name=" + percent_encoded(options.name);
-  const auto answer = Session::accepted(session.connection().post_bytes("/v1/open" + name, *bytes));
+  const auto answer = post_with_progress(session, "/v1/open" + name, *bytes);
   if (!answer) return report(answer.status(), options.file);
   const auto summary = decode_answer<SceneSummary>(answer->body);
   if (!summary) return report(summary.status());

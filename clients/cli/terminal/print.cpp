@@ -1,16 +1,12 @@
-#include "clients/cli/print.h"
+#include "clients/cli/terminal/print.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <string>
 
-#include "clients/cli/describe.h"
+#include "clients/cli/terminal/describe.h"
+#include "clients/cli/terminal/table.h"
 #include "protocol/json/names.h"
 
 namespace pelage {
@@ -61,10 +57,11 @@ void print(const SceneSummary& summary) {
 }
 
 void print(const std::vector<SceneSummary>& summaries) {
-  for (const SceneSummary& scene : summaries) {
-    fmt::print("{}  {}  revision {}  {}  {} triangles\n", scene.id, scene.name, scene.revision, scene.model,
-               scene.report.triangles);
-  }
+  std::vector<std::vector<std::string>> rows{{"id", "name", "revision", "model", "triangles"}};
+  for (const SceneSummary& scene : summaries)
+    rows.push_back(
+        {scene.id, scene.name, std::to_string(scene.revision), scene.model, std::to_string(scene.report.triangles)});
+  fmt::print("{}", table_of(rows));
 }
 
 void print(const CommandResult& result) {
@@ -83,18 +80,9 @@ void print(const CommandAnswer& answer) {
   fmt::print("revision {}\n", answer.revision);
 }
 
-void print(const PickAnswer& answer, const Bounds& box) {
-  if (!answer.hit) {
-    fmt::print("nothing there\n");
-    return;
-  }
-  const auto share = [&](int k) {
-    const double side = box.max[k] - box.min[k];
-    return side > 0 ? (answer.position[k] - box.min[k]) / side : 0;
-  };
+void print(const PickAnswer& answer) {
   fmt::print("triangle    {}\nbarycentric {}\nposition    {}\nnormal      {}\n", answer.triangle,
              text_of(answer.barycentric), text_of(answer.position), text_of(answer.normal));
-  fmt::print("in a recipe {{\"at\": [{:.3f}, {:.3f}, {:.3f}]}}\n", share(0), share(1), share(2));
   fmt::print("direction   {}\ninclination {:.6g}\nlength      {:.6g}\nstretch     {:.6g}\n", text_of(answer.direction),
              answer.inclination, answer.length, answer.stretch);
   for (std::size_t i = 0; i < answer.painted.size(); ++i) {
@@ -108,71 +96,11 @@ void print(const PickAnswer& answer, const Bounds& box) {
 void print(const std::vector<LogEntry>& log) {
   for (const LogEntry& entry : log) {
     const std::string words = described(entry.commands), author = entry.author.empty() ? "" : ", by " + entry.author;
-    fmt::print("{:>6}{} {}, {} vertices{}\n", entry.revision, entry.in_effect ? '*' : ' ',
-               words.empty() ? entry.kind : words, entry.touched, author);
+    const bool later = entry.step != 0 && entry.step != entry.revision;  // a part of its stroke, or replayed
+    fmt::print("{:>6}{} {}, {} vertices{}{}\n", entry.revision, entry.in_effect ? '*' : ' ',
+               words.empty() ? entry.kind : words, entry.touched, later ? fmt::format(", step {}", entry.step) : "",
+               author);
   }
-}
-
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
-  std::ifstream file;
-  if (path != "-") file.open(path, std::ios::binary);
-  std::istream& stream = path == "-" ? std::cin : file;
-  std::string bytes;
-  char block[1 << 16];
-  while (stream.read(block, sizeof block) || stream.gcount() > 0) {
-    bytes.append(block, static_cast<std::size_t>(stream.gcount()));
-    if (bytes.size() > max_bytes) {
-      return failure(Code::too_large, path + " is too large.", "", fmt::format("at most {} bytes", max_bytes));
-    }
-  }
-  // A folder opens as a file and fails at the first read.
-  if (stream.bad() || (path != "-" && !file.is_open())) {
-    return with_next(failure(Code::not_found, "Cannot read " + path + "."),
-                     "name a file that exists and that you may read; - is standard input");
-  }
-  return bytes;
-}
-
-Status write_file(const std::string& path, const std::string& bytes) {
-  if (path == "-") {
-    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-    return std::cout ? Status{}
-                     : with_next(failure(Code::internal, "Cannot write to standard output."),
-                                 "see why its reader ended, or name a file");
-  }
-  NewFile file(path);
-  file.write(bytes);
-  return file.keep();
-}
-
-NewFile::NewFile(std::string path)
-    : path_(std::move(path)), temporary_(fmt::format("{}.{}", path_, getpid())), file_(temporary_, std::ios::binary) {}
-
-NewFile::~NewFile() {
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
-}
-
-bool NewFile::write(std::string_view piece) {
-  return static_cast<bool>(file_.write(piece.data(), static_cast<std::streamsize>(piece.size())));
-}
-
-Status NewFile::keep() {
-  file_.close();
-  if (file_ && std::rename(temporary_.c_str(), path_.c_str()) == 0) {
-    temporary_.clear();
-    return {};
-  }
-  return with_next(failure(Code::internal, "Cannot write " + path_ + "."),
-                   "name a file in a folder that exists, in which you may write and which has room");
-}
-
-ExitCode hand_over(const char* program, char* const* arguments) {
-  std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::string path = self.parent_path() / program;
-  execv(path.c_str(), arguments);
-  return report(with_next(failure(Code::internal, "Cannot start " + path + "; it belongs beside pelage."),
-                          "build or install all programs in one folder"));
 }
 
 }  // namespace pelage

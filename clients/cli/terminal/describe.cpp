@@ -1,4 +1,4 @@
-#include "clients/cli/describe.h"
+#include "clients/cli/terminal/describe.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include "clients/cli/actions/actions.h"
+#include "clients/cli/actions/formats.h"
+#include "clients/cli/actions/upload.h"
+#include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/progress.h"
+#include "protocol/base/limits.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+
+namespace pelage {
+
+namespace {
+
+const Endings map_endings{{"", "png16"}, {".png", "png16"}, {".exr", "exr"}, {".npy", "npy"}};
+
+/// The parameters and the field, for the decoder to check before anything is sent.
+Query checked_query(const Options& options) {
+  Query query = options.map_parameters;
+  query.emplace_back("field", options.field);
+  return query;
+}
+
+/// The address of the field's map. The decoder took every value, so that none needs escaping but the + of a number,
+/// which means nothing there.
+std::string map_address(const std::string& scene_path, const Options& options) {
+  std::string address = scene_path + "/maps/" + options.field;
+  char separator = '?';
+  for (const auto& [parameter, value] : options.map_parameters) {
+    std::string plain = value;
+    std::erase(plain, '+');
+    address += separator + parameter + "=" + plain;
+    separator = '&';
+  }
+  return address;
+}
+
+}  // namespace
+
+ExitCode get_map(Session& session) {
+  Options options = session.options();
+  const Result<Parameters> parameters = with_format(options.map_parameters, options.output, map_endings);
+  if (!parameters) return report(parameters.status());
+  options.map_parameters = *parameters;
+  if (const auto checked = decode_map_query(checked_query(options)); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = with_line(
+      "drawing the map", [&] { return Session::accepted(session.connection().get(map_address(*path, options))); });
+  if (!answer) return report(answer.status());
+  if (const Status status = write_file(options.output, answer->body); !status.ok()) return report(status);
+  if (options.output == "-") return done;
+  const std::string about = header(*answer, "pelage-map"), map = about.empty() ? "{}" : about;
+  if (options.json)
+    fmt::print("{{\"file\":{},\"map\":{}}}\n", json_text(options.output), map);
+  else
+    fmt::print("{}: {}\n", options.output, map);
+  return done;
+}
+
+ExitCode put_map(Session& session) {
+  const Options& options = session.options();
+  if (const auto checked = decode_map_upload_query(checked_query(options)); !checked) return report(checked.status());
+  const auto bytes = read_file(options.file, limits::picture_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_change(session, put_with_progress(session, map_address(*path, options), *bytes), options.file);
+}
+
+ExitCode put_picture(Session& session) {
+  const Options& options = session.options();
+  const auto bytes = read_file(options.file, limits::picture_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = put_with_progress(session, *path + "/pictures", *bytes);
+  if (!answer) return report(answer.status(), options.file);
+  const auto kept = decode_answer<PictureAnswer>(answer->body);
+  if (!kept) return report(kept.status());
+  fmt::print("{}\n", options.json ? answer->body : kept->picture);
+  return done;
+}
+
+}  // namespace pelage

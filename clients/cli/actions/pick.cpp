@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "clients/cli/actions/actions.h"
+#include "clients/cli/recipe/places.h"
+#include "clients/cli/recipe/recipe.h"
+#include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/print.h"
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+
+namespace pelage {
+
+namespace {
+
+/// "1,2,3" as so many numbers; `flag` without its dashes.
+Result<std::vector<double>> numbers_of(const std::string& text, std::size_t count, const std::string& flag) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    double number = 0;
+    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
+    if (error != std::errc() || stop != text.data() + end) break;
+    numbers.push_back(number);
+    begin = end + 1;
+    if (end == text.size() && numbers.size() == count) return numbers;
+  }
+  return failure(Code::invalid, fmt::format("\"{}\" is not {} numbers with commas.", text, count), "/" + flag,
+                 fmt::format("{} numbers", count));
+}
+
+glm::dvec3 triple_of(const std::vector<double>& numbers, std::size_t first) {
+  return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+
+/// Where the line's places lie, and how recipes write them.
+class Places {
+ public:
+  Places(const Bounds& box, bool world) : box_(box), world_(world) {}
+
+  glm::dvec3 position(glm::dvec3 given) const { return world_ ? given : box_.min + given * side(); }
+  glm::dvec3 shares(glm::dvec3 position) const {
+    const glm::dvec3 from = position - box_.min, all = side();
+    const auto share = [&](int k) { return all[k] > 0 ? std::round(1e6 * from[k] / all[k]) / 1e6 : 0.0; };
+    return {share(0), share(1), share(2)};
+  }
+  /// {"at": [x, y, z]}
+  std::string at(glm::dvec3 position) const { return "{\"at\": " + list(shares(position)) + "}"; }
+  static std::string list(glm::dvec3 v) { return fmt::format("[{}, {}, {}]", v.x + 0, v.y + 0, v.z + 0); }  // no -0
+
+ private:
+  glm::dvec3 side() const { return box_.max - box_.min; }
+
+  const Bounds& box_;
+  bool world_;
+};
+
+/// What is asked, and the same as a recipe's `pick`.
+struct Question {
+  PickRequest request;
+  std::string in_recipe;
+};
+
+Result<Question> pixel_question(const Options& options) {
+  const auto view = decode_frame_query(options.frame);
+  if (!view) return view.status();
+  const PickRequest request{.view = {view->camera, view->width, view->height}, .pixel = {*options.x, *options.y}};
+  return Question{request, encode(request)};
+}
+
+Result<Question> ray_question(const Options& options, const Places& places) {
+  const auto numbers = numbers_of(options.ray, 6, "ray");
+  if (!numbers) return numbers.status();
+  const PickRay ray{places.position(triple_of(*numbers, 0)), triple_of(*numbers, 3)};
+  return Question{{.ray = ray},
+                  fmt::format(R"({{"ray": {{"origin": {}, "direction": {}}}}})", places.at(ray.origin),
+                              Places::list(ray.direction))};
+}
+
+Result<Question> nearest_question(const Options& options, const Places& places) {
+  const auto numbers = numbers_of(options.nearest, 3, "nearest");
+  if (!numbers) return numbers.status();
+  const glm::dvec3 position = places.position(triple_of(*numbers, 0));
+  return Question{{.nearest = position}, "{\"nearest\": " + places.at(position) + "}"};
+}
+
+Result<Question> farthest_question(const Options& options, const Places& places) {
+  const auto direction = numbers_of(options.farthest, 3, "farthest");
+  if (!direction) return direction.status();
+  PickFarthest farthest{.direction = triple_of(*direction, 0)};
+  std::string box;
+  if (!options.box.empty()) {
+    const auto corners = numbers_of(options.box, 6, "box");
+    if (!corners) return corners.status();
+    farthest.min = places.position(triple_of(*corners, 0));
+    farthest.max = places.position(triple_of(*corners, 3));
+    box = fmt::format(R"(, "min": {}, "max": {})", places.at(*farthest.min), places.at(*farthest.max));
+  }
+  return Question{{.farthest = farthest},
+                  fmt::format(R"({{"farthest": {{"direction": {}{}}}}})", Places::list(farthest.direction), box)};
+}
+
+Result<Question> question_of(const Options& options, const Places& places) {
+  if (!options.ray.empty()) return ray_question(options, places);
+  if (!options.nearest.empty()) return nearest_question(options, places);
+  if (!options.farthest.empty()) return farthest_question(options, places);
+  return pixel_question(options);
+}
+
+/// In each form that commands and recipes take.
+void print_forms(const Options& options, const PickAnswer& answer, const Places& places, const Question& question) {
+  const std::string name = options.place_name.empty() ? "place" : options.place_name;
+  fmt::print("in a recipe {}\n", places.at(answer.position));
+  fmt::print("  this model  {}\n", Places::list(answer.position));
+  fmt::print("  a sample    {{\"triangle\": {}, \"barycentric\": {}}}\n", answer.triangle,
+             Places::list(answer.barycentric));
+  fmt::print("  a step      {{\"pick\": {}, \"as\": {}}}\n", question.in_recipe, json_text(name));
+}
+
+/// Adds the place to the file of the options.
+Status keep_place(const Options& options, glm::dvec3 shares) {
+  const auto before = std::filesystem::exists(options.places) ? read_file(options.places, recipe_file_bytes)
+                                                              : Result<std::string>(std::string());
+  if (!before) return before.status();
+  const auto after = with_place(*before, options.place_name, {shares.x, shares.y, shares.z});
+  if (!after) {
+    Status refused = after.status();
+    refused.message.insert(0, options.places + ": ");
+    return refused;
+  }
+  return write_file(options.places, *after);
+}
+
+Result<Bounds> box_of(Session& session, const std::string& path) {
+  const auto answer = Session::accepted(session.connection().get(path));
+  const auto summary = answer ? decode_answer<SceneSummary>(answer->body) : Result<SceneSummary>(answer.status());
+  return summary ? Result<Bounds>(summary->report.bounds) : summary.status();
+}
+
+Result<HttpAnswer> asked(Session& session, const std::string& path, const Question& question) {
+  const std::string body = encode(question.request);
+  if (const auto checked = decode_pick(body); !checked) return checked.status();
+  return Session::accepted(session.connection().post_json(path + "/pick", body));
+}
+
+}  // namespace
+
+ExitCode pick_place(Session& session) {
+  const Options& options = session.options();
+  if (const auto checked = question_of(options, {{}, true}); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto box = box_of(session, *path);
+  if (!box) return report(box.status());
+  const Places places(*box, options.world);
+  const auto question = question_of(options, places);
+  const auto answer = question ? asked(session, *path, *question) : Result<HttpAnswer>(question.status());
+  if (!answer) return report(answer.status());
+  const auto pick = decode_answer<PickAnswer>(answer->body);
+  if (!pick) return report(pick.status());
+  if (options.json) fmt::print("{}\n", answer->body);
+  if (!pick->hit) {
+    if (!options.json) fmt::print("nothing there\n");
+    return options.places.empty() ? done : report(failure(Code::invalid, "There is no place to keep."));
+  }
+  if (!options.json) print(*pick), print_forms(options, *pick, places, *question);
+  if (options.places.empty()) return done;
+  const Status kept = keep_place(options, places.shares(pick->position));
+  return kept.ok() ? done : report(kept);
+}
+
+}  // namespace pelage

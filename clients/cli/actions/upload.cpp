@@ -1,0 +1,38 @@
+#include "clients/cli/actions/upload.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "clients/cli/terminal/progress.h"
+
+namespace pelage {
+
+namespace {
+
+/// `send` is given what to tell how many bytes went out.
+template <class Send>
+Result<HttpAnswer> with_progress(std::size_t size, Send send) {
+  std::atomic<std::size_t> sent = 0;
+  const ProgressLine line("uploading", [&sent, size]() -> ProgressState {
+    const std::size_t now = sent;
+    if (now >= size) return {-1, "all is sent, the server works on it"};
+    return {static_cast<double>(now) / static_cast<double>(size),
+            fmt::format("{:.1f} MB", static_cast<double>(size) / 1e6)};
+  });
+  return Session::accepted(send([&sent](std::size_t bytes) { sent = bytes; }));
+}
+
+}  // namespace
+
+Result<HttpAnswer> put_with_progress(Session& session, const std::string& address, const std::string& bytes) {
+  return with_progress(bytes.size(),
+                       [&](const Sent& sent) { return session.connection().put_bytes(address, bytes, sent); });
+}
+
+Result<HttpAnswer> post_with_progress(Session& session, const std::string& address, const std::string& bytes) {
+  return with_progress(bytes.size(),
+                       [&](const Sent& sent) { return session.connection().post_bytes(address, bytes, sent); });
+}
+
+}  // namespace pelage

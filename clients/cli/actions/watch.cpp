@@ -1,0 +1,105 @@
+// `pelage run --watch`
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "clients/cli/actions/run.h"
+#include "clients/cli/terminal/progress.h"
+#include "protocol/json/decode.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::chrono::milliseconds looked_every(100);
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl-C lets a run under way come to its end; a second one does not wait for it.
+void end_on_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+using Stamps = std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
+
+/// When each file was written, and its size. Files that are not there have none.
+Stamps stamps_of(const std::vector<std::string>& files) {
+  Stamps stamps;
+  for (const std::string& file : files) {
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(file, error);
+    const auto size = error ? 0 : std::filesystem::file_size(file, error);
+    stamps.emplace_back(error ? std::filesystem::file_time_type{} : time, error ? 0 : size);
+  }
+  return stamps;
+}
+
+/// Until a file is another one than `known` and stays so, as an editor writes in several goes. False after Ctrl-C.
+bool wait_for_change(const std::vector<std::string>& files, const Stamps& known) {
+  Stamps before = known;
+  for (;;) {
+    std::this_thread::sleep_for(looked_every);
+    if (interrupted) return false;
+    const Stamps now = stamps_of(files);
+    if (now != known && now == before) return true;
+    before = now;
+  }
+}
+
+Result<SceneSummary> summary_at(Session& session, const std::string& path) {
+  const auto answer = Session::accepted(session.connection().get(path));
+  return answer ? decode_answer<SceneSummary>(answer->body) : Result<SceneSummary>(answer.status());
+}
+
+/// Takes back what was done since `base`; refused when someone else changed the scene since `last`.
+Status take_back(Session& session, const std::string& path, const SceneSummary& base, Revision last) {
+  const auto now = summary_at(session, path);
+  if (!now) return now.status();
+  if (now->revision != last)
+    return with_next(failure(Code::precondition, "The scene was changed by someone else, and watching ends."),
+                     "look at the scene with `pelage log`, and watch again from there");
+  if (now->undo_steps <= base.undo_steps) return {};
+  const std::string body = fmt::format("{{\"steps\":{}}}", now->undo_steps - base.undo_steps);
+  const HttpHeaders headers{{"If-Match", fmt::format("\"{}\"", last)}};
+  const auto answer = Session::accepted(session.connection().post_json(path + "/undo", body, headers));
+  return answer ? Status{} : answer.status();
+}
+
+}  // namespace
+
+ExitCode watch_and_run(Session& session, const std::string& path) {
+  if (session.options().file == "-")
+    return report(failure(Code::invalid, "Standard input cannot be watched.", "", "a file"));
+  end_on_interrupt();
+  const auto base = summary_at(session, path);
+  if (!base) return report(base.status());
+  Revision last = base->revision;
+  for (;;) {
+    RunPlan plan;
+    Status status = read_steps(session, path, plan);
+    const Stamps known = stamps_of(plan.files);
+    if (status.ok()) {
+      if (const Status refused = take_back(session, path, *base, last); !refused.ok()) return report(refused);
+      status = read_steps(session, path, plan);  // picks see the fur that the steps begin with
+    }
+    RunTotals totals;
+    if (!status.ok())
+      report(status, plan.place);
+    else if (run_steps(session, path, plan, {}, totals) == done && !session.options().json)
+      fmt::print("{}, revision {}\n", words_of(totals), totals.revision);
+    std::fflush(stdout);
+    const auto now = summary_at(session, path);
+    if (!now) return report(now.status());
+    last = now->revision;
+    if (interrupted || !wait_for_change(plan.files, known)) return done;
+  }
+}
+
+}  // namespace pelage

@@ -1,0 +1,123 @@
+#include "clients/cli/help/completions.h"
+
+#include <fmt/format.h>
+
+namespace pelage {
+
+namespace {
+
+/// "get" of "map get".
+std::string last_word(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
+
+/// Within single quotes of bash and zsh.
+std::string shell_text(const std::string& text) {
+  std::string in_quotes = "'";
+  for (const char c : text) in_quotes += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return in_quotes + "'";
+}
+
+/// Within single quotes of fish.
+std::string fish_text(const std::string& text) {
+  std::string in_quotes = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') in_quotes += '\\';
+    in_quotes += c;
+  }
+  return in_quotes + "'";
+}
+
+/// Commands below, the command's own options and those of the program, which may stand anywhere: a word and what it
+/// does.
+std::vector<std::pair<std::string, std::string>> words_after(const CommandHelp& command, const CommandHelp& root) {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (const CommandHelp& below : command.commands) words.emplace_back(last_word(below.name), below.words);
+  const auto add = [&](const CommandHelp& from) {
+    for (const OptionHelp& option : from.options)
+      for (const std::string& name : option.names) words.emplace_back(name, option.words);
+  };
+  add(command);
+  if (&command == &root) return words;
+  for (const OptionHelp& option : root.options)
+    if (option.names.back() != "--help" && option.names.back() != "--version")
+      for (const std::string& name : option.names) words.emplace_back(name, option.words);
+  return words;
+}
+
+/// A loop of bash and zsh that finds which command the line names.
+std::string path_loop(const CommandHelp& root, const char* words) {
+  std::string known;
+  for (const CommandHelp* command : all_commands(root))
+    if (!command->name.empty()) known += (known.empty() ? "" : " | ") + shell_text(command->name);
+  return fmt::format(R"(  local named="" each
+  for each in {}; do
+    case "${{named:+$named }}$each" in
+      {}) named="${{named:+$named }}$each" ;;
+    esac
+  done
+)",
+                     words, known);
+}
+
+/// "-n '...'" of fish: the command is on the line.
+std::string fish_condition(const CommandHelp& command) {
+  if (command.name.empty()) return "__fish_use_subcommand";
+  std::string condition;
+  std::string rest = command.name + " ";
+  for (std::size_t end; (end = rest.find(' ')) != std::string::npos; rest.erase(0, end + 1))
+    condition += (condition.empty() ? "" : "; and ") + ("__fish_seen_subcommand_from " + rest.substr(0, end));
+  return condition;
+}
+
+std::string fish_option(const OptionHelp& option, const std::string& condition) {
+  std::string line = "complete -c pelage";
+  if (!condition.empty()) line += " -n " + fish_text(condition);
+  for (const std::string& name : option.names)
+    line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  return line + (option.takes_value ? " -r" : "") + " -d " + fish_text(option.words) + "\n";
+}
+
+}  // namespace
+
+std::string bash_completions(const CommandHelp& root) {
+  std::string script = "_pelage() {\n" + path_loop(root, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"");
+  script += "  local words=\"\"\n  case \"$named\" in\n";
+  for (const CommandHelp* command : all_commands(root)) {
+    std::string words;
+    for (const auto& [word, help] : words_after(*command, root)) words += (words.empty() ? "" : " ") + word;
+    script += fmt::format("    {}) words={} ;;\n", shell_text(command->name), shell_text(words));
+  }
+  return script +
+         "  esac\n  COMPREPLY=($(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n}\n"
+         "complete -o default -F _pelage pelage\n";
+}
+
+std::string zsh_completions(const CommandHelp& root) {
+  std::string script = "#compdef pelage\n_pelage() {\n" + path_loop(root, "\"${(@)words[2,CURRENT-1]}\"");
+  script += "  local -a known\n  case \"$named\" in\n";
+  for (const CommandHelp* command : all_commands(root)) {
+    std::string known;
+    for (const auto& [word, help] : words_after(*command, root)) known += " " + shell_text(word + ":" + help);
+    script += fmt::format("    {}) known=({} ) ;;\n", shell_text(command->name), known);
+  }
+  return script + "  esac\n  _describe pelage known || _files\n}\ncompdef _pelage pelage\n";
+}
+
+std::string fish_completions(const CommandHelp& root) {
+  std::string script;
+  for (const CommandHelp* command : all_commands(root)) {
+    std::string none_below = fish_condition(*command);
+    if (!command->name.empty() && !command->commands.empty()) {
+      none_below += "; and not __fish_seen_subcommand_from";
+      for (const CommandHelp& below : command->commands) none_below += " " + last_word(below.name);
+    }
+    for (const CommandHelp& below : command->commands)
+      script += fmt::format("complete -c pelage -n {} -f -a {} -d {}\n", fish_text(none_below), last_word(below.name),
+                            fish_text(below.words));
+    const std::string condition = command->name.empty() ? "" : fish_condition(*command);
+    for (const OptionHelp& option : command->options)
+      if (command->name.empty() || option.names.back() != "--help") script += fish_option(option, condition);
+  }
+  return script;
+}
+
+}  // namespace pelage

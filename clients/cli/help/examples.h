@@ -1,0 +1,17 @@
+// Examples of each command, for its help and the manual page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pelage {
+
+inline constexpr const char* exit_codes = "0 done, 1 failed, 2 wrong use, 3 the input was refused.";
+
+/// Lines of a shell; `command` such as "map get", "" for the program.
+std::vector<std::string> examples_of(const std::string& command);
+
+/// What stands below a command's help.
+std::string footer_of(const std::string& command);
+
+}  // namespace pelage

@@ -1,0 +1,81 @@
+#include <CLI/CLI.hpp>
+
+#include "clients/cli/line/declare.h"
+
+namespace pelage {
+
+namespace {
+
+void declare_export(CLI::App& app, Options& options) {
+  CLI::App* command = add_action(app, options, Action::export_fur, "export",
+                                 "Write the fur in another program's format, or the whole scene");
+  add_scene(command, options);
+  command->add_option("-o,--output", options.output, "The file, .usda, .hair, .glb or .pelage")->required();
+  Parameters& parameters = options.export_parameters;
+  hand_on(command, parameters, "--format", "format",
+          "usda, hair, shells, cards, fields or pelage [the output's ending, shells for .glb]");
+  hand_on(command, parameters, "--shells", "shells", "Layers of shells, 1 to 32 [16]");
+  hand_on(command, parameters, "--cards", "cards", "Cards of the finest level, about, 100 to 200000 [6000]");
+  hand_on(command, parameters, "--every", "every", "About one strand of so many, 1 to 1000000 [1]");
+  command->add_flag_callback(
+      "--widen", [&parameters] { parameters.emplace_back("widen", "true"); },
+      "Make the strands that are left so much wider that they cover as much");
+  command->add_flag_callback(
+      "--no-curves", [&parameters] { parameters.emplace_back("curves", "false"); },
+      "Without whiskers, lashes and brows");
+  command->add_flag("--dry-run", options.dry_run, "Say how much it would be; write nothing");
+}
+
+void declare_open(CLI::App& app, Options& options) {
+  CLI::App* command = add_action(app, options, Action::open_saved, "open",
+                                 "Make a scene of a .pelage file, with its log; prints its id");
+  command->add_option("file", options.file, "The file, as `pelage export` writes it")->required();
+  command->add_option("--name", options.name, "Name, 1 to 200 bytes [the file's own]")->default_str("");
+}
+
+void add_map(CLI::App* command, Options& options) {
+  add_scene(command, options);
+  command->add_option("field", options.field, "direction, length, density, mask or another field")->required();
+  Parameters& parameters = options.map_parameters;
+  hand_on(command, parameters, "--encoding", "encoding", "Of direction uv_tangent, fast_fur or vector; else value");
+  hand_on(command, parameters, "--scale", "scale",
+          "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
+  hand_on(command, parameters, "--units", "units", "Of a scale of lengths: relative (sizes) or world [relative]");
+  hand_on(command, parameters, "--tile", "tile", "UDIM tile of the picture, from 1001; 0 for all [0]");
+}
+
+void declare_map_get(CLI::App& map, Options& options) {
+  CLI::App* get = add_action(map, options, Action::get_map, "get", "Write a field as a picture");
+  add_map(get, options);
+  get->add_option("-o,--output", options.output, "The picture, .png, .exr or .npy; - for standard output")->required();
+  Parameters& parameters = options.map_parameters;
+  hand_on(get, parameters, "--format", "format",
+          "png, png16, exr, exr_half or npy [the output's ending, png16 for .png]");
+  hand_on(get, parameters, "--size", "size", "Pixels of a side, 1 to 8192 [1024]");
+  hand_on(get, parameters, "--dilate", "dilate", "Pixels by which islands grow over their seams, 0 to 64 [8]");
+}
+
+}  // namespace
+
+void declare_file_actions(CLI::App& app, Options& options) {
+  declare_export(app, options);
+  declare_open(app, options);
+  CLI::App* map = app.add_subcommand("map", "Fields as pictures through a model's texture coordinates");
+  map->require_subcommand(1);
+  map->fallthrough();
+  declare_map_get(*map, options);
+
+  CLI::App* put = add_action(*map, options, Action::put_map, "put", "Read a field from a picture, as one undo step");
+  add_map(put, options);
+  put->add_option("file", options.file,
+                  "PNG, JPEG, EXR or HDR, up to 4096 pixels wide, or a NumPy array; - for standard input")
+      ->required();
+  hand_on(put, options.map_parameters, "--strength", "strength", "How far the field goes to the picture's, 0 to 1 [1]");
+
+  CLI::App* keep = add_action(*map, options, Action::put_picture, "upload",
+                              "Keep a picture for commands to name, such as mask; prints its name");
+  add_scene(keep, options);
+  keep->add_option("file", options.file, "The picture; - for standard input")->required();
+}
+
+}  // namespace pelage

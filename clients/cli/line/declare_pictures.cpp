@@ -1,0 +1,131 @@
+#include <CLI/CLI.hpp>
+
+#include "clients/cli/line/declare.h"
+
+namespace pelage {
+
+namespace {
+
+void add_view(CLI::App* command, Options& options) {
+  Parameters& frame = options.frame;
+  hand_on(command, frame, "--width", "width", "Pixels, 1 to 8192 [512]");
+  hand_on(command, frame, "--height", "height", "Pixels, 1 to 8192 [512]");
+  hand_on(command, frame, "--camera", "camera", "front, back, left, right, top or three_quarter");
+  hand_on(command, frame, "--position", "position", "X,Y,Z of a free camera, with --target");
+  hand_on(command, frame, "--target", "target", "X,Y,Z that it looks at");
+  hand_on(command, frame, "--up", "up", "X,Y,Z that is up [0,1,0]");
+  hand_on(command, frame, "--fov", "fov_degrees", "Vertical field of view, degrees, 1 to 150 [35]");
+}
+
+void add_quality(CLI::App* command, Options& options) {
+  hand_on(command, options.frame, "--quality", "quality", "draft, interactive, detailed or reference [interactive]");
+  command->add_option_function<std::vector<std::string>>(
+      "--knob", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.frame); },
+      "NAME=VALUE of a single knob, such as shells=48; may be repeated");
+  hand_on(command, options.frame, "--budget-ms", "budget_ms",
+          "In place of a quality: the best that is drawn in so many milliseconds, 1 to 600000");
+  hand_on(command, options.frame, "--max-error", "max_error",
+          "In place of a quality: the cheapest with at most this mean FLIP over the fur, up to 1");
+  hand_on(command, options.frame, "--max-seconds", "max_seconds",
+          "Refuse to draw shells that are expected to take longer, 1 to 86400 [60]");
+  command->add_flag("--dry-run", options.dry_run, "Say how long drawing is expected to take; draw nothing");
+}
+
+/// Members of Tracing.
+void add_tracing(CLI::App* command, Options& options) {
+  Parameters& trace = options.trace;
+  hand_on(command, trace, "--passes", "passes", "Of traced strands, at most: samples of a pixel, 1 to 65536 [64]");
+  hand_on(command, trace, "--noise", "noise",
+          "Ends when the mean error of a shown channel is below, 0 to 1; 0 never [0]");
+  hand_on(command, trace, "--seconds", "seconds", "Ends after so much tracing, 0 to 3600; 0 never [0]");
+  hand_on(command, trace, "--transport", "transport",
+          "transmittance, or paths that scatter from strand to strand [transmittance]");
+  hand_on(command, trace, "--scattering", "scattering",
+          "look or energy_conserving; paths take energy_conserving alone [look]");
+  hand_on(command, trace, "--bounces", "bounces", "With --transport paths: at most, 1 to 4096 [32]");
+  hand_on(command, trace, "--strands", "strands", "At most, 1 to 8000000; fewer are drawn wider [2000000]");
+  hand_on(command, trace, "--filter", "filter", "true or false: smooths pictures of few passes [true]");
+  hand_on(command, trace, "--seed", "seed", "The same seed and passes give the same picture [1]");
+}
+
+void add_progressive(CLI::App* command, Options& options) {
+  CLI::Option* progressive =
+      command->add_flag("--progressive", options.progressive,
+                        "Writes shells at once, then each better picture of traced strands over the same file");
+  command->add_option("--until-pass", options.until_pass, "With --progressive: ends with a picture of so many passes")
+      ->needs(progressive)
+      ->check(CLI::PositiveNumber);
+  command->add_option("--for", options.for_seconds, "With --progressive: ends after so many seconds")
+      ->needs(progressive)
+      ->check(CLI::NonNegativeNumber);
+}
+
+void add_looks(CLI::App* command, Options& options) {
+  Parameters& frame = options.frame;
+  hand_on(command, frame, "--background", "background", "transparent, studio or #rrggbb");
+  hand_on(command, frame, "--exposure", "exposure", "Stops, -20 to 20 [0]");
+  hand_on(command, frame, "--tone-map", "tone_map", "none or filmic [filmic]");
+  hand_on(command, frame, "--colour-source", "colour_source", "automatic, model or coat; default look otherwise");
+  hand_on(command, frame, "--format", "format", "png, png16, jpeg, exr, npy or npy_linear [the output's ending]");
+  hand_on(command, frame, "--jpeg-quality", "jpeg_quality", "1 to 100 [90]");
+  hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
+  hand_on(command, frame, "--aovs", "aovs",
+          "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
+          "shadow, shell_count [beauty]");
+  hand_on(command, frame, "--overlay", "overlay",
+          "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, "
+          "light_occlusion, shadow_width, bald, wire or difference [none]");
+  hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
+  hand_on(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");
+}
+
+/// Ways to name a place beside a pixel; at most one of them.
+void add_places(CLI::App* pick, Options& options) {
+  std::vector<CLI::Option*> ways = {
+      pick->get_option("x"),
+      pick->add_option("--ray", options.ray, "X,Y,Z,DX,DY,DZ: what a ray from X,Y,Z along DX,DY,DZ hits first"),
+      pick->add_option("--farthest", options.farthest, "DX,DY,DZ: the place that is farthest along it, as of an ear"),
+      pick->add_option("--nearest", options.nearest, "X,Y,Z: the place of the surface that is nearest to it")};
+  for (CLI::Option* way : ways)
+    for (CLI::Option* other : ways)
+      if (way != other) way->excludes(other);
+  pick->add_option("--box", options.box, "X,Y,Z,X,Y,Z: lowest and highest corner of where --farthest looks")
+      ->needs(ways[2]);
+  pick->add_flag("--world", options.world,
+                 "X,Y,Z are the model's own coordinates, not shares of its box as in recipes");
+}
+
+void declare_pick(CLI::App& app, Options& options) {
+  CLI::App* pick = add_action(app, options, Action::pick, "pick",
+                              "Say what lies at a place: under a pixel, or by --ray, --farthest or --nearest");
+  add_scene(pick, options);
+  CLI::Option* x = pick->add_option("x", options.x, "Pixels from the left");
+  CLI::Option* y = pick->add_option("y", options.y, "Pixels from the top");
+  x->needs(y);
+  add_view(pick, options);
+  add_places(pick, options);
+  CLI::Option* name = pick->add_option("--as", options.place_name, "Name of the place, for --places");
+  pick->add_option("--places", options.places, "JSON file of places by name that gets this one, for `pelage run`")
+      ->needs(name);
+  pick->callback([&options, pick] {
+    options.action = Action::pick;
+    if (options.ray.empty() && options.farthest.empty() && options.nearest.empty() && !options.x)
+      throw CLI::ValidationError("pick", "a pixel, --ray, --farthest or --nearest is required");
+  });
+}
+
+}  // namespace
+
+void declare_picture_actions(CLI::App& app, Options& options) {
+  CLI::App* frame = add_action(app, options, Action::frame, "frame", "Draw a scene");
+  add_scene(frame, options);
+  frame->add_option("-o,--output", options.output, "The picture; - for standard output")->capture_default_str();
+  add_view(frame, options);
+  add_quality(frame, options);
+  add_tracing(frame, options);
+  add_progressive(frame, options);
+  add_looks(frame, options);
+  declare_pick(app, options);
+}
+
+}  // namespace pelage

@@ -1,0 +1,99 @@
+#include <CLI/CLI.hpp>
+
+#include "clients/cli/line/declare.h"
+
+namespace pelage {
+
+namespace {
+
+void add_fur(CLI::App* command, Options& options) {
+  command->add_option("--length", options.length, "Length of the first fur in sizes of the model, 0 to 10")
+      ->capture_default_str();
+  command->add_option("--inclination", options.inclination, "Lean of the first fur, 0 upright to 1 lying")
+      ->capture_default_str();
+  command->add_option("--form", options.form,
+                      "even, or animal: shorter on face and paws, longer on chest and tail [animal for files, even for "
+                      "built-in models]");
+  command
+      ->add_option("--fur-patches", options.fur_patches,
+                   "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")
+      ->capture_default_str();
+}
+
+/// How a file is read.
+void add_import(CLI::App* command, Options& options) {
+  command->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
+  command->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl, else y]");
+  command->add_option("--front", options.front,
+                      "Axis of the file that the model faces [as its joints say; else -y where z is up, z where y is]");
+  command->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");
+  command->add_option("--crease-degrees", options.crease_degrees,
+                      "Edges that are sharper are seen as edges, 0 to 180; 180 for none [60]");
+  command->add_option("--flip", options.flip,
+                      "Number of a part that turns inside out, as the load reports doubtful ones");
+  command->add_option("--two-sided", options.two_sided,
+                      "Number of a part of one layer that grows fur on both sides, as the load reports sheets");
+}
+
+void declare_new(CLI::App& app, Options& options) {
+  CLI::App* create = add_action(app, options, Action::create, "new",
+                                "Make a scene with a built-in model, or one of a file; prints its id");
+  create->add_option("--name", options.name, "Name, 1 to 200 bytes")->capture_default_str();
+  CLI::Option* builtin =
+      create->add_option("--builtin", options.builtin, "torus, knot, sphere, plane, cloth or creature")
+          ->capture_default_str();
+  create->add_option("--triangles", options.triangles, "Wished-for triangles of a built-in model")
+      ->capture_default_str();
+  create->add_option("--file", options.file, "A model in its place, loaded as by `pelage load`")->excludes(builtin);
+  add_import(create, options);
+  add_fur(create, options);
+}
+
+void declare_load(CLI::App& app, Options& options) {
+  CLI::App* load = add_action(app, options, Action::load, "load",
+                              "Give a scene a model from a file, with the files that it names; its log starts empty");
+  add_scene(load, options);
+  load->add_option("file", options.file, "The model; - for standard input")->required();
+  add_import(load, options);
+  add_fur(load, options);
+}
+
+void declare_environment(CLI::App& app, Options& options) {
+  CLI::App* environment =
+      add_action(app, options, Action::environment, "environment",
+                 "Light a scene from all around with a picture: EXR or HDR, as wide as 360 degrees");
+  add_scene(environment, options);
+  environment->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")
+      ->required();
+  environment->add_option("--intensity", options.intensity, "Factor on its light, 0 to 100")->capture_default_str();
+  environment
+      ->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void declare_scene_actions(CLI::App& app, Options& options) {
+  declare_new(app, options);
+  add_action(app, options, Action::list, "list", "List the scenes");
+  add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);
+  add_scene(add_action(app, options, Action::remove, "rm", "Remove a scene"), options);
+}
+
+void declare_model_actions(CLI::App& app, Options& options) {
+  declare_load(app, options);
+  declare_environment(app, options);
+
+  CLI::App* skin = add_action(app, options, Action::skin_texture, "skin-texture",
+                              "Lay a PNG or JPEG on a model by its texture coordinates");
+  add_scene(skin, options);
+  skin->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")->required();
+
+  CLI::App* subdivide = add_action(app, options, Action::subdivide, "subdivide",
+                                   "Split the triangles of a scene's model in four; fields stay, its log starts empty");
+  add_scene(subdivide, options);
+  subdivide->add_option("--levels", options.levels, "How often, 1 to 8")->capture_default_str();
+  subdivide->add_flag("--masked", options.masked, "Only triangles with a corner whose mask is above 0.5");
+}
+
+}  // namespace pelage

@@ -1,0 +1,76 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstring>
+
+#include "clients/cli/help/completions.h"
+#include "clients/cli/help/examples.h"
+#include "clients/cli/help/man.h"
+#include "clients/cli/line/declare.h"
+#include "clients/cli/line/flags.h"
+#include "clients/cli/terminal/report.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr const char* version = "pelage " PELAGE_VERSION;
+
+/// Of the line itself: what CLI11 says of it.
+int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const bool json = std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--json") == 0; });
+  if (error.get_exit_code() == 0 || !json) return app.exit(error) == 0 ? done : wrong_use;
+  set_report_style({.json = true, .flags = {}});
+  report(with_next(failure(Code::invalid, error.what()), "see `pelage --help`"));
+  return wrong_use;
+}
+
+/// What is made of the command line itself: printed here, with no server.
+bool print_tree(const CLI::App& app, const Options& options) {
+  const CommandHelp root = tree_of(app);
+  std::string text;
+  if (options.action == Action::man) text = man_page(root, version);
+  if (options.action == Action::completions)
+    text = options.shell == "bash"  ? bash_completions(root)
+           : options.shell == "zsh" ? zsh_completions(root)
+                                    : fish_completions(root);
+  std::fputs(text.c_str(), stdout);
+  return !text.empty();
+}
+
+}  // namespace
+
+void declare_line(CLI::App& app, Options& options) {
+  app.require_subcommand(1);
+  app.add_option("--server", options.server, "Address of the server")
+      ->envname("PELAGE_SERVER")
+      ->default_val("http://127.0.0.1:8080");
+  app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
+  app.add_option("--author", options.author, "Your name, 1 to 200 bytes, kept with each change and shown to others");
+  app.add_flag("--json", options.json, "Print the server's answer as JSON, and what goes wrong as a problem document");
+  app.set_version_flag("--version", version);
+  app.footer(footer_of(""));
+  declare_scene_actions(app, options);
+  declare_model_actions(app, options);
+  declare_groom_actions(app, options);
+  declare_history_actions(app, options);
+  declare_picture_actions(app, options);
+  declare_file_actions(app, options);
+  declare_program_actions(app, options);
+}
+
+ParsedLine parse_line(int argc, char** argv) {
+  ParsedLine parsed;
+  Options& options = parsed.options;
+  CLI::App app{"Grooms fur on a Pelage server."};
+  declare_line(app, options);
+  try {
+    app.parse(argc, argv);
+    set_report_style({options.json, flags_of(app)});
+    if (print_tree(app, options)) parsed.exit_code = done;
+  } catch (const CLI::ParseError& error) {
+    parsed.exit_code = refuse_line(app, error, argc, argv);
+  }
+  return parsed;
+}
+
+}  // namespace pelage

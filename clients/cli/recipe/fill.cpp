@@ -1,0 +1,159 @@
+#include "clients/cli/recipe/fill.h"
+
+#include <cmath>
+
+#include "clients/cli/recipe/expression.h"
+#include "protocol/json/parse.h"
+#include "protocol/json/reader.h"
+
+namespace pelage::json_parts {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr double max_exact_integer = 9007199254740992;  // 2^53
+
+/// {"at": [...]} or {"at": [...], "by": [...]}. A colour ramp has an `at` too, which is a number.
+bool is_place(const json& value) {
+  return value.is_object() && value.contains("at") && value["at"].is_array() &&
+         value.size() == (value.contains("by") ? 2u : 1u);
+}
+
+/// A count stays one, as members that are whole numbers need it.
+json number_of(double value) {
+  if (value == std::floor(value) && std::abs(value) <= max_exact_integer) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+std::string too_many_values() { return "at most " + std::to_string(recipe_values) + " values"; }
+
+}  // namespace
+
+std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+bool is_triple(const json& value) {
+  return value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
+}
+
+json Filler::fill(const json& value, const Scope& scope, const std::string& pointer) {
+  if (!status_.ok()) return {};
+  if (++values_ > recipe_values)
+    return refuse(scope, "The steps are too much with their variables filled in.", pointer, too_many_values());
+  if (value.is_string()) return fill_text(value.get_ref<const std::string&>(), scope, pointer);
+  if (!value.is_structured()) return value;
+  json copy = value.is_array() ? json::array() : json::object();
+  if (value.is_array()) {
+    for (std::size_t k = 0; k < value.size(); ++k)
+      copy.push_back(fill(value[k], scope, pointer + "/" + std::to_string(k)));
+  } else {
+    for (const auto& [name, member] : value.items()) copy[name] = fill(member, scope, pointer + pointer_step(name));
+  }
+  return is_place(copy) ? place(copy, scope, pointer) : copy;
+}
+
+json Filler::refuse(const Scope& scope, const std::string& message, std::string pointer, std::string limit,
+                    std::string nearest) {
+  if (status_.ok())
+    status_ = recipe_failure(scope.file.name, message, std::move(pointer), std::move(limit), std::move(nearest));
+  return {};
+}
+
+void Filler::refuse(const Scope& scope, const std::string& pointer, const Status& why) {
+  if (!status_.ok()) return;
+  status_ = why;
+  status_.message.insert(0, scope.file.name + ": ");
+  status_.pointer.insert(0, pointer);
+}
+
+json Filler::fill_text(const std::string& text, const Scope& scope, const std::string& pointer) {
+  std::string filled;
+  std::size_t at = 0;
+  for (std::size_t begin; (begin = text.find("${", at)) != std::string::npos;) {
+    const std::size_t end = text.find('}', begin);
+    if (end == std::string::npos) return refuse(scope, "A \"${\" is not closed.", pointer, "${name}");
+    const json value = variable_or_expression(text.substr(begin + 2, end - begin - 2), scope, pointer);
+    if (begin == 0 && end + 1 == text.size()) return value;
+    if (value.is_structured())
+      return refuse(scope, "A list or an object cannot stand within a text.", pointer, "text or number");
+    filled += text.substr(at, begin - at) + (value.is_string() ? value.get<std::string>() : dumped(value));
+    at = end + 1;
+    if (filled.size() > recipe_file_bytes)
+      return refuse(scope, "The text is too long.", pointer, "at most " + std::to_string(recipe_file_bytes) + " bytes");
+  }
+  return filled + text.substr(at);
+}
+
+/// A variable may be called "a-b"; what is none of that name is worked out.
+json Filler::variable_or_expression(const std::string& text, const Scope& scope, const std::string& pointer) {
+  const bool is_variable = scope.given.contains(text) || scope.file.variables.contains(text);
+  return is_variable || !is_expression(text) ? variable(text, scope, pointer) : expression(text, scope, pointer);
+}
+
+json Filler::variable(const std::string& name, const Scope& scope, const std::string& pointer) {
+  if (const auto given = scope.given.find(name); given != scope.given.end()) return count(*given, scope, pointer);
+  const auto own = scope.file.variables.find(name);
+  if (own == scope.file.variables.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& item : scope.file.variables.items()) known.push_back(item.key());
+    for (const auto& item : scope.given.items()) known.push_back(item.key());
+    return refuse(scope, "There is no variable \"" + name + "\".", pointer, "one of \"variables\"",
+                  nearest_name(name, known));
+  }
+  if (depth_ == recipe_variable_depth)
+    return refuse(scope, "Variables are made of one another too deeply or in a circle.", pointer,
+                  "at most " + std::to_string(recipe_variable_depth) + " deep");
+  ++depth_;
+  json value = fill(*own, scope, "/variables" + pointer_step(name));
+  --depth_;
+  return value;
+}
+
+json Filler::expression(const std::string& text, const Scope& scope, const std::string& pointer) {
+  const auto value_of = [&](const std::string& name) -> Result<double> {
+    const json value = variable(name, scope, pointer);
+    if (!status_.ok()) return status_;
+    if (value.is_number()) return value.get<double>();
+    return failure(Code::invalid, "\"" + name + "\" is no number.");
+  };
+  const Result<double> value = evaluate(text, value_of);
+  if (value) return number_of(*value);
+  return refuse(scope, "\"" + text + "\" cannot be worked out. " + value.status().message, pointer,
+                "+ - * / ( ) of numbers and variables");
+}
+
+/// A value that is filled in already counts as often as it is copied.
+json Filler::count(const json& value, const Scope& scope, const std::string& pointer) {
+  values_ += value.is_structured() ? dumped(value).size() / 2 : 1;
+  if (values_ <= recipe_values) return value;
+  return refuse(scope, "The steps are too much with their variables filled in.", pointer, too_many_values());
+}
+
+json Filler::place(const json& place, const Scope& scope, const std::string& pointer) {
+  if (!is_triple(place["at"]) || (place.contains("by") && !is_triple(place["by"])))
+    return refuse(scope, "A place is three shares of the model's box.", pointer, "[x, y, z]");
+  json shares = place["at"];
+  for (std::size_t k = 0; k < 3 && place.contains("by"); ++k)
+    shares[k] = shares[k].get<double>() + place["by"][k].get<double>();
+  return position_at(shares);
+}
+
+json Filler::position_at(const json& shares) const {
+  json position = json::array();
+  for (int k = 0; k < 3; ++k) {
+    const double part = shares[static_cast<std::size_t>(k)].get<double>();
+    position.push_back(recipe_.min[k] + part * (recipe_.max[k] - recipe_.min[k]));
+  }
+  return position;
+}
+
+json Filler::shares_of(const json& position) const {
+  json shares = json::array();
+  for (int k = 0; k < 3; ++k) {
+    const double side = recipe_.max[k] - recipe_.min[k];
+    shares.push_back(side > 0 ? (position[static_cast<std::size_t>(k)].get<double>() - recipe_.min[k]) / side : 0.0);
+  }
+  return shares;
+}
+
+}  // namespace pelage::json_parts

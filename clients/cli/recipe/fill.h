@@ -1,0 +1,55 @@
+// Variables, expressions and places of a recipe's steps, filled in.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "clients/cli/recipe/recipe.h"
+#include "clients/cli/recipe/recipe_files.h"
+
+namespace pelage::json_parts {
+
+/// What the variables of a file are worth in one use of it.
+struct Scope {
+  const RecipeFile& file;
+  nlohmann::json given = nlohmann::json::object();  // values for this use, loop variables and picks; all filled in
+};
+
+std::string dumped(const nlohmann::json& value);
+
+/// [x, y, z]
+bool is_triple(const nlohmann::json& value);
+
+/// A copy of values with variables and places filled in. The first refusal is kept; after it copies are empty.
+class Filler {
+ public:
+  explicit Filler(const Recipe& recipe) : recipe_(recipe) {}
+
+  const Status& status() const { return status_; }
+
+  nlohmann::json fill(const nlohmann::json& value, const Scope& scope, const std::string& pointer);
+  nlohmann::json refuse(const Scope& scope, const std::string& message, std::string pointer, std::string limit,
+                        std::string nearest = {});
+  /// As the server or the decoder refused what stands at the pointer.
+  void refuse(const Scope& scope, const std::string& pointer, const Status& why);
+
+  /// Model coordinates of shares of the box, and back.
+  nlohmann::json position_at(const nlohmann::json& shares) const;
+  nlohmann::json shares_of(const nlohmann::json& position) const;
+
+ private:
+  nlohmann::json fill_text(const std::string& text, const Scope& scope, const std::string& pointer);
+  nlohmann::json variable_or_expression(const std::string& text, const Scope& scope, const std::string& pointer);
+  nlohmann::json variable(const std::string& name, const Scope& scope, const std::string& pointer);
+  nlohmann::json expression(const std::string& text, const Scope& scope, const std::string& pointer);
+  nlohmann::json count(const nlohmann::json& value, const Scope& scope, const std::string& pointer);
+  nlohmann::json place(const nlohmann::json& place, const Scope& scope, const std::string& pointer);
+
+  const Recipe& recipe_;
+  std::size_t values_ = 0;
+  int depth_ = 0;
+  Status status_;
+};
+
+}  // namespace pelage::json_parts

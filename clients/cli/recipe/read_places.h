@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "protocol/base/status.h"
+
+namespace pelage::json_parts {
+
+/// The places of a file by their names; none of "".
+Result<nlohmann::json> read_places(std::string_view text);
+
+}  // namespace pelage::json_parts

@@ -1,0 +1,81 @@
+#include "clients/cli/terminal/files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace pelage {
+
+namespace {
+
+Status cannot_write(const std::string& path) {
+  return with_next(failure(Code::internal, "Cannot write " + path + "."),
+                   "name a file in a folder that exists, in which you may write and which has room");
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+  std::ifstream file;
+  if (path != "-") file.open(path, std::ios::binary);
+  std::istream& stream = path == "-" ? std::cin : file;
+  std::string bytes;
+  char block[1 << 16];
+  while (stream.read(block, sizeof block) || stream.gcount() > 0) {
+    bytes.append(block, static_cast<std::size_t>(stream.gcount()));
+    if (bytes.size() > max_bytes) {
+      return failure(Code::too_large, path + " is too large.", "", fmt::format("at most {} bytes", max_bytes));
+    }
+  }
+  // A folder opens as a file and fails at the first read.
+  if (stream.bad() || (path != "-" && !file.is_open())) {
+    return with_next(failure(Code::not_found, "Cannot read " + path + "."),
+                     "name a file that exists and that you may read; - is standard input");
+  }
+  return bytes;
+}
+
+Status write_file(const std::string& path, const std::string& bytes) {
+  if (path == "-") {
+    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+    return std::cout ? Status{}
+                     : with_next(failure(Code::internal, "Cannot write to standard output."),
+                                 "see why its reader ended, or name a file");
+  }
+  NewFile file(path);
+  file.write(bytes);
+  return file.keep();
+}
+
+NewFile::NewFile(std::string path)
+    : path_(std::move(path)), temporary_(fmt::format("{}.{}", path_, getpid())), file_(temporary_, std::ios::binary) {}
+
+NewFile::~NewFile() {
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
+}
+
+bool NewFile::write(std::string_view piece) {
+  return static_cast<bool>(file_.write(piece.data(), static_cast<std::streamsize>(piece.size())));
+}
+
+Status NewFile::keep() {
+  file_.close();
+  if (file_ && std::rename(temporary_.c_str(), path_.c_str()) == 0) {
+    temporary_.clear();
+    return {};
+  }
+  return cannot_write(path_);
+}
+
+Status check_output(const std::string& path) {
+  if (path == "-") return {};
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return cannot_write(path);
+  const NewFile probe(path);
+  return probe.file_ ? Status{} : cannot_write(path);
+}
+
+}  // namespace pelage
