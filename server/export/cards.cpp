@@ -20,7 +20,7 @@ constexpr double overlap = 1.9;       // width of a card over the distance to th
 constexpr double most_turned = 0.65;  // around its middle line, radians
 
 /// Rows of quads of each level.
-constexpr std::array<std::size_t, card_levels> rows_of_level{StrandClump::rows - 1, 3, 2};
+constexpr std::array<std::size_t, card_levels> rows_of_level{CardLine::rows - 1, 3, 2};
 
 struct CardMesh {
   std::vector<glm::vec3> places, normals;
@@ -30,7 +30,7 @@ struct CardMesh {
 };
 
 /// A unit vector that a card's sides are level with: the skin's normal, unless the strand stands along it.
-glm::vec3 level_of(const StrandClump& clump, glm::vec3 along) {
+glm::vec3 level_of(const CardLine& clump, glm::vec3 along) {
   const glm::vec3 across = glm::cross(along, clump.normal);
   if (glm::length(across) > 0.25f * glm::length(along)) return clump.normal;
   const glm::vec3 any = std::abs(clump.normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -40,7 +40,7 @@ glm::vec3 level_of(const StrandClump& clump, glm::vec3 along) {
 }
 
 /// From the middle of the card to its right side, unit.
-glm::vec3 side_of(const StrandClump& clump, glm::vec3 level, glm::vec3 along) {
+glm::vec3 side_of(const CardLine& clump, glm::vec3 level, glm::vec3 along) {
   const auto turn = static_cast<float>(most_turned * (2 * std::fmod(7.0 * double{clump.number}, 1.0) - 1));
   const glm::vec3 across = glm::cross(along, level);
   const float length = glm::length(across);
@@ -50,15 +50,15 @@ glm::vec3 side_of(const StrandClump& clump, glm::vec3 level, glm::vec3 along) {
 }
 
 /// `width`: sizes.
-void add_card(const StrandClump& clump, double width, std::size_t rows, const Slices& slices, double size,
+void add_card(const CardLine& clump, double width, std::size_t rows, const Slices& slices, double size,
               CardMesh& mesh) {
   const glm::vec3 level = level_of(clump, clump.places.back() - clump.places.front());
   const auto lock = static_cast<float>(std::min(static_cast<int>(clump.number * card_locks), card_locks - 1));
   const auto first = static_cast<std::uint32_t>(mesh.places.size());
   for (std::size_t row = 0; row <= rows; ++row) {
     const double height = static_cast<double>(row) / static_cast<double>(rows);
-    const auto at = static_cast<std::size_t>(std::lround(height * (StrandClump::rows - 1)));
-    const glm::vec3 along = clump.places[std::min(at + 1, StrandClump::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
+    const auto at = static_cast<std::size_t>(std::lround(height * (CardLine::rows - 1)));
+    const glm::vec3 along = clump.places[std::min(at + 1, CardLine::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
     const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
     const glm::vec4 colour(glm::min(light_at(slices, height) * clump.colours[at] / 0.75f, 1.0f), 1);
     for (const float right : {0.0f, 1.0f}) {
@@ -127,8 +127,8 @@ CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, cons
   for (int level = 0; level < card_levels; ++level) {
     const double distance = cell * std::pow(2.0, 0.5 * level);
     CardMesh mesh;
-    const std::vector<StrandClump> clumps = make_clumps(strands, distance);
-    for (const StrandClump& clump : clumps)
+    const std::vector<CardLine> clumps = make_clumps(strands, distance);
+    for (const CardLine& clump : clumps)
       add_card(clump, overlap * distance, rows_of_level[static_cast<std::size_t>(level)], slices, strands.size, mesh);
     if (level == 0) result.cards = clumps.size(), result.triangles = mesh.triangles.size();
     levels.push_back(clumps.empty() ? "" : add_cards(file, mesh, card_material));
