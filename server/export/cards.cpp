@@ -16,8 +16,8 @@ namespace pelage {
 
 namespace {
 
-constexpr double overlap = 1.9;       // width of a card over the distance to the next
-constexpr double most_turned = 0.65;  // around its middle line, radians
+constexpr double overlap = 1.9;      // width of a card over the distance to the next
+constexpr double most_turned = 0.4;  // around its middle line, radians
 
 /// Rows of quads of each level.
 constexpr std::array<std::size_t, card_levels> rows_of_level{CardLine::rows - 1, 3, 2};
@@ -60,7 +60,9 @@ void add_card(const CardLine& clump, double width, std::size_t rows, const Slice
     const auto at = static_cast<std::size_t>(std::lround(height * (CardLine::rows - 1)));
     const glm::vec3 along = clump.places[std::min(at + 1, CardLine::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
     const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
-    const glm::vec4 colour(glm::min(light_at(slices, height) * clump.colours[at] / 0.75f, 1.0f), 1);
+    const float light =
+        glm::mix(light_at(slices, height), 1.0f, 0.5f);  // cards lie one over another: their roots are hidden
+    const glm::vec4 colour(glm::min(light * clump.colours[at] / 0.75f, 1.0f), 1);
     for (const float right : {0.0f, 1.0f}) {
       mesh.places.push_back((clump.places[at] + (2 * right - 1) * half) * static_cast<float>(size));
       mesh.normals.push_back(clump.normal);
@@ -96,16 +98,23 @@ void set_materials(GlbWriter& file, const Coat& coat, double width) {
   file.set("samplers", R"([{"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071}])");
 }
 
-/// Mesh 0 is the body; mesh and node 1 + k are the cards of level k, where there are any.
+/// Mesh 0 is the body; mesh 1 + k are the cards of level k, where there are any. Each scene has nodes of its own:
+/// readers move those that two scenes share from one to the other.
 void set_scenes(GlbWriter& file, const std::string& body, const std::vector<std::string>& levels, glm::dvec3 centre) {
-  std::string scenes, nodes = fmt::format(R"({{"name":"body","mesh":0,"translation":{}}})", json_of(centre));
-  std::string meshes = R"({"name":"body","primitives":[)" + body + "]}";
+  std::string scenes, nodes, meshes = R"({"name":"body","primitives":[)" + body + "]}";
+  int node_count = 0;
+  const auto add_node = [&](const std::string& name, std::size_t mesh) {
+    nodes += fmt::format(R"({}{{"name":"{}","mesh":{},"translation":{}}})", node_count > 0 ? "," : "", name, mesh,
+                         json_of(centre));
+    return node_count++;
+  };
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    scenes += fmt::format(R"({}{{"name":"LOD{}","nodes":[0{}]}})", k > 0 ? "," : "", k,
-                          levels[k].empty() ? "" : fmt::format(",{}", k + 1));
-    if (levels[k].empty()) continue;
-    nodes += fmt::format(R"(,{{"name":"fur_LOD{}","mesh":{},"translation":{}}})", k, k + 1, json_of(centre));
-    meshes += fmt::format(R"(,{{"name":"fur_LOD{}","primitives":[{}]}})", k, levels[k]);
+    std::string shown = std::to_string(add_node(fmt::format("body_LOD{}", k), 0));
+    if (!levels[k].empty()) {
+      shown += fmt::format(",{}", add_node(fmt::format("fur_LOD{}", k), k + 1));
+      meshes += fmt::format(R"(,{{"name":"fur_LOD{}","primitives":[{}]}})", k, levels[k]);
+    }
+    scenes += fmt::format(R"({}{{"name":"LOD{}","nodes":[{}]}})", k > 0 ? "," : "", k, shown);
   }
   file.set("scene", "0");
   file.set("scenes", "[" + scenes + "]");
