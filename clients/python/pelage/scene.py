@@ -21,6 +21,7 @@ from .schemas import (
     FoldCount,
     FrameProgress,
     LogEntry,
+    Pick,
     SceneInfo,
     Settings,
     StoredPicture,
