@@ -13,7 +13,7 @@ namespace {
 
 constexpr int lock_width = 128, lock_height = 256;  // texels
 constexpr int margin = 6;                           // texels without a strand at each side of a lock
-constexpr int strands_of_lock = 72;
+constexpr int strands_of_lock = 56;
 
 /// One strand of a lock, in texels from its left; `height` from the root, [0, 1].
 struct LockStrand {
@@ -29,7 +29,7 @@ LockStrand random_strand(Random& random) {
   const double gathered = 0.35 * (0.5 * lock_width - strand.root);  // tips of a lock come together
   strand.sway = std::clamp(gathered + 0.12 * inner * (random.uniform() - 0.5), margin - strand.root,
                            lock_width - margin - strand.root);
-  strand.reach = random.uniform(0.55, 1);
+  strand.reach = random.uniform(0.35, 1);
   strand.lightness = random.uniform(0.75, 1.25);
   return strand;
 }

@@ -16,11 +16,11 @@ namespace pelage {
 
 namespace {
 
-constexpr double overlap = 1.9;       // width of a card over the distance to the next
-constexpr double most_turned = 0.65;  // around its middle line, radians
+constexpr double overlap = 1.9;      // width of a card over the distance to the next
+constexpr double most_turned = 0.4;  // around its middle line, radians
 
 /// Rows of quads of each level.
-constexpr std::array<std::size_t, card_levels> rows_of_level{StrandClump::rows - 1, 3, 2};
+constexpr std::array<std::size_t, card_levels> rows_of_level{CardLine::rows - 1, 3, 2};
 
 struct CardMesh {
   std::vector<glm::vec3> places, normals;
@@ -30,7 +30,7 @@ struct CardMesh {
 };
 
 /// A unit vector that a card's sides are level with: the skin's normal, unless the strand stands along it.
-glm::vec3 level_of(const StrandClump& clump, glm::vec3 along) {
+glm::vec3 level_of(const CardLine& clump, glm::vec3 along) {
   const glm::vec3 across = glm::cross(along, clump.normal);
   if (glm::length(across) > 0.25f * glm::length(along)) return clump.normal;
   const glm::vec3 any = std::abs(clump.normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -40,7 +40,7 @@ glm::vec3 level_of(const StrandClump& clump, glm::vec3 along) {
 }
 
 /// From the middle of the card to its right side, unit.
-glm::vec3 side_of(const StrandClump& clump, glm::vec3 level, glm::vec3 along) {
+glm::vec3 side_of(const CardLine& clump, glm::vec3 level, glm::vec3 along) {
   const auto turn = static_cast<float>(most_turned * (2 * std::fmod(7.0 * double{clump.number}, 1.0) - 1));
   const glm::vec3 across = glm::cross(along, level);
   const float length = glm::length(across);
@@ -50,17 +50,19 @@ glm::vec3 side_of(const StrandClump& clump, glm::vec3 level, glm::vec3 along) {
 }
 
 /// `width`: sizes.
-void add_card(const StrandClump& clump, double width, std::size_t rows, const Slices& slices, double size,
+void add_card(const CardLine& clump, double width, std::size_t rows, const Slices& slices, double size,
               CardMesh& mesh) {
   const glm::vec3 level = level_of(clump, clump.places.back() - clump.places.front());
   const auto lock = static_cast<float>(std::min(static_cast<int>(clump.number * card_locks), card_locks - 1));
   const auto first = static_cast<std::uint32_t>(mesh.places.size());
   for (std::size_t row = 0; row <= rows; ++row) {
     const double height = static_cast<double>(row) / static_cast<double>(rows);
-    const auto at = static_cast<std::size_t>(std::lround(height * (StrandClump::rows - 1)));
-    const glm::vec3 along = clump.places[std::min(at + 1, StrandClump::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
+    const auto at = static_cast<std::size_t>(std::lround(height * (CardLine::rows - 1)));
+    const glm::vec3 along = clump.places[std::min(at + 1, CardLine::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
     const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
-    const glm::vec4 colour(glm::min(light_at(slices, height) * clump.colours[at] / 0.75f, 1.0f), 1);
+    const float light =
+        glm::mix(light_at(slices, height), 1.0f, 0.5f);  // cards lie one over another: their roots are hidden
+    const glm::vec4 colour(glm::min(light * clump.colours[at] / 0.75f, 1.0f), 1);
     for (const float right : {0.0f, 1.0f}) {
       mesh.places.push_back((clump.places[at] + (2 * right - 1) * half) * static_cast<float>(size));
       mesh.normals.push_back(clump.normal);
@@ -96,16 +98,23 @@ void set_materials(GlbWriter& file, const Coat& coat, double width) {
   file.set("samplers", R"([{"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071}])");
 }
 
-/// Mesh 0 is the body; mesh and node 1 + k are the cards of level k, where there are any.
+/// Mesh 0 is the body; mesh 1 + k are the cards of level k, where there are any. Each scene has nodes of its own:
+/// readers move those that two scenes share from one to the other.
 void set_scenes(GlbWriter& file, const std::string& body, const std::vector<std::string>& levels, glm::dvec3 centre) {
-  std::string scenes, nodes = fmt::format(R"({{"name":"body","mesh":0,"translation":{}}})", json_of(centre));
-  std::string meshes = R"({"name":"body","primitives":[)" + body + "]}";
+  std::string scenes, nodes, meshes = R"({"name":"body","primitives":[)" + body + "]}";
+  int node_count = 0;
+  const auto add_node = [&](const std::string& name, std::size_t mesh) {
+    nodes += fmt::format(R"({}{{"name":"{}","mesh":{},"translation":{}}})", node_count > 0 ? "," : "", name, mesh,
+                         json_of(centre));
+    return node_count++;
+  };
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    scenes += fmt::format(R"({}{{"name":"LOD{}","nodes":[0{}]}})", k > 0 ? "," : "", k,
-                          levels[k].empty() ? "" : fmt::format(",{}", k + 1));
-    if (levels[k].empty()) continue;
-    nodes += fmt::format(R"(,{{"name":"fur_LOD{}","mesh":{},"translation":{}}})", k, k + 1, json_of(centre));
-    meshes += fmt::format(R"(,{{"name":"fur_LOD{}","primitives":[{}]}})", k, levels[k]);
+    std::string shown = std::to_string(add_node(fmt::format("body_LOD{}", k), 0));
+    if (!levels[k].empty()) {
+      shown += fmt::format(",{}", add_node(fmt::format("fur_LOD{}", k), k + 1));
+      meshes += fmt::format(R"(,{{"name":"fur_LOD{}","primitives":[{}]}})", k, levels[k]);
+    }
+    scenes += fmt::format(R"({}{{"name":"LOD{}","nodes":[{}]}})", k > 0 ? "," : "", k, shown);
   }
   file.set("scene", "0");
   file.set("scenes", "[" + scenes + "]");
@@ -127,8 +136,8 @@ CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, cons
   for (int level = 0; level < card_levels; ++level) {
     const double distance = cell * std::pow(2.0, 0.5 * level);
     CardMesh mesh;
-    const std::vector<StrandClump> clumps = make_clumps(strands, distance);
-    for (const StrandClump& clump : clumps)
+    const std::vector<CardLine> clumps = make_clumps(strands, distance);
+    for (const CardLine& clump : clumps)
       add_card(clump, overlap * distance, rows_of_level[static_cast<std::size_t>(level)], slices, strands.size, mesh);
     if (level == 0) result.cards = clumps.size(), result.triangles = mesh.triangles.size();
     levels.push_back(clumps.empty() ? "" : add_cards(file, mesh, card_material));

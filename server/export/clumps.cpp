@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 /// A cube, and which of six ways the skin faces.
-using Key = std::tuple<int, int, int, int>;
+using CellKey = std::tuple<int, int, int, int>;
 
 int facing_of(glm::vec3 normal) {
   const glm::vec3 size = glm::abs(normal);
@@ -20,7 +20,7 @@ int facing_of(glm::vec3 normal) {
   return 2 * axis + (normal[axis] < 0 ? 1 : 0);
 }
 
-Key key_of(glm::vec3 root, glm::vec3 normal, double cell) {
+CellKey key_of(glm::vec3 root, glm::vec3 normal, double cell) {
   const glm::dvec3 cube = glm::floor(glm::dvec3(root) / cell);
   return {static_cast<int>(cube.x), static_cast<int>(cube.y), static_cast<int>(cube.z), facing_of(normal)};
 }
@@ -36,7 +36,7 @@ void for_each_strand(const ExportedStrands& strands, const Use& use) {
 }
 
 std::size_t count_clumps(const ExportedStrands& strands, double cell) {
-  std::set<Key> keys;
+  std::set<CellKey> keys;
   for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
     keys.insert(key_of(set.points[first].place, set.roots[i].normal, cell));
   });
@@ -45,15 +45,15 @@ std::size_t count_clumps(const ExportedStrands& strands, double cell) {
 
 /// Sums of a clump's strands.
 struct Sum {
-  std::array<glm::dvec3, StrandClump::rows> places{}, colours{};
+  std::array<glm::dvec3, CardLine::rows> places{}, colours{};
   glm::dvec3 normal{0};
   double count = 0;
   float number = 0;
 
   void add(const StrandSet& set, std::size_t strand, std::size_t first) {
     if (count == 0) number = set.roots[strand].number;
-    for (std::size_t row = 0; row < StrandClump::rows; ++row) {
-      const double at = static_cast<double>(row) / (StrandClump::rows - 1) * set.segments;
+    for (std::size_t row = 0; row < CardLine::rows; ++row) {
+      const double at = static_cast<double>(row) / (CardLine::rows - 1) * set.segments;
       const auto low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(set.segments) - 1);
       const double share = at - static_cast<double>(low);
       const auto mix = [&](auto of) { return glm::mix(of(first + low), of(first + low + 1), share); };
@@ -64,9 +64,9 @@ struct Sum {
     ++count;
   }
 
-  StrandClump mean() const {
-    StrandClump clump;
-    for (std::size_t row = 0; row < StrandClump::rows; ++row) {
+  CardLine mean() const {
+    CardLine clump;
+    for (std::size_t row = 0; row < CardLine::rows; ++row) {
       clump.places[row] = glm::vec3(places[row] / count);
       clump.colours[row] = glm::vec3(colours[row] / count);
     }
@@ -78,12 +78,12 @@ struct Sum {
 
 }  // namespace
 
-std::vector<StrandClump> make_clumps(const ExportedStrands& strands, double cell) {
-  std::map<Key, Sum> sums;
+std::vector<CardLine> make_clumps(const ExportedStrands& strands, double cell) {
+  std::map<CellKey, Sum> sums;
   for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
     sums[key_of(set.points[first].place, set.roots[i].normal, cell)].add(set, i, first);
   });
-  std::vector<StrandClump> clumps;
+  std::vector<CardLine> clumps;
   clumps.reserve(sums.size());
   for (const auto& [key, sum] : sums) clumps.push_back(sum.mean());
   return clumps;

@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// The mean of the strands of a clump, at even steps from root to tip.
-struct StrandClump {
+/// What a card is laid along: the mean of the strands of a clump, at even steps from root to tip.
+struct CardLine {
   static constexpr std::size_t rows = 6;
 
   std::array<glm::vec3, rows> places{};   // internal
@@ -23,7 +23,7 @@ struct StrandClump {
 /// The fur of the strands, gathered by the cubes with sides of `cell` sizes that their roots lie in, and by the side
 /// that the skin faces there, so that the two sides of an ear stay apart. In an order that depends on nothing but the
 /// strands.
-std::vector<StrandClump> make_clumps(const ExportedStrands& strands, double cell);
+std::vector<CardLine> make_clumps(const ExportedStrands& strands, double cell);
 
 /// The sides of cubes that make about `count` clumps, within a tenth where that can be had.
 double cell_of(const ExportedStrands& strands, int count);

@@ -6,14 +6,14 @@ namespace pelage {
 
 namespace {
 
-constexpr int probe_reduction = 4;
+constexpr int probe_reduction = 4, probe_passes = 2;
 
 /// The picture that tells what another one costs.
 FrameRequest probe_of(const FrameRequest& request) {
   FrameRequest probe = request;
   probe.width = std::max(1, request.width / probe_reduction),
   probe.height = std::max(1, request.height / probe_reduction);
-  probe.knobs.trace.passes = 1;
+  probe.knobs.trace.passes = probe_passes;
   probe.knobs.trace.noise = probe.knobs.trace.seconds = 0;
   probe.view.clear();
   return probe;
@@ -21,10 +21,10 @@ FrameRequest probe_of(const FrameRequest& request) {
 
 /// Growing strands takes the same for any size, a pass as long as there are pixels.
 FrameCost cost_of(const FrameRequest& request, const FrameRequest& probe, const TraceReport& report) {
-  constexpr double safety = 1.5;  // docs/notes/2026-11-25-models.md
+  constexpr double safety = 2;  // docs/notes/2026-11-25-models.md
   const Tracing& trace = request.knobs.trace;
   const auto pixels = [](const FrameRequest& frame) { return static_cast<double>(frame.width) * frame.height; };
-  const double pass_ms = report.trace_ms * pixels(request) / pixels(probe);
+  const double pass_ms = report.trace_ms / probe_passes * pixels(request) / pixels(probe);
   const double seconds = (report.grow_ms + trace.passes * pass_ms) / 1e3;
   return {trace.seconds > 0 ? std::min(seconds, trace.seconds) : seconds, safety};
 }

@@ -26,7 +26,7 @@ OPERATIONS = {
     "listScenes": "Server.scenes", "createScene": "Server.create", "describeScene": "Scene.info", "removeScene": "Scene.remove",
     "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "subdivide": "Scene.subdivide", "exportScene": "Scene.export", "openScene": "Server.open_file",
     "uploadEnvironment": "Scene.upload_environment", "uploadSkinTexture": "Scene.upload_skin_texture",
-    "uploadPicture": "Scene.upload_picture", "getMap": "Scene.download_map", "uploadMap": "Scene.upload_map",
+    "uploadPicture": "Scene.upload_picture", "getMap": "Scene.download_map", "uploadMap": "Scene.upload_map", "uploadGuides": "Scene.upload_guides",
     "runCommands": "Scene.run", "undo": "Scene.undo", "redo": "Scene.redo", "revert": "Scene.revert", "amend": "Scene.amend",
     "branch": "Scene.branch", "readLog": "Scene.log", "events": "Scene.follow", "readSettings": "Scene.settings",
     "listFrames": "Scene.frames_under_way", "drawFrame": "Scene.frame", "getFrame": "Scene.frame_address",
@@ -76,7 +76,7 @@ class Contract(unittest.TestCase):
 
     def test_requests_have_all_members(self):
         for name, schema, without in (("better_frames", "FrameRequest", {"revision"}), ("frame", "FrameRequest", {"progressive"}),
-                                      ("load", "ImportOptions", set()), ("upload_map", "MapUpload", set()),
+                                      ("load", "ImportOptions", set()), ("upload_map", "MapUpload", set()), ("upload_guides", "GuideUpload", set()),
                                       ("download_map", "MapRequest", set()), ("upload_environment", "EnvironmentUpload", set()),
                                       ("mesh", "MeshRequest", set()), ("subdivide", "Subdivide", set()), ("pick", "View", set())):
             with self.subTest(name):

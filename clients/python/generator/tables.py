@@ -70,6 +70,12 @@ REQUESTS = (
     Request("upload_map", "MapUpload", "CommandAnswer",
             "Reads a field from a picture through the model's texture coordinates, as one undo step.", ("field",),
             parameters=(("field", "Field", None, "The field."), PICTURE, AUTHOR, IF_MATCH, UPLOADED)),
+    Request("upload_guides", "GuideUpload", "CommandAnswer",
+            "Lets the fur follow guide curves in the model's coordinates, root first, as one undo step.",
+            optional=("format",),
+            parameters=(("curves", "Union[bytes, Path]", None,
+                         "The bytes of a file, or its path. `format` follows from the path's ending unless given."),
+                        AUTHOR, IF_MATCH, UPLOADED)),
     Request("map_array", "MapRequest", "NDArray[numpy.float32]",
             "A field as a NumPy array through the model's texture coordinates: float32 [size, size], or "
             "[size, size, channels], row 0 at the top. Numbers are over the scale.", ("field", "format"), parameters=(("field", "Field", None, "The field."),)),

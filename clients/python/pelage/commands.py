@@ -185,7 +185,7 @@ class Commands(Generic[R]):
         value.
 
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        keys: What fur is like at one place: a direction, a length or both. 1 to 256 items.
+        keys: What fur is like at one place: a direction, a length or both. 1 to 1024 items.
         sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27.
             Default 0.2.
         units: relative: sizes; world: the model's unit. Default "relative".
@@ -650,6 +650,7 @@ class Commands(Generic[R]):
         scale: Optional[float] = None,
         units: Optional[Units] = None,
         strength: Optional[float] = None,
+        tile: Optional[int] = None,
         edit_layer: Optional[str] = None,
         author: Optional[str] = None,
         dry_run: bool = False,
@@ -671,12 +672,14 @@ class Commands(Generic[R]):
             1e-27 to 1e+27. Default 1.
         units: Of a scale of lengths. relative: sizes; world: the model's unit. Default "relative".
         strength: How far the field goes to the picture's. 0 to 1. Default 1.
+        tile: UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture
+            repeats, and all do. 0 to 9999. Default 0.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
         """
         return self._run(
             {
                 "op": "map", "picture": picture, "field": field, "encoding": encoding, "scale": scale, "units": units,
-                "strength": strength, "edit_layer": edit_layer,
+                "strength": strength, "tile": tile, "edit_layer": edit_layer,
             },
             Options(author, dry_run, if_match),
         )

@@ -149,6 +149,19 @@ class Pictures(Requests):
         options = Options(author, False, if_match)
         return self._changed(self._upload(f"maps/{field}", read_whole(picture), members, options, progress))
 
+    def _upload_guides(
+        self,
+        members: Dict[str, Any],
+        curves: Union[bytes, Path],
+        author: Optional[str],
+        if_match: Optional[int],
+        progress: Optional[ReportProgress],
+    ) -> CommandAnswer:
+        ending = "" if isinstance(curves, bytes) else os.path.splitext(os.fspath(curves))[1][1:].lower()
+        query = {**members, "format": members["format"] or ending}
+        options = Options(author, False, if_match)
+        return self._changed(self._upload("guides", read_whole(curves), query, options, progress))
+
     def _map_array(self, members: Dict[str, Any], field: Field) -> NDArray[numpy.float32]:
         arrays.numpy_module()  # fails before anything is drawn
         return self._download_map({**members, "format": "npy"}, field).array()
@@ -181,7 +194,9 @@ class Pictures(Requests):
     # The model
 
     def _pick(self, members: Dict[str, Any], x: float, y: float) -> Pick:
-        request = {"view": frame_request(members), "pixel": [x, y]}
+        return self._place({"view": frame_request(members), "pixel": [x, y]})
+
+    def _place(self, request: Mapping[str, Any]) -> Pick:
         return cast(Pick, self._connection.post(f"{self._path}/pick", request, changes=False).json)
 
     def _mesh(self, members: Dict[str, Any]) -> bytes:

@@ -62,7 +62,7 @@ class Requests:
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
             "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference"
+            "light_occlusion", "shadow_width", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -107,7 +107,8 @@ class Requests:
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. Default "none".
+            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
+            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
         overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
             with it. 0 to 18446744073709551615.
         revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
@@ -147,7 +148,7 @@ class Requests:
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
             "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference"
+            "light_occlusion", "shadow_width", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -194,7 +195,8 @@ class Requests:
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. Default "none".
+            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
+            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
         overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
             with it. 0 to 18446744073709551615.
         revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
@@ -234,7 +236,7 @@ class Requests:
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
             "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference"
+            "light_occlusion", "shadow_width", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -278,7 +280,8 @@ class Requests:
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. Default "none".
+            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
+            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
         overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
             with it. 0 to 18446744073709551615.
         revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
@@ -312,7 +315,7 @@ class Requests:
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
             "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference"
+            "light_occlusion", "shadow_width", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -353,7 +356,8 @@ class Requests:
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. Default "none".
+            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
+            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
         overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
             with it. 0 to 18446744073709551615.
         revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
@@ -393,7 +397,7 @@ class Requests:
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
             "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference"
+            "light_occlusion", "shadow_width", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
     ) -> Iterator[Frame]:
@@ -437,7 +441,8 @@ class Requests:
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. Default "none".
+            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
+            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
         overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
             with it. 0 to 18446744073709551615.
         """
@@ -471,7 +476,7 @@ class Requests:
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
             "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference"
+            "light_occlusion", "shadow_width", "difference", "bald", "wire"
         ]] = None,
         progressive: Optional[Union[bool, Tracing]] = None,
         overlay_from: Optional[int] = None,
@@ -516,7 +521,8 @@ class Requests:
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. Default "none".
+            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
+            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
         progressive: Shells at once; strands of the same revision are then traced while somebody waits for them with
             `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to
             this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes,
@@ -545,6 +551,7 @@ class Requests:
         pose: Optional[str] = None,
         crease_degrees: Optional[float] = None,
         flip: Optional[Sequence[int]] = None,
+        two_sided: Optional[Sequence[int]] = None,
         length: Optional[float] = None,
         inclination: Optional[float] = None,
         form: Optional[Literal["even", "animal"]] = None,
@@ -565,6 +572,8 @@ class Requests:
             are lit by their own side alone; 180: none is. 0 to 180. Default 60.
         flip: Parts that are turned inside out, by the numbers that `doubtful_parts` of the answer gives. 0 to 1000
             items.
+        two_sided: Parts of one layer that get a back, so that fur grows on both sides, by the numbers that `sheets`
+            of the answer gives; the only part of a model is 1. 0 to 1000 items.
         length: Sizes. 0 to 10. Default 0.03.
         inclination: 0 upright, 1 lying. Where fur begins, ends and parts it stands up. 0 to 1. Default 0.45.
         form: animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in the model's
@@ -578,7 +587,8 @@ class Requests:
         return self._load(
             {
                 "format": format, "up": up, "front": front, "pose": pose, "crease_degrees": crease_degrees,
-                "flip": flip, "length": length, "inclination": inclination, "form": form, "fur_patches": fur_patches,
+                "flip": flip, "two_sided": two_sided, "length": length, "inclination": inclination, "form": form,
+                "fur_patches": fur_patches,
             },
             path,
             if_match,
@@ -622,6 +632,7 @@ class Requests:
         format: Optional[Literal["png", "png16", "exr", "exr_half", "npy"]] = None,
         size: Optional[int] = None,
         dilate: Optional[int] = None,
+        tile: Optional[int] = None,
     ) -> FieldMap:
         """A field as a square picture through the model's texture coordinates.
 
@@ -638,9 +649,13 @@ class Requests:
             Default "png16".
         size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
         dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
+        tile: UDIM tile to draw, from 1001; 0: all of them over one another. 0 to 9999. Default 0.
         """
         return self._download_map(
-            {"encoding": encoding, "scale": scale, "units": units, "format": format, "size": size, "dilate": dilate},
+            {
+                "encoding": encoding, "scale": scale, "units": units, "format": format, "size": size,
+                "dilate": dilate, "tile": tile,
+            },
             field,
         )
 
@@ -653,6 +668,7 @@ class Requests:
         scale: Optional[float] = None,
         units: Optional[Units] = None,
         strength: Optional[float] = None,
+        tile: Optional[int] = None,
         author: Optional[str] = None,
         if_match: Optional[int] = None,
         progress: Optional[ReportProgress] = None,
@@ -669,14 +685,48 @@ class Requests:
             1e-27 to 1e+27.
         units: Of a scale of lengths. Default "relative".
         strength: How far the field goes to the picture's. 0 to 1. Default 1.
+        tile: UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture
+            repeats, and all do. 0 to 9999. Default 0.
         author: Who makes the change, for the log; at most 200 bytes of UTF-8.
         if_match: A revision. At another one nothing is done, and `Conflict` is raised.
         progress: Called with how much of the file is sent.
         """
         return self._upload_map(
-            {"encoding": encoding, "scale": scale, "units": units, "strength": strength},
+            {"encoding": encoding, "scale": scale, "units": units, "strength": strength, "tile": tile},
             field,
             picture,
+            author,
+            if_match,
+            progress,
+        )
+
+    def upload_guides(
+        self,
+        curves: Union[bytes, Path],
+        *,
+        format: Optional[Literal["usda", "hair", "json"]] = None,
+        keys: Optional[int] = None,
+        sigma: Optional[float] = None,
+        strength: Optional[float] = None,
+        author: Optional[str] = None,
+        if_match: Optional[int] = None,
+        progress: Optional[ReportProgress] = None,
+    ) -> CommandAnswer:
+        """Lets the fur follow guide curves in the model's coordinates, root first, as one undo step.
+
+        curves: The bytes of a file, or its path. `format` follows from the path's ending unless given.
+        keys: Curves that are used at most, chosen evenly by their order; fewer where the model has so many vertices
+            that they would be too much work. 1 to 1024. Default 1024.
+        sigma: Width of the Gaussians that spread them, sizes; from the distance between roots unless given. 1e-06 to
+            1000000.
+        strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+        author: Who makes the change, for the log; at most 200 bytes of UTF-8.
+        if_match: A revision. At another one nothing is done, and `Conflict` is raised.
+        progress: Called with how much of the file is sent.
+        """
+        return self._upload_guides(
+            {"format": format, "keys": keys, "sigma": sigma, "strength": strength},
+            curves,
             author,
             if_match,
             progress,
@@ -691,6 +741,7 @@ class Requests:
         units: Optional[Units] = None,
         size: Optional[int] = None,
         dilate: Optional[int] = None,
+        tile: Optional[int] = None,
     ) -> NDArray[numpy.float32]:
         """A field as a NumPy array through the model's texture coordinates: float32 [size, size], or [size, size,
         channels], row 0 at the top. Numbers are over the scale.
@@ -705,9 +756,10 @@ class Requests:
         units: Of a scale of lengths. Default "relative".
         size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
         dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
+        tile: UDIM tile to draw, from 1001; 0: all of them over one another. 0 to 9999. Default 0.
         """
         return self._map_array(
-            {"encoding": encoding, "scale": scale, "units": units, "size": size, "dilate": dilate},
+            {"encoding": encoding, "scale": scale, "units": units, "size": size, "dilate": dilate, "tile": tile},
             field,
         )
 
@@ -715,11 +767,12 @@ class Requests:
         self,
         path: Path,
         *,
-        format: Optional[Literal["usda", "hair", "shells", "fields", "pelage"]] = None,
+        format: Optional[Literal["usda", "hair", "shells", "cards", "fields", "pelage"]] = None,
         every: Optional[int] = None,
         widen: Optional[bool] = None,
         curves: Optional[bool] = None,
         shells: Optional[int] = None,
+        cards: Optional[int] = None,
     ) -> ExportAbout:
         """Writes the groom to a file in another program's format. The file appears whole or not at all.
 
@@ -729,20 +782,22 @@ class Requests:
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
         curves: With whiskers, lashes and brows. Default true.
         shells: Layers of `shells`. 1 to 32. Default 16.
+        cards: Of the finest level of `cards`, about. 100 to 200000. Default 6000.
         """
         return self._export(
-            {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells},
+            {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells, "cards": cards},
             path,
         )
 
     def export_about(
         self,
         *,
-        format: Literal["usda", "hair", "shells", "fields", "pelage"],
+        format: Literal["usda", "hair", "shells", "cards", "fields", "pelage"],
         every: Optional[int] = None,
         widen: Optional[bool] = None,
         curves: Optional[bool] = None,
         shells: Optional[int] = None,
+        cards: Optional[int] = None,
     ) -> ExportAbout:
         """What such a file would hold; nothing is written.
 
@@ -751,9 +806,10 @@ class Requests:
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
         curves: With whiskers, lashes and brows. Default true.
         shells: Layers of `shells`. 1 to 32. Default 16.
+        cards: Of the finest level of `cards`, about. 100 to 200000. Default 6000.
         """
         return self._export_about(
-            {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells},
+            {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells, "cards": cards},
         )
 
     def pick(
@@ -885,6 +941,16 @@ class Requests:
         members: Dict[str, Any],
         field: Field,
         picture: Union[bytes, Path],
+        author: Optional[str],
+        if_match: Optional[int],
+        progress: Optional[ReportProgress],
+    ) -> CommandAnswer:
+        raise NotImplementedError
+
+    def _upload_guides(
+        self,
+        members: Dict[str, Any],
+        curves: Union[bytes, Path],
         author: Optional[str],
         if_match: Optional[int],
         progress: Optional[ReportProgress],

@@ -21,6 +21,7 @@ from .schemas import (
     FoldCount,
     FrameProgress,
     LogEntry,
+    Pick,
     SceneInfo,
     Settings,
     StoredPicture,
@@ -199,6 +200,28 @@ class Scene(Commands[CommandAnswer], Pictures):
         content = read_whole(picture)
         answer = self._connection.put(f"{self._path}/pictures", content, repeatable=True, progress=progress)
         return cast(StoredPicture, answer.json)
+
+    def pick_ray(self, origin: Sequence[float], direction: Sequence[float]) -> Pick:
+        """The first place of the surface that a ray hits; `{"hit": False}` where it passes by. Model coordinates."""
+        return self._place({"ray": {"origin": list(origin), "direction": list(direction)}})
+
+    def pick_farthest(
+        self,
+        direction: Sequence[float],
+        min: Optional[Sequence[float]] = None,
+        max: Optional[Sequence[float]] = None,
+    ) -> Pick:
+        """The place that lies farthest along a direction, as the tip of an ear, of what lies in a box.
+
+        min, max: The lowest and the highest corner of the box, model coordinates; the whole model without them.
+        """
+        corners = {"min": min, "max": max}
+        box = {name: list(corner) for name, corner in corners.items() if corner is not None}
+        return self._place({"farthest": {"direction": list(direction), **box}})
+
+    def pick_nearest(self, position: Sequence[float]) -> Pick:
+        """The place of the surface that is nearest to a position in model coordinates."""
+        return self._place({"nearest": list(position)})
 
     def set_map_array(self, field: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
         """Reads a field from an array [height, width] or [height, width, channels] as from a picture.

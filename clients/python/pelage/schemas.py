@@ -53,6 +53,10 @@ skin below, of an eye's ball and cornea. tangent: of fur, hairs and curves, from
 eyes. direct: what lights add, without the ambient part. shadow: share of that light that shadows leave, 1 where
 none comes and on eyes, which take no shadow. shell_count: shells drawn at the pixel; hairs and curves are none.
 """
+PickRequest = Union[Dict[str, Any]]
+"""Which place is meant: what lies under a pixel of a view; or the first that a ray hits, the farthest along a
+direction, or the nearest to a point.
+"""
 
 
 class Sample(TypedDict, total=False):
@@ -295,6 +299,8 @@ class Map(_MapRequired, total=False):
         to 1e+27. Default 1.
     units: Of a scale of lengths. relative: sizes; world: the model's unit. Default "relative".
     strength: How far the field goes to the picture's. 0 to 1. Default 1.
+    tile: UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture repeats,
+        and all do. 0 to 9999. Default 0.
     edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
     """
 
@@ -303,7 +309,42 @@ class Map(_MapRequired, total=False):
     scale: float
     units: Units
     strength: float
+    tile: int
     edit_layer: str
+
+
+class _MapRequestRequired(TypedDict):
+    field: Field
+
+
+class MapRequest(_MapRequestRequired, total=False):
+    """The contract's MapRequest.
+
+    field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density,
+        bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's.
+        root_colour and tip_colour: linear colour and how much it covers.
+    encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v
+        in red and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and
+        length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
+        Default "automatic".
+    scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length. Unless
+        given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
+    units: Of a scale of lengths. Default "relative".
+    format: 8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size] or [size, size,
+        channels], rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.
+        Default "png16".
+    size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
+    dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
+    tile: UDIM tile to draw, from 1001; 0: all of them over one another. 0 to 9999. Default 0.
+    """
+
+    encoding: MapEncoding
+    scale: float
+    units: Units
+    format: Literal["png", "png16", "exr", "exr_half", "npy"]
+    size: int
+    dilate: int
+    tile: int
 
 
 class _MaskRequired(TypedDict):
@@ -418,6 +459,22 @@ class Eye(_EyeRequired, total=False):
     wetness: float
 
 
+class _PickFarthestRequired(TypedDict):
+    direction: Direction
+
+
+class PickFarthest(_PickFarthestRequired, total=False):
+    """The place of the surface that lies farthest along a direction, of what lies in a box: the tip of an ear.
+
+    direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items.
+    min: Lowest corner of the box; the whole model unless given. 3 items.
+    max: Highest corner of the box. With `min`, and nowhere below it. 3 items.
+    """
+
+    min: Position
+    max: Position
+
+
 class Knobs(TypedDict, total=False):
     """What is not given is as in the interactive tier.
 
@@ -527,7 +584,8 @@ class FrameRequest(TypedDict, total=False):
         it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion: white where skin
         that faces the light lies deeper than what the light sees. shadow_width: the same, reduced and enlarged again.
         Refused where the knob shadow_maps is off, no light casts a shadow, or that light stands too near the model
-        for one map. Default "none".
+        for one map. bald and wire hide the frame too: the skin in plain grey without its fur, to find places on it,
+        and the same with the edges of its triangles. Default "none".
     progressive: Shells at once; strands of the same revision are then traced while somebody waits for them with
         `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to this
         same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes, the same
@@ -557,11 +615,40 @@ class FrameRequest(TypedDict, total=False):
     aovs: Sequence[Aov]
     overlay: Literal[
         "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-        "light_occlusion", "shadow_width", "difference"
+        "light_occlusion", "shadow_width", "difference", "bald", "wire"
     ]
     progressive: Union[bool, Tracing]
     overlay_from: int
     revision: int
+
+
+class _MapUploadRequired(TypedDict):
+    field: Field
+
+
+class MapUpload(_MapUploadRequired, total=False):
+    """The contract's MapUpload.
+
+    field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density,
+        bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's.
+        root_colour and tip_colour: linear colour and how much it covers.
+    encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v
+        in red and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and
+        length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
+        Default "automatic".
+    scale: What 1 in the picture stands for. With neither it nor `units`: what the file says of itself, else 1. 1e-27
+        to 1e+27.
+    units: Of a scale of lengths. Default "relative".
+    strength: How far the field goes to the picture's. 0 to 1. Default 1.
+    tile: UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture repeats,
+        and all do. 0 to 9999. Default 0.
+    """
+
+    encoding: MapEncoding
+    scale: float
+    units: Units
+    strength: float
+    tile: int
 
 
 class MapAbout(TypedDict):
@@ -578,6 +665,7 @@ class MapAbout(TypedDict):
     units: relative: sizes; world: the model's unit.
     covered: Share of the pixels that lie in triangles. 0 to 1.
     outside: Triangles with a part outside [0, 1], drawn where a picture that repeats shows them. At least 0.
+    tiles: UDIM tiles that the model has texture coordinates in.
     """
 
     revision: int
@@ -587,6 +675,7 @@ class MapAbout(TypedDict):
     units: Units
     covered: float
     outside: int
+    tiles: Sequence[int]
 
 
 class _StoredPictureRequired(TypedDict):
@@ -742,7 +831,7 @@ class Interpolate(_InterpolateRequired, total=False):
     """Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its value.
 
     edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-    keys: What fur is like at one place: a direction, a length or both. 1 to 256 items.
+    keys: What fur is like at one place: a direction, a length or both. 1 to 1024 items.
     sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27. Default
         0.2.
     units: relative: sizes; world: the model's unit. Default "relative".
@@ -1785,7 +1874,8 @@ class CommandBatch(TypedDict):
 class AmendRequest(TypedDict):
     """The contract's AmendRequest.
 
-    revision: That made the step, or joined it, as in the log. 0 to 18446744073709551615.
+    revision: That made, joined or replayed the step, as in the log, or the number of the step. 0 to
+        18446744073709551615.
     commands: What takes its place; strokes are whole. None leaves the step out. 0 to 1000 items.
     """
 
@@ -1834,18 +1924,15 @@ class Subdivide(TypedDict, total=False):
     masked: bool
 
 
-class _PickRequestRequired(TypedDict):
-    pixel: Sequence[float]
+class PickRay(TypedDict):
+    """The first place of the surface that it hits, from either side.
 
-
-class PickRequest(_PickRequestRequired, total=False):
-    """The contract's PickRequest.
-
-    view: The frame that a pixel belongs to.
-    pixel: Pixels from the top left, within the view. 2 items.
+    origin: In the model's unit; within 1000000 sizes of the model's centre. 3 items.
+    direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items.
     """
 
-    view: View
+    origin: Position
+    direction: Direction
 
 
 class _ImportOptionsRequired(TypedDict):
@@ -1863,6 +1950,8 @@ class ImportOptions(_ImportOptionsRequired, total=False):
     crease_degrees: An edge whose triangles' normals differ by more is seen as an edge, and skin and fur beside it are
         lit by their own side alone; 180: none is. 0 to 180. Default 60.
     flip: Parts that are turned inside out, by the numbers that `doubtful_parts` of the answer gives. 0 to 1000 items.
+    two_sided: Parts of one layer that get a back, so that fur grows on both sides, by the numbers that `sheets` of
+        the answer gives; the only part of a model is 1. 0 to 1000 items.
     length: Sizes. 0 to 10. Default 0.03.
     inclination: 0 upright, 1 lying. Where fur begins, ends and parts it stands up. 0 to 1. Default 0.45.
     form: animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in the model's
@@ -1877,6 +1966,7 @@ class ImportOptions(_ImportOptionsRequired, total=False):
     pose: str
     crease_degrees: float
     flip: Sequence[int]
+    two_sided: Sequence[int]
     length: float
     inclination: float
     form: Literal["even", "animal"]
@@ -1906,64 +1996,6 @@ class AtRevision(TypedDict, total=False):
     revision: int
 
 
-class _MapRequestRequired(TypedDict):
-    field: Field
-
-
-class MapRequest(_MapRequestRequired, total=False):
-    """The contract's MapRequest.
-
-    field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density,
-        bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's.
-        root_colour and tip_colour: linear colour and how much it covers.
-    encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v
-        in red and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and
-        length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
-        Default "automatic".
-    scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length. Unless
-        given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
-    units: Of a scale of lengths. Default "relative".
-    format: 8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size] or [size, size,
-        channels], rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.
-        Default "png16".
-    size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
-    dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
-    """
-
-    encoding: MapEncoding
-    scale: float
-    units: Units
-    format: Literal["png", "png16", "exr", "exr_half", "npy"]
-    size: int
-    dilate: int
-
-
-class _MapUploadRequired(TypedDict):
-    field: Field
-
-
-class MapUpload(_MapUploadRequired, total=False):
-    """The contract's MapUpload.
-
-    field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density,
-        bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's.
-        root_colour and tip_colour: linear colour and how much it covers.
-    encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and +v
-        in red and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector: direction and
-        length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
-        Default "automatic".
-    scale: What 1 in the picture stands for. With neither it nor `units`: what the file says of itself, else 1. 1e-27
-        to 1e+27.
-    units: Of a scale of lengths. Default "relative".
-    strength: How far the field goes to the picture's. 0 to 1. Default 1.
-    """
-
-    encoding: MapEncoding
-    scale: float
-    units: Units
-    strength: float
-
-
 class MeshRequest(TypedDict, total=False):
     """The contract's MeshRequest.
 
@@ -1973,8 +2005,27 @@ class MeshRequest(TypedDict, total=False):
     triangles: int
 
 
+class _GuideUploadRequired(TypedDict):
+    format: Literal["usda", "hair", "json"]
+
+
+class GuideUpload(_GuideUploadRequired, total=False):
+    """The contract's GuideUpload.
+
+    keys: Curves that are used at most, chosen evenly by their order; fewer where the model has so many vertices that
+        they would be too much work. 1 to 1024. Default 1024.
+    sigma: Width of the Gaussians that spread them, sizes; from the distance between roots unless given. 1e-06 to
+        1000000.
+    strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+    """
+
+    keys: int
+    sigma: float
+    strength: float
+
+
 class _ExportRequestRequired(TypedDict):
-    format: Literal["usda", "hair", "shells", "fields", "pelage"]
+    format: Literal["usda", "hair", "shells", "cards", "fields", "pelage"]
 
 
 class ExportRequest(_ExportRequestRequired, total=False):
@@ -1985,12 +2036,14 @@ class ExportRequest(_ExportRequestRequired, total=False):
     widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
     curves: With whiskers, lashes and brows. Default true.
     shells: Layers of `shells`. 1 to 32. Default 16.
+    cards: Of the finest level of `cards`, about. 100 to 200000. Default 6000.
     """
 
     every: int
     widen: bool
     curves: bool
     shells: int
+    cards: int
 
 
 class ExportAbout(TypedDict):
@@ -1999,15 +2052,17 @@ class ExportAbout(TypedDict):
     revision: At least 0.
     strands: With whiskers, lashes and brows; 0 of a GLB. At least 0.
     points: Of all strands. At least 0.
-    triangles: Of a GLB: of the skin and of all layers. At least 0.
+    triangles: Of a GLB: of the skin and of all layers, or of the finest level of cards. At least 0.
+    cards: Of the finest level. At least 0.
     bytes: Of the file. At least 0.
     """
 
     revision: int
-    format: Literal["usda", "hair", "shells", "fields", "pelage"]
+    format: Literal["usda", "hair", "shells", "cards", "fields", "pelage"]
     strands: int
     points: int
     triangles: int
+    cards: int
     bytes: int
 
 
@@ -2037,10 +2092,10 @@ class Repair(_RepairRequired, total=False):
     names: Sequence[str]
 
 
-class DoubtfulPart(TypedDict):
-    """The contract's DoubtfulPart.
+class NumberedPart(TypedDict):
+    """The contract's NumberedPart.
 
-    part: Its number, from 1, as `flip` takes it. 1 to 2000000.
+    part: Its number, from 1, as `flip` and `two_sided` take it. 1 to 2000000.
     triangles: At least 0.
     centre: Of its box. 3 items.
     """
@@ -2083,6 +2138,8 @@ class SceneInfo(TypedDict):
     animations: Names of those that the file has.
     repairs: What was mended, and what was left out.
     doubtful_parts: Open parts that may be inside out: what little they enclose says so. `flip` turns one.
+    sheets: Of several parts those of one layer: open, and enclosing next to nothing. They are bare behind;
+        `two_sided` gives one a back.
     undo_steps: At least 0.
     redo_steps: At least 0.
     edit_layers: Edit layers, from the lowest. 0 to 14 items.
@@ -2106,7 +2163,8 @@ class SceneInfo(TypedDict):
     pose: str
     animations: Sequence[str]
     repairs: Sequence[Repair]
-    doubtful_parts: Sequence[DoubtfulPart]
+    doubtful_parts: Sequence[NumberedPart]
+    sheets: Sequence[NumberedPart]
     fields_hash: FieldsHash
     undo_steps: int
     redo_steps: int
@@ -2238,6 +2296,7 @@ class Settings(TypedDict):
 class _LogEntryRequired(TypedDict):
     revision: int
     kind: Literal["do", "join", "undo", "redo", "revert", "replay"]
+    step: int
     touched: int
     in_effect: bool
     author: str
@@ -2248,6 +2307,8 @@ class LogEntry(_LogEntryRequired, total=False):
 
     revision: At least 0.
     kind: `join` and `replay` belong to the undo step of the entry before.
+    step: Number of the step whose commands these are: the revision that made it first. An `amend` leaves it to the
+        step that it changes and to those that it replays. 0 of undo, redo and revert. At least 0.
     touched: At least 0.
     in_effect: Whether its commands are among those that lead to the present: they can be amended.
     author: The `Pelage-Author` of the request that made it; empty where none was named.

@@ -9,6 +9,7 @@
 #include "server/builtin/builtin.h"
 #include "server/guides/guide_curves.h"
 #include "server/guides/guide_keys.h"
+#include "server/surface/prepare.h"
 
 namespace pelage::guides_test {
 namespace {
@@ -138,7 +139,7 @@ TEST(Guides, OfJson) {
   EXPECT_NE(refusal(GuideFormat::json, "[]").find("curves"), std::string::npos);
 }
 
-Surface ball() { return Surface(make_builtin({Builtin::sphere, 2000})); }
+Surface ball() { return Surface(prepare(make_builtin({Builtin::sphere, 2000})).value()); }
 
 /// The strand of a coat, drawn as a curve, becomes the key that it was drawn from.
 TEST(GuideKeys, HaveTheLeanOfTheStrand) {
@@ -160,7 +161,9 @@ TEST(GuideKeys, HaveTheLeanOfTheStrand) {
       const Key& key = found.keys.front();
       EXPECT_NEAR(*key.inclination, inclination, 1e-3);
       EXPECT_NEAR(*key.length, 0.04, 1e-4);
-      if (inclination > 0) EXPECT_NEAR(glm::dot(*key.direction, along), 1, 1e-6);
+      if (inclination > 0) {
+        EXPECT_NEAR(glm::dot(*key.direction, along), 1, 1e-6);
+      }
     }
   }
 }

@@ -79,8 +79,8 @@ TEST(Encode, LogHoldsCommandsAsJson) {
        {.revision = 2, .kind = "undo", .commands = "", .touched = 5}}});
   EXPECT_EQ(
       text,
-      R"({"entries":[{"revision":1,"kind":"do","touched":5,"in_effect":true,"author":"Ann","commands":{"op":"comb"}},)"
-      R"({"revision":2,"kind":"undo","touched":5,"in_effect":false,"author":""}]})");
+      R"({"entries":[{"revision":1,"kind":"do","step":0,"touched":5,"in_effect":true,"author":"Ann","commands":{"op":"comb"}},)"
+      R"({"revision":2,"kind":"undo","step":0,"touched":5,"in_effect":false,"author":""}]})");
   EXPECT_EQ(encode(*decode_answer<Log>(text)), text);
 }
 

@@ -196,41 +196,48 @@ TEST(ParseGltf, SkinsStandAsTheirJointsSay) {
   EXPECT_NEAR(glm::length(model.positions[2] - glm::dvec3(0, 6, 0)), 0, 1e-6);
 }
 
-/// A triangle with a target that moves all by 4 along z, whose mesh has a weight of a quarter.
-std::string morphed(const char* nodes) {
-  const std::string bytes =
-      "data:application/octet-stream;base64,"
-      "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBA";
-  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": )" + std::string(nodes) +
-         R"(,
+/// A triangle with a target that moves all by 4 along z, whose mesh has a weight of a quarter. `buffer`: where its
+/// 72 bytes are.
+std::string morphed(const std::string& nodes, const std::string& buffer) {
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": )" + nodes + R"(,
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 1}]}], "weights": [0.25]}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
                   {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 4], "max": [0, 0, 4]}],
     "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36}],
-    "buffers": [{"byteLength": 72, "uri": ")" +
-         bytes + R"("}]})";
+    "buffers": [{"byteLength": 72)" +
+         buffer + "}]}";
+}
+
+constexpr const char* in_base64 =
+    R"(, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBAAAAAAAAAAAAAAIBA")";
+
+template <class T>
+std::string bytes_of(T value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
 std::string glb_of(std::string document) {
   document.resize((document.size() + 3) / 4 * 4, ' ');
-  const auto number = [](std::size_t value) {
-    const auto word = static_cast<std::uint32_t>(value);
-    return std::string(reinterpret_cast<const char*>(&word), sizeof word);
+  std::string binary;
+  for (const float number : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 4, 0, 0, 4}) binary += bytes_of(number);
+  const auto chunk = [](const std::string& type, const std::string& data) {
+    return bytes_of(static_cast<std::uint32_t>(data.size())) + type + data;
   };
-  return "glTF" + number(2) + number(20 + document.size()) + number(document.size()) + "JSON" + document;
+  const std::string chunks = chunk("JSON", document) + chunk(std::string("BIN\0", 4), binary);
+  return "glTF" + bytes_of(std::uint32_t{2}) + bytes_of(static_cast<std::uint32_t>(12 + chunks.size())) + chunks;
 }
 
 TEST(ParseGltf, MorphTargetsCountByTheirWeights) {
-  const RawModel model = parsed(ModelFormat::gltf, morphed(R"([{"mesh": 0}])"));
+  const RawModel model = parsed(ModelFormat::gltf, morphed(R"([{"mesh": 0}])", in_base64));
   ASSERT_EQ(model.positions.size(), 3u);
   EXPECT_NEAR(glm::length(model.positions[1] - glm::dvec3(1, 0, 1)), 0, 1e-6);
 }
 
 /// Two nodes share a mesh, and one of them has another weight.
 TEST(ParseGltf, WeightsOfANodeTakeThePlaceOfItsMeshs) {
-  const std::string document = morphed(R"([{"mesh": 0, "weights": [0.75], "children": [1]}, {"mesh": 0}])");
-  for (const auto& [format, bytes] :
-       {std::pair(ModelFormat::gltf, document), std::pair(ModelFormat::glb, glb_of(document))}) {
+  const std::string nodes = R"([{"mesh": 0, "weights": [0.75], "children": [1]}, {"mesh": 0}])";
+  for (const auto& [format, bytes] : {std::pair(ModelFormat::gltf, morphed(nodes, in_base64)),
+                                      std::pair(ModelFormat::glb, glb_of(morphed(nodes, "")))}) {
     const RawModel model = parsed(format, bytes);
     ASSERT_EQ(model.positions.size(), 6u);
     EXPECT_NEAR(model.positions[1].z, 3, 1e-6) << "its own weight";

@@ -1,5 +1,5 @@
 // Bundles the page, three.js and the exported files into one HTML file.
-// usage: node build.mjs PACKAGES FOLDER     reads FOLDER/{shells,fields}.glb and scene.json, writes FOLDER/index.html
+// usage: node build.mjs PACKAGES FOLDER     reads FOLDER/{shells,cards,fields}.glb and scene.json, writes FOLDER/index.html
 import {readFileSync, renameSync, writeFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {dirname, join, resolve} from "node:path";

@@ -1,7 +1,8 @@
-// Shows the same groom twice: #shells as glTF alone has it, #shader with shells that a shader makes of the fields.
+// Shows the same groom as glTF alone has it, #shells and #cards, and with shells that a shader makes of the fields, #shader.
 import * as three from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import {GLTFLoader} from "three/examples/jsm/loaders/GLTFLoader.js";
+import cards from "exported/cards.glb";
 import fields from "exported/fields.glb";
 import about from "exported/scene.json";
 import shells from "exported/shells.glb";
@@ -50,10 +51,21 @@ function addShells({scene: model}) {
   scene.add(model);
 }
 
+/** The scene of the finest level; edges of strands are smoothed by the samples of a pixel. */
+function addCards({scene: model}) {
+  model.traverse((part) => {
+    if (!part.material?.map) return;
+    part.material.alphaToCoverage = true;
+    part.material.map.anisotropy = anisotropy;
+  });
+  scene.add(model);
+}
+
 async function show() {
   globalThis.createImageBitmap = undefined;  // pictures as elements: a headless browser waits for these alone
   const loader = new GLTFLoader();
-  if (location.hash === "#shader") scene.add(shellsOf((await loader.parseAsync(fields.buffer, "")).scene, {...about, anisotropy}));
+  if (location.hash === "#cards") addCards(await loader.parseAsync(cards.buffer, ""));
+  else if (location.hash === "#shader") scene.add(shellsOf((await loader.parseAsync(fields.buffer, "")).scene, {...about, anisotropy}));
   else addShells(await loader.parseAsync(shells.buffer, ""));
   controls.update();
   draw();

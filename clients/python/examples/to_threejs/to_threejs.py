@@ -1,10 +1,10 @@
-"""Takes a groom to a web page of three.js: as shells that any viewer of glTF shows, and as a mesh for a shader of the page.
+"""Takes a groom to a web page of three.js: as shells and as cards that any viewer of glTF shows, and as a mesh for a shader of the page.
 
     npm ci --ignore-scripts --prefix clients/web       # three.js and esbuild, those of the studio
     python3 clients/python/examples/to_threejs/to_threejs.py --output page
 
-Writes page/index.html, which opens without a server: pictures, models and three.js are in it. `index.html#shells` and
-`index.html#shader` choose what is drawn first; drag to turn. With --chromium it also takes a picture of both and lays them
+Writes page/index.html, which opens without a server: pictures, models and three.js are in it. `index.html#shells`,
+`#cards` and `#shader` choose what is drawn; drag to turn. With --chromium it also takes a picture of each and lays them
 beside our frame of the same camera in page/sheet.png. Needs Pillow, and node 18 or newer.
 """
 
@@ -24,8 +24,8 @@ import pelage  # noqa: E402
 from pelage.files import write_whole  # noqa: E402
 from pelage.schemas import PinholeCamera  # noqa: E402
 
-EXPORTS: Sequence[Literal["shells", "fields"]] = ("shells", "fields")
-PICTURES = {"shells": "three.js, shells", "shader": "three.js, our shader"}
+EXPORTS: Sequence[Literal["shells", "cards", "fields"]] = ("shells", "cards", "fields")
+PICTURES = {"shells": "three.js, shells", "cards": "three.js, cards", "shader": "three.js, our shader"}
 HEADLESS = [
     "--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     "--hide-scrollbars", "--virtual-time-budget=60000",
