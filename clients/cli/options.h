@@ -18,6 +18,7 @@ enum class Action {
   get_map,
   put_map,
   put_picture,
+  put_guides,
   run,
   frame,
   export_fur,
@@ -72,6 +73,7 @@ struct Options {
   // map
   std::string field;
   Parameters map_parameters;  // as in the address of the map
+  Parameters guide_parameters;
   // export
   Parameters export_parameters;  // as in the address of the file
   // run, amend, frame and export

@@ -34,16 +34,16 @@ struct Shape {
     return seen[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)];
   }
 
-  /// Brightest where the skin faces the eye.
+  /// Brightest where the skin is front-facing.
   float grey_at(int x, int y) const {
     const VisibleTriangle& here = at(x, y);
     if (!here.there()) return behind;
     const glm::uvec3 t = mesh.triangles[here.triangle];
     const auto between = [&](const auto& values) { return at_visible(here, values[t.x], values[t.y], values[t.z]); };
-    const glm::vec3 to_eye = frame.camera.position - between(mesh.positions);
+    const glm::vec3 to_camera = frame.camera.position - between(mesh.positions);
     const glm::vec3 normal = between(mesh.normals);
-    const float lengths = glm::length(normal) * glm::length(to_eye);
-    const float facing = lengths > 0 ? std::abs(glm::dot(normal, to_eye)) / lengths : 0.0f;
+    const float lengths = glm::length(normal) * glm::length(to_camera);
+    const float facing = lengths > 0 ? std::abs(glm::dot(normal, to_camera)) / lengths : 0.0f;
     return glm::mix(darkest, lightest, facing);
   }
 

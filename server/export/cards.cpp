@@ -16,8 +16,8 @@ namespace pelage {
 
 namespace {
 
-constexpr double overlap = 1.9;      // width of a card over the distance to the next
-constexpr double most_turned = 0.4;  // around its middle line, radians
+constexpr double overlap = 1.9;   // width of a card over the distance to the next
+constexpr double max_turn = 0.4;  // around its middle line, radians
 
 /// Rows of quads of each level.
 constexpr std::array<std::size_t, card_levels> rows_of_level{CardLine::rows - 1, 3, 2};
@@ -41,7 +41,7 @@ glm::vec3 level_of(const CardLine& clump, glm::vec3 along) {
 
 /// From the middle of the card to its right side, unit.
 glm::vec3 side_of(const CardLine& clump, glm::vec3 level, glm::vec3 along) {
-  const auto turn = static_cast<float>(most_turned * (2 * std::fmod(7.0 * double{clump.number}, 1.0) - 1));
+  const auto turn = static_cast<float>(max_turn * (2 * std::fmod(7.0 * double{clump.number}, 1.0) - 1));
   const glm::vec3 across = glm::cross(along, level);
   const float length = glm::length(across);
   if (!(length > 1e-12f)) return glm::normalize(glm::cross(level, clump.normal) + 1e-6f * clump.normal);

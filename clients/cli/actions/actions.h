@@ -14,6 +14,7 @@ ExitCode load_environment(Session& session);
 ExitCode load_skin_texture(Session& session);
 ExitCode get_map(Session& session);
 ExitCode put_map(Session& session);
+ExitCode put_guides(Session& session);
 ExitCode put_picture(Session& session);
 ExitCode list_scenes(Session& session);
 ExitCode describe_scene(Session& session);

@@ -22,18 +22,20 @@ Query checked_query(const Options& options) {
   return query;
 }
 
-/// The address of the field's map. The decoder took every value, so that none needs escaping but the + of a number,
-/// which means nothing there.
-std::string map_address(const std::string& scene_path, const Options& options) {
-  std::string address = scene_path + "/maps/" + options.field;
+/// The decoder took every value, so that none needs escaping but the + of a number, which means nothing there.
+std::string address_with(std::string address, const Parameters& parameters) {
   char separator = '?';
-  for (const auto& [parameter, value] : options.map_parameters) {
+  for (const auto& [parameter, value] : parameters) {
     std::string plain = value;
     std::erase(plain, '+');
     address += separator + parameter + "=" + plain;
     separator = '&';
   }
   return address;
+}
+
+std::string map_address(const std::string& scene_path, const Options& options) {
+  return address_with(scene_path + "/maps/" + options.field, options.map_parameters);
 }
 
 }  // namespace
@@ -67,6 +69,20 @@ ExitCode put_map(Session& session) {
   const auto path = session.scene_path();
   if (!path) return report(path.status());
   return print_change(session, put_with_progress(session, map_address(*path, options), *bytes), options.file);
+}
+
+ExitCode put_guides(Session& session) {
+  const Options& options = session.options();
+  static const Endings endings{{"", "usda"}, {".usda", "usda"}, {".hair", "hair"}, {".json", "json"}};
+  const Result<Parameters> parameters = with_format(options.guide_parameters, options.file, endings);
+  if (!parameters) return report(parameters.status());
+  if (const auto checked = decode_guide_query(*parameters); !checked) return report(checked.status());
+  const auto bytes = read_file(options.file, limits::guide_bytes);
+  if (!bytes) return report(bytes.status(), options.file);
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const std::string address = address_with(*path + "/guides", *parameters);
+  return print_change(session, put_with_progress(session, address, *bytes), options.file);
 }
 
 ExitCode put_picture(Session& session) {

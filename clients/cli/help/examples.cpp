@@ -57,6 +57,7 @@ constexpr Example all_examples[] = {
     {"map get", "pelage map get fox length -o length.exr"},
     {"map put", "pelage map put fox density density.png --strength 0.5"},
     {"map upload", "pelage map upload fox mask.png"},
+    {"guides", "pelage guides fox guides.usda"},
     {"completions", "pelage completions bash > ~/.local/share/bash-completion/completions/pelage"},
     {"completions", "pelage completions zsh > ~/.zfunc/_pelage"},
     {"completions", "pelage completions fish > ~/.config/fish/completions/pelage.fish"},

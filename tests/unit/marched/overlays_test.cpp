@@ -114,7 +114,7 @@ TEST(Overlays, TheNearestIsShown) {
   }
 }
 
-/// The square's diagonal runs from its lower left to its upper right corner; skin that faces the eye is lightest.
+/// The square's diagonal runs from its lower left to its upper right corner; skin that is front-facing is lightest.
 TEST(Overlays, TheShapeHidesTheFrame) {
   const Squares square = one_square();
   const FloatImage bald = shape_overlay(frame_of(Overlay::bald), square.mesh(), 2);
