@@ -16,103 +16,37 @@ import time
 from pages import GROOMS, PAGES
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs"))
+from schema_rows import Schemas  # noqa: E402
+
 BIN = pathlib.Path(os.environ.get("PELAGE_BIN", ROOT / "build" / "release" / "bin"))
 SHARED = pathlib.Path(os.environ.get("PELAGE_SHARED", ROOT.parent / "shared")) / "meshes"
 FOLDER = ROOT / "docs" / "tools"
-SCHEMAS = json.loads((BIN / "openapi.json").read_text(encoding="utf-8"))["components"]["schemas"]
+SCHEMAS = Schemas(json.loads((BIN / "openapi.json").read_text(encoding="utf-8"))["components"]["schemas"])
 VIEW = ["--width", "420", "--height", "420", "--knob", "shells=24", "--knob", "shadow_maps=true", "--knob", "scale=1.5"]
-NO_LIMIT = 1e20  # bounds as large as these only say that a number is finite; the words say the real ones
-
 
 # Tables
 
-def resolved(schema):
-    """A schema with what it refers to; its own words and default come first."""
-    if "$ref" not in schema:
-        return schema
-    return {**resolved(SCHEMAS[schema["$ref"].split("/")[-1]]), **{k: v for k, v in schema.items() if k != "$ref"}}
-
-
-def short(number):
-    return str(int(number)) if number == int(number) else f"{number:g}"
-
-
-def bounds(low, high, low_open=False):
-    low_known, high_known = low is not None and abs(low) < NO_LIMIT and not low_open, high is not None and high < NO_LIMIT
-    if low_known and high_known:
-        return f" {short(low)} to {short(high)}"
-    return f" {short(low)} or more" if low_known else f" up to {short(high)}" if high_known else ""
-
-
-# What stands in so many tables that its own words would only repeat themselves.
-KNOWN = {"Position": "3 numbers, the model's coordinates", "Direction": "3 numbers; only where they point counts",
-         "Colour": "`#rrggbb` (sRGB) or 3 linear numbers, 0 to 1", "Camera": "`auto`, or `position`, `target`, `up`, `fov_degrees`"}
-
-
-def required_of(schema):
-    """Members that are always required, by the schema itself or by a rule that is written for it."""
-    return schema.get("required", []) + [name for rule in schema.get("allOf", []) for name in rule.get("required", [])]
-
-
-def values(schema):
-    """What a member may be, in words."""
-    known = schema.get("$ref", "").split("/")[-1]
-    if known in KNOWN:
-        return KNOWN[known]
-    schema = resolved(schema)
-    if "enum" in schema:
-        return ", ".join(map(str, schema["enum"]))
-    if "oneOf" in schema:
-        return " or ".join(values(one) for one in schema["oneOf"])
-    kind = schema.get("type", "any")
-    if kind in ("number", "integer"):
-        low = schema.get("minimum")
-        return kind + bounds(low, schema.get("maximum"), low is not None and 0 < low < 1e-20)
-    if kind == "array":
-        count = bounds(schema.get("minItems", 0), schema.get("maxItems"))
-        if schema.get("minItems") == schema.get("maxItems"):
-            count = f" {schema['maxItems']}"
-        return f"list of{count}: {values(schema['items'])}"
-    if kind == "string":
-        return "text of" + bounds(schema.get("minLength", 0), schema.get("maxLength")) + " bytes"
-    return "true or false" if kind == "boolean" else kind
-
-
-def linked(name, schema):
+def linked(row):
     """Members that have a page or a table of their own."""
-    target = schema.get("$ref", schema.get("items", {}).get("$ref", "")).split("/")[-1]
-    if target in ("Brush", "Stroke"):
-        return f"[{target.lower()}](brush.md)"
-    if resolved(schema).get("type") == "object" and resolved(schema).get("properties") and target:
-        return f"[{target}](#{target.lower()})"
-    if target and schema.get("type") == "array" and resolved(SCHEMAS[target]).get("type") == "object":
-        return f"list{bounds(schema.get('minItems', 0), schema.get('maxItems'))} of [{target}](#{target.lower()})"
-    return values(schema)
+    if row.target in ("Brush", "Stroke"):
+        return f"[{row.target.lower()}](brush.md)"
+    if row.target and row.many:
+        return f"{row.kind.rsplit(' ', 1)[0]} [{row.target}](#{row.target.lower()})"
+    return f"[{row.target}](#{row.target.lower()})" if row.target else row.value
 
 
 def table(name):
-    schema = SCHEMAS[name]
     lines = ["| member | value | default | meaning |", "|---|---|---|---|"]
-    for member, own in schema["properties"].items():
-        if "const" in own:
-            continue
-        words = resolved(own).get("description", "")
-        default = f"`{json.dumps(resolved(own)['default'])}`" if "default" in resolved(own) else \
-            "required" if member in required_of(schema) else ""
-        lines.append(f"| `{member}` | {linked(member, own)} | {default} | {words} |".replace("\n", " "))
+    for row in SCHEMAS.rows(SCHEMAS.all[name]):
+        default = f"`{row.default}`" if row.default is not None else "required" if row.required else ""
+        lines.append(f"| `{row.name}` | {linked(row)} | {default} | {row.words} |")
     return lines
 
 
 def where(name):
-    """Whether a tool takes a stroke, a flood or both."""
-    schema = SCHEMAS[name]
-    if "stroke" not in schema.get("properties", {}):
-        return []
-    if "flood" in schema["properties"]:
-        return ["Takes either a stroke, or `flood` to work everywhere. The mask holds for both.", ""]
-    if "stroke" in required_of(schema):
-        return ["Needs a stroke. The mask holds.", ""]
-    return ["Works everywhere, or under a stroke's brush where one is given. The mask holds.", ""]
+    words = SCHEMAS.where(SCHEMAS.all[name])
+    return [words, ""] if words else []
 
 
 # Pages
@@ -141,8 +75,7 @@ def page_text(name):
     for schema in page["schemas"]:
         heading = "Parameters" if schema == page["schemas"][0] else schema
         lines += [f"## {heading}", ""]
-        if "description" in SCHEMAS[schema]:
-            lines += [f"{SCHEMAS[schema]['description'].strip()}", ""]
+        lines += [SCHEMAS.all[schema]["description"].strip(), ""]
         lines += [*where(schema), *table(schema), ""]
     lines += ["[All tools](../grooming.md)", ""]
     return "\n".join(lines)

@@ -11,11 +11,11 @@ namespace pelage::json_parts {
 
 template <class V>
 void members(V& v, Visited<V, FrameCounters>& c) {
-  v.answer("FrameCounters");
+  v.answer("FrameCounters", "What a frame asked of what draws it.");
   v.counter("passes", c.passes, "Programs put to use, one after another.");
   v.counter("draws", c.draws, "Draw calls.");
   v.counter("textures", c.textures, "Textures bound.");
-  v.counter("bytes", c.bytes, "Sent to what draws for the frame, changes of fields included.");
+  v.counter("bytes", c.bytes, "Bytes sent to what draws for the frame, changes of fields included.");
   v.counter(
       "fragments", c.fragments,
       "Runs of fragment shaders, but for the pass that writes the picture's pixels; samples that were drawn where "
@@ -23,21 +23,23 @@ void members(V& v, Visited<V, FrameCounters>& c) {
   v.counter("objects", c.objects, "Buffers, textures, targets and programs that were made.");
   v.counter("allocated", c.allocated, "Bytes of storage that was asked for, without mip levels.");
   v.number("redrawn", c.redrawn, share,
-           "Share of the picture that was drawn. Below 1 after a stroke, where the frame before showed the same view: "
-           "the rest is kept. The picture has the same bits as if all of it had been drawn.");
+           "Share of the picture that was drawn. It is below 1 after a stroke, where the frame before showed the same "
+           "view: the rest is kept. The picture has the same bits as if all of it had been drawn.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameEstimate>& c) {
-  v.answer("FrameEstimate");
-  v.number("error", c.error, share, "Mean FLIP where there is fur, against the reference: that of half of the frames.");
-  v.number("error_safety", c.error_safety, one_or_more, "95% of frames have at most `error` times it.");
+  v.answer("FrameEstimate", "How far a frame is estimated to be from the truth, and what it was estimated to cost.");
+  v.number("error", c.error, share.in("mean FLIP"),
+           "Mean FLIP where there is fur, against the reference: half of the frames have at most this.");
+  v.number("error_safety", c.error_safety, one_or_more.in("factor"), "95% of frames have at most `error` times it.");
   std::size_t reference = 0;
   v.name("reference", reference, json_names::error_references,
-         "The same fur and light in 1024 or fewer sorted shells.");
-  v.number("cost_ms", c.cost_ms, not_negative, "Drawing time, as of `budget_ms`, before the frame was drawn.");
-  v.number("cost_safety", c.cost_safety, one_or_more, "95% of frames cost at most `cost_ms` times it.");
-  v.number("correction", c.correction, positive,
+         "What errors are measured against: the same fur and light in 1024 or fewer sorted shells.");
+  v.number("cost_ms", c.cost_ms, not_negative.in("milliseconds"),
+           "Drawing time, as of `budget_ms`, before the frame was drawn.");
+  v.number("cost_safety", c.cost_safety, one_or_more.in("factor"), "95% of frames cost at most `cost_ms` times it.");
+  v.number("correction", c.correction, positive.in("factor"),
            "Measured over predicted cost of this scene's frames so far, which `cost_ms` has in it. It moves in steps, "
            "and only when it is off by more than 8%.");
   v.name("end", c.end, json_names::plan_ends,
@@ -51,58 +53,61 @@ void members(V& v, Visited<V, FrameEstimate>& c) {
 template <class V>
 void members(V& v, Visited<V, FrameCost>& c) {
   v.answer("FrameCost", "What drawing a frame is expected to take; waiting for others and encoding come on top.");
-  v.number("seconds", c.seconds, not_negative, "Half of such frames are done by then.");
-  v.number("safety", c.safety, one_or_more, "95% of such frames are done after `seconds` times it.");
+  v.number("seconds", c.seconds, not_negative.in("seconds"), "Time by which half of such frames are done.");
+  v.number("safety", c.safety, one_or_more.in("factor"), "Factor on `seconds`: 95% of such frames are done by then.");
 }
 
 template <class V>
 void members(V& v, Visited<V, ExportAnswer>& c) {
   v.answer("ExportAbout", "What an exported file holds.");
-  v.counter("revision", c.revision);
-  v.name("format", c.format, json_names::export_formats);
-  v.counter("strands", c.strands, "With whiskers, lashes and brows; 0 of a GLB.");
-  v.counter("points", c.points, "Of all strands.");
-  v.counter("triangles", c.triangles, "Of a GLB: of the skin and of all layers, or of the finest level of cards.");
-  v.counter("cards", c.cards, "Of the finest level.");
-  v.counter("bytes", c.bytes, "Of the file.");
+  v.counter("revision", c.revision, "Revision that is exported.");
+  v.name("format", c.format, json_names::export_formats, "Format of the file.");
+  v.counter("strands", c.strands, "Number of strands, whiskers, lashes and brows; 0 of a GLB.");
+  v.counter("points", c.points, "Number of points of all strands.");
+  v.counter("triangles", c.triangles,
+            "Number of triangles of a GLB: skin and all layers, or the skin and the finest level of cards.");
+  v.counter("cards", c.cards, "Number of cards of the finest level.");
+  v.counter("bytes", c.bytes, "Size of the file.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameProgress>& c) {
-  v.answer("FrameProgress");
-  v.text("view", c.view, "Of its request.");
-  v.integer("width", c.width, pixels, "Pixels.");
-  v.integer("height", c.height, pixels, "Pixels.");
-  v.number("share", c.share, share, "Of the expected drawing time that has passed, at most 0.99; 0 while it waits.");
-  v.number("seconds", c.seconds, not_negative, "Since it was asked for.");
-  v.number("expected_seconds", c.expected_seconds, not_negative, "That drawing it takes.");
+  v.answer("FrameProgress", "A frame that is drawn now or waits to be.");
+  v.text("view", c.view, "Name of the viewer, from its request.");
+  v.integer("width", c.width, pixels, "Width of the picture.");
+  v.integer("height", c.height, pixels, "Height of the picture.");
+  v.number("share", c.share, share,
+           "Share of the expected drawing time that has passed, at most 0.99; 0 while it waits.");
+  v.number("seconds", c.seconds, not_negative.in("seconds"), "Time since it was asked for.");
+  v.number("expected_seconds", c.expected_seconds, not_negative.in("seconds"),
+           "Time that drawing it is expected to take.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameProgressList>& c) {
-  v.answer("FrameProgressList");
-  v.objects("frames", c.frames, any_count, "In the order that they were asked for.");
+  v.answer("FrameProgressList", "Frames that are drawn now or wait to be.");
+  v.objects("frames", c.frames, any_count, "Frames, in the order that they were asked for.");
 }
 
 template <class V>
 void members(V& v, Visited<V, TraceReport>& c) {
-  v.answer("TraceReport");
-  v.integer("passes", c.passes, {0, limits::trace_passes}, "In this picture; 0 for shells.");
-  v.number("samples", c.samples, not_negative, "Mean of a pixel.");
+  v.answer("TraceReport", "How far a traced picture is.");
+  v.integer("passes", c.passes, {0, limits::trace_passes}, "Passes in this picture; 0 for shells.");
+  v.number("samples", c.samples, not_negative.in("samples"), "Samples of a pixel, on average.");
   v.number("noise", c.noise, share, "Estimated mean error of a shown channel.");
-  v.counter("strands", c.strands);
-  v.name("end", c.end, json_names::trace_ends, "Why it ended; none while it goes on.");
-  v.number("grow_ms", c.grow_ms, not_negative, "Growing and indexing strands.");
-  v.number("trace_ms", c.trace_ms, not_negative);
+  v.counter("strands", c.strands, "Number of strands.");
+  v.name("end", c.end, json_names::trace_ends, "Why tracing ended; none while it goes on.");
+  v.number("grow_ms", c.grow_ms, not_negative.in("milliseconds"), "Time for growing and indexing strands.");
+  v.number("trace_ms", c.trace_ms, not_negative.in("milliseconds"), "Time for tracing.");
 }
 
 template <class V>
 void members(V& v, Visited<V, MapAnswer>& c) {
   v.answer("MapAbout", "How to read a map.");
-  v.counter("revision", c.revision);
-  v.name("field", c.field, json_names::fields);
+  v.counter("revision", c.revision, "Revision that was drawn.");
+  v.name("field", c.field, json_names::fields, "Field that was drawn.");
   v.name("encoding", c.encoding, json_names::map_encodings);
-  v.number("scale", c.scale, any_number, "What 1 in the picture stands for.");
+  v.number("scale", c.scale, any_number.in("the field's unit"), "What 1 in the picture stands for.");
   v.name("units", c.units, json_names::units);
   v.number("covered", c.covered, share, "Share of the pixels that lie in triangles.");
   v.counter("outside", c.outside,
@@ -113,205 +118,208 @@ void members(V& v, Visited<V, MapAnswer>& c) {
 
 template <class V>
 void members(V& v, Visited<V, PictureAnswer>& c) {
-  v.answer("StoredPicture");
-  v.picture("picture", c.picture);
-  v.integer("width", c.width, {1, limits::picture_pixels});
-  v.integer("height", c.height, {1, limits::picture_pixels});
-  v.integer("bits", c.bits, {8, 32}, "Of a channel: 8, 16, or 32 for any float.");
-  v.number(sparse("scale"), c.scale, any_number, "What 1 in it stands for, where the file says so.");
+  v.answer("StoredPicture", "A picture that the server keeps.");
+  v.picture("picture", c.picture, "Name of the picture, for commands.");
+  v.integer("width", c.width, {1, limits::picture_pixels}, "Width of the picture.");
+  v.integer("height", c.height, {1, limits::picture_pixels}, "Height of the picture.");
+  v.integer("bits", c.bits, {8, 32}, "Bits of a channel: 8, 16, or 32 for any float.");
+  v.number(sparse("scale"), c.scale, any_number.in("the field's unit"),
+           "What 1 in it stands for, where the file says so.");
 }
 
 template <class V>
 void members(V& v, Visited<V, EditLayer>& c) {
-  v.answer("EditLayer");
-  v.text("name", c.name);
-  v.number("weight", c.weight, edit_layer_weight);
-  v.boolean("muted", c.muted);
+  v.answer("EditLayer", "An edit layer of the scene.");
+  v.text("name", c.name, "Name of the edit layer.");
+  v.number("weight", c.weight, edit_layer_weight, "How much it counts.");
+  v.boolean("muted", c.muted, "Whether it is left out.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Bounds>& c) {
-  v.answer("Bounds");
-  v.position("min", c.min);
-  v.position("max", c.max);
+  v.answer("Bounds", "A box along the model's axes.");
+  v.position("min", c.min, "Corner with the smallest coordinates.");
+  v.position("max", c.max, "Corner with the largest coordinates.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Repair>& c) {
-  v.answer("Repair");
-  v.text("code", c.code);
-  v.counter("count", c.count);
-  v.texts(sparse("names"), c.names, "Of what was left out, the first few.");
+  v.answer("Repair", "Something that was mended or left out of a file.");
+  v.text("code", c.code, "What was mended or left out, in a word.");
+  v.counter("count", c.count, "How often.");
+  v.texts(sparse("names"), c.names, "Names of the first few that were left out.");
 }
 
 template <class V>
 void members(V& v, Visited<V, NumberedPart>& c) {
-  v.answer("NumberedPart");
+  v.answer("NumberedPart", "A connected part of the model that the load says something about.");
   v.integer("part", c.part, {1, static_cast<double>(limits::model_triangles)},
-            "Its number, from 1, as `flip` and `two_sided` take it.");
-  v.counter("triangles", c.triangles);
-  v.position("centre", c.centre, "Of its box.");
+            "Number of the part, from 1, as `flip` and `two_sided` take it.");
+  v.counter("triangles", c.triangles, "Number of its triangles.");
+  v.position("centre", c.centre, "Centre of its box.");
 }
 
 template <class V>
 void report_members(V& v, Visited<V, ModelReport>& c) {
-  v.counter("source_vertices", c.source_vertices);
-  v.counter("source_faces", c.source_faces);
-  v.counter("vertices", c.vertices, "Welded on equal positions.");
-  v.counter("triangles", c.triangles);
-  v.counter("parts", c.parts, "Connected parts.");
-  v.number("size", c.size, positive, "Diagonal of the box, the model's unit.");
-  v.object("bounds", c.bounds);
+  v.counter("source_vertices", c.source_vertices, "Number of vertices in the file.");
+  v.counter("source_faces", c.source_faces, "Number of faces in the file.");
+  v.counter("vertices", c.vertices, "Number of vertices, welded on equal positions.");
+  v.counter("triangles", c.triangles, "Number of triangles.");
+  v.counter("parts", c.parts, "Number of connected parts.");
+  v.number("size", c.size, positive.in("model units"), "Diagonal of the box, the model's unit.");
+  v.object("bounds", c.bounds, "Box of the model.");
   v.name("up", c.up, json_names::axes, "The file's axis that was taken for up.");
   v.name("front", c.front, json_names::axes, "The file's axis that was taken for forward.");
-  v.text("pose", c.pose, "NAME@SECONDS of the animation that it stands in; empty as the file has it.", any_length);
-  v.texts("animations", c.animations, "Names of those that the file has.");
+  v.text("pose", c.pose, "Moment of the animation that it stands in, as NAME@SECONDS; empty as the file has it.",
+         any_length);
+  v.texts("animations", c.animations, "Names of the animations that the file has.");
   v.objects("repairs", c.repairs, any_count, "What was mended, and what was left out.");
   v.objects("doubtful_parts", c.doubtful_parts, any_count,
             "Open parts that may be inside out: what little they enclose says so. `flip` turns one.");
-  v.objects(
-      "sheets", c.sheets, any_count,
-      "Of several parts those of one layer: open, and enclosing next to nothing. They are bare behind; `two_sided` "
-      "gives one a back.");
+  v.objects("sheets", c.sheets, any_count,
+            "Parts of one layer, of a model with several: open, and enclosing next to nothing. They are bare behind; "
+            "`two_sided` gives one a back.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SceneSummary>& c) {
-  v.answer("Scene");
-  v.text("id", c.id);
-  v.text("name", c.name);
-  v.counter("revision", c.revision);
-  v.text("model", c.model, "A built-in's name, or a format.");
+  v.answer("Scene", "A scene: its model, and where its log stands.");
+  v.text("id", c.id, "Id of the scene, for addresses.");
+  v.text("name", c.name, "Name of the scene.");
+  v.counter("revision", c.revision, "Number of the newest entry of its log.");
+  v.text("model", c.model, "Name of a built-in model, or the format of the file.");
   v.text("model_id", c.model_id,
          "Equal as long as the mesh is: clients may keep what they know of the mesh under it. Uploads and subdivisions "
          "change it; a restart may.");
   v.word("fur_patches", c.fur_patches, json_names::fur_patches);
   report_members(v, c.report);
   v.hash("fields_hash", c.fields_hash);
-  v.counter("undo_steps", c.undo_steps);
-  v.counter("redo_steps", c.redo_steps);
+  v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
+  v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
   v.objects("edit_layers", c.edit_layers, {0, limits::edit_layers}, "Edit layers, from the lowest.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SceneList>& c) {
-  v.answer("SceneList");
-  v.objects("scenes", c.scenes, {0, limits::scenes});
+  v.answer("SceneList", "The scenes of the server.");
+  v.objects("scenes", c.scenes, {0, limits::scenes}, "All scenes.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FieldChange>& c) {
-  v.answer("FieldChange");
-  v.word("field", c.field, json_names::fields);
-  v.counter("changed", c.changed, "Vertices of which a bit changed.");
-  v.number("mean_change", c.mean_change, not_negative,
-           "Over them, in the field's unit; of several channels the length of the difference.");
-  v.number("max_change", c.max_change, not_negative);
+  v.answer("FieldChange", "How much a field changed.");
+  v.word("field", c.field, json_names::fields, "Field that changed.");
+  v.counter("changed", c.changed, "Number of vertices of which a bit changed.");
+  v.number("mean_change", c.mean_change, not_negative.in("the field's unit"),
+           "Mean change over these vertices, in the field's unit; of several channels the length of the difference.");
+  v.number("max_change", c.max_change, not_negative.in("the field's unit"), "Largest change, in the field's unit.");
 }
 
 template <class V>
 void members(V& v, Visited<V, CommandResult>& c) {
-  v.answer("CommandResult");
-  v.text("op", c.op);
-  v.counter("touched", c.touched, "Vertices of which a bit changed.");
-  v.number("mean_change", c.mean_change, not_negative,
-           "Of the first field that changed, over its changed vertices, in its unit.");
-  v.number("max_change", c.max_change, not_negative);
-  v.counter("clamped", c.clamped, "Vertices at which a value was held at its limit.");
-  v.number("milliseconds", c.milliseconds, not_negative);
-  v.objects("fields", c.fields, any_count);
+  v.answer("CommandResult", "What one command did.");
+  v.text("op", c.op, "The command's `op`.");
+  v.counter("touched", c.touched, "Number of vertices of which a bit changed.");
+  v.number("mean_change", c.mean_change, not_negative.in("the field's unit"),
+           "Mean change of the first field that changed, over its changed vertices, in its unit.");
+  v.number("max_change", c.max_change, not_negative.in("the field's unit"),
+           "Largest change of that field, in its unit.");
+  v.counter("clamped", c.clamped, "Number of vertices at which a value was held at its limit.");
+  v.number("milliseconds", c.milliseconds, not_negative.in("milliseconds"), "Time that it took.");
+  v.objects("fields", c.fields, any_count, "Fields that changed.");
   v.texts("warnings", c.warnings, "What was done as asked but is hardly meant, such as a brush finer than the mesh.");
 }
 
 template <class V>
 void members(V& v, Visited<V, CommandAnswer>& c) {
-  v.answer("CommandAnswer");
-  v.counter("revision", c.revision);
+  v.answer("CommandAnswer", "What commands did, and the revision that they made.");
+  v.counter("revision", c.revision, "Revision of the scene afterwards.");
   v.hash("fields_hash", c.fields_hash);
-  v.objects("results", c.results, any_count);
+  v.objects("results", c.results, any_count, "A result for each command, in order.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Comparison>& c) {
-  v.answer("Comparison");
-  v.counter("from", c.from);
-  v.counter("to", c.to);
-  v.counter("touched", c.touched, "Vertices at which any field differs.");
-  v.objects("fields", c.fields, any_count);
+  v.answer("Comparison", "What two revisions differ in.");
+  v.counter("from", c.from, "The one revision.");
+  v.counter("to", c.to, "The other revision.");
+  v.counter("touched", c.touched, "Number of vertices at which any field differs.");
+  v.objects("fields", c.fields, any_count, "Fields that differ.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FoldCount>& c) {
-  v.answer("FoldCount");
-  v.counter("revision", c.revision);
-  v.counter("triangles", c.triangles);
-  v.counter("folded", c.folded);
+  v.answer("FoldCount", "How much of the fur turns over.");
+  v.counter("revision", c.revision, "Revision that was counted.");
+  v.counter("triangles", c.triangles, "Number of triangles.");
+  v.counter("folded", c.folded, "Number of triangles over which the fur turns over.");
 }
 
 template <class V>
 void members(V& v, Visited<V, LogEntry>& c) {
-  v.answer("LogEntry");
-  v.counter("revision", c.revision);
-  v.word("kind", c.kind, json_names::entry_kinds, "`join` and `replay` belong to the undo step of the entry before.");
+  v.answer("LogEntry", "One entry of the log.");
+  v.counter("revision", c.revision, "Revision that it made.");
+  v.word("kind", c.kind, json_names::entry_kinds,
+         "What the entry is. `join` and `replay` belong to the undo step of the entry before.");
   v.counter("step", c.step,
             "Number of the step whose commands these are: the revision that made it first. An `amend` leaves it to the "
             "step that it changes and to those that it replays. 0 of undo, redo and revert.");
-  v.counter("touched", c.touched);
+  v.counter("touched", c.touched, "Number of vertices that it changed.");
   v.boolean("in_effect", c.in_effect,
             "Whether its commands are among those that lead to the present: they can be amended.");
-  v.text("author", c.author, "The `Pelage-Author` of the request that made it; empty where none was named.");
+  v.text("author", c.author, "Name from the `Pelage-Author` of the request that made it; empty where none was named.");
   v.json(sparse("commands"), c.commands, "The commands as they were resolved.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Log>& c) {
-  v.answer("Log");
-  v.objects("entries", c.entries, any_count);
+  v.answer("Log", "The log since the model came.");
+  v.objects("entries", c.entries, any_count, "Entries, the oldest first.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SceneEvent>& c) {
   v.answer("SceneEvent", "What a scene is when its news begin and when its mesh is another.");
-  v.counter("revision", c.revision);
-  v.counter("first_revision", c.first_revision, "At which the model came; the log has those after it.");
-  v.counter("undo_steps", c.undo_steps);
-  v.counter("redo_steps", c.redo_steps);
-  v.text("model_id", c.model_id, "As in `Scene`.");
+  v.counter("revision", c.revision, "Revision of the scene.");
+  v.counter("first_revision", c.first_revision, "Revision at which the model came; the log has those after it.");
+  v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
+  v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
+  v.text("model_id", c.model_id, "Name of the mesh, the same as in `Scene`.");
 }
 
 template <class V>
 void members(V& v, Visited<V, ChangeEvent>& c) {
   v.answer("ChangeEvent", "One line of the log without its commands.");
-  v.counter("revision", c.revision);
-  v.word("kind", c.kind, json_names::entry_kinds, "`join` and `replay` belong to the undo step of the entry before.");
-  v.counter("argument", c.argument,
-            "Of `undo` and `redo` the steps, of `revert` the revision that it goes back to; else 0.");
-  v.text("author", c.author, "As in `LogEntry`.");
-  v.texts("ops", c.ops, "`op` of its commands, each once.");
-  v.counter("touched", c.touched);
-  v.counter("undo_steps", c.undo_steps, "That could be undone after it.");
-  v.counter("redo_steps", c.redo_steps);
+  v.counter("revision", c.revision, "Revision that the change made.");
+  v.word("kind", c.kind, json_names::entry_kinds,
+         "What the change is. `join` and `replay` belong to the undo step of the entry before.");
+  v.counter("argument", c.argument, "Steps of `undo` and `redo`; the revision that `revert` goes back to; else 0.");
+  v.text("author", c.author, "Who made it, the same as in `LogEntry`.");
+  v.texts("ops", c.ops, "The `op` of its commands, each once.");
+  v.counter("touched", c.touched, "Number of vertices that it changed.");
+  v.counter("undo_steps", c.undo_steps, "Steps that can be undone after it.");
+  v.counter("redo_steps", c.redo_steps, "Steps that can be redone after it.");
 }
 
 /// A member for each painted field, with a little above its largest value for sums of floats.
 template <class V>
 void members(V& v, Visited<V, PaintedValues>& c) {
-  static constexpr const char* words[] = {"Share of the coat's strands.",
-                                          "Of the coat's strand widths.",
-                                          "Added to the coat's own.",
-                                          "Added to the coat's own.",
-                                          "Added to the coat's own.",
+  static constexpr const char* words[] = {"Share of the coat's strands that grow.",
+                                          "Factor on the coat's strand widths.",
+                                          "Curl, added to the coat's own.",
+                                          "Clumping, added to the coat's own.",
+                                          "Wetness, added to the coat's own.",
                                           "1 where skin shows.",
                                           "How much tools may change: 1 all, 0 nothing.",
-                                          "",
-                                          ""};
+                                          "Colour at the roots, and how much it covers.",
+                                          "Colour at the tips, and how much it covers."};
   static_assert(std::size(words) == std::tuple_size_v<PaintedValues>);
   v.answer("PaintedValues",
            "What is painted at a place. A colour is linear red, green and blue, and how much of the coat's colour it "
            "covers.");
   for (std::size_t i = 0; i < c.size(); ++i) {
     const FieldShape& shape = field_shapes[first_painted + i];
-    const Range range{0, static_cast<double>(shape.max) + 1e-6};
+    const Range range{0, static_cast<double>(shape.max) + 1e-6, "the field's unit"};
     if (shape.channels == 1) v.number(shape.name.data(), c[i].x, range, words[i]);
     if (shape.channels == 4) v.vector(shape.name.data(), c[i], range, words[i]);
   }
@@ -319,31 +327,34 @@ void members(V& v, Visited<V, PaintedValues>& c) {
 
 template <class V>
 void members(V& v, Visited<V, PickAnswer>& c) {
-  v.answer("Pick");
-  v.boolean(tag("hit"), c.hit);
+  v.answer("Pick", "What lies under a pixel.");
+  v.boolean(tag("hit"), c.hit, "Whether the model lies under the pixel.");
   if (!v.takes(c.hit)) return;
-  v.seed("triangle", c.triangle);
+  v.seed("triangle", c.triangle, "Number of the triangle.");
   v.vector("barycentric", c.barycentric, share, "Weights of the triangle's corners.");
-  v.position("position", c.position);
-  v.vector("normal", c.normal, any_number);
-  v.vector("direction", c.direction, any_number, "Where the fur leans, a unit vector; 0 when it stands upright.");
-  v.number("inclination", c.inclination, {0, 1 + 1e-6}, "0 upright, 1 lying.");
-  v.number("length", c.length, not_negative, "Sizes.");
-  v.number("stretch", c.stretch, not_negative);
+  v.position("position", c.position, "Where the model was hit.");
+  v.vector("normal", c.normal, any_number.in("unit vector"), "Normal of the skin, a unit vector.");
+  v.vector("direction", c.direction, any_number.in("unit vector"),
+           "Where the fur leans, a unit vector; 0 when it stands upright.");
+  v.number("inclination", c.inclination, {0, 1 + 1e-6, "share"}, "How far the fur leans: 0 upright, 1 lying.");
+  v.number("length", c.length, not_negative.in("sizes"), "Length of the fur.");
+  v.number("stretch", c.stretch, not_negative.in("share"), "What the field stretch holds.");
   v.object("painted", c.painted);
 }
 
 template <class V>
 void members(V& v, Visited<V, Problem>& c) {
-  v.answer("Problem", "RFC 9457.");
-  v.text("type", c.type, "`urn:pelage:problem:` and a name, or `about:blank` where the status says it all.",
-         any_length);
-  v.text("title", c.title, "", any_length);
-  v.integer("status", c.status, {400, 599});
-  v.text("detail", c.detail, "", any_length);
+  v.answer("Problem", "A refusal, as RFC 9457 has it.");
+  v.text(
+      "type", c.type,
+      "Name of the kind of problem: `urn:pelage:problem:` and a name, or `about:blank` where the status says it all.",
+      any_length);
+  v.text("title", c.title, "What went wrong, the same for all problems of the type.", any_length);
+  v.integer("status", c.status, {400, 599}, "Status of the answer.");
+  v.text("detail", c.detail, "What went wrong this time.", any_length);
   v.text(sparse("pointer"), c.pointer, "JSON pointer of the bad field; empty for the whole body.", any_length);
-  v.text(sparse("limit"), c.limit, "The limit that was broken.", any_length);
-  v.text(sparse("nearest"), c.nearest, "The nearest known name to an unknown one.", any_length);
+  v.text(sparse("limit"), c.limit, "Limit that was broken.", any_length);
+  v.text(sparse("nearest"), c.nearest, "Nearest known name to an unknown one.", any_length);
 }
 
 }  // namespace pelage::json_parts

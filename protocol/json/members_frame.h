@@ -23,49 +23,48 @@ void members(V& v, Visited<V, Tracing>& c) {
       "first of `passes`, `noise` and `seconds`. Refused with 413 where the strands and the picture need more memory "
       "than the server gives them.");
   v.integer("passes", c.passes, {1, limits::trace_passes},
-            "At most. A pass adds a sample to each pixel that still needs some.");
+            "Largest count of passes. A pass adds a sample to each pixel that still needs some.");
   v.name("transport", c.transport, json_names::transports,
-         "transmittance: light comes through the strands that it crosses by their colour and count. paths: light goes "
-         "from strand to strand.");
+         "How light goes through fur. transmittance: through the strands that it crosses, by their colour and count. "
+         "paths: from strand to strand.");
   v.name("scattering", c.scattering, json_names::strand_scatterings,
          "What a strand scatters by: the look's shading, or energy_conserving whatever the look says. Paths scatter "
          "by energy_conserving and refuse `look`.");
   if (v.shows(c.transport == Transport::paths))
-    v.integer("bounces", c.bounces, {1, 4096}, "Of a path at most; with `paths` only.");
-  v.integer("strands", c.strands, {1, limits::strands}, "At most; fewer are drawn wider, so that they cover as much.");
+    v.integer("bounces", c.bounces, {1, 4096}, "Largest count of bounces of a path; with `paths` only.");
+  v.integer("strands", c.strands, {1, limits::strands},
+            "Largest count of strands; fewer are drawn wider, so that they cover as much.");
   v.number("noise", c.noise, share,
-           "Ends when the estimated mean error of a shown channel is below, and leaves parts that are; 0 never.");
-  v.number("seconds", c.seconds, {0, 3600}, "Ends after as many; 0 never.");
-  v.boolean("filter", c.filter, "Direction, depth and colour guide a filter over pictures of few passes.");
-  v.seed("seed", c.seed);
+           "Ends when the estimated mean error of a shown channel is below this, and leaves parts that are; 0 never.");
+  v.number("seconds", c.seconds, {0, 3600, "seconds"}, "Ends after as many seconds; 0 never.");
+  v.boolean("filter", c.filter, "Whether direction, depth and colour guide a filter over pictures of few passes.");
+  v.seed("seed", c.seed, "Other seeds give other noise.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Knobs>& c) {
-  v.type("Knobs", "What is not given is as in the interactive tier.");
+  v.type("Knobs", "What a frame is drawn with. What is not given is as in the interactive tier.");
   v.name("method", c.method, json_names::methods,
-         "strands: every strand of the coat, ray traced; of the other knobs it takes `trace`, `eye_steps` and "
-         "`guard_hairs`.");
+         "How fur is drawn. strands: every strand of the coat, ray traced; of the other knobs it takes `trace`, "
+         "`eye_steps` and `guard_hairs`.");
   if (v.shows(c.method == Method::shells)) {
-    v.integer("shells", c.shells, {1, limits::shells}, "Where the view needs most.");
+    v.integer("shells", c.shells, {1, limits::shells}, "Number of shells where the view needs most.");
     v.integer("steps", c.steps, {1, 16}, "Texture steps inside each slab.");
-    v.number("scale", c.scale, {0.25, 2},
+    v.number("scale", c.scale, {0.25, 2, "factor"},
              "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
-    v.integer(
-        "min_radius", c.min_radius, {0, 8192},
-        "Rendered pixels of the ball about the model's box: where a scale below 1 gives fewer, the scale is larger, up "
-        "to 1, so that what is small on the picture keeps its form. The answer's knobs have the scale that came of it; "
-        "the tier draft has 120.");
-    v.boolean("self_shadow", c.self_shadow);
+    v.integer("min_radius", c.min_radius, {0, 8192, "pixels"},
+              "Smallest radius of the ball about the model's box, in rendered pixels: where a scale below 1 gives "
+              "fewer, the scale is larger, up to 1, so that what is small on the picture keeps its form. The answer's "
+              "knobs have the scale that came of it; the tier draft has 120.");
+    v.boolean("self_shadow", c.self_shadow, "Whether fur shades itself.");
     v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
-    v.integer("shadow_resolution", c.shadow_resolution, {1, 4096}, "Texels along the side of a shadow map.");
+    v.integer("shadow_resolution", c.shadow_resolution, {1, 4096, "texels"}, "Texels along the side of a shadow map.");
     v.name("shell_policy", c.shell_policy, json_names::shell_policies,
-           "adaptive: fewer shells where fur is seen from above or is small on the picture.");
+           "How shells are chosen. adaptive: fewer where fur is seen from above or is small on the picture.");
     v.name("order", c.order, json_names::fragment_orders,
-           "Of blending fur. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for "
-           "pictures "
-           "to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it makes "
-           "beauty and alpha; the others stay in the order of shells.");
+           "Order in which fur is blended. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and "
+           "slow, for pictures to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it "
+           "makes beauty and alpha; the others stay in the order of shells.");
   }
   v.integer(
       "eye_steps", c.eye_steps, {0, 64},
@@ -75,76 +74,73 @@ void members(V& v, Visited<V, Knobs>& c) {
       "guard_hairs", c.guard_hairs, {0, 100000},
       "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near silhouettes; of "
       "strands about as many stand so.");
-  if (v.shows(c.method == Method::strands)) v.object("trace", c.trace, "Of method strands.");
+  if (v.shows(c.method == Method::strands))
+    v.object("trace", c.trace, "How strands are traced; with method strands only.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameRequest>& c) {
-  v.type("FrameRequest");
-  v.integer("width", c.width, pixels, "Pixels.");
-  v.integer("height", c.height, pixels, "Pixels.");
-  v.object("camera", c.camera);
-  if (v.shows(!c.plans())) v.special("quality", c.knobs);
+  v.type("FrameRequest", "A picture to draw. What is not given takes its default.");
+  v.integer("width", c.width, pixels, "Width of the picture.");
+  v.integer("height", c.height, pixels, "Height of the picture.");
+  v.object("camera", c.camera, "Where the scene is seen from.");
+  if (v.shows(!c.plans())) v.special("quality", c.knobs, "A tier, or single knobs.");
   v.number(
       "budget_ms", c.budget_ms, budget_ms,
-      "In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of frames keep "
-      "it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the milliseconds that pass "
-      "on this machine while the frame is drawn; waiting for other frames, reading and encoding are not in it. "
-      "AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.");
-  v.number(
-      "max_error", c.max_error, max_error,
-      "In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where there is "
-      "fur, against the same fur in many sorted shells.");
-  v.number("max_seconds", c.max_seconds, {1, limits::frame_seconds},
-           "Refused where drawing shells is expected to take longer; a dry run says how long.");
+      "Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and whose error, as "
+      "95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the "
+      "milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and encoding "
+      "are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.");
+  v.number("max_error", c.max_error, max_error,
+           "Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames: mean FLIP "
+           "where there is fur, against the same fur in many sorted shells.");
+  v.number("max_seconds", c.max_seconds, {1, limits::frame_seconds, "seconds"},
+           "Refuses the frame where drawing shells is expected to take longer; a dry run says how long.");
   v.special("background", Backdrop<V::reads>{c.background, c.background_colour},
-            "`studio` is a soft gradient with darker corners.");
-  v.number("exposure", c.exposure, {-20, 20}, "Stops.");
-  v.name("tone_map", c.tone_map, json_names::tone_maps);
-  v.object("look", c.look, "In place of the scene's, for this frame.");
+            "What is behind the fur. `studio` is a soft gradient with darker corners.");
+  v.number("exposure", c.exposure, {-20, 20, "stops"}, "How much brighter the picture is made.");
+  v.name("tone_map", c.tone_map, json_names::tone_maps, "How bright light is brought into the picture's range.");
+  v.object("look", c.look, "Look for this frame, in place of the scene's.");
   v.text(
       sparse("view"), c.view,
       "Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409. At most "
       "200 bytes.");
   v.name("format", c.format, json_names::frame_formats,
-         "png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map and "
-         "background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4]. "
-         "npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels].");
-  v.integer("jpeg_quality", c.jpeg_quality, {1, 100});
-  v.name("exr_type", c.exr_type, json_names::exr_types, "Depth and position are always float.");
+         "Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without "
+         "exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes "
+         "[height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, "
+         "channels].");
+  v.integer("jpeg_quality", c.jpeg_quality, {1, 100}, "Quality of a JPEG; of the format jpeg only.");
+  v.name("exr_type", c.exr_type, json_names::exr_types,
+         "Type of the channels of an EXR. Depth and position are always float.");
   if (v.shows(is_linear(c.format)))
-    v.names(bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
-            "Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G, "
-            "B, A of "
-            "beauty; "
-            "A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and "
-            "direct; "
-            "AOV.Y of shadow and shell_count.");
-  v.name(
-      "overlay", c.overlay, json_names::overlays,
-      "A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness and mask go "
-      "from "
-      "dark violet for 0 to yellow for 1. difference: how much the fields have changed since `overlay_from`, with the "
-      "same colours: of the field that changed most, the change over what counts as much (direction and colours: 1; "
-      "length: the longest fur; others: the field's range). Grey where nothing changed. light_depth, light_occlusion "
-      "and shadow_width hide the frame: maps of the first light that casts a shadow, as it sees the model, in grey. "
-      "light_depth: how near the skin is to the light. light_occlusion: white where skin that faces the light lies "
-      "deeper than what the light sees. shadow_width: the same, reduced and enlarged again. Refused where the knob "
-      "shadow_maps is off, no light casts a shadow, or that light stands too near the model for one map. bald and wire "
-      "hide the frame too: the skin in plain grey without its fur, to find places on it, and the same with the edges "
-      "of its triangles.");
-  v.special(
-      "progressive", c.progressive,
-      "Shells at once; strands of the same revision are then traced while somebody waits for them with `after` and "
-      "`after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to this same request, "
-      "sent again. Name the `view`: what is traced is dropped as soon as the scene changes, the same view asks for "
-      "something else, or nobody has asked for 30 seconds. Refused with 503 while 16 pictures wait to be traced.");
+    v.names(
+        bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
+        "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
+        "pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z "
+        "of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and shell_count.");
+  v.name("overlay", c.overlay, json_names::overlays,
+         "Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness and "
+         "mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since "
+         "`overlay_from`, with the same colours: of the field that changed most, the change over what counts as much "
+         "(direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing changed. "
+         "light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts a shadow, "
+         "as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion: white where "
+         "skin that faces the light lies deeper than what the light sees. shadow_width: the same, reduced and enlarged "
+         "again. Refused where the knob shadow_maps is off, no light casts a shadow, or that light stands too near the "
+         "model for one map. bald and wire hide the frame too: the skin in plain grey without its fur, to find places "
+         "on it, and the same with the edges of its triangles.");
+  v.special("progressive", c.progressive,
+            "Draws shells at once; strands of the same revision are then traced while somebody waits for them with "
+            "`after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to "
+            "this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes, "
+            "the same view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16 "
+            "pictures wait to be traced.");
   v.counter("overlay_from", c.overlay_from,
-            "The revision that the overlay `difference` compares what is drawn with: one of this model. Only with it.");
-  v.counter(
-      "revision", c.revision,
-      "Draws the scene as it was at this revision of its model, fields and settings; the present one when it is not "
-      "given. Neither with `progressive` nor with `after`.");
+            "Revision that the overlay `difference` compares what is drawn with: one of this model. Only with it.");
+  v.counter("revision", c.revision,
+            "Revision to draw the scene as: its model, fields and settings as they were; the present one when it is "
+            "not given. Neither with `progressive` nor with `after`.");
 }
 
 }  // namespace pelage::json_parts

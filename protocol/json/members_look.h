@@ -12,27 +12,27 @@ namespace pelage::json_parts {
 
 template <class V>
 void members(V& v, Visited<V, RampStop>& c) {
-  v.type("RampStop");
-  v.number(required("at"), c.at, share, "0 root, 1 tip; rises from stop to stop.");
-  v.colour(required("colour"), c.colour);
+  v.type("RampStop", "A colour at a height of the strand.");
+  v.number(required("at"), c.at, share, "Height on the strand: 0 root, 1 tip. It rises from stop to stop.");
+  v.colour(required("colour"), c.colour, "Colour of the strand there.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Undercoat>& c) {
   v.type("Undercoat", "Short, fine strands under the others.");
-  v.number("share", c.share, share, "Of the strands.");
-  v.number("length", c.length, {0.02, 1}, "Over the overcoat's.");
-  v.number("width", c.width, {0.05, 4}, "Over the overcoat's.");
-  v.number("lightness", c.lightness, {0, 4}, "Factor on the ramp's colour.");
+  v.number("share", c.share, share, "Share of the strands that belong to it.");
+  v.number("length", c.length, {0.02, 1, "factor"}, "Length over the overcoat's.");
+  v.number("width", c.width, {0.05, 4, "factor"}, "Width over the overcoat's.");
+  v.number("lightness", c.lightness, {0, 4, "factor"}, "Factor on the ramp's colour.");
   v.number("tint", c.tint, share, "How far `colour` replaces the ramp's.");
-  v.colour("colour", c.colour);
+  v.colour("colour", c.colour, "Colour that `tint` mixes in.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Ticking>& c) {
-  v.type("Ticking", "Ticking: hairs of one colour of their own.");
-  v.number("share", c.share, share, "Of the strands.");
-  v.colour("colour", c.colour);
+  v.type("Ticking", "Single hairs that have a colour of their own.");
+  v.number("share", c.share, share, "Share of the strands that have it.");
+  v.colour("colour", c.colour, "Colour of these hairs.");
 }
 
 template <class V>
@@ -41,99 +41,101 @@ void members(V& v, Visited<V, Tufts>& c) {
          "Clumps larger than the tile, gathered about places on the body, so that the fur does not repeat and has form "
          "at a distance. Each finer scale is .45 of the one before.");
   v.number("gather", c.gather, share, "How far tips go to the middle of their tuft.");
-  v.number("size", c.size, {0.01, 1}, "Mean distance of the largest tufts, sizes.");
-  v.integer("scales", c.scales, {1, 3});
-  v.seed("seed", c.seed);
+  v.number("size", c.size, {0.01, 1, "sizes"}, "Mean distance of the largest tufts.");
+  v.integer("scales", c.scales, {1, 3}, "How many scales of tufts there are.");
+  v.seed("seed", c.seed, "Other seeds give other tufts.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Pattern>& c) {
   v.type("Pattern", "Markings by where a root is, with y up and the nose at +z; no UVs are needed.");
-  v.name("kind", c.kind, json_names::pattern_kinds);
-  v.number("scale", c.scale, feature_size, "From one marking to the next, sizes.");
+  v.name("kind", c.kind, json_names::pattern_kinds, "Kind of the markings.");
+  v.number("scale", c.scale, feature_size, "Distance from one marking to the next.");
   v.number("coverage", c.coverage, share,
-           "Share of the surface that is marked; countershading: how far up it reaches.");
+           "Share of the surface that is marked. For countershading how far up it reaches.");
   v.number("contrast", c.contrast, share, "How far markings replace the coat's colour.");
   v.number("softness", c.softness, share, "Width of a marking's edge over the marking's.");
-  v.number("warp", c.warp, {0, 2}, "How far noise bends the markings, in distances from one to the next.");
+  v.number("warp", c.warp, {0, 2, "markings"}, "How far noise bends the markings, in distances from one to the next.");
   v.number("legs", c.legs, share, "How far stripes turn to rings on legs and haunches, and rosettes fill there.");
   v.number("inner", c.inner, share, "How far inner_colour is seen: in rosettes, as second patches, between stripes.");
   v.number("belly", c.belly, share, "How far the underside takes belly_colour and loses its markings.");
-  v.direction("axis", c.axis, "Along which stripes follow each other.");
-  v.colour("colour", c.colour);
-  v.colour("inner_colour", c.inner_colour);
-  v.colour("belly_colour", c.belly_colour);
-  v.seed("seed", c.seed);
+  v.direction("axis", c.axis, "Direction in which stripes follow each other.");
+  v.colour("colour", c.colour, "Colour of the markings.");
+  v.colour("inner_colour", c.inner_colour, "Colour inside rosettes, of second patches and between stripes.");
+  v.colour("belly_colour", c.belly_colour, "Colour of the belly.");
+  v.seed("seed", c.seed, "Other seeds give other markings.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Variation>& c) {
   v.type("Variation", "How much colour and form change slowly over the body.");
-  v.number("lightness", c.lightness, share, "1: from half to twice.");
-  v.number("hue", c.hue, share, "1: from a third towards blue to a third towards red.");
-  v.number("length", c.length, share, "1: from none to twice.");
-  v.number("lean", c.lean, share, "1: the whole range of the inclination.");
-  v.number("size", c.size, feature_size, "From one swell to the next, sizes.");
+  v.number("lightness", c.lightness, share, "How much lightness changes; at 1 from half to twice.");
+  v.number("hue", c.hue, share, "How much hue changes; at 1 from a third towards blue to a third towards red.");
+  v.number("length", c.length, share, "How much length changes; at 1 from none to twice.");
+  v.number("lean", c.lean, share, "How much the inclination changes; at 1 over its whole range.");
+  v.number("size", c.size, feature_size, "Distance from one swell to the next.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Coat>& c) {
   v.type("Coat", "How the strands of the sample tile are made. What is not given takes its default.");
   v.integer("count", c.count, {1, 100000}, "Strands in the tile.");
-  v.number("tile", c.tile, {0.01, 1}, "Side of the tile, sizes.");
-  v.number("width_root", c.width_root, {0, 0.05}, "Sizes.");
-  v.number("width_tip", c.width_tip, {0, 0.05}, "Sizes.");
-  v.number("bend", c.bend, {0, 2}, "How far a strand bows to a side, in strand lengths.");
-  v.number("curl", c.curl, {0, 0.5}, "Radius of the strand's helix, in strand lengths.");
-  v.number("curl_turns", c.curl_turns, {0, 20}, "Turns of the helix from root to tip.");
+  v.number("tile", c.tile, {0.01, 1, "sizes"}, "Side of the tile.");
+  v.number("width_root", c.width_root, {0, 0.05, "sizes"}, "Width of a strand at its root.");
+  v.number("width_tip", c.width_tip, {0, 0.05, "sizes"}, "Width of a strand at its tip.");
+  v.number("bend", c.bend, {0, 2, "strand lengths"}, "How far a strand bows to a side.");
+  v.number("curl", c.curl, {0, 0.5, "strand lengths"}, "Radius of the strand's helix.");
+  v.number("curl_turns", c.curl_turns, {0, 20, "turns"}, "Turns of the helix from root to tip.");
   v.number("curl_together", c.curl_together, share, "How far the strands of a clump curl as one lock.");
-  v.number("wave", c.wave, {0, 0.5}, "Amplitude of a sine in one plane, in strand lengths.");
-  v.number("wave_turns", c.wave_turns, {0, 20}, "Waves from root to tip.");
+  v.number("wave", c.wave, {0, 0.5, "strand lengths"}, "Amplitude of a sine in one plane.");
+  v.number("wave_turns", c.wave_turns, {0, 20, "waves"}, "Waves from root to tip.");
   v.number("mess", c.mess, share, "How far each strand goes and bows its own way.");
   v.number("clump", c.clump, share, "How far tips gather to the middle of their clump.");
-  v.number("clump_size", c.clump_size, clump_size, "Mean distance of clumps, sizes.");
+  v.number("clump_size", c.clump_size, clump_size, "Mean distance of clumps.");
   v.number("fine_clump", c.fine_clump, share, "How far strands gather to locks inside their clump.");
-  v.number("fine_clump_size", c.fine_clump_size, clump_size, "Mean distance of these locks, sizes.");
+  v.number("fine_clump_size", c.fine_clump_size, clump_size, "Mean distance of the locks inside a clump.");
   v.number("lodge", c.lodge, share, "How far patches of strands are pressed to one side.");
-  v.number("lodge_size", c.lodge_size, clump_size, "Mean distance of these patches, sizes.");
+  v.number("lodge_size", c.lodge_size, clump_size, "Mean distance of the pressed patches.");
   v.number("wetness", c.wetness, share,
-           "Tighter clumps, darker (absorption up to 1.8 times) and shinier fur (highlight up to twice as strong).");
+           "How wet the coat is: tighter clumps, darker (absorption up to 1.8 times) and shinier fur (highlight up to "
+           "twice as strong).");
   v.number("length_spread", c.length_spread, share, "Share of the length that is random.");
   v.number("warmth_spread", c.warmth_spread, share,
            "Change of hue from strand to strand, to red and to blue, at the same lightness: 1 is up to twice the one "
            "over the other.");
   v.number("colour_spread", c.colour_spread, share, "Change of lightness from strand to strand.");
   v.number("root_share", c.root_share, share, "Angle at the root over angle at the tip: 0 plush, .6 sleek.");
-  v.name("lean_curve", c.lean_curve, json_names::lean_curves, "arc, or root: y = K sqrt(x).");
+  v.name("lean_curve", c.lean_curve, json_names::lean_curves,
+         "How a strand bends as it leans: in an arc, or most at the root, as y = K sqrt(x).");
   v.objects("ramp", c.ramp, {1, limits::ramp_stops}, "Colour along the strand.");
   v.object("undercoat", c.undercoat);
   v.object("ticking", c.ticking);
   v.object("tufts", c.tufts);
   v.object("pattern", c.pattern);
   v.object("variation", c.variation);
-  v.seed("seed", c.seed);
+  v.seed("seed", c.seed, "Other seeds give other strands.");
 }
 
 // What is placed on a model, on the wire: eyes, curves and bare skin.
 
 template <class V>
 void members(V& v, Visited<V, Iris>& c) {
-  v.type("Iris");
-  v.colour("colour", c.colour, "Tints the grey fibres.");
-  v.colour("inner_colour", c.inner_colour, "Around the pupil.");
-  v.number("size", c.size, {0.1, 0.95}, "Radius of the disc, in radii of the eye.");
-  v.number("depth", c.depth, {0, 0.5}, "Of the disc below the cornea's rim, in radii of the eye.");
-  v.number("relief", c.relief, {0, 0.2}, "Height of the fibres, in radii of the eye; held at the depth.");
+  v.type("Iris", "The coloured disc of an eye.");
+  v.colour("colour", c.colour, "Colour that tints the grey fibres.");
+  v.colour("inner_colour", c.inner_colour, "Colour around the pupil.");
+  v.number("size", c.size, {0.1, 0.95, "radii of the eye"}, "Radius of the disc.");
+  v.number("depth", c.depth, {0, 0.5, "radii of the eye"}, "Depth of the disc below the cornea's rim.");
+  v.number("relief", c.relief, {0, 0.2, "radii of the eye"}, "Height of the fibres; held at the depth.");
   v.number("limbal_ring", c.limbal_ring, share, "Darkness of the ring around the iris.");
-  v.number("turn_degrees", c.turn_degrees, {-360, 360}, "Of the fibres around the axis, degrees.");
+  v.number("turn_degrees", c.turn_degrees, {-360, 360, "degrees"}, "How far the fibres are turned around the axis.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Pupil>& c) {
-  v.type("Pupil");
-  v.name("shape", c.shape, json_names::pupil_shapes);
+  v.type("Pupil", "The opening of an iris.");
+  v.name("shape", c.shape, json_names::pupil_shapes, "Form of the opening.");
   v.number_or("automatic", "size", c.size, share,
-              "Share of the iris: 0 closed, 1 all of it. `automatic` answers the light.");
+              "Size as a share of the iris: 0 closed, 1 all of it. `automatic` answers the light.");
 }
 
 template <class V>
@@ -143,27 +145,30 @@ void members(V& v, Visited<V, Lids>& c) {
       "Skin around the eye that leaves an almond open, and shades what lies under it. Angles are seen from the eye's "
       "centre. Without this block the eye has no lids.");
   v.direction("facing", c.facing, "Middle of the opening; where the eye looks when it is not given.");
-  v.number("width_degrees", c.width_degrees, {1, 90}, "From the middle to a corner.");
-  v.number("upper_degrees", c.upper_degrees, {-90, 90}, "From the middle up to the upper lid.");
-  v.number("lower_degrees", c.lower_degrees, {-90, 90}, "From the middle down to the lower lid.");
-  v.number("tilt_degrees", c.tilt_degrees, {-180, 180}, "Counter-clockwise, seen from the front.");
-  v.colour("colour", c.colour);
+  v.number("width_degrees", c.width_degrees, {1, 90, "degrees"}, "Angle from the middle of the opening to a corner.");
+  v.number("upper_degrees", c.upper_degrees, {-90, 90, "degrees"},
+           "Angle from the middle of the opening up to the upper lid.");
+  v.number("lower_degrees", c.lower_degrees, {-90, 90, "degrees"},
+           "Angle from the middle of the opening down to the lower lid.");
+  v.number("tilt_degrees", c.tilt_degrees, {-180, 180, "degrees"},
+           "How far the opening is turned, counter-clockwise seen from the front.");
+  v.colour("colour", c.colour, "Colour of the lids.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Eye>& c) {
   v.type("Eye",
          "A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look at.");
-  v.position(required("position"), c.position, "Of the ball's centre.");
-  v.number(required("radius"), c.radius, {limits::min_eye_radius, 1e6}, "Sizes.");
-  if (v.shows(!c.look_at)) v.direction("gaze", c.gaze, "Where it looks.");
+  v.position(required("position"), c.position, "Centre of the ball.");
+  v.number(required("radius"), c.radius, {limits::min_eye_radius, 1e6, "sizes"}, "Radius of the ball.");
+  if (v.shows(!c.look_at)) v.direction("gaze", c.gaze, "Direction in which the eye looks.");
   v.position("look_at", c.look_at, "The point that it looks at; not its own position.");
-  v.object("iris", c.iris);
-  v.object("pupil", c.pupil);
-  v.object("lids", c.lids);
-  v.colour("sclera", c.sclera, "The white of the eye.");
-  v.number("bulge", c.bulge, share, "Of the cornea: 0 none, 1 half a ball.");
-  v.number("refraction", c.refraction, {1, 3}, "Refractive index of the cornea.");
+  v.object("iris", c.iris, "The eye's iris.");
+  v.object("pupil", c.pupil, "The eye's pupil.");
+  v.object("lids", c.lids, "Skin around the eye. Without this block the eye has no lids.");
+  v.colour("sclera", c.sclera, "Colour of the white of the eye.");
+  v.number("bulge", c.bulge, share, "How far the cornea bulges: 0 not at all, 1 half a ball.");
+  v.number("refraction", c.refraction, {1, 3, "refractive index"}, "Refractive index of the cornea.");
   v.number("wetness", c.wetness, share, "How sharp the tear film reflects: 0 a broad sheen, 1 a mirror.");
 }
 
@@ -175,31 +180,31 @@ void members(V& v, Visited<V, CurveGroup>& c) {
          "alpha alone.");
   v.curves(required("curves"), c.curves, {1, limits::curves}, {2, limits::curve_points},
            "Guides: the points that a smooth curve passes through, root first.");
-  v.number("width_root", c.width_root, {0, 0.1}, "Sizes.");
-  v.number("width_tip", c.width_tip, {0, 0.1}, "Sizes.");
-  v.colour("root_colour", c.root_colour);
-  v.colour("tip_colour", c.tip_colour);
+  v.number("width_root", c.width_root, {0, 0.1, "sizes"}, "Width of a curve at its root.");
+  v.number("width_tip", c.width_tip, {0, 0.1, "sizes"}, "Width of a curve at its tip.");
+  v.colour("root_colour", c.root_colour, "Colour at the root.");
+  v.colour("tip_colour", c.tip_colour, "Colour at the tip.");
   v.integer("fill", c.fill, {0, limits::curves - 1}, "Curves between each two guides that follow each other.");
   v.number(
       "spread", c.spread, share,
       "How far filled curves stray: at 1 half of their length, 30 degrees, and half of the way to the next curve.");
-  v.seed("seed", c.seed);
+  v.seed("seed", c.seed, "Other seeds let filled curves stray another way.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SkinFacing>& c) {
   v.type("SkinFacing",
          "Only skin whose normal lies near a direction belongs to the region. Without this block all of it does.");
-  v.direction(required("direction"), c.direction);
-  v.number("angle_degrees", c.angle_degrees, half_circle, "From the direction, where the region is whole.");
-  v.number("fade_degrees", c.fade_degrees, half_circle, "Over which it ends beyond that.");
+  v.direction(required("direction"), c.direction, "Direction that the skin faces.");
+  v.number("angle_degrees", c.angle_degrees, half_circle, "Angle from the direction within which the region is whole.");
+  v.number("fade_degrees", c.fade_degrees, half_circle, "Angle beyond that over which the region ends.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SkinBumps>& c) {
   v.type("SkinBumps", "Leathery relief: cells with creases between them.");
-  v.number("height", c.height, {0, 0.1}, "Sizes.");
-  v.number("size", c.size, {0.0001, 1}, "Of a cell, sizes.");
+  v.number("height", c.height, {0, 0.1, "sizes"}, "Height of the relief.");
+  v.number("size", c.size, {0.0001, 1, "sizes"}, "Size of a cell.");
 }
 
 template <class V>
@@ -207,19 +212,20 @@ void members(V& v, Visited<V, SkinRegion>& c) {
   v.type("SkinRegion",
          "An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the "
          "earlier.");
-  v.position(required("centre"), c.centre);
-  v.vector(required("radii"), c.radii, {limits::min_skin_radius, 1e6},
-           "Sizes. The third lies along the axis, the first is level, the second is upright where the axis is level.");
-  v.direction("axis", c.axis, "Of the third radius.");
-  v.number("turn_degrees", c.turn_degrees, {-180, 180}, "Around the axis, counter-clockwise as seen from its tip.");
-  v.number(
-      "softness", c.softness, {0, 10},
-      "How far outside the region fur takes to reach its whole length, in the region's radii. The colour ends within "
-      "half of that.");
-  v.object("facing", c.facing);
-  v.colour("colour", c.colour);
+  v.position(required("centre"), c.centre, "Centre of the ellipsoid.");
+  v.vector(required("radii"), c.radii, {limits::min_skin_radius, 1e6, "sizes"},
+           "The three radii. The third lies along the axis, the first is level, the second is upright where the axis "
+           "is level.");
+  v.direction("axis", c.axis, "Direction of the third radius.");
+  v.number("turn_degrees", c.turn_degrees, {-180, 180, "degrees"},
+           "How far the ellipsoid is turned around the axis, counter-clockwise as seen from its tip.");
+  v.number("softness", c.softness, {0, 10, "radii of the region"},
+           "How far outside the region fur takes to reach its whole length. The colour ends within half of that.");
+  v.object("facing", c.facing,
+           "Keeps the region to skin that faces one way. Without this block all skin inside it belongs to the region.");
+  v.colour("colour", c.colour, "Colour of the skin.");
   v.number("shine", c.shine, share, "Reflectance: 0 none, 0.5 that of skin, 1 twice that.");
-  v.number("roughness", c.roughness, {0.02, 1}, "Width of the highlight.");
+  v.number("roughness", c.roughness, {0.02, 1, "share"}, "Width of the highlight.");
   v.number("wetness", c.wetness, share, "A clear film: darker, with a sharp highlight.");
   v.number("scatter", c.scatter, share, "How far light wraps around, red the furthest.");
   v.object("bumps", c.bumps);
@@ -229,21 +235,33 @@ void members(V& v, Visited<V, SkinRegion>& c) {
 
 template <class V>
 void members(V& v, Visited<V, FibreOptics>& c) {
-  v.type("Fibre", "Fibres as the models energy_conserving, marschner and scheuermann take them.");
-  v.number("longitudinal_roughness", c.longitudinal_roughness, share, "beta_m; energy_conserving.");
-  v.number("azimuthal_roughness", c.azimuthal_roughness, share, "beta_n; energy_conserving.");
-  v.number("cuticle_tilt", c.cuticle_tilt, {-15, 15}, "Degrees; turns reflected light to the root.");
-  v.number("refractive_index", c.refractive_index, {1, 3});
+  v.type("Fibre", "How fibres scatter light in the shading models energy_conserving, marschner and scheuermann.");
+  v.number("longitudinal_roughness", c.longitudinal_roughness, share,
+           "Roughness along the strand, beta_m. Used by energy_conserving.");
+  v.number("azimuthal_roughness", c.azimuthal_roughness, share,
+           "Roughness around the strand, beta_n. Used by energy_conserving.");
+  v.number("cuticle_tilt", c.cuticle_tilt, {-15, 15, "degrees"},
+           "Tilt of the cuticle, which turns reflected light to the root.");
+  v.number("refractive_index", c.refractive_index, {1, 3, "refractive index"},
+           "Refractive index of the strand. Used by energy_conserving and marschner.");
   v.name("absorption", c.absorption, json_names::absorptions, "What the absorption is worked out from.");
-  v.number("eumelanin", c.eumelanin, {0, 10000}, "Brown and black.");
-  v.number("pheomelanin", c.pheomelanin, {0, 10000}, "Red.");
-  v.number("highlight_width", c.highlight_width, {0, 90}, "Degrees; marschner.");
-  v.number("caustic_width", c.caustic_width, {1, 60}, "Degrees; marschner.");
-  v.number("primary_shift", c.primary_shift, {-2, 2}, "Above 0: highlight nearer the tip; scheuermann.");
-  v.number("secondary_shift", c.secondary_shift, {-2, 2}, "scheuermann.");
-  v.number("shift_spread", c.shift_spread, {0, 2}, "From strand to strand; scheuermann.");
-  v.number("secondary_specular", c.secondary_specular, {0, 4}, "Of the coloured lobe; scheuermann.");
-  v.number("secondary_exponent", c.secondary_exponent, {0, 1000000}, "scheuermann.");
+  v.number("eumelanin", c.eumelanin, {0, 10000, "concentration"},
+           "Concentration of eumelanin, which makes brown and black. Used with absorption melanin.");
+  v.number("pheomelanin", c.pheomelanin, {0, 10000, "concentration"},
+           "Concentration of pheomelanin, which makes red. Used with absorption melanin.");
+  v.number("highlight_width", c.highlight_width, {0, 90, "degrees"}, "Width of the highlight. Used by marschner.");
+  v.number("caustic_width", c.caustic_width, {1, 60, "degrees"},
+           "Spread of transmitted light around the strand. Used by marschner.");
+  v.number("primary_shift", c.primary_shift, {-2, 2, "tangents"},
+           "Shift of the white highlight; above 0 it is nearer the tip. Used by scheuermann.");
+  v.number("secondary_shift", c.secondary_shift, {-2, 2, "tangents"},
+           "Shift of the coloured highlight. Used by scheuermann.");
+  v.number("shift_spread", c.shift_spread, {0, 2, "tangents"},
+           "How much the shifts differ from strand to strand. Used by scheuermann.");
+  v.number("secondary_specular", c.secondary_specular, {0, 4, "factor"},
+           "Strength of the coloured highlight. Used by scheuermann.");
+  v.number("secondary_exponent", c.secondary_exponent, {0, 1000000, "exponent"},
+           "Sharpness of the coloured highlight. Used by scheuermann.");
 }
 
 template <class V>
@@ -252,53 +270,59 @@ void members(V& v, Visited<V, Look>& c) {
   v.name("shading", c.shading, json_names::shading_models, "How fibres scatter light.");
   v.object("fibre", c.fibre);
   v.name("colour_source", c.colour_source, json_names::colour_sources,
-         "model: its texture or vertex colours; coat: the ramp; automatic: the model's where it has colours.");
-  v.number("ambient", c.ambient, {0, 4});
-  v.number("diffuse", c.diffuse, {0, 4});
-  v.number("specular", c.specular, {0, 4});
-  v.number("diffuse_exponent", c.diffuse_exponent, {0, 1000000});
-  v.number("specular_exponent", c.specular_exponent, {0, 1000000});
-  v.number("back_attenuation", c.back_attenuation, {0.001, 1});
-  v.number("ambient_floor", c.ambient_floor, share, "Ambient light that reaches the roots.");
-  v.number("self_shadow", c.self_shadow, {0, 4}, "Scales the optical depth to the light.");
+         "Where the colour of fur comes from. model: its texture or vertex colours. coat: the ramp. automatic: the "
+         "model's where it has colours.");
+  v.number("ambient", c.ambient, {0, 4, "factor"}, "Strength of the light from all around.");
+  v.number("diffuse", c.diffuse, {0, 4, "factor"}, "Strength of diffuse light.");
+  v.number("specular", c.specular, {0, 4, "factor"}, "Strength of the highlight.");
+  v.number("diffuse_exponent", c.diffuse_exponent, {0, 1000000, "exponent"},
+           "How fast diffuse light falls as the light turns to the strand's own line.");
+  v.number("specular_exponent", c.specular_exponent, {0, 1000000, "exponent"}, "Sharpness of the highlight.");
+  v.number("back_attenuation", c.back_attenuation, {0.001, 1, "share"},
+           "How far behind the skin a light may stand before its light is gone, as the sine of the angle. Used by "
+           "lengyel, kajiya and kajiya_kay.");
+  v.number("ambient_floor", c.ambient_floor, share, "Share of the ambient light that reaches the roots.");
+  v.number("self_shadow", c.self_shadow, {0, 4, "factor"}, "Factor on the optical depth from fur to the light.");
   v.colour("skin", c.skin, "Colour under the fur where the model has none.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Light>& c) {
-  v.type("Light");
+  v.type("Light", "A light of the scene.");
   v.name("kind", c.kind, json_names::light_kinds,
-         "area: a rectangle that shines along `direction` by the cosine, as bright from afar as a point light. Shells "
-         "see it from its middle.");
+         "Kind of the light. area: a rectangle that shines along `direction` by the cosine, as bright from afar as a "
+         "point light. Shells see it from its middle.");
   v.direction("direction", c.direction, "Where a directional, spot or area light goes.");
-  v.position("position", c.position, "Of a point, spot or area light.");
-  v.colour("colour", c.colour);
-  v.number("intensity", c.intensity, {0, 100000000},
-           "1 gives white; a point light's is measured at a distance of one size.");
-  v.number("cone_degrees", c.cone_degrees, {0.1, 90}, "Half angle of a spot light.");
+  v.position("position", c.position, "Where a point, spot or area light stands.");
+  v.colour("colour", c.colour, "Colour of the light.");
+  v.number("intensity", c.intensity, {0, 100000000, "factor"},
+           "Brightness; 1 gives white. A point light's is measured at a distance of one size.");
+  v.number("cone_degrees", c.cone_degrees, {0.1, 90, "degrees"}, "Half angle of a spot light.");
   v.number("cone_softness", c.cone_softness, share, "Share of the cone over which a spot light fades.");
-  v.number("angle_degrees", c.angle_degrees, {0, 90},
+  v.number("angle_degrees", c.angle_degrees, {0, 90, "degrees"},
            "Half angle that a directional light spans, for traced strands and a `penumbra`.");
-  v.number("radius", c.radius, {0, 10},
-           "Of the ball that a point or spot light is, sizes, for traced strands and a `penumbra`.");
-  v.number("width", c.width, {0.001, 100}, "Of an area light, sizes; level.");
-  v.number("height", c.height, {0.001, 100}, "Of an area light, sizes.");
+  v.number("radius", c.radius, {0, 10, "sizes"},
+           "Radius of the ball that a point or spot light is, for traced strands and a `penumbra`.");
+  v.number("width", c.width, {0.001, 100, "sizes"}, "Width of an area light; its sides along it are level.");
+  v.number("height", c.height, {0.001, 100, "sizes"}, "Height of an area light.");
   v.boolean("self_shadow_maps", c.self_shadow_maps,
-            "Shadow maps of the shells in place of the estimate, in frames with `shadow_maps`.");
+            "Draws shadow maps of the shells in place of the estimate, in frames with `shadow_maps`.");
   v.name("cast_shadow", c.cast_shadow, json_names::cast_shadows,
          "Shadow of one part of the body on another, in frames with `shadow_maps`: with a sharp edge, with one that "
          "`shadow_scale` widens, or blurred by the light's size, nearest to traced strands.");
-  v.number("shadow_scale", c.shadow_scale, {0, 1000}, "Larger makes the edge of a `soft` cast shadow narrower.");
+  v.number("shadow_scale", c.shadow_scale, {0, 1000, "factor"},
+           "Larger makes the edge of a `soft` cast shadow narrower.");
 }
 
 template <class V>
 void turn_member(V& v, Visited<V, Environment>& c) {
-  v.number("turn_degrees", c.turn_degrees, {-360, 360}, "About +y, counter-clockwise seen from above; of harmonics.");
+  v.number("turn_degrees", c.turn_degrees, {-360, 360, "degrees"},
+           "How far the harmonics are turned about +y, counter-clockwise seen from above.");
 }
 
 template <class V>
 void intensity_member(V& v, Visited<V, Environment>& c) {
-  v.number("intensity", c.intensity, {0, 100}, "Factor on its light.");
+  v.number("intensity", c.intensity, {0, 100, "factor"}, "Factor on its light.");
 }
 
 template <class V>
@@ -308,11 +332,12 @@ void members(V& v, Visited<V, Environment>& c) {
       "Light from all around: a gradient, or spherical harmonics. It scales the look's `ambient`; white everywhere is "
       "constant light.");
   if (v.shows(!c.harmonics)) {
-    v.colour("sky", c.sky, "From straight above.");
-    v.colour("horizon", c.horizon);
-    v.colour("ground", c.ground, "From straight below.");
+    v.colour("sky", c.sky, "Light from straight above.");
+    v.colour("horizon", c.horizon, "Light from the horizon.");
+    v.colour("ground", c.ground, "Light from straight below.");
   }
-  v.vectors("harmonics", c.harmonics, {-limits::harmonic, limits::harmonic}, "In place of the three colours.");
+  v.vectors("harmonics", c.harmonics, {-limits::harmonic, limits::harmonic, "radiance"},
+            "Nine spherical harmonics of red, green and blue, in place of the three colours.");
   if (v.shows(c.harmonics.has_value())) turn_member(v, c);
   intensity_member(v, c);
 }
@@ -320,8 +345,8 @@ void members(V& v, Visited<V, Environment>& c) {
 template <class V>
 void members(V& v, Visited<V, Ground>& c) {
   v.type("Ground", "A level ground that catches shadow. It darkens the background and shows nothing else.");
-  v.boolean("visible", c.visible);
-  v.number("height", c.height, coordinate, "The model's y; its lowest point when absent.");
+  v.boolean("visible", c.visible, "Whether there is a ground.");
+  v.number("height", c.height, coordinate, "Height of the ground, the model's y; its lowest point when absent.");
   v.number("shadow", c.shadow, share, "How dark cast shadows get on it, in frames with `shadow_maps`.");
   v.number("contact", c.contact, share, "How dark it gets under the model.");
 }

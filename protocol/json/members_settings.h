@@ -11,38 +11,38 @@ namespace pelage::json_parts {
 
 template <class V>
 void members(V& v, Visited<V, SetCoat>& c) {
-  v.type("SetCoat");
-  v.object(required("coat"), c.coat);
+  v.type("SetCoat", "Sets how the strands of the fur are made: their form, colours and markings.");
+  v.object(required("coat"), c.coat, "The new coat.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetLook>& c) {
-  v.type("SetLook");
-  v.object(required("look"), c.look);
+  v.type("SetLook", "Sets how fur is shaded.");
+  v.object(required("look"), c.look, "The new look.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetLights>& c) {
-  v.type("SetLights");
-  v.objects(required("lights"), c.lights, {0, limits::lights});
+  v.type("SetLights", "Places all lights of the scene; an empty list leaves the light from all around alone.");
+  v.objects(required("lights"), c.lights, {0, limits::lights}, "All lights of the scene.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetEnvironment>& c) {
-  v.type("SetEnvironment");
-  v.object(required("environment"), c.environment);
+  v.type("SetEnvironment", "Sets the light from all around.");
+  v.object(required("environment"), c.environment, "The new light from all around.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetGround>& c) {
-  v.type("SetGround");
-  v.object(required("ground"), c.ground);
+  v.type("SetGround", "Sets a ground that catches shadow.");
+  v.object(required("ground"), c.ground, "The new ground.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetEyes>& c) {
   v.type("SetEyes", "Places all eyes of the scene; an empty list takes them away. A new creature has two.");
-  v.objects(required("eyes"), c.eyes, {0, limits::eyes});
+  v.objects(required("eyes"), c.eyes, {0, limits::eyes}, "All eyes of the scene.");
 }
 
 template <class V>
@@ -51,7 +51,7 @@ void members(V& v, Visited<V, SetCurves>& c) {
       "SetCurves",
       "Places all whiskers, lashes and brows of the scene; an empty list takes them away. At most 4096 curves in all, "
       "filled ones too. A new creature has some.");
-  v.objects(required("groups"), c.groups, {0, limits::curve_groups});
+  v.objects(required("groups"), c.groups, {0, limits::curve_groups}, "All groups of curves of the scene.");
 }
 
 template <class V>
@@ -59,7 +59,7 @@ void members(V& v, Visited<V, SetSkin>& c) {
   v.type("SetSkin",
          "Places all regions of bare skin; an empty list takes them away. A new creature has a nose, lips, ears and "
          "pads.");
-  v.objects(required("regions"), c.regions, {0, limits::skin_regions});
+  v.objects(required("regions"), c.regions, {0, limits::skin_regions}, "All regions of bare skin.");
 }
 
 template <class V>
@@ -68,49 +68,50 @@ void members(V& v, Visited<V, SetSkinTexture>& c) {
          "Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is the "
          "name that the log has after an upload to `skin_texture`, made from the pixels alone; a picture that no scene "
          "of this server has used is refused. `own` takes it off again.");
-  v.picture(required("picture"), c.picture, "", "own");
+  v.picture(required("picture"), c.picture, "Name of an uploaded picture, or `own` for the model's own colours.",
+            "own");
 }
 
 template <class V>
 void members(V& v, Visited<V, NamedBlower>& c) {
-  v.type("NamedBlower");
-  v.label(required("name"), c.name);
+  v.type("NamedBlower", "A wind that stays in the scene under a name.");
+  v.label(required("name"), c.name, "Name by which `blow` uses it.");
   wind_members(v, c.blow, "source");
 }
 
 template <class V>
 void members(V& v, Visited<V, NamedAttractor>& c) {
-  v.type("NamedAttractor");
-  v.label(required("name"), c.name);
+  v.type("NamedAttractor", "A stick that stays in the scene under a name.");
+  v.label(required("name"), c.name, "Name by which `attract` uses it.");
   stick_members(v, c.attract, "point");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetBlowers>& c) {
   v.type("SetBlowers", "Places all winds that stay, for blow to use by their names, which differ.");
-  v.objects(required("blowers"), c.blowers, {0, limits::blowers});
+  v.objects(required("blowers"), c.blowers, {0, limits::blowers}, "All winds that stay.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetAttractors>& c) {
   v.type("SetAttractors", "Places all sticks that stay, for attract to use by their names, which differ.");
-  v.objects(required("attractors"), c.attractors, {0, limits::blowers});
+  v.objects(required("attractors"), c.attractors, {0, limits::blowers}, "All sticks that stay.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Plane>& c) {
-  v.type("Plane");
-  v.position("point", c.point);
-  v.direction("normal", c.normal);
+  v.type("Plane", "A plane that mirrors.");
+  v.position("point", c.point, "A point of the plane.");
+  v.direction("normal", c.normal, "Direction that the plane faces.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Symmetry>& c) {
   v.type("Symmetry", "Mirror planes, all their combinations, and a rotation about an axis by equal steps.");
-  v.objects(required("planes"), c.planes, {0, limits::symmetry_planes});
-  v.position("axis_point", c.axis_point);
-  v.direction("axis", c.axis);
-  v.integer("count", c.count, {1, limits::symmetry_images}, "Of equal steps in a whole turn; 1 is no rotation.");
+  v.objects(required("planes"), c.planes, {0, limits::symmetry_planes}, "Planes that mirror.");
+  v.position("axis_point", c.axis_point, "A point of the axis of rotation.");
+  v.direction("axis", c.axis, "Direction of the axis of rotation.");
+  v.integer("count", c.count, {1, limits::symmetry_images}, "Number of equal steps in a whole turn; 1 is no rotation.");
 }
 
 template <class V>
@@ -118,14 +119,14 @@ void members(V& v, Visited<V, SetSymmetry>& c) {
   v.type("SetSymmetry",
          "From now on each tool with a place works on all its images too, as one undo step. Places on the surface are "
          "mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.");
-  v.object(required("symmetry"), c.symmetry);
+  v.object(required("symmetry"), c.symmetry, "The new symmetry; with `planes` empty and `count` 1 there is none.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Checkpoint>& c) {
   v.type("Checkpoint", "Gives this revision a name, or an earlier one; a name that is known moves.");
-  v.label(required("name"), c.name);
-  v.counter("revision", c.revision, "The one that this command makes unless given.");
+  v.label(required("name"), c.name, "Name of the checkpoint.");
+  v.counter("revision", c.revision, "Revision that gets the name; the one that this command makes unless given.");
 }
 
 template <class V>
@@ -134,29 +135,28 @@ void members(V& v, Visited<V, ChangeEditLayer>& c) {
          "Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the lowest "
          "layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is merged may "
          "be muted; the layer that is merged into comes to weight 1.");
-  v.name("action", c.action, json_names::edit_layer_actions);
-  v.label(required("name"), c.name);
+  v.name("action", c.action, json_names::edit_layer_actions, "What is done with the edit layer.");
+  v.label(required("name"), c.name, "Name of the edit layer.");
   const bool add = c.action == EditLayerAction::add, set = c.action == EditLayerAction::set;
   if (v.takes(add || set)) {
-    v.number(
-        "weight", c.weight, edit_layer_weight,
-        "Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change edit layers of at "
-        "least .05 "
-        "or at most -.05.");
-    v.boolean("muted", c.muted, "Of add and set.");
+    v.number("weight", c.weight, edit_layer_weight,
+             "How much the edit layer counts, for add and set; add takes 1 unless given. Below 0 it does the opposite "
+             "of what was groomed. Tools change edit layers of at least .05 or at most -.05.");
+    v.boolean("muted", c.muted, "Whether the edit layer is left out, for add and set.");
   }
-  if (v.takes(set)) v.text(sparse("rename"), c.rename, "Of set: the new name.");
+  if (v.takes(set)) v.text(sparse("rename"), c.rename, "The new name, for set.");
   if (v.takes(add || c.action == EditLayerAction::move)) {
     v.text("above", c.above,
-           "Of add, else on top, and move, where it is required: the layer that it comes to lie on, or \"\" for none.");
+           "Edit layer that it comes to lie on, or \"\" for none. For add, where it lies on top unless given, and "
+           "move, where it is required.");
   }
 }
 
 template <class V>
 void members(V& v, Visited<V, NamedRevision>& c) {
-  v.answer("NamedRevision");
-  v.text("name", c.name);
-  v.counter("revision", c.revision);
+  v.answer("NamedRevision", "A revision that has a name.");
+  v.text("name", c.name, "Name of the checkpoint.");
+  v.counter("revision", c.revision, "Revision that has the name.");
 }
 
 template <class V>
@@ -165,7 +165,7 @@ void members(V& v, Visited<V, SettingsAnswer>& c) {
       "Settings",
       "What a scene holds beside its fields and its log. Each member is as the command that sets it takes it, with "
       "all defaults; a member that is optional there is absent where it is not set.");
-  v.counter("revision", c.revision, "Whose settings these are.");
+  v.counter("revision", c.revision, "Revision whose settings these are.");
   v.object("coat", c.settings.coat, "Set by set_coat.");
   v.object("look", c.settings.look, "Set by set_look.");
   v.objects("lights", c.settings.lights, {0, limits::lights}, "Set by set_lights.");

@@ -23,7 +23,7 @@ void place_members(V& v, Tool& c) {
 
 template <class V, class Tool>
 void flood_member(V& v, Tool& c) {
-  v.boolean("flood", c.flood, "Everywhere in place of a stroke.");
+  v.boolean("flood", c.flood, "Works everywhere in place of under a stroke.");
 }
 
 template <class V>
@@ -31,20 +31,21 @@ void members(V& v, Visited<V, Comb>& c) {
   v.type("Comb", "Turns fur the way the stroke moves; as a flood, to `direction` everywhere.");
   place_members(v, c), flood_member(v, c);
   v.number("lean", c.lean, share, "Inclination that combing tends to: 0 upright, 1 lying.");
-  v.boolean("keep_inclination", c.keep_inclination, "Turn the heading alone.");
-  v.direction("direction", c.direction);
+  v.boolean("keep_inclination", c.keep_inclination, "Turns the heading alone.");
+  v.direction("direction", c.direction,
+              "Where fur is turned to as a flood. Required by a flood, refused with a stroke.");
 }
 
 template <class V>
 void wind_members(V& v, Visited<V, Blow>& c, MemberName source) {
-  v.position(source, c.source);
-  v.direction("direction", c.direction);
-  v.number("cone_degrees", c.cone_degrees, half_circle, "Half angle of the cone, degrees.");
+  v.position(source, c.source, "Where the wind comes from.");
+  v.direction("direction", c.direction, "Where the wind blows, the axis of its cone.");
+  v.number("cone_degrees", c.cone_degrees, half_circle, "Half angle of the cone.");
   v.number("softness", c.softness, share, "Share of the cone over which its edge fades.");
   v.number("fall", c.fall, length_in_units,
            "Distance at which the wind has half its strength, in `units`; 0: it does not fall.");
   v.name("units", c.units, json_names::units);
-  v.number("strength", c.strength, share, "0 does nothing, 1 all.");
+  v.number("strength", c.strength, share, "How much it changes: 0 does nothing, 1 all.");
   v.number("lean", c.lean, share, "Inclination that the wind tends to: 0 upright, 1 lying.");
 }
 
@@ -60,13 +61,14 @@ void members(V& v, Visited<V, Blow>& c) {
 
 template <class V>
 void stick_members(V& v, Visited<V, Attract>& c, MemberName point) {
-  v.position(point, c.point);
-  v.number("radius", c.radius, length_in_units, "In `units`; at most 1000000 sizes.");
+  v.position(point, c.point, "Where the stick is.");
+  v.number("radius", c.radius, length_in_units,
+           "Distance beyond which nothing is pulled, in `units`; at most 1000000 sizes.");
   v.name("units", c.units, json_names::units);
-  v.number("strength", c.strength, share, "0 does nothing, 1 all.");
-  v.number("duration", c.duration, {0, 10000}, "Seconds of pulling.");
-  v.number("threshold", c.threshold, {0, 1000}, "Stretch that fur takes without growing.");
-  v.number("max_stretch", c.max_stretch, {1, 100}, "Largest length over the length before any stretch.");
+  v.number("strength", c.strength, share, "How much it changes: 0 does nothing, 1 all.");
+  v.number("duration", c.duration, {0, 10000, "seconds"}, "How long the stick pulls.");
+  v.number("threshold", c.threshold, {0, 1000, "share"}, "Stretch that fur takes without growing.");
+  v.number("max_stretch", c.max_stretch, {1, 100, "factor"}, "Largest length over the length before any stretch.");
 }
 
 template <class V>
@@ -83,10 +85,11 @@ void members(V& v, Visited<V, Attract>& c) {
 template <class V>
 void members(V& v, Visited<V, Key>& c) {
   v.type("Key", "What fur is like at one place: a direction, a length or both.");
-  v.position(required("position"), c.position, "The nearest place on the surface is meant.");
-  v.direction("direction", c.direction);
-  v.number("inclination", c.inclination, share, "0.5 unless given, where there is a direction.");
-  v.number("length", c.length, length_in_units, "In `units`; at most 10 sizes.");
+  v.position(required("position"), c.position, "Where the key lies; the nearest place on the surface is meant.");
+  v.direction("direction", c.direction, "Where fur leans there. Without it the key says a length alone.");
+  v.number("inclination", c.inclination, share,
+           "How far fur leans there: 0 upright, 1 lying. It needs a direction and is 0.5 unless given.");
+  v.number("length", c.length, length_in_units, "Length of the fur there, in `units`; at most 10 sizes.");
 }
 
 template <class V>
@@ -94,31 +97,31 @@ void members(V& v, Visited<V, Interpolate>& c) {
   v.type("Interpolate",
          "Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its value.");
   place_members(v, c);
-  v.objects(required("keys"), c.keys, {1, limits::keys});
+  v.objects(required("keys"), c.keys, {1, limits::keys}, "What fur is like at a few places.");
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
   v.name("units", c.units, json_names::units);
-  v.name(
-      "distance", c.distance, json_names::distance_kinds,
-      "straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by the heat "
-      "method, slower.");
-  v.number("strength", c.strength, share, "0 does nothing, 1 all.");
+  v.name("distance", c.distance, json_names::distance_kinds,
+         "How distances are measured. straight: through space. dijkstra: along edges, too long by some percent. heat: "
+         "along the surface by the heat method, slower.");
+  v.number("strength", c.strength, share, "How much it changes: 0 does nothing, 1 all.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Flow>& c) {
   v.type("Flow", "Lays the fur of the whole body along curves drawn on it, from the first point of each to the last.");
   place_members(v, c);
-  v.curves(required("curves"), c.curves, {1, limits::flow_curves}, {2, limits::flow_points});
+  v.curves(required("curves"), c.curves, {1, limits::flow_curves}, {2, limits::flow_points},
+           "Curves on the model, each a list of points that fur follows from the first to the last.");
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
   v.name("units", c.units, json_names::units);
-  v.name(
-      "distance", c.distance, json_names::distance_kinds,
-      "straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by the heat "
-      "method, slower.");
-  v.number("inclination", c.inclination, share, "The fur keeps its own unless given.");
-  v.number("strength", c.strength, share, "0 does nothing, 1 all.");
+  v.name("distance", c.distance, json_names::distance_kinds,
+         "How distances are measured. straight: through space. dijkstra: along edges, too long by some percent. heat: "
+         "along the surface by the heat method, slower.");
+  v.number("inclination", c.inclination, share,
+           "How far fur leans: 0 upright, 1 lying. The fur keeps its own unless given.");
+  v.number("strength", c.strength, share, "How much it changes: 0 does nothing, 1 all.");
 }
 
 template <class V>
@@ -126,10 +129,10 @@ void members(V& v, Visited<V, Smooth>& c) {
   v.type("Smooth", "Blends each value with the mean of its neighbours, nearer ones counting more.");
   place_members(v, c), flood_member(v, c);
   v.number("t", c.t, share, "Share of the mean in each pass; up to 0.5 nothing oscillates.");
-  v.integer("passes", c.passes, {1, limits::passes});
+  v.integer("passes", c.passes, {1, limits::passes}, "How often the values are blended.");
   v.boolean("keep_inclination", c.keep_inclination,
-            "Smooth headings alone, so that no tuft rises where opposite directions meet.");
-  v.names("fields", c.fields, json_names::fields, 1, "field");
+            "Smooths headings alone, so that no tuft rises where opposite directions meet.");
+  v.names("fields", c.fields, json_names::fields, 1, "field", "Fields that are smoothed.");
 }
 
 template <class V>
@@ -137,24 +140,28 @@ void members(V& v, Visited<V, Noise>& c) {
   v.type("Noise",
          "Adds random numbers that are a pure function of the seed and the place; inverted it takes them off.");
   place_members(v, c), flood_member(v, c);
-  v.seed("seed", c.seed);
-  v.number("amount", c.amount, {0, 10},
-           "Of directions in inclinations; of length, stretch and width a share of the value; of other fields added.");
-  v.number("feature_size", c.feature_size, length_in_units, "Of the noise, in `units`; 0: every vertex for itself.");
+  v.seed("seed", c.seed, "Other seeds give other noise.");
+  v.number("amount", c.amount, {0, 10, "varies"},
+           "How large the numbers are: for directions in inclinations; for length, stretch and width as a share of the "
+           "value; for other fields in their own unit.");
+  v.number("feature_size", c.feature_size, length_in_units,
+           "Size of the noise's features, in `units`. At 0 every vertex moves for itself.");
   v.name("units", c.units, json_names::units);
-  v.names("fields", c.fields, json_names::fields, 1, "field");
+  v.names("fields", c.fields, json_names::fields, 1, "field", "Fields that noise is added to.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Unify>& c) {
   v.type("Unify", "Blends to a value, or to the mean under the brush.");
   place_members(v, c), flood_member(v, c);
-  v.direction("direction", c.direction);
-  v.number("inclination", c.inclination, share, "The fur keeps its own unless given.");
-  v.number("length", c.length, length_in_units, "In `units`; at most 10 sizes.");
+  v.direction("direction", c.direction, "Where fur is turned to.");
+  v.number("inclination", c.inclination, share,
+           "How far fur leans: 0 upright, 1 lying. The fur keeps its own unless given.");
+  v.number("length", c.length, length_in_units,
+           "Length that fur tends to, in `units`; at most 10 sizes. The fur keeps its own unless given.");
   v.name("units", c.units, json_names::units);
-  v.names("mean", c.mean, json_names::fields, 0, "field", "Fields that go to their weighted mean.");
-  v.number("weight", c.weight, share, "Beside the brush's own strength.");
+  v.names("mean", c.mean, json_names::fields, 0, "field", "Fields that go to their weighted mean under the brush.");
+  v.number("weight", c.weight, share, "How far values go, on top of the brush's own strength.");
 }
 
 template <class V>
@@ -168,8 +175,9 @@ template <class V>
 void members(V& v, Visited<V, Whorl>& c) {
   v.type("Whorl", "Turns fur round the nearest place of the stroke: a cowlick. Inverted it turns the other way.");
   place_members(v, c);
-  v.number("turn_degrees", c.turn_degrees, {-180, 180},
-           "From outwards, counter-clockwise seen from outside: 0 points out, 90 circles, 180 points in.");
+  v.number("turn_degrees", c.turn_degrees, {-180, 180, "degrees"},
+           "Way that fur turns, counter-clockwise seen from outside: at 0 it points out, at 90 it circles, at 180 it "
+           "points in.");
   v.number("lean", c.lean, share, "Inclination that the fur tends to: 0 upright, 1 lying.");
 }
 
@@ -178,27 +186,28 @@ void members(V& v, Visited<V, Length>& c) {
   v.type("Length", "Changes how long fur is.");
   place_members(v, c), flood_member(v, c);
   v.name("mode", c.mode, json_names::length_modes,
-         "average: to the mean under the brush. jitter: by a random share. min, max: not under, not over.");
+         "How `value` changes the length. average: to the mean under the brush. jitter: by a random share. min, max: "
+         "not under, not over.");
   v.number(
-      "value", c.value, coordinate,
+      "value", c.value, coordinate.in("varies"),
       "A length in `units`, at most 10 sizes and below 0 for add only; a factor for scale, at most 1000000; a share "
       "for jitter, at most 1.");
   v.name("units", c.units, json_names::units);
-  v.seed("seed", c.seed);
+  v.seed("seed", c.seed, "Other seeds give other random shares; for jitter.");
 }
 
 template <class V>
 void members(V& v, Visited<V, TrimPlane>& c) {
-  v.type("TrimPlane");
-  v.position(required("point"), c.point);
-  v.direction("normal", c.normal, "To the side where no fur may be.");
+  v.type("TrimPlane", "A plane; fur ends where it crosses it.");
+  v.position(required("point"), c.point, "A point of the plane.");
+  v.direction("normal", c.normal, "Direction to the side where no fur may be.");
 }
 
 template <class V>
 void members(V& v, Visited<V, TrimSphere>& c) {
-  v.type("TrimSphere");
-  v.position(required("centre"), c.centre);
-  v.number("radius", c.radius, length_in_units, "In `units`; at most 1000000 sizes.");
+  v.type("TrimSphere", "A sphere; fur ends where it crosses it.");
+  v.position(required("centre"), c.centre, "Centre of the sphere.");
+  v.number("radius", c.radius, length_in_units, "Radius of the sphere, in `units`; at most 1000000 sizes.");
   v.boolean("keep_inside", c.keep_inside, "Fur ends where it leaves the sphere; else where it enters it.");
 }
 
@@ -209,9 +218,10 @@ void members(V& v, Visited<V, Trim>& c) {
       "Cuts fur by a plane, by a sphere or to a height over the skin, by the way that it leans. A flood cuts wholly, "
       "whatever the strength.");
   place_members(v, c), flood_member(v, c);
-  v.template alternative<TrimPlane>("plane", c.shape);
-  v.template alternative<TrimSphere>("sphere", c.shape);
-  v.alternative("height", c.shape, length_in_units, "In `units`; at most 1000000 sizes.");
+  v.template alternative<TrimPlane>("plane", c.shape, "Plane that fur is cut by.");
+  v.template alternative<TrimSphere>("sphere", c.shape, "Sphere that fur is cut by.");
+  v.alternative("height", c.shape, length_in_units,
+                "Height over the skin that fur is cut to, in `units`; at most 1000000 sizes.");
   v.name("units", c.units, json_names::units);
 }
 
@@ -227,9 +237,10 @@ void members(V& v, Visited<V, Erase>& c) {
          "Goes back to the first groom, or to a checkpoint or a revision of this scene; with a layer and neither of "
          "them, takes away what the layer adds. The mask stays unless it is named.");
   place_members(v, c), flood_member(v, c);
-  v.text(sparse("checkpoint"), c.checkpoint);
-  v.counter("revision", c.revision, "Of this model.");
-  v.names("fields", c.fields, json_names::fields, 0, "field", "All but the mask when empty.");
+  v.text(sparse("checkpoint"), c.checkpoint,
+         "Name of the checkpoint to go back to. Empty: the first groom, or `revision`.");
+  v.counter("revision", c.revision, "Revision of this model to go back to.");
+  v.names("fields", c.fields, json_names::fields, 0, "field", "Fields that go back; all but the mask when empty.");
 }
 
 template <class V>
@@ -237,50 +248,54 @@ void members(V& v, Visited<V, Clump>& c) {
   v.type("Clump", "Turns fur to the line of the stroke and gathers its tips; inverted it opens them.");
   place_members(v, c);
   v.number("gather", c.gather, share, "How far fur turns.");
-  v.number("amount", c.amount, share, "What the field clump tends to.");
+  v.number("amount", c.amount, share, "Value that the field clump tends to.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Curl>& c) {
   v.type("Curl", "Curls fur and turns its heading; inverted it takes the curl out.");
   place_members(v, c), flood_member(v, c);
-  v.number("amount", c.amount, share, "What the field curl tends to.");
-  v.number("turn_degrees", c.turn_degrees, {-180, 180}, "Counter-clockwise seen from outside.");
+  v.number("amount", c.amount, share, "Value that the field curl tends to.");
+  v.number("turn_degrees", c.turn_degrees, {-180, 180, "degrees"},
+           "How far the heading turns, counter-clockwise seen from outside.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Paint>& c) {
   v.type("Paint", "Paints a field; inverted it takes it back to its default.");
   place_members(v, c), flood_member(v, c);
-  v.name("field", c.field, json_names::fields, "Not direction, length or stretch, which have tools of their own.");
-  v.number("value", c.value, {0, 4}, "At most 1, of width 4. Of a colour how much it covers.");
-  if (v.takes(shape_of(c.field).channels == 4)) v.colour("colour", c.colour, "Of root_colour and tip_colour only.");
+  v.name("field", c.field, json_names::fields,
+         "Field that is painted. Not direction, length or stretch, which have tools of their own.");
+  v.number("value", c.value, {0, 4, "varies"},
+           "Value that the field tends to: at most 1, for width 4. For a colour how much of the coat's own it covers.");
+  if (v.takes(shape_of(c.field).channels == 4))
+    v.colour("colour", c.colour, "Colour to paint; for root_colour and tip_colour only.");
 }
 
 template <class V>
 void members(V& v, Visited<V, MaskAll>&) {
-  v.type("MaskAll");
+  v.type("MaskAll", "Everything; an empty object.");
 }
 
 template <class V>
 void members(V& v, Visited<V, MaskBox>& c) {
-  v.type("MaskBox");
-  v.position(required("min"), c.min);
-  v.position(required("max"), c.max);
+  v.type("MaskBox", "A box along the model's axes.");
+  v.position(required("min"), c.min, "Corner with the smallest coordinates.");
+  v.position(required("max"), c.max, "Corner with the largest coordinates.");
 }
 
 template <class V>
 void members(V& v, Visited<V, MaskSphere>& c) {
-  v.type("MaskSphere");
-  v.position(required("centre"), c.centre);
-  v.number("radius", c.radius, length_in_units, "In `units`; at most 1000000 sizes.");
+  v.type("MaskSphere", "A sphere whose edge may be soft.");
+  v.position(required("centre"), c.centre, "Centre of the sphere.");
+  v.number("radius", c.radius, length_in_units, "Radius of the sphere, in `units`; at most 1000000 sizes.");
   v.number("softness", c.softness, share, "Share of the radius over which it fades.");
 }
 
 template <class V>
 void members(V& v, Visited<V, MaskPart>& c) {
   v.type("MaskPart", "The connected part of the model that is nearest.");
-  v.position(required("position"), c.position);
+  v.position(required("position"), c.position, "A point near the part.");
 }
 
 template <class V>
@@ -290,7 +305,7 @@ void members(V& v, Visited<V, MaskPicture>& c) {
       "An uploaded picture, read at the vertices' texture coordinates. luminance: by Rec. 709's weights of the file's "
       "own numbers, no curve undone.");
   v.picture(required("name"), c.name, "The name that the upload of a picture was answered with.");
-  v.name("channel", c.channel, json_names::picture_channels);
+  v.name("channel", c.channel, json_names::picture_channels, "Channel of the picture that is read.");
 }
 
 template <class V>
@@ -301,11 +316,11 @@ void members(V& v, Visited<V, ApplyMap>& c) {
          "read. The commands of a batch read at most 8 "
          "different pictures.");
   v.picture(required("picture"), c.picture, "The name that the upload of a picture was answered with.");
-  v.name("field", c.field, json_names::fields);
+  v.name("field", c.field, json_names::fields, "Field that is replaced.");
   v.name("encoding", c.encoding, json_names::map_encodings);
   v.number("scale", c.scale, width_in_units,
            "What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.");
-  v.name("units", c.units, json_names::units, "Of a scale of lengths. relative: sizes; world: the model's unit.");
+  v.name("units", c.units, json_names::units, "Unit of a scale of lengths. relative: sizes; world: the model's unit.");
   v.number("strength", c.strength, share, "How far the field goes to the picture's.");
   v.integer("tile", c.tile, {0, last_udim},
             "UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture repeats, "
@@ -319,22 +334,26 @@ void members(V& v, Visited<V, ChangeMask>& c) {
       "Mask",
       "Chooses where tools work: they change what the mask is 1 on, and nothing where it is 0. Brushes paint it with "
       "`paint`. Only select takes a shape, combine and value; only grow and shrink a distance; only smooth passes.");
-  v.name("action", c.action, json_names::mask_actions);
+  v.name(
+      "action", c.action, json_names::mask_actions,
+      "What is done with the mask: select chooses, grow and shrink move its edge, smooth softens it, invert swaps it.");
   if (v.takes(c.action == MaskAction::select)) {
     v.template alternative<MaskAll>("all", c.shape, "Everything. What select takes when no shape is given.");
-    v.vertices("vertices", c.shape);
-    v.template alternative<MaskBox>("box", c.shape);
-    v.template alternative<MaskSphere>("sphere", c.shape);
+    v.vertices("vertices", c.shape, "Numbers of the vertices that are chosen.");
+    v.template alternative<MaskBox>("box", c.shape, "Chooses what lies in a box.");
+    v.template alternative<MaskSphere>("sphere", c.shape, "Chooses what lies in a sphere.");
     v.template alternative<MaskPart>("part", c.shape);
     v.template alternative<MaskPicture>("picture", c.shape);
     v.name("combine", c.combine, json_names::mask_combines,
-           "With what the mask is. With replace the rest gets 1 - value.");
-    v.number("value", c.value, share, "What the chosen get.");
+           "How the shape joins the mask that is there. With replace the rest gets 1 - value.");
+    v.number("value", c.value, share, "Mask value of what is chosen.");
   }
   if (v.takes(c.action == MaskAction::grow || c.action == MaskAction::shrink)) {
-    v.number("distance", c.distance, length_in_units, "Along edges, in `units`; at most 1000000 sizes.");
+    v.number("distance", c.distance, length_in_units,
+             "How far the edge moves along edges of the mesh, in `units`; at most 1000000 sizes.");
   }
-  if (v.takes(c.action == MaskAction::smooth)) v.integer("passes", c.passes, {1, limits::passes});
+  if (v.takes(c.action == MaskAction::smooth))
+    v.integer("passes", c.passes, {1, limits::passes}, "How often the mask is smoothed.");
   v.name("units", c.units, json_names::units);
 }
 
@@ -345,13 +364,13 @@ void members(V& v, Visited<V, Retarget>& c) {
       "Takes the fields of another scene, or of this one at another revision, from the nearest places of its surface. "
       "The mask holds.");
   v.label(required("scene"), c.scene, "Id of the source, on the same server.");
-  v.counter("revision", c.revision, "Of the source's model; the present one unless given.");
+  v.counter("revision", c.revision, "Revision of the source's model; the present one unless given.");
   v.name(
       "align", c.align, json_names::alignments,
-      "box: the models' boxes lie over each other, axis by axis, and lengths stay shares of the size; none: both have "
-      "the same coordinates, and lengths stay what they are in the model's unit.");
-  v.names("fields", c.fields, json_names::fields, 0, "field", "All but the mask when empty.");
-  v.number("strength", c.strength, share);
+      "How the models are laid over each other. box: their boxes lie over each other, axis by axis, and lengths stay "
+      "shares of the size. none: both have the same coordinates, and lengths stay what they are in the model's unit.");
+  v.names("fields", c.fields, json_names::fields, 0, "field", "Fields that are taken; all but the mask when empty.");
+  v.number("strength", c.strength, share, "How much it changes: 0 does nothing, 1 all.");
   layer_member(v, c);
 }
 

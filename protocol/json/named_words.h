@@ -15,16 +15,19 @@ template <class E>
 inline constexpr NamedWords named_words{};
 
 template <>
-inline constexpr NamedWords named_words<Units>{"Units", "relative: sizes; world: the model's unit."};
+inline constexpr NamedWords named_words<Units>{
+    "Units",
+    "What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's unit."};
 
 template <>
-inline constexpr NamedWords named_words<Tier>{"Tier",
-                                              "draft, interactive and detailed are shells; reference traces strands."};
+inline constexpr NamedWords named_words<Tier>{
+    "Tier", "How well a frame is drawn. draft, interactive and detailed are shells; reference traces strands."};
 
 template <>
 inline constexpr NamedWords named_words<AutoView>{
     "AutoView",
-    "`front` looks from +Z, `left` from +X: it shows the animal's left. Each frames the bare model, never the fur."};
+    "A camera that the server places. `front` looks from +Z, `left` from +X: it shows the animal's left. Each frames "
+    "the bare model, never the fur."};
 
 template <>
 inline constexpr NamedWords named_words<FurPatches>{
@@ -50,7 +53,8 @@ inline constexpr NamedWords named_words<Field>{
 template <>
 inline constexpr NamedWords named_words<Aov>{
     "Aov",
-    "All but beauty and alpha leave out the ground, and are drawn with one sample for each drawn pixel.\n"
+    "An AOV (arbitrary output variable) of a frame. All but beauty and alpha leave out the ground, and are drawn with "
+    "one sample for each drawn pixel.\n"
     "Beauty, albedo and direct are multiplied by alpha; position, normal, tangent and shadow are means over what "
     "covers the pixel.\n"
     "depth: distance along the view of what first brings the opacity over half (skin, fur, eyes, hairs and curves), in "

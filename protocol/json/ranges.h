@@ -13,7 +13,9 @@ namespace pelage {
 /// Closed interval of a number; an end of infinity is none.
 struct Range {
   double low, high;
-  std::string text() const;  // "[0, 1]"
+  const char* unit = "";                                                    // `x-unit` of the contract
+  constexpr Range in(const char* what) const { return {low, high, what}; }  // the same interval of another unit
+  std::string text() const;                                                 // "[0, 1]"
 };
 
 /// How many members a list has.
@@ -24,22 +26,22 @@ struct Count {
 namespace json_parts {
 
 // The largest model has a size of about 3.5e20, and commands reach 1e6 sizes; the scene checks the sizes exactly.
-inline constexpr Range coordinate{-1e27, 1e27};
-inline constexpr Range length_in_units{0, 1e27};
-inline constexpr Range width_in_units{1e-27, 1e27};
-inline constexpr Range map_scale{1e-27, 1e27};
-inline constexpr Range direction_part{-1e6, 1e6};
-inline constexpr Range share{0, 1};
+inline constexpr Range coordinate{-1e27, 1e27, "model units"};
+inline constexpr Range length_in_units{0, 1e27, "as `units`"};
+inline constexpr Range width_in_units{1e-27, 1e27, "as `units`"};
+inline constexpr Range map_scale{1e-27, 1e27, "as `units`"};
+inline constexpr Range direction_part{-1e6, 1e6, "any length"};
+inline constexpr Range share{0, 1, "share"};
 inline constexpr Range whole_number{0, 4294967295.0};
-inline constexpr Range screen_coordinate{-1e6, 1e6};  // pixels
-inline constexpr Range half_circle{0, 180};
-inline constexpr Range edit_layer_weight{-4, 4};
-inline constexpr Range clump_size{0.001, 0.5};
-inline constexpr Range feature_size{0.005, 2};
-inline constexpr Range pixels{1, limits::frame_pixels};
-inline constexpr Range budget_ms{1, 600'000};
-inline constexpr Range max_error{1e-6, 1};
-inline constexpr Range fov_degrees{1, 150};
+inline constexpr Range screen_coordinate{-1e6, 1e6, "pixels"};  // pixels
+inline constexpr Range half_circle{0, 180, "degrees"};
+inline constexpr Range edit_layer_weight{-4, 4, "factor"};
+inline constexpr Range clump_size{0.001, 0.5, "sizes"};
+inline constexpr Range feature_size{0.005, 2, "sizes"};
+inline constexpr Range pixels{1, limits::frame_pixels, "pixels"};
+inline constexpr Range budget_ms{1, 600'000, "milliseconds"};
+inline constexpr Range max_error{1e-6, 1, "mean FLIP"};
+inline constexpr Range fov_degrees{1, 150, "degrees"};
 
 // Of answers.
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();

@@ -52,6 +52,7 @@ Json number_schema(const char* type, Range range) {
   else if (range.low != any_number.low)
     schema["minimum"] = plain(range.low);
   if (range.high != any_number.high) schema["maximum"] = plain(range.high);
+  if (*range.unit) schema["x-unit"] = range.unit;
   return schema;
 }
 Json list_schema(Json items, Count count) {
@@ -81,15 +82,18 @@ Json shapes() {
   const Json digits = {{"type", "string"}, {"pattern", "^[0-9a-f]{32}$"}};
   const Json hex = {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
   const auto triple = [](Range range) { return list_schema(number_schema("number", range), {3, 3}); };
-  const Json place = described(number_schema("number", coordinate),
-                               "In the model's unit; within 1000000 sizes of the model's centre.");
+  const Json place =
+      described(number_schema("number", coordinate), "A coordinate; within 1000000 sizes of the model's centre.");
   return {
-      {"Position", list_schema(place, {3, 3})},
-      {"Direction", described(triple(direction_part), "Any length in [1e-6, 1e6]; only where it points counts.")},
+      {"Position",
+       described(list_schema(place, {3, 3}), "A point in the model's own coordinates, right-handed with Y up.")},
+      {"Direction",
+       described(triple(direction_part), "A vector of any length in [1e-6, 1e6]; only where it points counts.")},
       {"Barycentric", described(triple(share), "Weights of the triangle's corners; their sum is within 0.001 of 1.")},
-      {"Colour", described({{"oneOf", {hex, triple(share)}}}, "sRGB as `#rrggbb`, or linear red, green and blue.")},
+      {"Colour",
+       described({{"oneOf", {hex, triple(share)}}}, "A colour: sRGB as `#rrggbb`, or linear red, green and blue.")},
       {"PictureName", described(digits, "The name that the upload of a picture was answered with.")},
-      {"FieldsHash", digits}};
+      {"FieldsHash", described(digits, "Hash of all fields: the same fur has the same hash.")}};
 }
 template <class E, std::size_t N>
 Json words_schema(Json& all, const std::array<json_names::Name<E>, N>& names) {
@@ -205,7 +209,7 @@ class MemberSchemas {
     add(name, list_schema(list_schema(number_schema("number", range), {3, 3}), {count, count}), {}, words);
   }
   void pixel(MemberName name, glm::dvec2, const View&, const char* words = "") {
-    add(name, list_schema(number_schema("number", {0, pixels.high}), {2, 2}), {}, words);
+    add(name, list_schema(number_schema("number", {0, pixels.high, "pixels"}), {2, 2}), {}, words);
   }
   template <class T>
   void direction(MemberName name, const T& direction, const char* words = "") {
@@ -280,17 +284,17 @@ class MemberSchemas {
   }
   template <class Place>
   void place(const Place&) {
-    add("position", reference("Position"), {}, "");
+    add("position", reference("Position"), {}, "A point; the nearest place on the surface is meant.");
     add("screen", list_schema(number_schema("number", screen_coordinate), {2, 2}), {},
-        "Pixels from the top left, y down, centres at .5.");
-    add("triangle", number_schema("integer", whole_number), {}, "");
+        "A pixel of the stroke's view: from the top left, y down, centres at .5.");
+    add("triangle", number_schema("integer", whole_number), {}, "Number of a triangle.");
     add("barycentric", reference("Barycentric"), {}, "");
   }
 
   /// The schema of the struct; of a command with the word that it has as `op`.
   Json finish(const char* op = nullptr) {
     Json schema = {{"type", "object"}}, required = std::move(required_), properties = std::move(properties_);
-    if (op) properties["op"] = {{"const", op}}, required.push_back("op");
+    if (op) properties["op"] = {{"const", op}, {"description", "Name of the command."}}, required.push_back("op");
     if (properties.contains("flood")) schema["oneOf"] = stroke_or_flood();
     schema["properties"] = std::move(properties);
     if (!required.empty()) schema["required"] = std::move(required);
@@ -359,7 +363,9 @@ void describe_commands(Json& all, Json& command, const std::variant<Tools...>*) 
 template <>
 Json describe<Command>(Json& all) {
   if (!all.contains("Command")) {
-    Json command = {{"oneOf", Json::array()}, {"discriminator", {{"propertyName", "op"}}}};
+    Json command = {{"description", "A command; `op` says which."},
+                    {"oneOf", Json::array()},
+                    {"discriminator", {{"propertyName", "op"}}}};
     describe_commands(all, command, static_cast<const Command*>(nullptr));
     all["Command"] = std::move(command);
   }

@@ -1,5 +1,5 @@
-"""Puts the schemas of requests and answers into the contract, as JSON and as a C++ source that holds it:
-embed.py CONTRACT.yaml SCHEMAS.json OUTPUT.cpp OUTPUT.json"""
+"""Puts the schemas of requests and answers and the examples into the contract, as JSON and as a C++ source that holds it:
+embed.py CONTRACT.yaml EXAMPLES.yaml SCHEMAS.json OUTPUT.cpp OUTPUT.json"""
 
 import json
 import sys
@@ -27,7 +27,14 @@ def parameters_of(contract, entry):
         if name not in entry.get("but", []):
             required = {"required": True} if name in schema.get("required", []) else {}
             to = f"#/components/schemas/{entry['members']}/properties/{name}"
-            yield {"name": name, "in": "query", **required, "schema": {"$ref": to}}
+            words = description_of(contract, schema["properties"][name])
+            yield {"name": name, "in": "query", **required, "description": words, "schema": {"$ref": to}}
+
+
+def description_of(contract, schema):
+    if "description" in schema:
+        return schema["description"]
+    return contract["components"]["schemas"][schema["$ref"].rsplit("/", 1)[1]]["description"]
 
 
 def with_parameters(contract):
@@ -39,11 +46,57 @@ def with_parameters(contract):
     return contract
 
 
-def main(source, schemas, target, document):
-    with open(source, encoding="utf-8") as file:
-        contract = yaml.safe_load(file)
+def first_sentence(text):
+    return text.split(". ")[0].rstrip(".") + "."
+
+
+def with_examples(contract, examples):
+    """Commands get theirs as examples of the request that runs them, other schemas and requests their own."""
+    schemas, operations = contract["components"]["schemas"], examples["operations"]
+    commands = {name.rsplit("/", 1)[1]: op for op, name in schemas["Command"]["discriminator"]["mapping"].items()}
+    operations["runCommands"]["commands"] = {}
+    for name, value in examples["schemas"].items():
+        if name in commands:
+            about = {"summary": first_sentence(schemas[name]["description"]), "value": value}
+            operations["runCommands"]["commands"][commands.pop(name)] = about
+        else:
+            schemas[name]["examples"] = [value]
+    if commands:
+        sys.exit(f"examples.yaml has none of {sorted(commands)}")
+    for path in contract["paths"].values():
+        for method, operation in path.items():
+            if method != "parameters":
+                parameters = path.get("parameters", []) + operation.get("parameters", [])
+                add_example(operation, parameters, operations.pop(operation["operationId"], {}))
+    if operations:
+        sys.exit(f"examples.yaml has {sorted(operations)}, which are no operations")
+    return contract
+
+
+def add_example(operation, parameters, example):
+    for name, value in example.get("query", {}).items():
+        next(one for one in parameters if one.get("name") == name)["example"] = value
+    for media in operation.get("requestBody", {}).get("content", {}).values():
+        if "commands" in example:
+            batch = {"summary": "Several commands as one undo step.", "value": example["body"]}
+            media["examples"] = {"batch": batch, **example["commands"]}
+        elif "body" in example:
+            media["example"] = example["body"]
+        elif "file" in example:
+            # Not `externalValue`, which programs that bundle contracts look for in their own file system.
+            address = f"/docs/{example['file']}"
+            media["examples"] = {"file": {"summary": f"A small file that the server has at {address}.", "value": f"(the bytes of {address})", "x-file": address}}
+
+
+def read_yaml(path):
+    with open(path, encoding="utf-8") as file:
+        return yaml.safe_load(file)
+
+
+def main(source, examples, schemas, target, document):
     with open(schemas, encoding="utf-8") as file:
-        text = json.dumps(with_parameters(merged(contract, json.load(file))), ensure_ascii=True, separators=(",", ":"))
+        contract = with_parameters(merged(read_yaml(source), json.load(file)))
+    text = json.dumps(with_examples(contract, read_yaml(examples)), ensure_ascii=True, separators=(",", ":"))
     with open(document, "w", encoding="utf-8") as file:
         file.write(text)
     pieces = [text[i:i + PIECE] for i in range(0, len(text), PIECE)]

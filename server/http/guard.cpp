@@ -142,10 +142,12 @@ std::optional<Refusal> refused_body(const Request& request) {
 }
 
 /// A browser cannot send a token for a page and its files. They are the same on every server and hold no secrets; the
-/// studio asks for the token and sends it with each of its calls.
-bool is_of_the_studio(const std::string& path) { return path == "/" || path.starts_with("/assets/"); }
+/// studio asks for the token and sends it with each of its calls. The reference says what everybody can read elsewhere.
+bool is_a_page(const std::string& path) {
+  return path == "/" || path.starts_with("/assets/") || path == "/docs" || path.starts_with("/docs/");
+}
 
-bool needs_no_token(const std::string& path) { return path == "/livez" || path == "/readyz" || is_of_the_studio(path); }
+bool needs_no_token(const std::string& path) { return path == "/livez" || path == "/readyz" || is_a_page(path); }
 
 }  // namespace
 

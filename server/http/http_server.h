@@ -16,7 +16,7 @@ namespace pelage {
 struct HttpOptions {
   std::string host = "127.0.0.1";  // address or name to listen on
   int port = 0;                    // 0 for a free one
-  std::string token;               // when given, every call needs it but /livez, /readyz and the studio's files
+  std::string token;               // when given, every call needs it but /livez, /readyz, the studio's files and /docs
   std::vector<std::string> hosts;  // names that a request may address beside the loopback ones, without ports
 };
 

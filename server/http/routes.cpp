@@ -62,6 +62,10 @@ Result<ExecuteOptions> change_options_of(const httplib::Request& request) {
 
 namespace {
 
+bool is_file_in(std::string_view folder, std::string_view path) {
+  return path.starts_with(folder) && path.size() > folder.size() && path.find('/', folder.size()) == path.npos;
+}
+
 /// What comes after the scene's id, with {field} for what stands there.
 std::string shape_in_scene(const std::string& rest) {
   for (const auto& [folder, shape] : {std::pair<std::string_view, const char*>{"/maps/", "/maps/{field}"},
@@ -106,11 +110,10 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/metrics", "GET, HEAD"},
                                                       {"/openapi.json", "GET, HEAD"}});
   static constexpr std::string_view scenes = "/v1/scenes/";
-  static constexpr std::string_view assets = "/assets/";
   if (path == "/") return {"/", "GET, HEAD"};
-  if (path.starts_with(assets) && path.size() > assets.size() && path.find('/', assets.size()) == path.npos) {
-    return {"/assets/{name}", "GET, HEAD"};
-  }
+  if (path == "/docs" || path == "/docs/") return {"/docs", "GET, HEAD"};
+  if (is_file_in("/assets/", path)) return {"/assets/{name}", "GET, HEAD"};
+  if (is_file_in("/docs/", path)) return {"/docs/{name}", "GET, HEAD"};
   std::string shape = path;
   if (path.starts_with(scenes) && path.size() > scenes.size()) {
     const std::size_t end = std::min(path.find('/', scenes.size()), path.size());

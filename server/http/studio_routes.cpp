@@ -64,7 +64,13 @@ void answer_file(const StudioFile& file, const Request& request, Response& respo
 void answer_address(const Request& request, Response& response) {
   if (const StudioFile* file = find_studio_file(request.path)) return answer_file(*file, request, response);
   response.set_header("Cache-Control", "no-store");  // the next version may have it
-  reply_problem(response, failure(Code::not_found, "The studio has no such file."));
+  reply_problem(response, failure(Code::not_found, "The server has no such file."));
+}
+
+/// The pages link to each other by relative addresses, so that a proxy may put them under another path.
+void answer_first_page(const Request& request, Response& response) {
+  response.set_header("Location", request.path.ends_with('/') ? "index.html" : "docs/index.html");
+  response.status = 308;
 }
 
 }  // namespace
@@ -72,6 +78,8 @@ void answer_address(const Request& request, Response& response) {
 void add_studio_routes(httplib::Server& server) {
   server.Get("/", answer_address);
   server.Get("/assets/([^/]+)", answer_address);
+  server.Get("/docs/?", answer_first_page);
+  server.Get("/docs/([^/]+)", answer_address);
 }
 
 }  // namespace pelage

@@ -1,8 +1,8 @@
-"""Makes the files of a folder part of a program: an assembler file with their bytes and a C++ file with their table.
+"""Makes the files of folders part of a program: an assembler file with their bytes and a C++ file with their table.
 
-usage: embed.py FOLDER BYTES.s TABLE.cpp
+usage: embed.py BYTES.s TABLE.cpp FOLDER...
 
-index.html is at the address /, and assets/FILE at /assets/FILE; anything else is refused. FILE.gz and FILE.br are the
+index.html is at the address /, assets/FILE at /assets/FILE and docs/FILE at /docs/FILE; anything else is refused. FILE.gz and FILE.br are the
 compressed forms of FILE, used where they are there.
 """
 import hashlib
@@ -18,9 +18,12 @@ TYPES = {
     ".svg": "image/svg+xml",
     ".png": "image/png",
     ".jpg": "image/jpeg",
+    ".obj": "application/octet-stream",
+    ".hdr": "application/octet-stream",
+    ".pelage": "application/octet-stream",
 }
 HASHED = re.compile(r".+-[A-Za-z0-9_-]{8,}\.\w+")  # NAME-HASH.js: other content has another name
-ASSET = re.compile(r"assets/[A-Za-z0-9_.-]+")
+ASSET = re.compile(r"(assets|docs)/[A-Za-z0-9_.-]+")
 FORMS = {"identity": "", "gzip": ".gz", "brotli": ".br"}
 
 
@@ -30,13 +33,11 @@ def files(folder):
     plain = [name for name in names if not (name.endswith((".gz", ".br")) and name[:-3] in names)]
     for name in plain:
         if name != "index.html" and not ASSET.fullmatch(name):
-            sys.exit(f"embed.py: {name} has no address; only index.html and assets/* have")
+            sys.exit(f"embed.py: {name} has no address; only index.html, assets/* and docs/* have")
         if pathlib.PurePath(name).suffix not in TYPES:
             sys.exit(f"embed.py: {name} is of no known type")
         if not (folder / name).stat().st_size:
             sys.exit(f"embed.py: {name} is empty")
-    if "index.html" not in plain:
-        sys.exit(f"embed.py: {folder} has no index.html")
     return plain
 
 
@@ -45,10 +46,12 @@ def bytes_of(symbol, path):
     return f'.globl {symbol}\n{symbol}:\n.incbin "{quoted}"\n.globl {symbol}_end\n{symbol}_end:\n.byte 0\n'
 
 
-def main(folder, assembler, table):
-    folder = pathlib.Path(folder)
+def main(assembler, table, *folders):
     code, declared, rows = [".section .rodata\n"], [], []
-    for number, name in enumerate(files(folder)):
+    named = [(pathlib.Path(folder), name) for folder in folders for name in files(pathlib.Path(folder))]
+    if "index.html" not in [name for _, name in named]:
+        sys.exit(f"embed.py: none of {folders} has an index.html")
+    for number, (folder, name) in enumerate(named):
         views = []
         for form, ending in FORMS.items():
             path, symbol = folder / (name + ending), f"pelage_studio_{number}_{form}"

@@ -1,4 +1,5 @@
-// The browser client, built into the program; in a build without node, a page that says how to get it.
+// The browser client and the reference, built into the program; in a build without node, a page that says how to get
+// the client.
 #pragma once
 
 #include <span>
@@ -8,14 +9,15 @@ namespace pelage {
 
 /// All views are of the program's own constants.
 struct StudioFile {
-  std::string_view path;                    // of its address: "/" for the page, "/assets/..." for the rest
+  std::string_view
+      path;  // of its address: "/" for the page, "/assets/..." for its files, "/docs/..." for the reference
   std::string_view type;                    // for Content-Type
   std::string_view identity, gzip, brotli;  // its bytes; the compressed forms are empty where they would not be shorter
   std::string_view etag;                    // of what it holds, without quotes
   bool hashed;                              // the name has a hash of the content: what is at this address never changes
 };
 
-/// All of them; one is the page.
+/// All of them; one is the studio's page.
 std::span<const StudioFile> studio_files();
 
 /// Null where there is none.

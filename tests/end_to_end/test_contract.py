@@ -394,7 +394,8 @@ class Answers(ServedTest):
                 continue
             revision = scene.info()["revision"] if name != "scenes" else 0
             query = {"model": "?format=obj", "frame.png": "?width=16&height=16", "compare": f"?from={revision}&to={revision}"}
-            address = path.replace("{id}", scene.id).replace("{field}", "length").replace("{format}", "hair").replace("{name}", asset) + query.get(name, "")
+            file = "comb.html" if path.startswith("/docs") else asset
+            address = path.replace("{id}", scene.id).replace("{field}", "length").replace("{format}", "hair").replace("{name}", file) + query.get(name, "")
             body["revert"] = {"revision": revision}
             if name == "amend":
                 steps = [entry["revision"] for entry in self.server.get(f"{scene.path}/log").json["entries"] if entry["in_effect"]]

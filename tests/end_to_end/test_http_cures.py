@@ -201,7 +201,7 @@ class Tokens(ServedTest):
     arguments = {"token": "secret"}
 
     def test_all_but_health_and_the_studio_needs_the_token(self):
-        for path, status in (("/v1/scenes", 401), ("/metrics", 401), ("/openapi.json", 401), ("/", 200), ("/assets/none", 404), ("/livez", 200),
+        for path, status in (("/v1/scenes", 401), ("/metrics", 401), ("/openapi.json", 401), ("/", 200), ("/assets/none", 404), ("/docs", 308), ("/docs/comb.html", 200), ("/docsx", 401), ("/livez", 200),
                              ("/readyz", 200)):
             for given in ("", "Bearer wrong", "Bearer secre", "Bearer secret2", "secret", "Basic secret"):
                 answer = self.server.get(path, headers={"Authorization": given})

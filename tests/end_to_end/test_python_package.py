@@ -32,6 +32,7 @@ OPERATIONS = {
     "listFrames": "Scene.frames_under_way", "drawFrame": "Scene.frame", "getFrame": "Scene.frame_address",
     "compare": "Scene.compare", "folds": "Scene.folds", "pick": "Scene.pick", "live": "Server.is_alive", "ready": "Server.is_ready",
     "metrics": "Server.metrics", "contract": "Server.contract", "home": "Server.studio_file", "studioFile": "Server.studio_file",
+    "docs": "Server.docs_file", "docsFile": "Server.docs_file",
 }
 
 

@@ -39,7 +39,7 @@ class Contract:
         """What a member is: description, range, default."""
         whole = self.resolved(schema)
         items = self.resolved(whole.get("items", {}))
-        words = [sentence(whole.get("description") or items.get("description", "")), sentence(range_of(whole)).capitalize()]
+        words = [sentence(whole.get("description") or items.get("description", "")), with_capital(sentence(range_of(whole)))]
         if "default" in whole:
             words.append(f"Default {json.dumps(whole['default'])}.")
         return " ".join(" ".join(words).split())
@@ -78,8 +78,9 @@ def literal(value):
 
 
 def range_of(schema):
-    """The range of a number or the count of an array's items, or nothing."""
-    unit = " items" if "items" in schema else ""
+    """The range of a number with its unit or the count of an array's items, or nothing."""
+    unit = schema.get("x-unit", schema.get("items", {}).get("x-unit"))
+    unit = (" items" if "items" in schema else "") + (f" ({unit})" if unit else "")
     low = schema.get("minItems", schema.get("minimum"))
     high = schema.get("maxItems", schema.get("maximum"))
     if low is None and high is None:
@@ -89,6 +90,10 @@ def range_of(schema):
     if high is None:
         return f"at least {json.dumps(low)}{unit}"
     return f"{json.dumps(low)} to {json.dumps(high)}{unit}" if low is not None else f"at most {json.dumps(high)}{unit}"
+
+
+def with_capital(text):
+    return text[:1].upper() + text[1:]
 
 
 def sentence(text):

@@ -106,6 +106,10 @@ class Server:
         """The studio's page, or the file of that name in its assets."""
         return self._connection.get(f"/assets/{quoted(name)}" if name else "/").body
 
+    def docs_file(self, name: str = "index.html") -> bytes:
+        """A page of the reference that the server has at /docs, or a picture of it."""
+        return self._connection.get(f"/docs/{quoted(name)}").body
+
     def close(self) -> None:
         """Closes the connection of this thread; a later request opens another."""
         self._connection.close()

@@ -23,27 +23,32 @@ std::string unzipped(std::string_view bytes, std::size_t size) {
   return plain;
 }
 
-TEST(StudioFiles, ThePageIsThereAndNothingElseIsBesideTheAssets) {
+bool is_beside_the_page(std::string_view path) { return path.starts_with("/assets/") || path.starts_with("/docs/"); }
+
+TEST(StudioFiles, ThePageIsThereAndNothingElseIsBesideTheAssetsAndTheReference) {
   const StudioFile* page = find_studio_file("/");
   ASSERT_NE(page, nullptr);
   EXPECT_TRUE(page->identity.starts_with("<!doctype html>"));
   EXPECT_EQ(page->identity.substr(page->identity.size() - 8), "</html>\n");
   EXPECT_FALSE(page->hashed);
-  for (const char* none : {"", "/index.html", "/assets/", "/assets", "/assets/none.js", "/../etc/passwd"}) {
+  for (const char* none : {"", "/index.html", "/assets/", "/assets", "/assets/none.js", "/docs", "/docs/",
+                           "/docs/none.html", "/../etc/passwd"}) {
     EXPECT_EQ(find_studio_file(none), nullptr) << none;
   }
-  for (const StudioFile& file : studio_files()) EXPECT_TRUE(&file == page || file.path.starts_with("/assets/"));
+  for (const StudioFile& file : studio_files()) EXPECT_TRUE(&file == page || is_beside_the_page(file.path));
+  ASSERT_NE(find_studio_file("/docs/index.html"), nullptr);
+  EXPECT_FALSE(find_studio_file("/docs/style.css")->hashed);
 }
 
-TEST(StudioFiles, EachIsFoundByItsPathAndHasATagOfItsOwn) {
-  std::set<std::string_view> paths, tags;
+TEST(StudioFiles, EachIsFoundByItsPathAndHasATagOfWhatItHolds) {
+  std::set<std::string_view> paths, tags, contents;
   for (const StudioFile& file : studio_files()) {
     EXPECT_EQ(find_studio_file(file.path), &file);
     EXPECT_FALSE(file.identity.empty() || file.type.empty() || file.etag.empty()) << file.path;
-    paths.insert(file.path), tags.insert(file.etag);
+    paths.insert(file.path), tags.insert(file.etag), contents.insert(file.identity);
   }
   EXPECT_EQ(paths.size(), studio_files().size());
-  EXPECT_EQ(tags.size(), studio_files().size());
+  EXPECT_EQ(tags.size(), contents.size());
 }
 
 TEST(StudioFiles, CompressedFormsAreShorterAndHoldTheSame) {

@@ -4,7 +4,7 @@ import {call} from "../api/client";
 
 export interface Schema {
   $ref?: string; type?: string | string[]; const?: unknown; enum?: unknown[]; default?: unknown; description?: string;
-  minimum?: number; maximum?: number; minItems?: number; maxItems?: number; maxLength?: number;
+  minimum?: number; maximum?: number; "x-unit"?: string; minItems?: number; maxItems?: number; maxLength?: number;
   properties?: Record<string, Schema | boolean>; required?: string[]; items?: Schema;
   oneOf?: Schema[]; anyOf?: Schema[]; allOf?: Schema[]; not?: Schema; if?: Schema; then?: Schema; else?: Schema;
   discriminator?: {mapping: Record<string, string>};
@@ -94,13 +94,13 @@ export function words(name: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
+const unit_signs: Record<string, string> = {degrees: "°", sizes: "× size", seconds: "s", milliseconds: "ms", pixels: "px", stops: "stops"};
+const size_units: Record<string, string> = {world: "units", pixels: "px"};
+
 /** The unit to write behind a number. */
 export function unitOf(member: Member, units: unknown): string {
-  if (member.name.endsWith("_degrees")) return "°";
-  if (/in `units`/i.test(member.description)) return units === "world" ? "units" : units === "pixels" ? "px" : "× size";
-  if (/\bsizes\b/i.test(member.description)) return "× size";
-  if (/^seconds/i.test(member.description)) return "s";
-  return "";
+  const unit = member.schema["x-unit"] ?? "";
+  return unit === "as `units`" ? size_units[String(units)] ?? "× size" : unit_signs[unit] ?? "";
 }
 
 /** The contract's prose without the marks of names. */

@@ -1,0 +1,20 @@
+"""Commands in groups, as the sidebar and the first page have them. A command that is in none stops the build."""
+
+GROUPS = {
+    "Direction": ["comb", "blow", "attract", "interpolate", "flow", "smooth", "noise", "unify", "part", "whorl", "lift"],
+    "Length and form": ["length", "trim", "clump", "curl"],
+    "Fields and mask": ["paint", "mask", "map", "erase", "retarget"],
+    "Scene": ["checkpoint", "edit_layer", "set_symmetry", "set_blowers", "set_attractors"],
+    "Coat, body and light": ["set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves", "set_skin",
+                             "set_skin_texture"],
+}
+# Pages of docs/ that say more; the reference is read without them, so their addresses are those of the repository.
+UNITS = {
+    "sizes": "Fractions of the diagonal of the model's box.",
+    "model units": "The model's own coordinates, right-handed with Y up.",
+    "as `units`": "What the member `units` beside it says: sizes, the model's unit or pixels.",
+    "share": "A number from 0, nothing, to 1, all.",
+    "factor": "A number that another one is multiplied by.",
+    "varies": "The meaning says it.",
+    "degrees": "Angles; 360 are a whole turn.",
+}
