@@ -18,6 +18,7 @@ enum class Action {
   get_map,
   put_map,
   put_picture,
+  guides,
   run,
   frame,
   export_fur,
@@ -71,7 +72,8 @@ struct Options {
   double intensity = 1, turn_degrees = 0;
   // map
   std::string field;
-  Parameters map_parameters;  // as in the address of the map
+  Parameters map_parameters;    // as in the address of the map
+  Parameters guide_parameters;  // as in the address of guide curves
   // export
   Parameters export_parameters;  // as in the address of the file
   // run, amend, frame and export

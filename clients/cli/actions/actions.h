@@ -15,6 +15,7 @@ ExitCode load_skin_texture(Session& session);
 ExitCode get_map(Session& session);
 ExitCode put_map(Session& session);
 ExitCode put_picture(Session& session);
+ExitCode follow_guides(Session& session);
 ExitCode list_scenes(Session& session);
 ExitCode describe_scene(Session& session);
 ExitCode subdivide_model(Session& session);

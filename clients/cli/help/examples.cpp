@@ -54,6 +54,7 @@ constexpr Example all_examples[] = {
     {"export", "pelage export fox -o fox.usda --every 16 --widen"},
     {"export", "pelage export fox -o fox.pelage"},
     {"open", "pelage open fox.pelage --name \"another fox\""},
+    {"guides", "pelage guides fox guides.usda --strength 0.8"},
     {"map get", "pelage map get fox length -o length.exr"},
     {"map put", "pelage map put fox density density.png --strength 0.5"},
     {"map upload", "pelage map upload fox mask.png"},

@@ -33,6 +33,18 @@ void declare_open(CLI::App& app, Options& options) {
   command->add_option("--name", options.name, "Name, 1 to 200 bytes [the file's own]")->default_str("");
 }
 
+void declare_guides(CLI::App& app, Options& options) {
+  CLI::App* guides = add_action(app, options, Action::guides, "guides",
+                                "Let the fur follow curves of another program, root first, as one undo step");
+  add_scene(guides, options);
+  guides->add_option("file", options.file, "The curves, .usda, .hair or .json; - for standard input")->required();
+  Parameters& parameters = options.guide_parameters;
+  hand_on(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
+  hand_on(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
+  hand_on(guides, parameters, "--sigma", "sigma", "Width of what one curve spreads over, sizes [from their distance]");
+  hand_on(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
+}
+
 void add_map(CLI::App* command, Options& options) {
   add_scene(command, options);
   command->add_option("field", options.field, "direction, length, density, mask or another field")->required();
@@ -60,6 +72,7 @@ void declare_map_get(CLI::App& map, Options& options) {
 void declare_file_actions(CLI::App& app, Options& options) {
   declare_export(app, options);
   declare_open(app, options);
+  declare_guides(app, options);
   CLI::App* map = app.add_subcommand("map", "Fields as pictures through a model's texture coordinates");
   map->require_subcommand(1);
   map->fallthrough();
