@@ -18,7 +18,7 @@ enum class Action {
   get_map,
   put_map,
   put_picture,
-  put_guides,
+  guides,
   run,
   frame,
   export_fur,
@@ -72,8 +72,8 @@ struct Options {
   double intensity = 1, turn_degrees = 0;
   // map
   std::string field;
-  Parameters map_parameters;  // as in the address of the map
-  Parameters guide_parameters;
+  Parameters map_parameters;    // as in the address of the map
+  Parameters guide_parameters;  // as in the address of guide curves
   // export
   Parameters export_parameters;  // as in the address of the file
   // run, amend, frame and export

@@ -271,6 +271,13 @@ f 2 6 8 4
             pictures[overlay] = picture.read_bytes()
         self.assertEqual(len(set(pictures.values())), 3)
 
+    def test_guides_come_in(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 500)
+        curves = json.dumps({"curves": [[[0, 1, 0], [0, 1.2, 0.1]], [[1, 0, 0], [1.2, 0, 0.1]]]})
+        self.assertIn("interpolate: touched", self.pelage("guides", scene, self.file("two.json", curves), "--strength", "1").stdout)
+        self.assertIn("flag:    --keys", self.pelage("guides", scene, self.file("two.json", curves), "--keys", 0, code=3).stderr)
+        self.assertIn("No format", self.pelage("guides", scene, self.file("two.txt", curves), code=3).stderr)
+
     def test_what_a_frame_takes_is_known_before(self):
         scene = self.new("--builtin", "sphere", "--triangles", 500)
         self.assertRegex(self.pelage("frame", scene, "--dry-run").stdout, r"^about [0-9.e-]+ s, up to ")

@@ -113,6 +113,19 @@ class Recipes(ServedTest):
         self.pelage("run", again, "-", text=log)
         self.assertEqual(*(json.loads(self.pelage("info", each, "--json").stdout)["fields_hash"] for each in (scene, again)))
 
+    def test_the_recipe_of_the_page_that_finds_the_ears(self):
+        page = (REPOSITORY / "docs" / "recipes.md").read_text()
+        recipe = self.file("ears.json", page.split("```json")[2].split("```")[0])
+        scene = self.new("--builtin", "creature", "--triangles", 20000)
+        run = self.pelage("run", scene, recipe).stdout
+        self.assertRegex(run, r"^2 steps, \d+ vertices touched, \d")
+        self.assertNotIn("warning", run)
+        lines = [json.loads(line) for line in self.pelage("log", scene, "--lines").stdout.splitlines()]
+        left, right = (line["stroke"]["samples"][0]["position"] for line in lines)
+        for a, b, sign in zip(left, right, (-1, 1, 1)):
+            self.assertAlmostEqual(a, sign * b, delta=0.02)
+        self.assertGreater(left[0], 0.02)
+
     def test_a_pick_that_finds_nothing_stops_the_run_before_it_begins(self):
         scene = self.new("--builtin", "sphere")
         recipe = self.file("miss.json", {"steps": [

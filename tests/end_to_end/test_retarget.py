@@ -83,7 +83,7 @@ class Retarget(ServedTest):
         answer = scene.run(command)
         self.assert_problem(answer, 422, "/scene")
         self.assertEqual(answer.json["limit"], "the id of a scene of this server, not its name")
-        self.assertNotIn("touched 0", self.pelage("run", scene.id, "-", text=json.dumps(command)).stdout)
+        self.assertNotIn("touched 0", self.pelage("run", scene.id, "-", "--verbose", text=json.dumps(command)).stdout)
         self.assertEqual(scene.info()["revision"], 1)
         batch = {"commands": [{"op": "mask"}, command]}
         self.pelage("run", scene.id, "-", "--dry-run", text=json.dumps(batch))
@@ -98,7 +98,7 @@ class Retarget(ServedTest):
         source.run(flood([0, 1, 0.2]))
         scene = self.server.new_scene("creature", 5000)
         example = REPOSITORY / "docs" / "tools" / "examples" / "retarget.json"
-        printed = self.pelage("run", scene.id, example, "--set", f"source={source.id}").stdout
+        printed = self.pelage("run", scene.id, example, "--verbose", "--set", f"source={source.id}").stdout
         self.assertIn("retarget: touched ", printed)
         self.assertIn("/scene", self.pelage("run", scene.id, example, code=3).stderr)
 
@@ -112,7 +112,7 @@ class Retarget(ServedTest):
         lines = self.pelage("log", "carried", "--lines", "--for", "ball").stdout
         self.assertEqual(len(lines.splitlines()), 2)
         self.assertNotIn("view", lines)
-        printed = self.pelage("run", target.id, "-", text=lines).stdout
+        printed = self.pelage("run", target.id, "-", "--verbose", text=lines).stdout
         self.assertNotIn("touched 0", printed.splitlines()[0])
         source.run({"op": "mask", "vertices": [1, 2]})
         refused = self.server.get(f"{source.path}/log?format=jsonl&for={target.id}")

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/actions/formats.h"
 #include "clients/cli/actions/upload.h"
@@ -13,6 +15,7 @@ namespace pelage {
 
 namespace {
 
+const Endings guide_endings{{"", "usda"}, {".usda", "usda"}, {".hair", "hair"}, {".json", "json"}};
 const Endings map_endings{{"", "png16"}, {".png", "png16"}, {".exr", "exr"}, {".npy", "npy"}};
 
 /// The parameters and the field, for the decoder to check before anything is sent.
@@ -22,20 +25,19 @@ Query checked_query(const Options& options) {
   return query;
 }
 
-/// The decoder took every value, so that none needs escaping but the + of a number, which means nothing there.
-std::string address_with(std::string address, const Parameters& parameters) {
+/// Decoders took every value, so that none needs escaping but the + of a number, which means nothing there.
+std::string with_parameters(std::string address, const Parameters& parameters) {
   char separator = '?';
   for (const auto& [parameter, value] : parameters) {
     std::string plain = value;
     std::erase(plain, '+');
-    address += separator + parameter + "=" + plain;
-    separator = '&';
+    address += std::exchange(separator, '&') + parameter + "=" + plain;
   }
   return address;
 }
 
 std::string map_address(const std::string& scene_path, const Options& options) {
-  return address_with(scene_path + "/maps/" + options.field, options.map_parameters);
+  return with_parameters(scene_path + "/maps/" + options.field, options.map_parameters);
 }
 
 }  // namespace
@@ -71,17 +73,16 @@ ExitCode put_map(Session& session) {
   return print_change(session, put_with_progress(session, map_address(*path, options), *bytes), options.file);
 }
 
-ExitCode put_guides(Session& session) {
+ExitCode follow_guides(Session& session) {
   const Options& options = session.options();
-  static const Endings endings{{"", "usda"}, {".usda", "usda"}, {".hair", "hair"}, {".json", "json"}};
-  const Result<Parameters> parameters = with_format(options.guide_parameters, options.file, endings);
-  if (!parameters) return report(parameters.status());
-  if (const auto checked = decode_guide_query(*parameters); !checked) return report(checked.status());
+  const auto query = with_format(options.guide_parameters, options.file, guide_endings);
+  if (!query) return report(query.status());
+  if (const auto checked = decode_guide_query(*query); !checked) return report(checked.status());
   const auto bytes = read_file(options.file, limits::guide_bytes);
   if (!bytes) return report(bytes.status(), options.file);
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  const std::string address = address_with(*path + "/guides", *parameters);
+  const std::string address = with_parameters(*path + "/guides", *query);
   return print_change(session, put_with_progress(session, address, *bytes), options.file);
 }
 

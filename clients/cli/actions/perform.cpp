@@ -18,7 +18,7 @@ Perform action_of(Action action) {
     case Action::get_map: return get_map;
     case Action::put_map: return put_map;
     case Action::put_picture: return put_picture;
-    case Action::put_guides: return put_guides;
+    case Action::guides: return follow_guides;
     case Action::run: return run_file;
     case Action::frame: return draw_frame;
     case Action::export_fur: return export_fur;

@@ -34,15 +34,15 @@ void declare_open(CLI::App& app, Options& options) {
 }
 
 void declare_guides(CLI::App& app, Options& options) {
-  CLI::App* command = add_action(app, options, Action::put_guides, "guides",
-                                 "Let the fur follow curves of another program, as one undo step");
-  add_scene(command, options);
-  command->add_option("file", options.file, "Curves in the model's coordinates: .usda, .hair or .json")->required();
+  CLI::App* guides = add_action(app, options, Action::guides, "guides",
+                                "Let the fur follow curves of another program, root first, as one undo step");
+  add_scene(guides, options);
+  guides->add_option("file", options.file, "The curves, .usda, .hair or .json; - for standard input")->required();
   Parameters& parameters = options.guide_parameters;
-  hand_on(command, parameters, "--format", "format", "usda, hair or json [the file's ending]");
-  hand_on(command, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
-  hand_on(command, parameters, "--sigma", "sigma", "Width of the Gaussians, sizes [by the distance between roots]");
-  hand_on(command, parameters, "--strength", "strength", "0 does nothing, 1 all [1]");
+  hand_on(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
+  hand_on(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
+  hand_on(guides, parameters, "--sigma", "sigma", "Width of what one curve spreads over, sizes [from their distance]");
+  hand_on(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
 }
 
 void add_map(CLI::App* command, Options& options) {

@@ -66,6 +66,7 @@ export function expand(recipe: Recipe, files: Record<string, Recipe>, box: Bound
     if (depth > max_depth) throw new Error("Recipes use one another in a circle.");
     for (const {comment: _, ...step} of scope.recipe.steps ?? []) {
       if (Object.keys(step).length === 0) continue;
+      if ("pick" in step || "for" in step) throw new Error("Recipes with picks and loops are for `pelage run`.");
       if (typeof step["use"] !== "string") {
         steps.push(scope.fill(step) as unknown as Step);
         if (steps.length > max_steps) throw new Error(`The recipe has more than ${max_steps} steps.`);
